@@ -1,0 +1,14 @@
+# Everything comes from Debian 12; the script `ricochet` lists the packages.
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Ceres 2.1 REQUIRED)
+# With both NLopt packages installed a plain search finds the C build, which lacks StoGO and AGS.
+find_package(NLopt 2.7 CONFIG REQUIRED NO_DEFAULT_PATH
+             PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx)
+pkg_check_modules(Ipopt REQUIRED IMPORTED_TARGET ipopt)
+find_package(TBB REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(tomlplusplus 3.3 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(benchmark 1.7 REQUIRED)

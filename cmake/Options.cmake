@@ -1,0 +1,14 @@
+# The compiler options of all our own targets, as one interface target.
+option(RICOCHET_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(RICOCHET_WERROR "Treat warnings as errors" ON)
+
+add_library(ricochet_options INTERFACE)
+target_include_directories(ricochet_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(ricochet_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
+  $<$<BOOL:${RICOCHET_WERROR}>:-Werror>)
+if(RICOCHET_SANITIZE)
+  target_compile_options(ricochet_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(ricochet_options INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,157 @@
+#include "problems/carrier_track/event.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ricochet::carrier_track {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Bounds over all time on what the harmonics of a flight can do.
+struct Bounds {
+  double acceleration = 0;   ///< [m/s^2], steady part included
+  double jerk = 0;           ///< [m/s^3]
+  double snap = 0;           ///< [m/s^4]
+  double shortest_step = 0;  ///< [s], below which the forces do not change within rounding
+};
+
+Bounds bounds_of(const Flight<double>& flight) {
+  Bounds bounds;
+  bounds.acceleration = std::abs(flight.steady);
+  double fastest = 0;
+  for (int i = 0; i < flight.harmonics; ++i) {
+    const auto& h = flight.harmonic[static_cast<std::size_t>(i)];
+    const double amplitude = std::hypot(h.cosine, h.sine);
+    bounds.acceleration += amplitude;
+    bounds.jerk += amplitude * h.frequency;
+    bounds.snap += amplitude * h.frequency * h.frequency;
+    if (amplitude > 0) fastest = std::max(fastest, h.frequency);
+  }
+  bounds.shortest_step = fastest > 0 ? 1e-8 / fastest : 0.0;
+  return bounds;
+}
+
+/// Smallest h > 0 with value + slope h - bound h^2 / 2 = 0, for value >= 0: no function with this
+/// value and slope, whose second derivative is at least -bound, is negative before h.
+double safe_step(double value, double slope, double bound) {
+  const double root = std::sqrt(slope * slope + 2 * bound * value);
+  if (slope < 0) return 2 * value / (root - slope);
+  return bound > 0 ? (slope + root) / bound : infinity;
+}
+
+/// Motion seen in the direction of travel.
+struct Travel {
+  double distance, speed, acceleration;
+};
+
+class Traveller {
+ public:
+  Traveller(const Flight<double>& flight, int direction, std::int64_t& evaluations)
+      : flight_(flight), direction_(direction), evaluations_(evaluations) {}
+
+  Travel at(double time) const {
+    ++evaluations_;
+    const Motion<double> m = flight_.at(time);
+    return {direction_ * (m.position - flight_.position), direction_ * m.velocity,
+            direction_ * m.acceleration};
+  }
+
+  /// Time in [lower, upper] at which the distance reaches `ahead`, where it is monotone.
+  double arrival(double ahead, double lower, double upper, Travel from) const {
+    double time = lower;
+    for (int i = 0; i < 100 && upper - lower > 2 * epsilon * upper; ++i) {
+      const double gap = ahead - from.distance;
+      const double root = from.speed * from.speed + 2 * from.acceleration * gap;
+      // The step of the local parabola; bisection where there is none or it leaves the bracket.
+      double next = root >= 0 ? time + 2 * gap / (from.speed + std::sqrt(root)) : infinity;
+      if (!(next > lower && next < upper)) {
+        if (std::abs(next - time) <= 2 * epsilon * time) break;
+        next = lower + 0.5 * (upper - lower);
+      }
+      const bool settled = std::abs(next - time) <= 2 * epsilon * next;
+      time = next;
+      if (settled) break;
+      from = at(time);
+      (from.distance < ahead ? lower : upper) = time;
+    }
+    return time;
+  }
+
+ private:
+  const Flight<double>& flight_;
+  double direction_;
+  std::int64_t& evaluations_;
+};
+
+}  // namespace
+
+Event next_event(const Flight<double>& flight, int direction, double ahead, double horizon,
+                 std::int64_t& evaluations) {
+  if (ahead <= 0) return {EventKind::wall, 0, direction};
+  const Bounds bounds = bounds_of(flight);
+  const Traveller traveller(flight, direction, evaluations);
+  Travel here = traveller.at(0);
+  const double start_speed = here.speed;
+  double time = 0;
+  double step = safe_step(here.speed, here.acceleration, bounds.jerk);
+  if (here.speed <= 0) {  // setting out from rest with the force just beyond friction
+    const double jerk = direction * flight.jerk();
+    if (jerk > 0) step = std::max(step, 3 * jerk / bounds.snap);
+    step = std::max(step, bounds.shortest_step);
+  }
+  for (;;) {
+    const double next = std::min(time + step, horizon);
+    Travel there = traveller.at(next);
+    if (there.distance >= ahead) {
+      return {EventKind::wall, traveller.arrival(ahead, time, next, here), direction};
+    }
+    if (next >= horizon) return {EventKind::horizon, horizon, direction};
+    const double noise = 4 * epsilon * (start_speed + bounds.acceleration * next);
+    if (there.speed <= noise) {
+      if (there.acceleration <= 0) return {EventKind::turn, next, direction};
+      there.speed = std::max(there.speed, 0.0);
+    }
+    step = std::max(safe_step(there.speed, there.acceleration, bounds.jerk), epsilon * next);
+    if (there.speed <= noise) step = std::max(step, bounds.shortest_step);
+    time = next;
+    here = there;
+  }
+}
+
+Event next_departure(const Flight<double>& applied, double friction, bool may_rise, bool may_fall,
+                     double horizon, std::int64_t& evaluations) {
+  const Bounds bounds = bounds_of(applied);
+  const double noise = 4 * epsilon * (bounds.acceleration + friction);
+  if (bounds.jerk <= 0) return {EventKind::horizon, horizon, 0};
+  double time = 0;
+  for (;;) {
+    // The flight's derivatives at `time`, from its harmonics turned there.
+    double push = applied.steady;
+    double slope = 0;
+    for (int i = 0; i < applied.harmonics; ++i) {
+      const auto& h = applied.harmonic[static_cast<std::size_t>(i)];
+      const double u = h.frequency * time;
+      const double c = std::cos(u);
+      const double s = std::sin(u);
+      push += h.cosine * c - h.sine * s;
+      slope -= h.frequency * (h.cosine * s + h.sine * c);
+    }
+    ++evaluations;
+    double step = infinity;
+    for (const int direction : {+1, -1}) {
+      if (direction > 0 ? !may_rise : !may_fall) continue;
+      const double reserve = friction - direction * push;
+      const double reserve_slope = -direction * slope;
+      if (reserve <= noise && reserve_slope < 0) return {EventKind::depart, time, direction};
+      step = std::min(step, safe_step(std::max(reserve, 0.0), reserve_slope, bounds.snap));
+      if (reserve <= noise) step = std::max(step, bounds.shortest_step);
+    }
+    if (time >= horizon || step == infinity) return {EventKind::horizon, horizon, 0};
+    time = std::min(time + std::max(step, epsilon * time), horizon);
+  }
+}
+
+}  // namespace ricochet::carrier_track

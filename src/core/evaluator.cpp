@@ -1,0 +1,99 @@
+#include "src/core/evaluator.h"
+
+#include <time.h>
+
+#include <stdexcept>
+
+namespace ricochet {
+namespace {
+
+/// Processor time of this thread [s]: other threads and waiting for locks do not count.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const Problem& problem, const Budget& budget)
+    : problem_(problem), budget_(budget), started_(thread_seconds()) {}
+
+std::int64_t Evaluator::remaining() const {
+  return over() ? 0 : budget_.evaluations - ledger_.charged;
+}
+
+bool Evaluator::admits(const Vector& x, std::int64_t price) {
+  if (over()) return false;
+  ledger_.seconds = thread_seconds() - started_;
+  if (ledger_.charged + price > budget_.evaluations) refusal_ = Refusal::evaluations;
+  if (ledger_.seconds >= budget_.seconds) refusal_ = Refusal::seconds;
+  if (x.size() != problem_.dimension() || !x.allFinite()) refusal_ = Refusal::bad_point;
+  return !over();
+}
+
+template <class Work>
+bool Evaluator::guarded(Work work) {
+  try {
+    work();
+    return true;
+  } catch (...) {
+    failure_ = std::current_exception();
+    refusal_ = Refusal::failure;
+    return false;
+  }
+}
+
+void Evaluator::charge(std::int64_t price) {
+  ledger_.charged += price;
+  ledger_.seconds = thread_seconds() - started_;
+}
+
+void Evaluator::score(const Vector& x) {
+  const double before = thread_seconds();
+  const Truth truth = problem_.truth ? problem_.truth(x) : truth_of(*values_);
+  if (trace_.empty() || better(truth, trace_.back().truth)) {
+    trace_.push_back({ledger_.charged, ledger_.seconds, truth, x});
+  }
+  started_ += thread_seconds() - before;
+}
+
+std::optional<Values> Evaluator::values(const Vector& x) {
+  if (values_ && values_point_ == x) return over() ? std::nullopt : values_;
+  if (!admits(x, 1)) return std::nullopt;
+  const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+  const bool done = guarded([&] {
+    values_ = problem_.evaluate(inside);
+    values_point_ = x;
+    ++ledger_.values;
+    charge(1);
+    score(inside);
+  });
+  return done ? values_ : std::nullopt;
+}
+
+std::optional<double> Evaluator::objective(const Vector& x) {
+  const auto result = values(x);
+  return result ? std::optional(result->objective) : std::nullopt;
+}
+
+std::optional<Derivatives> Evaluator::derivatives(const Vector& x) {
+  if (derivatives_ && derivatives_point_ == x) return over() ? std::nullopt : derivatives_;
+  const bool known = values_ && values_point_ == x;
+  const std::int64_t price = problem_.dimension() + (known ? 0 : 1);
+  if (!admits(x, price)) return std::nullopt;
+  const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+  const bool done = guarded([&] {
+    if (!problem_.differentiate) throw std::logic_error(problem_.name + " has no derivatives");
+    derivatives_ = problem_.differentiate(inside);
+    derivatives_point_ = x;
+    values_ = derivatives_->values;
+    values_point_ = x;
+    ++ledger_.derivatives;
+    charge(price);
+    score(inside);
+  });
+  return done ? derivatives_ : std::nullopt;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/core/problem.h"
+
+namespace ricochet {
+
+/// What a run may spend. Seconds are of processor time in the run's own thread.
+struct Budget {
+  std::int64_t evaluations = 1000;
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
+/// Why the evaluator refuses.
+enum class Refusal {
+  none,         ///< it does not: the run may go on
+  evaluations,  ///< the evaluations are spent
+  seconds,      ///< the time is spent
+  bad_point,    ///< the solver asked for a point that is not finite or has the wrong length
+  failure,      ///< the problem threw; see Evaluator::failure
+};
+
+/// What was asked of the problem.
+struct Ledger {
+  std::int64_t values = 0;       ///< calls of evaluate
+  std::int64_t derivatives = 0;  ///< calls of differentiate
+  std::int64_t charged = 0;      ///< evaluations: 1 for values, 1 + n for derivatives
+  double seconds = 0;            ///< processor time since the start, scoring left out
+};
+
+/// A point that was truly better than all before it.
+struct Improvement {
+  std::int64_t evaluations;  ///< charged when it was found
+  double seconds;
+  Truth truth;
+  Vector x;
+};
+
+/// The only one who counts, times, traces, and refuses when the budget is spent. Remembers the last
+/// point, so that a solver that asks separately for objective, constraints and gradient at one
+/// point pays once. Every point is scored by its truth off the clock: the trace, never a solver's
+/// answer, tells what was reached. Points outside the box are evaluated at their projection onto
+/// it.
+///
+/// Nothing throws through a solver's frame: an exception of the problem is stored in `failure`, and
+/// from then on every call is refused.
+class Evaluator {
+ public:
+  Evaluator(const Problem& problem, const Budget& budget);
+
+  const Problem& problem() const { return problem_; }
+
+  /// Objective and constraints at x (length n), or nothing once the run is over.
+  std::optional<Values> values(const Vector& x);
+
+  /// values(x)->objective.
+  std::optional<double> objective(const Vector& x);
+
+  /// Values and first derivatives at x, or nothing once the run is over. The problem must have
+  /// them.
+  std::optional<Derivatives> derivatives(const Vector& x);
+
+  /// Evaluations left before the budget refuses.
+  std::int64_t remaining() const;
+
+  /// The best point so far in truth, or nothing before the first evaluation.
+  const Improvement* best() const { return trace_.empty() ? nullptr : &trace_.back(); }
+
+  bool over() const { return refusal_ != Refusal::none; }
+  Refusal refusal() const { return refusal_; }
+  std::exception_ptr failure() const { return failure_; }
+  const Ledger& ledger() const { return ledger_; }
+  const std::vector<Improvement>& trace() const { return trace_; }
+
+ private:
+  bool admits(const Vector& x, std::int64_t price);
+  void score(const Vector& x);
+  void charge(std::int64_t price);
+
+  template <class Work>
+  bool guarded(Work work);
+
+  const Problem& problem_;
+  Budget budget_;
+  Ledger ledger_;
+  Refusal refusal_ = Refusal::none;
+  std::exception_ptr failure_;
+  std::vector<Improvement> trace_;
+  double started_;       // processor time [s] of the start, moved on by the time spent scoring
+  Vector values_point_;  // where values_ holds
+  std::optional<Values> values_;
+  Vector derivatives_point_;
+  std::optional<Derivatives> derivatives_;
+};
+
+}  // namespace ricochet

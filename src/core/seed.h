@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string_view>
+
+namespace ricochet {
+
+using Random = std::mt19937_64;
+
+/// A seed that depends on what a run is, never on when or where it executes: a 64-bit FNV-1a hash
+/// of the names and numbers, each closed by a separator.
+std::uint64_t seed_of(std::string_view problem, std::string_view solver, int instance, int run);
+
+}  // namespace ricochet

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "src/core/evaluator.h"
+#include "src/core/seed.h"
+
+namespace ricochet {
+
+/// What a solver says of its own end. Data, never the truth: the suite judges by the trace.
+using SolverExit = std::string;
+
+/// A solver of box-bounded minimisation problems.
+struct Solver {
+  std::string name;     ///< e.g. "nlopt-cobyla"
+  std::string version;  ///< of the library behind it
+  bool stochastic = false;
+
+  /// Whether it can be put to work on this problem: dimension, constraints, derivatives.
+  std::function<bool(const Problem&)> accepts;
+
+  /// Minimises from `start` with what the evaluator grants. Returns when it is done or when the
+  /// evaluator refuses; the harness restarts it elsewhere while budget is left. All randomness
+  /// comes from `random`. May be called from several threads at once.
+  std::function<SolverExit(Evaluator&, const Vector& start, Random& random)> solve;
+};
+
+}  // namespace ricochet

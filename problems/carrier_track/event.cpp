@@ -24,7 +24,7 @@ Bounds bounds_of(const Flight<double>& flight) {
   double fastest = 0;
   for (int i = 0; i < flight.harmonics; ++i) {
     const auto& h = flight.harmonic[static_cast<std::size_t>(i)];
-    const double amplitude = std::hypot(h.cosine, h.sine);
+    const double amplitude = std::sqrt(h.cosine * h.cosine + h.sine * h.sine);
     bounds.acceleration += amplitude;
     bounds.jerk += amplitude * h.frequency;
     bounds.snap += amplitude * h.frequency * h.frequency;

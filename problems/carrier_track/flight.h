@@ -40,9 +40,11 @@ Stumpff<Scalar> stumpff(const Scalar& u) {
                                            1.0 / 1307674368000,
                                            -1.0 / 355687428096000,
                                            1.0 / 121645100408832000};
-    Scalar c2 = constant<Scalar>(even[8]);
-    Scalar c3 = constant<Scalar>(odd[8]);
-    for (std::size_t k = 8; k-- > 0;) {
+    // NOTE: most flights turn by little; for |u| < 1/8 five terms leave out less than 1e-17.
+    const std::size_t last = value(q) < 1.0 / 64 ? 4 : 8;
+    Scalar c2 = constant<Scalar>(even[last]);
+    Scalar c3 = constant<Scalar>(odd[last]);
+    for (std::size_t k = last; k-- > 0;) {
       c2 = c2 * q + constant<Scalar>(even[k]);
       c3 = c3 * q + constant<Scalar>(odd[k]);
     }

@@ -69,4 +69,34 @@ struct BasicScene {
 
 using Scene = BasicScene<double>;
 
+/// The same scene with every constant as a Scalar, for instance a dual number.
+template <class Scalar>
+BasicScene<Scalar> lifted(const Scene& scene) {
+  const auto lift = [](double x) { return constant<Scalar>(x); };
+  return {lift(scene.mass),
+          lift(scene.wall_lower),
+          lift(scene.wall_upper),
+          lift(scene.restitution_lower),
+          lift(scene.restitution_upper),
+          lift(scene.friction),
+          lift(scene.normal_force),
+          lift(scene.pull),
+          scene.pull_rotates,
+          scene.centrifugal,
+          lift(scene.centrifugal_mass_radius),
+          lift(scene.slider_mass_radius),
+          lift(scene.phase),
+          lift(scene.disturbance),
+          lift(scene.disturbance_frequency),
+          lift(scene.start_position),
+          lift(scene.start_velocity),
+          lift(scene.omega),
+          scene.window,
+          scene.rule,
+          lift(scene.slowest),
+          lift(scene.peak_high),
+          lift(scene.peak_low),
+          scene.fidelity};
+}
+
 }  // namespace ricochet::carrier_track

@@ -1,0 +1,84 @@
+#include "problems/carrier_track/scene_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "src/core/error.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+class Checker {
+ public:
+  explicit Checker(const std::string& origin) : origin_(origin) {}
+
+  void require(bool holds, const char* key, double value, const std::string& allowed) const {
+    if (!holds)
+      throw InputError(fmt::format("{}: {} = {}: must be {}", origin_, key, value, allowed));
+  }
+  void finite(const char* key, double value, const char* unit) const {
+    require(std::isfinite(value), key, value, fmt::format("a finite number [{}]", unit));
+  }
+  void positive(const char* key, double value, const char* unit) const {
+    require(std::isfinite(value) && value > 0, key, value,
+            fmt::format("a finite number > 0 [{}]", unit));
+  }
+  void not_negative(const char* key, double value, const char* unit) const {
+    require(std::isfinite(value) && value >= 0, key, value,
+            fmt::format("a finite number >= 0 [{}]", unit));
+  }
+  void fraction(const char* key, double value) const {
+    require(value >= 0 && value <= 1, key, value, "within 0..1");
+  }
+
+ private:
+  const std::string& origin_;
+};
+
+}  // namespace
+
+void check_omega(const Scene& scene, const std::string& origin, const std::string& name) {
+  const Checker checker(origin);
+  if (std::holds_alternative<Revolutions>(scene.window)) {
+    checker.require(std::isfinite(scene.omega) && scene.omega > 0, name.c_str(), scene.omega,
+                    "a finite number > 0 [rad/s], because the window is in revolutions");
+  } else {
+    checker.not_negative(name.c_str(), scene.omega, "rad/s");
+  }
+}
+
+void check(const Scene& scene, const std::string& origin) {
+  const Checker checker(origin);
+  checker.positive("scene.mass", scene.mass, "kg");
+  checker.finite("scene.wall_lower", scene.wall_lower, "m");
+  checker.require(scene.wall_upper > scene.wall_lower, "scene.wall_upper", scene.wall_upper,
+                  fmt::format("> wall_lower = {} [m], or inf", scene.wall_lower));
+  checker.fraction("scene.restitution", scene.restitution_lower);
+  checker.fraction("scene.restitution", scene.restitution_upper);
+  checker.not_negative("scene.friction", scene.friction, "1");
+  checker.not_negative("scene.normal_force", scene.normal_force, "N");
+  checker.finite("scene.pull", scene.pull, "N");
+  checker.not_negative("scene.centrifugal_mass_radius", scene.centrifugal_mass_radius, "kg m");
+  checker.not_negative("scene.slider_mass_radius", scene.slider_mass_radius, "kg m");
+  checker.finite("scene.phase", scene.phase, "rad");
+  checker.finite("scene.disturbance", scene.disturbance, "N");
+  checker.not_negative("scene.disturbance_frequency", scene.disturbance_frequency, "rad/s");
+  checker.require(scene.start_position >= scene.wall_lower &&
+                      scene.start_position <= scene.wall_upper &&
+                      std::isfinite(scene.start_position),
+                  "scene.start_position", scene.start_position,
+                  fmt::format("within the walls, {}..{} [m]", scene.wall_lower, scene.wall_upper));
+  checker.finite("scene.start_velocity", scene.start_velocity, "m/s");
+  check_omega(scene, origin, "scene.omega");
+  if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
+    checker.positive("window.revolutions", turns->count, "1");
+  } else {
+    checker.positive("window.seconds", std::get<Seconds>(scene.window).count, "s");
+  }
+  checker.positive("count.slowest", scene.slowest, "m/s");
+  checker.positive("count.peak_high", scene.peak_high, "m");
+  checker.positive("count.peak_low", scene.peak_low, "m");
+}
+
+}  // namespace ricochet::carrier_track

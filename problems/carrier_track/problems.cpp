@@ -81,12 +81,15 @@ Problem top_speed_surrogate_problem(const Case& a_case, const Scene& reading, do
   return problem;
 }
 
-std::vector<Problem> problems_of(const Case& a_case, const Scene& reading, const SpeedScan& scan,
-                                 double limit) {
-  std::vector<Problem> problems = {
-      count_problem(a_case, reading), surrogate_problem(a_case, reading, default_width),
-      top_speed_problem(a_case, reading, limit),
-      top_speed_surrogate_problem(a_case, reading, limit, default_width)};
+std::vector<Problem> problems_of(const Case& a_case, const Scene& reading) {
+  const double limit =
+      quiet_limit(quiet_count(scene_of(a_case, reading), a_case.claim, ScanOptions{}));
+  return {count_problem(a_case, reading), surrogate_problem(a_case, reading, default_width),
+          top_speed_problem(a_case, reading, limit),
+          top_speed_surrogate_problem(a_case, reading, limit, default_width)};
+}
+
+void certify(std::vector<Problem>& problems, const SpeedScan& scan, double limit) {
   std::optional<double> fewest;
   std::optional<double> fastest;
   for (std::size_t k = 0; k < scan.counts.size(); ++k) {
@@ -98,7 +101,6 @@ std::vector<Problem> problems_of(const Case& a_case, const Scene& reading, const
     if (problem.constraints == 0) problem.best_known = fewest;
     if (problem.constraints > 0 && fastest) problem.best_known = -*fastest;
   }
-  return problems;
 }
 
 }  // namespace ricochet::carrier_track

@@ -27,9 +27,11 @@ Problem top_speed_problem(const Case& a_case, const Scene& reading, double limit
 Problem top_speed_surrogate_problem(const Case& a_case, const Scene& reading, double limit,
                                     double width);
 
-/// All four for one case, with the best known values of a speed scan from slowest_speed on: the
-/// lowest count, and the fastest speed within the quiet limit.
-std::vector<Problem> problems_of(const Case& a_case, const Scene& reading, const SpeedScan& scan,
-                                 double limit);
+/// All four for one case.
+std::vector<Problem> problems_of(const Case& a_case, const Scene& reading);
+
+/// Sets the best known values from an exhaustive scan of the case's speeds, from slowest_speed on:
+/// the lowest count, and the fastest speed within the quiet limit.
+void certify(std::vector<Problem>& problems, const SpeedScan& scan, double limit);
 
 }  // namespace ricochet::carrier_track

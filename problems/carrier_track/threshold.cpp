@@ -38,6 +38,20 @@ double share(std::size_t size, Predicate holds) {
   return static_cast<double>(held) / static_cast<double>(size);
 }
 
+/// A multiple of the step that equals the reference but for rounding lies on neither side of it.
+bool is_below(double omega, double reference) {
+  return omega < reference * (1 - 1e-9);
+}
+
+double reference_of(const Claim& claim, double highest) {
+  return claim.threshold.value_or(quiet_share * highest);
+}
+
+int most_common_below(const SpeedScan& scan, double reference) {
+  const auto below = counts_where(scan, [&](double w) { return is_below(w, reference); });
+  return most_common(below).value_or(scan.counts.front());
+}
+
 std::vector<Example> judge_examples(const Scene& scene, const Figure& figure, double limit) {
   std::vector<Example> examples;
   for (const bool loud : {false, true}) {
@@ -111,24 +125,20 @@ std::optional<int> most_common(const std::vector<int>& counts) {
 Score score(const Scene& scene, const Claim& claim, const SpeedScan& fine, std::size_t stride) {
   const SpeedScan scan = thinned(fine, stride);
   const double highest = fine.omega(fine.counts.size() - 1);
-  const double tolerance = 1e-9 * highest;  // a speed equal to the reference lies below it nowhere
   Score result;
   result.evaluations = static_cast<std::int64_t>(fine.counts.size());
-  const double quiet_below = claim.threshold.value_or(quiet_share * highest);
-  result.quiet_count = most_common(counts_where(scan, [&](double w) {
-                         return w < quiet_below - tolerance;
-                       })).value_or(fine.counts.front());
-  const Split split = best_split(fine, result.quiet_limit());
+  result.quiet_count = most_common_below(scan, reference_of(claim, highest));
+  const double limit = quiet_limit(result.quiet_count);
+  const Split split = best_split(fine, limit);
   result.threshold = split.speed;
   result.first_loud = split.first_loud;
-  const double divide =
-      split.speed.value_or(scan.counts.front() > result.quiet_limit() ? 0 : 2 * highest);
+  const double divide = split.speed.value_or(scan.counts.front() > limit ? 0 : 2 * highest);
   result.misclassified = share(scan.counts.size(), [&](std::size_t k) {
-    return (scan.counts[k] > result.quiet_limit()) != (scan.omega(k) > divide);
+    return (scan.counts[k] > limit) != (scan.omega(k) > divide);
   });
   if (const auto reference = claim.threshold ? claim.threshold : split.speed) {
-    const auto below = counts_where(scan, [&](double w) { return w < *reference - tolerance; });
-    const auto above = counts_where(scan, [&](double w) { return w > *reference + tolerance; });
+    const auto below = counts_where(scan, [&](double w) { return is_below(w, *reference); });
+    const auto above = counts_where(scan, [&](double w) { return is_below(*reference, w); });
     if (!below.empty()) {
       result.purity = share(below.size(), [&](std::size_t k) {
         return std::abs(below[k] - result.quiet_count) <= 1;
@@ -139,10 +149,16 @@ Score score(const Scene& scene, const Claim& claim, const SpeedScan& fine, std::
     }
   }
   if (claim.figure) {
-    result.examples = judge_examples(scene, *claim.figure, result.quiet_limit());
+    result.examples = judge_examples(scene, *claim.figure, limit);
     result.evaluations += static_cast<std::int64_t>(result.examples.size());
   }
   return result;
+}
+
+int quiet_count(const Scene& scene, const Claim& claim, const ScanOptions& options) {
+  const double reference = reference_of(claim, options.highest);
+  const double step = options.step * static_cast<double>(options.stride);
+  return most_common_below(scan_speeds(scene, step, std::max(reference, step)), reference);
 }
 
 Score score(const Scene& scene, const Claim& claim, const ScanOptions& options) {

@@ -25,7 +25,8 @@ SpeedScan scan_speeds(const Scene& scene, double step, double highest);
 /// Every `stride`-th speed of a scan.
 SpeedScan thinned(const SpeedScan& scan, std::size_t stride);
 
-/// Where a body of counts divides best into quiet below and loud above; quiet means <= limit.
+/// Where a body of counts divides best into quiet below and loud above; quiet means <= limit (see
+/// quiet_limit).
 struct Split {
   std::optional<double> speed;       ///< [rad/s], midway between two scanned speeds
   std::optional<double> first_loud;  ///< [rad/s], lowest scanned speed that is loud at all
@@ -58,9 +59,6 @@ struct Score {
   std::optional<double> first_loud;  ///< [rad/s], lowest loud speed of the fine scan
   std::int64_t evaluations = 0;      ///< simulations
   double seconds = 0;                ///< elapsed
-
-  /// Counts up to here are quiet.
-  double quiet_limit() const { return 1.5 * quiet_count; }
 };
 
 struct ScanOptions {
@@ -80,6 +78,14 @@ Score score(const Scene& scene, const Claim& claim, const ScanOptions& options);
 
 /// The same from a scan already made.
 Score score(const Scene& scene, const Claim& claim, const SpeedScan& scan, std::size_t stride);
+
+/// Part 1 of the score alone: only the speeds below the reference are simulated.
+int quiet_count(const Scene& scene, const Claim& claim, const ScanOptions& options);
+
+/// Counts up to here are quiet.
+inline double quiet_limit(int quiet_count) {
+  return 1.5 * quiet_count;
+}
 
 /// Collision count of a valid scene at a speed [rad/s].
 int count_at(const Scene& scene, double omega);

@@ -1,0 +1,26 @@
+#pragma once
+
+namespace ricochet::carrier_track {
+
+/// Speed and acceleration that the track prescribes, equations (1)-(5), Figure 3.
+struct TheoreticalMotion {
+  double speed;         ///< [m/s]
+  double acceleration;  ///< [m/s^2]
+};
+
+/// On the circular arcs BE and FD, equations (1)-(2): r w and r w^2.
+TheoreticalMotion on_arc(double radius, double omega);
+
+/// On the straight crossing EF, equations (3)-(5), `angle` = phi_2 - phi_1 in (-pi/2, pi/2) [rad]
+/// from its middle. Equation (5) agrees with (4) only if normal and tangential part enclose 90
+/// degrees + angle; so read here.
+TheoreticalMotion on_crossing(double radius, double omega, double angle);
+
+/// Equation (4)'s normal and tangential part [m/s^2] on the crossing.
+struct CrossingParts {
+  double normal;      ///< r w^2 / cos(angle)
+  double tangential;  ///< dV/dt = 2 r w^2 sin(angle) / cos^3(angle)
+};
+CrossingParts crossing_parts(double radius, double omega, double angle);
+
+}  // namespace ricochet::carrier_track

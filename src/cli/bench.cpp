@@ -1,0 +1,27 @@
+#include "src/cli/bench.h"
+
+#include <benchmark/benchmark.h>
+
+#include "bench/simulation_bench.h"
+#include "src/core/error.h"
+
+namespace ricochet::cli {
+
+int bench(std::vector<std::string> arguments, bool json) {
+  if (json) arguments.push_back("--benchmark_format=json");
+  arguments.insert(arguments.begin(), "ricochet bench");
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  auto argc = static_cast<int>(argv.size());
+  bench::add_simulation_benchmarks();
+  benchmark::Initialize(&argc, argv.data());
+  if (argc > 1) {
+    throw InputError(std::string("bench: unknown argument ") + argv[1] +
+                     "; allowed: the flags of Google Benchmark, --benchmark_...");
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}
+
+}  // namespace ricochet::cli

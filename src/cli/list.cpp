@@ -1,0 +1,104 @@
+#include "src/cli/list.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/problems.h"
+#include "problems/carrier_track/reading.h"
+#include "solvers/solvers.h"
+#include "src/cli/format.h"
+
+namespace ricochet::cli {
+namespace {
+
+using namespace carrier_track;
+
+Json cases() {
+  Json rows = Json::array();
+  for (const Case& c : all_cases()) {
+    rows.push_back({{"case", c.id},
+                    {"restitution", c.restitution},
+                    {"friction", c.friction},
+                    {"disturbance", c.disturbance},
+                    {"paper_threshold", json_of(c.claim.threshold)},
+                    {"paper_quiet_count", json_of(c.claim.quiet_count)}});
+  }
+  return rows;
+}
+
+Json problems() {
+  Json rows = Json::array();
+  const Scene reading = default_reading().scene;
+  for (const Case& c : all_cases()) {
+    for (const Problem& p : problems_of(c, reading)) {
+      rows.push_back({{"problem", p.name},
+                      {"dimension", p.dimension()},
+                      {"constraints", p.constraints},
+                      {"derivatives", static_cast<bool>(p.differentiate)},
+                      {"source", p.source}});
+    }
+  }
+  return rows;
+}
+
+Json solvers() {
+  Json rows = Json::array();
+  for (const Solver& s : all_solvers()) {
+    rows.push_back({{"solver", s.name}, {"version", s.version}, {"stochastic", s.stochastic}});
+  }
+  return rows;
+}
+
+Json readings() {
+  Json rows = Json::array();
+  for (const Reading& r : all_readings()) {
+    rows.push_back({{"reading", r.name}, {"description", r.description}});
+  }
+  return rows;
+}
+
+/// A cell as text: strings without quotes, missing values as a dash.
+std::string cell(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_null() ? "-" : value.dump();
+}
+
+void print_table(const Json& rows) {
+  std::vector<std::string> keys;
+  std::vector<std::size_t> widths;
+  for (const auto& [key, value] : rows.front().items()) {
+    std::size_t width = key.size();
+    for (const Json& row : rows) width = std::max(width, cell(row[key]).size());
+    keys.push_back(key);
+    widths.push_back(width);
+  }
+  const auto print_line = [&](auto text) {
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const bool last = i + 1 == keys.size();
+      fmt::print("{:<{}}{}", text(keys[i]), last ? 0 : widths[i], last ? "\n" : "  ");
+    }
+  };
+  print_line([](const std::string& key) { return key; });
+  for (const Json& row : rows) {
+    print_line([&row](const std::string& key) { return cell(row[key]); });
+  }
+}
+
+}  // namespace
+
+int list(const std::string& what, bool json) {
+  const Json rows = what == "cases"      ? cases()
+                    : what == "problems" ? problems()
+                    : what == "solvers"  ? solvers()
+                                         : readings();
+  if (json) {
+    fmt::print("{}\n", rows.dump(2));
+  } else {
+    print_table(rows);
+  }
+  return 0;
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,143 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "problems/carrier_track/scene_file.h"
+#include "src/cli/bench.h"
+#include "src/cli/list.h"
+#include "src/cli/reproduce.h"
+#include "src/cli/simulate.h"
+#include "src/cli/threshold.h"
+#include "src/core/error.h"
+
+namespace ricochet::cli {
+namespace {
+
+constexpr int bad_input = 2;
+
+void add_scene_choice(CLI::App& command, SceneChoice& choice) {
+  command.add_option("--case", choice.case_id, "A case of the paper, C1..C12");
+  command.add_option("--scene", choice.scene_file, "A machine of your own, a TOML file");
+}
+
+void add_format(CLI::App& command, bool& json) {
+  command.add_option("--format", "What to print: text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->default_str("text")
+      ->each([&json](const std::string& format) { json = format == "json"; });
+}
+
+class Program {
+ public:
+  Program() {
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", "ricochet 0.1.0");
+    add_reproduce();
+    add_simulate();
+    add_threshold();
+    add_scene();
+    add_list();
+    add_bench();
+  }
+
+  int run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) return app_.exit(error);  // --help, --version
+      std::fprintf(stderr, "ricochet: %s; see ricochet --help\n", error.what());
+      return bad_input;
+    }
+    return work_();
+  }
+
+ private:
+  void add_reproduce() {
+    CLI::App* command =
+        app_.add_subcommand("reproduce", "The main job: every case against the paper, as a report");
+    command->add_flag("--quick", reproduce_.quick, "A coarser study, in seconds");
+    command->add_option("--out", reproduce_.out, "Folder for the report")->capture_default_str();
+    command->callback([this] { work_ = [this] { return reproduce(reproduce_); }; });
+  }
+
+  void add_simulate() {
+    CLI::App* command =
+        app_.add_subcommand("simulate", "One run: impacts, peaks, count, certainty");
+    add_scene_choice(*command, simulate_.scene);
+    add_format(*command, simulate_.json);
+    command->add_option("--omega", simulate_.omega, "Speed [rad/s] in place of the scene's");
+    command->add_option("--fidelity", simulate_.fidelity, "Level of the model: impact")
+        ->check(CLI::IsMember({"impact"}));
+    command->add_option("--width", simulate_.width, "Smoothing width of the surrogate")
+        ->capture_default_str();
+    command->add_option("--csv", simulate_.csv, "File for the path: time, position, velocity");
+    command->add_option("--plot", simulate_.plot, "SVG file for a picture of the path");
+    command->callback([this] { work_ = [this] { return simulate(simulate_); }; });
+  }
+
+  void add_threshold() {
+    CLI::App* command = app_.add_subcommand("threshold", "The fastest quiet speed, to 1e-3 rad/s");
+    add_scene_choice(*command, threshold_.scene);
+    add_format(*command, threshold_.json);
+    command->add_flag("--all", threshold_.all, "Every case of the paper");
+    command->add_option("--fastest", threshold_.fastest, "End of the speed range [rad/s]")
+        ->capture_default_str();
+    command->callback([this] { work_ = [this] { return threshold(threshold_); }; });
+  }
+
+  void add_scene() {
+    CLI::App* command =
+        app_.add_subcommand("scene", "Prints a scene as TOML, to start a machine of your own");
+    add_scene_choice(*command, scene_);
+    command->callback([this] {
+      work_ = [this] {
+        std::fputs(carrier_track::write_scene(choose_scene(scene_).scene).c_str(), stdout);
+        return 0;
+      };
+    });
+  }
+
+  void add_list() {
+    CLI::App* command = app_.add_subcommand("list", "What there is");
+    command->add_option("what", list_, "cases, problems, solvers or readings")
+        ->required()
+        ->check(CLI::IsMember({"cases", "problems", "solvers", "readings"}));
+    add_format(*command, list_json_);
+    command->callback([this] { work_ = [this] { return list(list_, list_json_); }; });
+  }
+
+  void add_bench() {
+    CLI::App* command = app_.add_subcommand("bench", "The speed measurements");
+    add_format(*command, bench_json_);
+    command->allow_extras();
+    command->footer("Further flags are Google Benchmark's, such as --benchmark_filter=simulate");
+    command->callback([this, command] {
+      work_ = [this, command] { return bench(command->remaining(), bench_json_); };
+    });
+  }
+
+  CLI::App app_{"ricochet: the fastest quiet speed of a braiding machine, and solvers put to it"};
+  ReproduceOptions reproduce_;
+  SimulateOptions simulate_;
+  ThresholdOptions threshold_;
+  SceneChoice scene_;
+  std::string list_;
+  bool list_json_ = false;
+  bool bench_json_ = false;
+  std::function<int()> work_;
+};
+
+}  // namespace
+}  // namespace ricochet::cli
+
+int main(int argc, char** argv) {
+  try {
+    return ricochet::cli::Program().run(argc, argv);
+  } catch (const ricochet::InputError& error) {
+    std::fprintf(stderr, "ricochet: %s\n", error.what());
+    return ricochet::cli::bad_input;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ricochet: failed: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,97 @@
+#include "src/cli/simulate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "problems/carrier_track/recording.h"
+#include "problems/carrier_track/scene_check.h"
+#include "src/cli/format.h"
+#include "src/core/error.h"
+#include "src/core/text_file.h"
+
+namespace ricochet::cli {
+namespace {
+
+using namespace carrier_track;
+
+const char* name_of(Wall wall) {
+  return wall == Wall::lower ? "lower" : "upper";
+}
+
+Json json_of(const Recording& recording) {
+  Json impacts = Json::array();
+  for (const Impact& i : recording.impacts) {
+    impacts.push_back({{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}});
+  }
+  Json peaks = Json::array();
+  for (const Peak& p : recording.peaks) {
+    peaks.push_back({{"time", p.time}, {"position", p.position}});
+  }
+  return {{"count", recording.count},
+          {"surrogate", recording.surrogate},
+          {"certain", recording.certain},
+          {"margin", cli::json_of(recording.margin)},
+          {"impacts", impacts},
+          {"peaks", peaks},
+          {"end",
+           {{"time", recording.end.time},
+            {"position", recording.end.position},
+            {"velocity", recording.end.velocity}}},
+          {"evaluations", recording.end.evaluations},
+          {"fidelity", "impact"}};
+}
+
+std::string csv_of(const Recording& recording) {
+  std::string text = "time_s,position_m,velocity_m_per_s\n";
+  for (const Sample& s : recording.path) {
+    text += fmt::format("{},{},{}\n", s.time, s.position, s.velocity);
+  }
+  return text;
+}
+
+void print(const ChosenScene& chosen, const Recording& recording) {
+  fmt::print("{} at {} rad/s: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
+             chosen.scene.omega, recording.count, recording.end.time,
+             recording.certain ? "certain" : "not certain: too sensitive to tell",
+             recording.surrogate);
+  if (recording.margin) {
+    fmt::print("nearest margin to zero: {:.3g}\n", *recording.margin);
+  }
+  fmt::print("{} impacts, slow ones included; {} maxima of x\n", recording.impacts.size(),
+             recording.peaks.size());
+  constexpr std::size_t shown = 40;
+  fmt::print("{:>14} {:>6} {:>13}\n", "time [s]", "wall", "speed [m/s]");
+  for (std::size_t i = 0; i < std::min(shown, recording.impacts.size()); ++i) {
+    const Impact& impact = recording.impacts[i];
+    fmt::print("{:>14.8f} {:>6} {:>13.6g}{}\n", impact.time, name_of(impact.wall), impact.speed,
+               impact.speed > chosen.scene.slowest ? "  counts" : "");
+  }
+  if (recording.impacts.size() > shown) {
+    fmt::print("... and {} more; --format json lists all\n", recording.impacts.size() - shown);
+  }
+}
+
+}  // namespace
+
+int simulate(const SimulateOptions& options) {
+  ChosenScene chosen = choose_scene(options.scene);
+  if (options.omega) {
+    chosen.scene.omega = *options.omega;
+    check_omega(chosen.scene, chosen.name, "--omega");
+  }
+  if (!(options.width > 0 && std::isfinite(options.width))) {
+    throw InputError(fmt::format("--width {}: must be a finite number > 0", options.width));
+  }
+  const bool path = !options.csv.empty();
+  const Recording recording = record(chosen.scene, options.width, path ? 2000 : 0);
+  if (!options.csv.empty()) write_text_file(options.csv, csv_of(recording));
+  if (options.json) {
+    fmt::print("{}\n", json_of(recording).dump(2));
+  } else {
+    print(chosen, recording);
+  }
+  return 0;
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,122 @@
+#include "src/cli/threshold.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "problems/carrier_track/threshold.h"
+#include "src/campaign/progress.h"
+#include "src/cli/format.h"
+#include "src/core/error.h"
+
+namespace ricochet::cli {
+namespace {
+
+using namespace carrier_track;
+
+Json restitution_of(const Scene& scene) {
+  if (scene.restitution_lower == scene.restitution_upper) return scene.restitution_lower;
+  return Json::array({scene.restitution_lower, scene.restitution_upper});
+}
+
+Json json_of(const ChosenScene& chosen, const Score& score) {
+  Json examples = Json::array();
+  for (const Example& e : score.examples) {
+    examples.push_back({{"omega", e.omega},
+                        {"side", e.loud ? "loud" : "quiet"},
+                        {"count", e.count},
+                        {"right", e.right}});
+  }
+  return {{"case", chosen.name},
+          {"restitution", restitution_of(chosen.scene)},
+          {"friction", chosen.scene.friction},
+          {"disturbance", chosen.scene.disturbance},
+          {"paper_threshold", cli::json_of(chosen.claim.threshold)},
+          {"threshold", cli::json_of(score.threshold)},
+          {"first_loud", cli::json_of(score.first_loud)},
+          {"misclassified", score.misclassified},
+          {"purity", cli::json_of(score.purity)},
+          {"loudness", cli::json_of(score.loudness)},
+          {"paper_quiet_count", cli::json_of(chosen.claim.quiet_count)},
+          {"quiet_count", score.quiet_count},
+          {"reading", chosen.reading},
+          {"evaluations", score.evaluations},
+          {"seconds", score.seconds},
+          {"examples", examples}};
+}
+
+template <class T>
+std::string text_of(const std::optional<T>& value, const char* form) {
+  return value ? fmt::format(fmt::runtime(form), *value) : "-";
+}
+
+void print_header() {
+  fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7} {:>6} {:>6}  {}\n", "scene",
+             "threshold", "paper", "error", "first loud", "quiet", "paper", "misclas", "purity",
+             "loud/q", "examples");
+}
+
+void print_row(const ChosenScene& chosen, const Score& score) {
+  std::string error = "-";
+  if (chosen.claim.threshold && score.threshold) {
+    error = fmt::format("{:+.1f} %", 100 * (*score.threshold / *chosen.claim.threshold - 1));
+  }
+  std::string examples;
+  for (const Example& e : score.examples) {
+    examples += fmt::format("{}{} at {}: {}", examples.empty() ? "" : ", ", e.omega, e.count,
+                            e.right ? "right" : "WRONG");
+  }
+  fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7.4f} {:>6} {:>6}  {}\n", chosen.name,
+             text_of(score.threshold, "{:.4f}"), text_of(chosen.claim.threshold, "{}"), error,
+             text_of(score.first_loud, "{:.3f}"), score.quiet_count,
+             text_of(chosen.claim.quiet_count, "{}"), score.misclassified,
+             text_of(score.purity, "{:.3f}"), text_of(score.loudness, "{:.2f}"), examples);
+}
+
+/// What an engineer wants to know, in words.
+void print_advice(const Score& score, const ScanOptions& options) {
+  fmt::print("\nQuiet means at most {} collisions in the window: 1.5 times the usual {}.\n",
+             std::floor(quiet_limit(score.quiet_count)), score.quiet_count);
+  if (!score.first_loud) {
+    fmt::print("Every speed up to {} rad/s is quiet.\n", options.highest);
+  } else {
+    fmt::print("Stay below {:.3f} rad/s: from there on there are speeds that are loud.\n",
+               *score.first_loud);
+  }
+}
+
+}  // namespace
+
+int threshold(const ThresholdOptions& options) {
+  if (options.all && !(options.scene.case_id.empty() && options.scene.scene_file.empty())) {
+    throw InputError("--all stands alone: it takes neither --case nor --scene");
+  }
+  ScanOptions scan;
+  scan.highest = options.fastest;
+  if (!(scan.highest >= 0.1 && scan.highest <= 1000)) {
+    throw InputError(
+        fmt::format("--fastest {}: must be within 0.1..1000 [rad/s]", options.fastest));
+  }
+  const auto scenes =
+      options.all ? every_case() : std::vector<ChosenScene>{choose_scene(options.scene)};
+  std::vector<Score> scores;
+  {
+    Progress progress("scanning speeds", static_cast<double>(scenes.size()));
+    for (const ChosenScene& chosen : scenes) {
+      scores.push_back(score(chosen.scene, chosen.claim, scan));
+      progress.advance(1);
+    }
+  }
+  if (options.json) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < scenes.size(); ++i) rows.push_back(json_of(scenes[i], scores[i]));
+    fmt::print("{}\n", (options.all ? rows : rows.front()).dump(2));
+    return 0;
+  }
+  print_header();
+  for (std::size_t i = 0; i < scenes.size(); ++i) print_row(scenes[i], scores[i]);
+  if (scenes.size() == 1) print_advice(scores.front(), scan);
+  return 0;
+}
+
+}  // namespace ricochet::cli

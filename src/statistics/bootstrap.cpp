@@ -1,0 +1,33 @@
+#include "src/statistics/bootstrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace ricochet {
+
+double quantile(std::vector<double> sample, double q) {
+  std::sort(sample.begin(), sample.end());
+  const double place = q * static_cast<double>(sample.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double share = place - static_cast<double>(below);
+  if (share == 0.0) return sample[below];
+  const double low = sample[below];
+  const double high = sample[below + 1];
+  return std::isinf(high) ? high : low + share * (high - low);
+}
+
+Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
+                         std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_int_distribution<std::size_t> index(0, sample.size() - 1);
+  std::vector<double> medians;
+  std::vector<double> drawn(sample.size());
+  for (int i = 0; i < resamples; ++i) {
+    for (double& x : drawn) x = sample[index(random)];
+    medians.push_back(quantile(drawn, 0.5));
+  }
+  return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};
+}
+
+}  // namespace ricochet

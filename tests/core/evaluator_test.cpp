@@ -1,0 +1,115 @@
+#include "src/core/evaluator.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "tests/core/test_problems.h"
+
+namespace ricochet {
+namespace {
+
+TEST(Evaluator, ChargesOneForValuesAndOnePlusNForDerivatives) {
+  const Problem problem = parabola(3);
+  Evaluator evaluator(problem, {100});
+  ASSERT_TRUE(evaluator.values(Vector::Constant(3, 0.5)));
+  EXPECT_EQ(evaluator.ledger().charged, 1);
+  ASSERT_TRUE(evaluator.derivatives(Vector::Constant(3, 0.25)));
+  EXPECT_EQ(evaluator.ledger().charged, 1 + 4);
+  EXPECT_EQ(evaluator.ledger().values, 1);
+  EXPECT_EQ(evaluator.ledger().derivatives, 1);
+}
+
+TEST(Evaluator, RemembersTheLastPoint) {
+  const Problem problem = parabola(2);
+  Evaluator evaluator(problem, {100});
+  const Vector x = Vector::Constant(2, 0.5);
+  const auto derivatives = evaluator.derivatives(x);
+  const auto values = evaluator.values(x);
+  EXPECT_EQ(evaluator.ledger().charged, 3);
+  EXPECT_EQ(values->objective, derivatives->values.objective);
+  ASSERT_TRUE(evaluator.values(Vector::Constant(2, 0.75)));
+  ASSERT_TRUE(evaluator.derivatives(Vector::Constant(2, 0.75)));
+  EXPECT_EQ(evaluator.ledger().charged, 3 + 1 + 2) << "values at this point were already paid";
+}
+
+TEST(Evaluator, RefusesOnceTheBudgetIsSpent) {
+  const Problem problem = parabola(1);
+  Evaluator evaluator(problem, {2});
+  EXPECT_TRUE(evaluator.objective(Vector::Constant(1, 0.1)));
+  EXPECT_TRUE(evaluator.objective(Vector::Constant(1, 0.2)));
+  EXPECT_EQ(evaluator.remaining(), 0);
+  EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.3)));
+  EXPECT_TRUE(evaluator.over());
+  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
+  EXPECT_EQ(evaluator.ledger().charged, 2);
+  EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.2))) << "not even what it remembers";
+}
+
+TEST(Evaluator, RefusesADerivativeThatTheBudgetDoesNotCover) {
+  const Problem problem = parabola(3);
+  Evaluator evaluator(problem, {3});
+  EXPECT_FALSE(evaluator.derivatives(Vector::Constant(3, 0.5)));
+  EXPECT_EQ(evaluator.ledger().charged, 0);
+}
+
+TEST(Evaluator, RefusesOnceTheTimeIsSpent) {
+  const Problem problem = parabola(1);
+  Evaluator evaluator(problem, {1000000, 0.0});
+  EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.1)));
+  EXPECT_EQ(evaluator.refusal(), Refusal::seconds);
+}
+
+TEST(Evaluator, RefusesPointsThatAreNotFiniteOrOfTheWrongLength) {
+  const Problem problem = parabola(2);
+  for (const Vector& x : {Vector(Vector::Constant(2, std::numeric_limits<double>::quiet_NaN())),
+                          Vector(Vector::Constant(3, 0.5))}) {
+    Evaluator evaluator(problem, {10});
+    EXPECT_FALSE(evaluator.values(x));
+    EXPECT_EQ(evaluator.refusal(), Refusal::bad_point);
+  }
+}
+
+TEST(Evaluator, EvaluatesAPointOutsideTheBoxAtItsProjection) {
+  const Problem problem = parabola(1);
+  Evaluator evaluator(problem, {10});
+  EXPECT_EQ(*evaluator.objective(Vector::Constant(1, 7.0)), *evaluator.objective(problem.upper));
+  EXPECT_EQ(evaluator.best()->x, problem.upper);
+}
+
+TEST(Evaluator, StoresAnExceptionOfTheProblemAndRefusesFromThenOn) {
+  Problem problem = parabola(1);
+  problem.evaluate = [](const Vector&) -> Values { throw std::runtime_error("broken scene"); };
+  Evaluator evaluator(problem, {10});
+  EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.1)));
+  EXPECT_EQ(evaluator.refusal(), Refusal::failure);
+  EXPECT_THROW(std::rethrow_exception(evaluator.failure()), std::runtime_error);
+}
+
+TEST(Evaluator, TracesOnlyImprovementsAndScoresThemByTheirTruth) {
+  Problem problem = parabola(1);
+  problem.truth = [](const Vector& x) { return Truth{std::floor(10 * x[0]), 0.0}; };
+  Evaluator evaluator(problem, {10});
+  for (const double x : {0.9, 0.5, 0.55, 0.7, 0.05}) evaluator.objective(Vector::Constant(1, x));
+  ASSERT_EQ(evaluator.trace().size(), 3U);
+  EXPECT_EQ(evaluator.trace()[1].evaluations, 2);
+  EXPECT_EQ(evaluator.trace()[1].truth.objective, 5.0);
+  EXPECT_EQ(evaluator.trace()[2].evaluations, 5);
+  EXPECT_EQ(evaluator.best()->truth.objective, 0.0);
+}
+
+TEST(Evaluator, PrefersAFeasiblePointToALowerObjective) {
+  Problem problem = parabola(1);
+  problem.constraints = 1;
+  problem.evaluate = [](const Vector& x) { return Values{x[0], Vector::Constant(1, 0.5 - x[0])}; };
+  Evaluator evaluator(problem, {10});
+  evaluator.values(Vector::Constant(1, 0.1));
+  evaluator.values(Vector::Constant(1, 0.9));
+  evaluator.values(Vector::Constant(1, 0.2));
+  EXPECT_EQ(evaluator.best()->truth.objective, 0.9);
+  EXPECT_EQ(evaluator.best()->truth.violation, 0.0);
+}
+
+}  // namespace
+}  // namespace ricochet

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+
+#include "src/core/problem.h"
+
+namespace ricochet {
+
+/// Sum of (x_i - 0.25)^2 on [0, 1]^n, with derivatives; the optimum value is 0.
+inline Problem parabola(Eigen::Index n) {
+  Problem problem;
+  problem.name = "parabola";
+  problem.source = "sum of (x_i - 1/4)^2";
+  problem.lower = Vector::Zero(n);
+  problem.upper = Vector::Ones(n);
+  problem.start = Vector::Constant(n, 0.5);
+  problem.best_known = 0.0;
+  problem.evaluate = [](const Vector& x) { return Values{(x.array() - 0.25).square().sum(), {}}; };
+  problem.differentiate = [n](const Vector& x) {
+    return Derivatives{
+        {(x.array() - 0.25).square().sum(), {}}, 2 * (x.array() - 0.25), Matrix(0, n)};
+  };
+  return problem;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,50 @@
+#include "src/statistics/bootstrap.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace ricochet {
+namespace {
+
+TEST(Bootstrap, InterpolatesQuantilesBetweenNeighbours) {
+  const std::vector<double> sample = {4, 1, 3, 2};
+  EXPECT_DOUBLE_EQ(quantile(sample, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(quantile(sample, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(quantile(sample, 0.25), 1.75);
+  EXPECT_DOUBLE_EQ(quantile(sample, 1.0), 4.0);
+}
+
+TEST(Bootstrap, KeepsInfiniteValuesLast) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(quantile({1, infinity, 2}, 0.5), 2.0);
+  EXPECT_EQ(quantile({1, infinity, infinity}, 0.5), infinity);
+  EXPECT_EQ(quantile({infinity, infinity}, 0.3), infinity);
+}
+
+TEST(Bootstrap, CoversTheTrueMedianAboutAsOftenAsItSays) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(3.0, 1.0);
+  int covered = 0;
+  constexpr int trials = 400;
+  for (int i = 0; i < trials; ++i) {
+    std::vector<double> sample(25);
+    for (double& x : sample) x = normal(random);
+    const Interval interval = median_interval(sample, 0.95, 300, static_cast<std::uint64_t>(i));
+    covered += interval.lower <= 3.0 && 3.0 <= interval.upper ? 1 : 0;
+  }
+  EXPECT_GT(covered, 0.90 * trials);
+  EXPECT_LT(covered, 0.995 * trials);
+}
+
+TEST(Bootstrap, GivesTheSameIntervalForTheSameSeed) {
+  const std::vector<double> sample = {1, 5, 2, 8, 3, 9, 4};
+  const Interval a = median_interval(sample, 0.95, 100, 1);
+  const Interval b = median_interval(sample, 0.95, 100, 1);
+  EXPECT_EQ(a.lower, b.lower);
+  EXPECT_EQ(a.upper, b.upper);
+}
+
+}  // namespace
+}  // namespace ricochet

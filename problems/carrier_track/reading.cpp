@@ -19,6 +19,7 @@ Reading starting_reading() {
   scene.phase = 3.12;
   scene.start_position = 0.54 * 1.04e-3;
   scene.start_velocity = -0.090;
+  scene.omega = 3.0;  // the quiet speed of the paper's Figure 5
   scene.window = Revolutions{1.314};
   scene.slowest = 9.65e-3;
   return {"starting",

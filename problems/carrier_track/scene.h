@@ -34,33 +34,33 @@ using Window = std::variant<Revolutions, Seconds>;
 ///            + contact - friction normal_force sign(x'),     alpha = omega t + phase;
 /// friction is set-valued at rest, and an impact turns x' into -restitution x'.
 ///
-/// The defaults are the starting reading of the paper (reading.h) for case C1 at 3 rad/s.
+/// The defaults are a body at rest between two elastic walls with no force on it.
 template <class Scalar>
 struct BasicScene {
-  Scalar mass = constant<Scalar>(1.2);               ///< [kg], > 0
+  Scalar mass = constant<Scalar>(1.0);               ///< [kg], > 0
   Scalar wall_lower = constant<Scalar>(0.0);         ///< [m]
-  Scalar wall_upper = constant<Scalar>(1.04e-3);     ///< [m], > wall_lower, may be infinite
-  Scalar restitution_lower = constant<Scalar>(0.1);  ///< in [0, 1]
-  Scalar restitution_upper = constant<Scalar>(0.1);  ///< in [0, 1]
-  Scalar friction = constant<Scalar>(0.1);           ///< Coulomb coefficient, >= 0
+  Scalar wall_upper = constant<Scalar>(1.0);         ///< [m], > wall_lower, may be infinite
+  Scalar restitution_lower = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar restitution_upper = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar friction = constant<Scalar>(0.0);           ///< Coulomb coefficient, >= 0
   Scalar normal_force =
-      constant<Scalar>(1.670);            ///< [N], >= 0; what the friction coefficient multiplies
-  Scalar pull = constant<Scalar>(0.888);  ///< [N], T_1 cos(phi), towards the lower wall
-  bool pull_rotates = false;              ///< whether the pull turns with the driver plate
+      constant<Scalar>(0.0);            ///< [N], >= 0; what the friction coefficient multiplies
+  Scalar pull = constant<Scalar>(0.0);  ///< [N], T_1 cos(phi), towards the lower wall
+  bool pull_rotates = false;            ///< whether the pull turns with the driver plate
   Centrifugal centrifugal = Centrifugal::projected;
-  Scalar centrifugal_mass_radius = constant<Scalar>(0.2043);  ///< [kg m], m r_c, >= 0
+  Scalar centrifugal_mass_radius = constant<Scalar>(0.0);  ///< [kg m], m r_c, >= 0
   Scalar slider_mass_radius =
       constant<Scalar>(0.0);                   ///< [kg m], (m_s1 + m_s2) L sin(theta/2), >= 0
-  Scalar phase = constant<Scalar>(3.12);       ///< [rad], alpha at t = 0
+  Scalar phase = constant<Scalar>(0.0);        ///< [rad], alpha at t = 0
   Scalar disturbance = constant<Scalar>(0.0);  ///< [N]
-  Scalar disturbance_frequency = constant<Scalar>(1.0);      ///< [rad/s], >= 0
-  Scalar start_position = constant<Scalar>(0.54 * 1.04e-3);  ///< [m], within the walls
-  Scalar start_velocity = constant<Scalar>(-0.090);          ///< [m/s]
-  Scalar omega = constant<Scalar>(3.0);  ///< [rad/s], speed of the driver plate, >= 0
-  Window window = Revolutions{1.314};
+  Scalar disturbance_frequency = constant<Scalar>(1.0);  ///< [rad/s], >= 0
+  Scalar start_position = constant<Scalar>(0.5);         ///< [m], within the walls
+  Scalar start_velocity = constant<Scalar>(0.0);         ///< [m/s]
+  Scalar omega = constant<Scalar>(1.0);  ///< [rad/s], speed of the driver plate, >= 0
+  Window window = Seconds{1.0};
   CountRule rule = CountRule::impacts;
   Scalar slowest =
-      constant<Scalar>(9.65e-3);  ///< [m/s], > 0; rule impacts: the slowest impact that counts
+      constant<Scalar>(1e-3);  ///< [m/s], > 0; rule impacts: the slowest impact that counts
   Scalar peak_high =
       constant<Scalar>(3e-3);  ///< [m], > 0; rule peaks: a maximum from here on counts
   Scalar peak_low = constant<Scalar>(1e-3);  ///< [m], > 0; rule peaks: a maximum up to here counts

@@ -11,8 +11,8 @@ TheoreticalMotion on_arc(double radius, double omega) {
 TheoreticalMotion on_crossing(double radius, double omega, double angle) {
   const double c = std::cos(angle);
   const double s = std::sin(angle);
-  return {radius * omega / (c * c), radius * omega * omega / (c * c * c) *
-                                        std::sqrt(c * c * c * c + 4 * s * s * s * s)};
+  return {radius * omega / (c * c),
+          radius * omega * omega / (c * c * c) * std::sqrt(c * c * c * c + 4 * s * s * s * s)};
 }
 
 CrossingParts crossing_parts(double radius, double omega, double angle) {

@@ -1,0 +1,108 @@
+#include "src/report/chart.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace ricochet::report {
+namespace {
+
+class Checker {
+ public:
+  explicit Checker(const Chart& chart) : chart_(chart) {}
+
+  void require(bool holds, const std::string& reason) const {
+    if (!holds) throw std::invalid_argument(fmt::format("chart {}: {}", chart_.name, reason));
+  }
+  void number(const std::string& where, double value, const Axis& axis) const {
+    require(std::isfinite(value), fmt::format("{}: {} is not finite", where, value));
+    require(
+        axis.scale == Scale::linear || value > 0,
+        fmt::format("{}: {} must be > 0 on the logarithmic axis \"{}\"", where, value, axis.label));
+  }
+  void range(const std::string& where, const Range& range, const Axis& axis) const {
+    number(where, range.lower, axis);
+    number(where, range.upper, axis);
+    require(range.lower <= range.upper,
+            fmt::format("{}: {} > {} is not a range", where, range.lower, range.upper));
+  }
+  void axis(const Axis& axis) const {
+    if (!axis.range) return;
+    const std::string where = fmt::format("axis \"{}\"", axis.label);
+    range(where, *axis.range, axis);
+    require(axis.range->lower < axis.range->upper, where + ": the range is empty");
+  }
+  void series(const Series& series) const {
+    const bool rows = !chart_.y.categories.empty();
+    const Axis& position_axis = rows ? chart_.y : chart_.x;
+    const Axis& value_axis = rows ? chart_.x : chart_.y;
+    require(!rows || series.mark == Mark::points,
+            fmt::format("series \"{}\": only points go into rows", series.label));
+    for (std::size_t i = 0; i < series.samples.size(); ++i) {
+      const Sample& sample = series.samples[i];
+      const std::string where = fmt::format("series \"{}\", sample {}", series.label, i);
+      number(where, sample.position, position_axis);
+      if (sample.value) number(where, *sample.value, value_axis);
+      if (sample.spread) range(where, *sample.spread, value_axis);
+      require(series.mark == Mark::points || i == 0 ||
+                  series.samples[i - 1].position <= sample.position,
+              where + ": positions must rise");
+    }
+  }
+  void heat_map(const HeatMap& map) const {
+    require(chart_.series.empty(), "has both series and a heat map");
+    require(
+        !map.rows.empty() && map.rows.size() == chart_.y.categories.size(),
+        fmt::format("{} rows for {} categories of y", map.rows.size(), chart_.y.categories.size()));
+    const Axis colours{.label = map.label};
+    if (map.range) range("colours", *map.range, colours);
+    for (const auto& row : map.rows) {
+      require(
+          !row.empty() && row.size() == chart_.x.categories.size(),
+          fmt::format("{} cells for {} categories of x", row.size(), chart_.x.categories.size()));
+      for (const std::optional<double>& cell : row)
+        if (cell) number("cell", *cell, colours);
+    }
+  }
+
+ private:
+  const Chart& chart_;
+};
+
+}  // namespace
+
+void check(const Chart& chart) {
+  const Checker checker(chart);
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  };
+  checker.require(!chart.name.empty() && std::ranges::all_of(chart.name, allowed),
+                  "the name must be of lower-case letters, digits and hyphens");
+  checker.require(chart.width >= 200 && chart.height >= 150, "is smaller than 200 x 150 pixels");
+  checker.axis(chart.x);
+  checker.axis(chart.y);
+  for (const Series& series : chart.series) checker.series(series);
+  for (const ReferenceLine& line : chart.lines)
+    checker.number(fmt::format("reference line \"{}\"", line.label), line.position,
+                   line.direction == Direction::vertical ? chart.x : chart.y);
+  if (chart.heat_map) checker.heat_map(*chart.heat_map);
+}
+
+std::string description(const Chart& chart) {
+  if (!chart.description.empty()) return chart.description;
+  if (chart.heat_map)
+    return fmt::format("Heat map of {} over {} and {}.", chart.heat_map->label, chart.x.label,
+                       chart.y.label);
+  std::vector<std::string> labels;
+  for (const Series& series : chart.series)
+    if (!series.label.empty()) labels.push_back(series.label);
+  for (const ReferenceLine& line : chart.lines)
+    if (std::ranges::find(labels, line.label) == labels.end()) labels.push_back(line.label);
+  return fmt::format("{} against {}{}{}.", chart.y.label, chart.x.label, labels.empty() ? "" : ": ",
+                     fmt::join(labels, ", "));
+}
+
+}  // namespace ricochet::report

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ricochet::report {
+
+enum class Scale { linear, logarithmic };
+
+struct Range {
+  double lower, upper;
+};
+
+struct Axis {
+  std::string label;  ///< with its unit: "speed [rad/s]"
+  Scale scale = Scale::linear;
+  std::optional<Range> range = {};  ///< without one the data and the reference lines decide
+  /// Names of the positions 0, 1, ... of an axis that has names instead of numbers. On y they read
+  /// from the top, like the rows of a table; in a heat map from the bottom, like an axis.
+  std::vector<std::string> categories = {};
+};
+
+/// One value of a series. The position is on x, or on y where y has categories.
+struct Sample {
+  double position;
+  std::optional<double> value;       ///< without one: a gap
+  std::optional<Range> spread = {};  ///< around the value: a band of a line, a whisker of a point
+};
+
+enum class Mark {
+  line,   ///< samples joined
+  steps,  ///< a value holds until the next sample
+  points
+};
+
+struct Series {
+  std::string label;  ///< its entry in the legend; empty: no entry
+  Mark mark = Mark::line;
+  std::vector<Sample> samples;  ///< by rising position, if joined
+};
+
+/// Coloured cells over the categories of x and y. A cell without a value is hatched.
+struct HeatMap {
+  std::string label;  ///< of the colours, with its unit
+  std::vector<std::vector<std::optional<double>>>
+      rows;                         ///< one a category of y, a cell a category of x
+  std::optional<Range> range = {};  ///< of the colours, for maps that are compared
+};
+
+enum class Direction { vertical, horizontal };
+
+/// A line across the whole plot. Lines of one label share their look and their legend entry.
+struct ReferenceLine {
+  Direction direction;
+  double position;
+  std::string label;
+};
+
+/// What a chart shows; how it looks is the renderer's business. Series or a heat map, not both.
+struct Chart {
+  std::string name;  ///< the file's stem: lower-case letters, digits and hyphens; unique on a page
+  std::string title;
+  Axis x, y;
+  std::vector<Series> series = {};
+  std::optional<HeatMap> heat_map = {};
+  std::vector<ReferenceLine> lines = {};
+  int width = 480, height = 320;  ///< pixels
+  std::string description = {};   ///< for those who cannot see it; empty: made from the labels
+};
+
+/// Throws std::invalid_argument, one line with chart, place and reason, unless the chart can be
+/// drawn: finite numbers, positive ones on logarithmic axes, categories that match.
+void check(const Chart& chart);
+
+/// The description, or one made from the labels.
+std::string description(const Chart& chart);
+
+}  // namespace ricochet::report

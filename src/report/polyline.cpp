@@ -1,0 +1,38 @@
+#include "src/report/polyline.h"
+
+namespace ricochet::report {
+namespace {
+
+bool same_height(const Sample& a, const Sample& b) {
+  if (a.value != b.value || a.spread.has_value() != b.spread.has_value()) return false;
+  return !a.spread || (a.spread->lower == b.spread->lower && a.spread->upper == b.spread->upper);
+}
+
+}  // namespace
+
+std::vector<std::vector<Sample>> polylines(const Series& series) {
+  std::vector<std::vector<Sample>> parts;
+  const bool steps = series.mark == Mark::steps;
+  bool joined = false;
+  for (std::size_t i = 0; i < series.samples.size(); ++i) {
+    const Sample& sample = series.samples[i];
+    if (joined && steps) {
+      // The last value holds until here, even where here the value is unknown.
+      const Sample last = parts.back().back();
+      const bool ends = i + 1 == series.samples.size();
+      if (same_height(last, sample) && !ends) continue;
+      parts.back().push_back({sample.position, last.value, last.spread});
+      if (same_height(last, sample)) continue;
+    }
+    if (!sample.value) {
+      joined = false;
+      continue;
+    }
+    if (!joined) parts.emplace_back();
+    parts.back().push_back(sample);
+    joined = true;
+  }
+  return parts;
+}
+
+}  // namespace ricochet::report

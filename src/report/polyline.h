@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "src/report/chart.h"
+
+namespace ricochet::report {
+
+/// The parts of a joined series between its gaps, as the corners to draw. Steps get the corners
+/// between their samples and lose those that repeat the last value. Every sample here has a value.
+std::vector<std::vector<Sample>> polylines(const Series& series);
+
+}  // namespace ricochet::report

@@ -1,0 +1,217 @@
+#include "problems/carrier_track/scene_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/reading.h"
+#include "src/core/error.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A complete scene, one key a line.
+const std::vector<std::string>& lines() {
+  static const std::vector<std::string> text = {"[scene]",
+                                                "mass = 1.2",
+                                                "wall_lower = 0.0",
+                                                "wall_upper = 2e-3",
+                                                "restitution = 0.1",
+                                                "friction = 0.1",
+                                                "normal_force = 4.2",
+                                                "pull = 0.86",
+                                                "pull_rotates = false",
+                                                "centrifugal = \"projected\"",
+                                                "centrifugal_mass_radius = 0.078",
+                                                "slider_mass_radius = 3.2566e-4",
+                                                "phase = 0.0",
+                                                "disturbance = 0.0",
+                                                "disturbance_frequency = 1.0",
+                                                "start_position = 1e-3",
+                                                "start_velocity = 0.0",
+                                                "omega = 3.0",
+                                                "[window]",
+                                                "revolutions = 1.22",
+                                                "[count]",
+                                                "rule = \"impacts\"",
+                                                "slowest = 3.6e-3",
+                                                "peak_high = 3e-3",
+                                                "peak_low = 1e-3",
+                                                "[model]",
+                                                "fidelity = \"impact\""};
+  return text;
+}
+
+std::filesystem::path file_with(const std::string& text) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "machine.toml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+/// The complete scene with the line of `key` replaced.
+std::string with(const std::string& key, const std::string& line) {
+  std::string text;
+  for (const std::string& old : lines()) {
+    text += (old.starts_with(key + " =") ? line : old) + "\n";
+  }
+  return text;
+}
+
+/// The one line of complaint about a file with this text; fails if there is none.
+std::string complaint_about(const std::string& text) {
+  try {
+    read_scene(file_with(text));
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_THAT(message, Not(HasSubstr("\n")));
+    EXPECT_THAT(message, HasSubstr("machine.toml"));
+    return message;
+  }
+  ADD_FAILURE() << "accepted:\n" << text;
+  return {};
+}
+
+TEST(SceneFile, ReadsEveryKey) {
+  const Scene scene = read_scene(file_with(with("", "")));
+  EXPECT_EQ(scene.mass, 1.2);
+  EXPECT_EQ(scene.wall_upper, 2e-3);
+  EXPECT_EQ(scene.restitution_lower, 0.1);
+  EXPECT_EQ(scene.restitution_upper, 0.1);
+  EXPECT_EQ(scene.normal_force, 4.2);
+  EXPECT_EQ(scene.slider_mass_radius, 3.2566e-4);
+  EXPECT_EQ(scene.start_position, 1e-3);
+  EXPECT_EQ(scene.omega, 3.0);
+  EXPECT_EQ(std::get<Revolutions>(scene.window).count, 1.22);
+  EXPECT_EQ(scene.slowest, 3.6e-3);
+}
+
+TEST(SceneFile, ReadsTheOtherFormsOfAKey) {
+  EXPECT_EQ(
+      read_scene(file_with(with("restitution", "restitution = [0.2, 0.7]"))).restitution_upper,
+      0.7);
+  EXPECT_EQ(read_scene(file_with(with("wall_upper", "wall_upper = inf"))).wall_upper,
+            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(
+      std::get<Seconds>(read_scene(file_with(with("revolutions", "seconds = 4"))).window).count,
+      4.0);
+  EXPECT_EQ(read_scene(file_with(with("centrifugal", "centrifugal = \"inward\""))).centrifugal,
+            Centrifugal::inward);
+  EXPECT_TRUE(read_scene(file_with(with("pull_rotates", "pull_rotates = true"))).pull_rotates);
+  EXPECT_EQ(read_scene(file_with(with("rule", "rule = \"peaks\""))).rule, CountRule::peaks);
+}
+
+struct Wrong {
+  std::string key, line, named, allowed;
+};
+
+class WrongField : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongField, IsNamedWithItsValueAndTheAllowedRange) {
+  const Wrong& wrong = GetParam();
+  const std::string message = complaint_about(with(wrong.key, wrong.line));
+  EXPECT_THAT(message, HasSubstr(wrong.named));
+  EXPECT_THAT(message, HasSubstr(wrong.allowed));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SceneFile, WrongField,
+    testing::Values(
+        Wrong{"mass", "mass = -1", "scene.mass = -1", "> 0"},
+        Wrong{"mass", "mass = 0", "scene.mass = 0", "> 0"},
+        Wrong{"mass", "mass = inf", "scene.mass = inf", "finite"},
+        Wrong{"mass", "mass = \"heavy\"", "scene.mass", "a number"},
+        Wrong{"mass", "", "scene.mass", "missing"},
+        Wrong{"wall_lower", "wall_lower = nan", "scene.wall_lower = nan", "finite"},
+        Wrong{"wall_lower", "wall_lower = true", "scene.wall_lower = true", "a number"},
+        Wrong{"wall_upper", "wall_upper = -1e-3", "scene.wall_upper = -0.001", "> wall_lower"},
+        Wrong{"wall_upper", "wall_upper = 0", "scene.wall_upper = 0", "> wall_lower"},
+        Wrong{"wall_upper", "wall_upper = nan", "scene.wall_upper = nan", "> wall_lower"},
+        Wrong{"restitution", "restitution = 1.1", "scene.restitution = 1.1", "0..1"},
+        Wrong{"restitution", "restitution = [0.1, -0.1]", "scene.restitution = -0.1", "0..1"},
+        Wrong{"restitution", "restitution = [0.1]", "scene.restitution", "[lower, upper]"},
+        Wrong{"restitution", "restitution = [0.1, \"a\"]", "scene.restitution", "[lower, upper]"},
+        Wrong{"friction", "friction = -0.1", "scene.friction = -0.1", ">= 0"},
+        Wrong{"normal_force", "normal_force = -2", "scene.normal_force = -2", ">= 0"},
+        Wrong{"pull", "pull = inf", "scene.pull = inf", "finite"},
+        Wrong{"pull_rotates", "pull_rotates = 1", "scene.pull_rotates = 1", "true or false"},
+        Wrong{"centrifugal", "centrifugal = \"sideways\"", "sideways", "\"inward\""},
+        Wrong{"centrifugal", "centrifugal = 3", "scene.centrifugal = 3", "\"projected\""},
+        Wrong{"centrifugal_mass_radius", "centrifugal_mass_radius = -1",
+              "scene.centrifugal_mass_radius = -1", ">= 0"},
+        Wrong{"slider_mass_radius", "slider_mass_radius = -1", "scene.slider_mass_radius = -1",
+              ">= 0"},
+        Wrong{"phase", "phase = nan", "scene.phase = nan", "finite"},
+        Wrong{"disturbance", "disturbance = -inf", "scene.disturbance = -inf", "finite"},
+        Wrong{"disturbance_frequency", "disturbance_frequency = -1",
+              "scene.disturbance_frequency = -1", ">= 0"},
+        Wrong{"start_position", "start_position = 3e-3", "scene.start_position = 0.003",
+              "within the walls, 0..0.002"},
+        Wrong{"start_position", "start_position = -1e-9", "scene.start_position",
+              "within the walls"},
+        Wrong{"start_velocity", "start_velocity = nan", "scene.start_velocity = nan", "finite"},
+        Wrong{"omega", "omega = -3", "scene.omega = -3", "> 0"},
+        Wrong{"omega", "omega = 0", "scene.omega = 0", "revolutions"},
+        Wrong{"revolutions", "revolutions = 0", "window.revolutions = 0", "> 0"},
+        Wrong{"revolutions", "seconds = -1", "window.seconds = -1", "> 0"},
+        Wrong{"revolutions", "seconds = 1\nrevolutions = 1", "window", "one of"},
+        Wrong{"revolutions", "", "window", "one of"},
+        Wrong{"revolutions", "turns = 1", "window.turns", "allowed: revolutions, seconds"},
+        Wrong{"rule", "rule = \"noise\"", "noise", "\"impacts\" or \"peaks\""},
+        Wrong{"slowest", "slowest = 0", "count.slowest = 0", "> 0"},
+        Wrong{"peak_high", "peak_high = -1", "count.peak_high = -1", "> 0"},
+        Wrong{"peak_low", "peak_low = nan", "count.peak_low = nan", "> 0"},
+        Wrong{"fidelity", "fidelity = \"perfect\"", "perfect", "\"impact\""},
+        Wrong{"pull", "pul = 0.86", "scene.pul", "allowed: centrifugal"}));
+
+TEST(SceneFile, NamesATableThatIsMissingOrUnknown) {
+  EXPECT_THAT(complaint_about(""), HasSubstr("[scene] is missing"));
+  EXPECT_THAT(complaint_about("[scene]\nmass = 1\n"), HasSubstr("[window] is missing"));
+  EXPECT_THAT(complaint_about(with("", "") + "[windwo]\nseconds = 1\n"), HasSubstr("windwo"));
+  EXPECT_THAT(complaint_about("mass = 1\n"), HasSubstr("mass is not a table"));
+}
+
+TEST(SceneFile, RefusesATruncatedFileWithItsLine) {
+  const std::string whole = with("", "");
+  EXPECT_THAT(complaint_about(whole.substr(0, whole.find("normal_force") + 6)),
+              HasSubstr("machine.toml:7: not valid TOML"));
+}
+
+TEST(SceneFile, NeverAcceptsAFileCutBeforeItsWindow) {
+  const std::string whole = with("", "");
+  const std::size_t window = whole.find("revolutions = 1");
+  for (std::size_t cut = 0; cut < window; ++cut) {
+    EXPECT_THROW(read_scene(file_with(whole.substr(0, cut))), InputError) << cut;
+  }
+}
+
+TEST(SceneFile, RefusesAFileThatCannotBeRead) {
+  EXPECT_THROW(read_scene("no/such/machine.toml"), InputError);
+  EXPECT_THROW(read_scene(testing::TempDir()), InputError);
+}
+
+TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
+  for (const Case& a_case : all_cases()) {
+    Scene scene = scene_of(a_case, default_reading().scene);
+    scene.phase = 1.0 / 3.0;
+    scene.restitution_upper = 0.7;
+    scene.wall_upper = a_case.id == "C1" ? std::numeric_limits<double>::infinity() : 2e-3;
+    scene.centrifugal = Centrifugal::outward;
+    scene.pull_rotates = true;
+    scene.window = Seconds{12};
+    scene.rule = CountRule::peaks;
+    const std::string text = write_scene(scene);
+    EXPECT_EQ(write_scene(read_scene(file_with(text))), text);
+    EXPECT_EQ(read_scene(file_with(text)).phase, scene.phase);
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,221 @@
+#include "src/report/gnuplot.h"
+
+#include <gmock/gmock.h>
+
+#include <boost/property_tree/xml_parser.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "src/report/process.h"
+#include "tests/report/sample_charts.h"
+
+namespace ricochet::report {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+using Tree = boost::property_tree::ptree;
+
+Tree parse(const std::string& svg) {
+  std::istringstream stream(svg);
+  Tree tree;
+  boost::property_tree::read_xml(stream, tree);
+  return tree;
+}
+
+/// All text between the tags, as a reader sees it.
+std::string visible_text(const Tree& tree) {
+  std::string text;
+  for (const auto& [name, child] : tree) {
+    if (name == "text") text += child.data() + "\n";
+    text += visible_text(child);
+  }
+  return text;
+}
+
+std::vector<std::string> ids(const std::string& svg) {
+  static const std::regex pattern("[ <]id=['\"]([^'\"]*)['\"]");
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), pattern), end; it != end; ++it)
+    found.push_back((*it)[1]);
+  return found;
+}
+
+/// One of every kind.
+std::vector<Chart> gallery() {
+  Chart steps = line_chart({{1, 1, Range{0.5, 2}}, {10, 5, Range{4, 6}}, {100, {}}, {1000, 7}});
+  steps.name = "steps";
+  steps.series[0].mark = Mark::steps;
+  steps.x.scale = Scale::logarithmic;
+  steps.lines = {{Direction::vertical, 9, "paper"}, {Direction::horizontal, 3, "wall"}};
+  Chart rows = line_chart({{0, 3, Range{2, 4}}, {1, {}}});
+  rows.name = "rows";
+  rows.series[0].mark = Mark::points;
+  rows.y.categories = {"first", "second"};
+  Chart many = line_chart({{0, 1}, {1, 2}});
+  many.name = "many";
+  for (int i = 0; i < 11; ++i)
+    many.series.push_back({"solver " + std::to_string(i), Mark::points, {{0.5, 1.0 + i}}});
+  return {line_chart({{0, 1}, {1, 2}}), steps, rows, many, heat_map_chart({{1.5, 2}, {{}, 4}})};
+}
+
+TEST(Gnuplot, WritesWellFormedXmlForEveryKindOfChart) {
+  for (const std::string& svg : to_svgs(gallery())) {
+    EXPECT_NO_THROW(parse(svg)) << svg;
+    EXPECT_THAT(svg, AllOf(HasSubstr("role=\"img\""), Not(HasSubstr("<script")),
+                           Not(HasSubstr("font-family=\"Body")), Not(HasSubstr("href='file"))));
+  }
+}
+
+TEST(Gnuplot, WritesTheSameBytesEveryTime) {
+  const std::vector<Chart> charts = gallery();
+  const std::vector<std::string> svgs = to_svgs(charts);
+  for (std::size_t i = 0; i < charts.size(); ++i) EXPECT_EQ(to_svg(charts[i]), svgs[i]);
+}
+
+TEST(Gnuplot, GivesEveryIdOfEveryChartAName) {
+  std::set<std::string> all;
+  for (const std::string& svg : to_svgs(gallery())) {
+    const std::vector<std::string> found = ids(svg);
+    EXPECT_GE(found.size(), 3U);
+    for (const std::string& id : found) EXPECT_TRUE(all.insert(id).second) << id;
+  }
+}
+
+TEST(Gnuplot, PointsOnlyToIdsThatExist) {
+  static const std::regex pattern("(?:href='#|url\\(#)([^')]*)");
+  int references = 0;
+  for (const std::string& svg : to_svgs(gallery())) {
+    const std::vector<std::string> found = ids(svg);
+    for (std::sregex_iterator it(svg.begin(), svg.end(), pattern), end; it != end; ++it) {
+      EXPECT_THAT(found, testing::Contains((*it)[1].str()));
+      ++references;
+    }
+  }
+  EXPECT_GT(references, 11);
+}
+
+TEST(Gnuplot, KeepsSpecialCharactersInEveryLabel) {
+  const std::string odd = R"(<b> & "q" 'p' a_b^{c} @d \n 50 % `date` $x #1 ω²)";
+  Chart chart = line_chart({{0, 1}, {1, 2}});
+  chart.title = odd + " title";
+  chart.x.label = odd + " x";
+  chart.series[0].mark = Mark::points;
+  chart.y.categories = {"50 % <&> 'row' 0", "{a_b} `date` row 1"};
+  chart.series[0].label = odd + " series";
+  chart.lines = {{Direction::vertical, 1, odd + " line"}};
+  chart.width = 1200;
+  const std::string svg = to_svg(chart);
+  const std::string text = visible_text(parse(svg));
+  for (const std::string& row : chart.y.categories) EXPECT_THAT(text, HasSubstr(row + "\n"));
+  for (const char* place : {" title", " x", " series", " line"})
+    EXPECT_THAT(text, HasSubstr(odd + place + "\n"));
+  EXPECT_EQ(parse(svg).get<std::string>("svg.title"), odd + " title");
+}
+
+TEST(Gnuplot, ShortensLongNamesOnAnAxisBetweenCharacters) {
+  for (const std::string start : {"", "a"}) {
+    std::string name = start;
+    for (int i = 0; i < 40; ++i) name += "ω";
+    Chart chart = heat_map_chart({{1}});
+    chart.y.categories = {name};
+    EXPECT_THAT(visible_text(parse(to_svg(chart))), HasSubstr("ωω…\n"));
+  }
+}
+
+TEST(Gnuplot, IsNotFooledByLabelsThatLookLikeSvg) {
+  Chart chart = line_chart({{0, 1}, {1, 2}});
+  chart.title = "</svg><g id='gpDot'> url(#x) font-family=\"Body\"";
+  EXPECT_THAT(visible_text(parse(to_svg(chart))), HasSubstr(chart.title));
+}
+
+TEST(Gnuplot, LeavesAGapWhereAValueIsMissing) {
+  const auto strokes = [](const Chart& chart) {
+    static const std::regex pattern("stroke='rgb\\(  0, 114, 178\\)'[^>]*d='([^']*)'");
+    const std::string svg = to_svg(chart);
+    std::smatch match;
+    EXPECT_TRUE(std::regex_search(svg, match, pattern));
+    return std::ranges::count(match[1].str(), 'M');
+  };
+  EXPECT_EQ(strokes(line_chart({{0, 1}, {1, 2}, {2, 3}, {3, 1}, {4, 2}})), 1);
+  EXPECT_EQ(strokes(line_chart({{0, 1}, {1, 2}, {2, {}}, {3, 1}, {4, 2}})), 2);
+}
+
+TEST(Gnuplot, HatchesCellsWithoutAValueAndSaysSo) {
+  const auto hatched = [](const std::string& svg) {
+    static const std::regex pattern("fill = 'url\\(#");
+    return std::distance(std::sregex_iterator(svg.begin(), svg.end(), pattern), {});
+  };
+  const std::string svg = to_svg(heat_map_chart({{1, {}, 3}, {{}, 5, 6}}));
+  EXPECT_EQ(hatched(svg), 2 + 1);  // and one in the legend
+  EXPECT_THAT(svg, HasSubstr("no value"));
+  const std::string complete = to_svg(heat_map_chart({{1, 2}}));
+  EXPECT_EQ(hatched(complete), 0);
+  EXPECT_THAT(complete, Not(HasSubstr("no value")));
+}
+
+TEST(Gnuplot, SaysWhereThereIsNoDataAtAll) {
+  EXPECT_THAT(to_svg(line_chart({{0, {}}})), HasSubstr("no data"));
+  EXPECT_THAT(to_svg(heat_map_chart({{{}, {}}})), HasSubstr("no data"));
+}
+
+TEST(Gnuplot, KeepsAStepCurveOfManyEqualSamplesSmall) {
+  Chart chart = line_chart({});
+  chart.series[0].mark = Mark::steps;
+  for (int i = 0; i < 1800; ++i) chart.series[0].samples.push_back({0.01 * i, i / 600});
+  EXPECT_LT(to_svg(chart).size(), 12000U);
+}
+
+/// Sets PATH for the length of a test.
+class PathIs {
+ public:
+  explicit PathIs(const std::string& path) : before_(std::getenv("PATH")) {
+    setenv("PATH", path.c_str(), 1);
+  }
+  ~PathIs() { setenv("PATH", before_.c_str(), 1); }
+  PathIs(const PathIs&) = delete;
+  PathIs& operator=(const PathIs&) = delete;
+
+ private:
+  std::string before_;
+};
+
+TEST(Gnuplot, NamesThePackageIfItIsMissing) {
+  const PathIs nowhere("/nonexistent");
+  EXPECT_THAT(
+      [] {
+        to_svg(line_chart({{0, 1}}));
+      },
+      ThrowsMessage<std::runtime_error>(HasSubstr("gnuplot-nox")));
+}
+
+TEST(Gnuplot, PassesOnWhatAFailingOneSaid) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "failing_gnuplot";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho out of ink >&2\nexit 3\n";
+  std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
+  const PathIs here(folder.string());
+  EXPECT_THAT(
+      [] {
+        to_svg(line_chart({{0, 1}}));
+      },
+      ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("exit code 3"), HasSubstr("out of ink"))));
+}
+
+TEST(Process, CarriesMoreThanAPipeHolds) {
+  const std::string text(1 << 20, 'x');
+  EXPECT_EQ(run_process({"cat"}, text).output, text);
+}
+
+TEST(Process, SurvivesAProgramThatDoesNotRead) {
+  EXPECT_EQ(run_process({"true"}, std::string(1 << 20, 'x')).status, 0);
+}
+
+}  // namespace
+}  // namespace ricochet::report

@@ -1,0 +1,136 @@
+#include "src/report/page.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "src/core/error.h"
+#include "tests/report/sample_charts.h"
+
+namespace ricochet::report {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+using testing::UnorderedElementsAre;
+
+class PageFiles : public testing::Test {
+ protected:
+  PageFiles()
+      : root_(fs::path(testing::TempDir()) /
+              (std::string("page_") + std::to_string(getpid()) + "_" +
+               testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::create_directories(root_);
+  }
+  ~PageFiles() override { fs::remove_all(root_); }
+
+  static std::string read(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  static void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+  static std::set<std::string> names(const fs::path& folder) {
+    std::set<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder))
+      found.insert(entry.path().filename().string());
+    return found;
+  }
+
+  fs::path root_;
+};
+
+Page page_with(const std::vector<std::string>& charts) {
+  Section section{.id = "first", .heading = "First & foremost", .paragraphs = {"1 < 2"}};
+  section.tables.push_back({"A <table>", {{"case"}}, {{{"C1"}}}});
+  for (const std::string& name : charts) {
+    Chart chart = line_chart({{0, 1}, {1, 2}});
+    chart.name = name;
+    section.figures.push_back({chart, "Caption of " + name + " <x>"});
+  }
+  return {"Title <script>", {"Intro, see https://example.org/a."}, {section}};
+}
+
+TEST_F(PageFiles, AreThePageTheSummaryAndTheCharts) {
+  write_page(page_with({"one", "two"}), root_ / "a" / "b");
+  EXPECT_THAT(names(root_ / "a" / "b"),
+              UnorderedElementsAre("index.html", "summary.md", "one.svg", "two.svg"));
+}
+
+TEST_F(PageFiles, HoldEverythingInOneHtmlFile) {
+  write_page(page_with({"one"}), root_);
+  const std::string html = read(root_ / "index.html");
+  EXPECT_THAT(html, AllOf(HasSubstr("<html lang=\"en\">"), HasSubstr(read(root_ / "one.svg")),
+                          HasSubstr("href=\"#first\""), HasSubstr("<section id=\"first\"")));
+  EXPECT_THAT(html, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<link")),
+                          Not(HasSubstr("<img")), Not(HasSubstr("@import"))));
+}
+
+TEST_F(PageFiles, EscapeHtml) {
+  write_page(page_with({"one"}), root_);
+  EXPECT_THAT(read(root_ / "index.html"),
+              AllOf(HasSubstr("Title &lt;script&gt;"), HasSubstr("First &amp; foremost"),
+                    HasSubstr("<p>1 &lt; 2</p>"), HasSubstr("A &lt;table&gt;"),
+                    HasSubstr("Caption of one &lt;x&gt;"),
+                    HasSubstr("<a href=\"https://example.org/a\">")));
+}
+
+TEST_F(PageFiles, LinkTheChartsFromTheSummary) {
+  write_page(page_with({"one"}), root_);
+  EXPECT_THAT(read(root_ / "summary.md"),
+              AllOf(HasSubstr("# Title &lt;script>\n"), HasSubstr("## First &amp; foremost\n"),
+                    HasSubstr("| C1 |"), HasSubstr("- [A title](one.svg): Caption of one")));
+}
+
+TEST_F(PageFiles, ReplaceAnEarlierReportAndNothingElse) {
+  write_page(page_with({"old", "both"}), root_);
+  write(root_ / "notes.txt", "mine");
+  write(root_ / "logo.svg", "<svg>mine</svg>");
+  write_page(page_with({"both", "new"}), root_);
+  EXPECT_THAT(names(root_), UnorderedElementsAre("index.html", "summary.md", "both.svg", "new.svg",
+                                                 "notes.txt", "logo.svg"));
+  EXPECT_EQ(read(root_ / "notes.txt"), "mine");
+}
+
+TEST_F(PageFiles, AreTheSameBytesEveryTime) {
+  write_page(page_with({"one"}), root_ / "a");
+  write_page(page_with({"one"}), root_ / "b");
+  EXPECT_EQ(read(root_ / "a" / "index.html"), read(root_ / "b" / "index.html"));
+}
+
+TEST_F(PageFiles, AreNotWrittenIntoAFolderThatCannotBe) {
+  write(root_ / "file", "mine");
+  for (const fs::path& folder : {root_ / "file", root_ / "file" / "deeper" / "still"})
+    EXPECT_THAT([&] { write_page(page_with({"one"}), folder); },
+                ThrowsMessage<InputError>(
+                    AllOf(HasSubstr((root_ / "file").string()), Not(HasSubstr("\n")))));
+  EXPECT_THAT(names(root_), UnorderedElementsAre("file"));
+  EXPECT_EQ(read(root_ / "file"), "mine");
+}
+
+TEST_F(PageFiles, StayAsTheyWereIfOneCannotBeReplaced) {
+  write_page(page_with({"old"}), root_);
+  const std::string before = read(root_ / "index.html");
+  fs::create_directory(root_ / "new.svg");
+  EXPECT_THROW(write_page(page_with({"new"}), root_), InputError);
+  EXPECT_EQ(read(root_ / "index.html"), before);
+  EXPECT_THAT(names(root_), UnorderedElementsAre("index.html", "summary.md", "old.svg", "new.svg"));
+}
+
+TEST_F(PageFiles, AreNotWrittenIfNamesRepeat) {
+  EXPECT_THROW(write_page(page_with({"one", "one"}), root_), std::invalid_argument);
+  Page page = page_with({});
+  page.sections.push_back(page.sections.front());
+  EXPECT_THROW(write_page(page, root_), std::invalid_argument);
+  EXPECT_TRUE(fs::is_empty(root_));
+}
+
+}  // namespace
+}  // namespace ricochet::report

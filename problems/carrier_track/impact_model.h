@@ -92,6 +92,8 @@ class ImpactModel {
     harmonic_[0] = {amplitude * cos(scene.phase), amplitude * sin(scene.phase), scene.omega};
     harmonic_[1] = {scene.disturbance / scene.mass, zero, scene.disturbance_frequency};
     harmonics_ = value(scene.disturbance) == 0.0 ? 1 : 2;
+    if (value(scene.start_position) == value(scene.wall_lower)) wall_ = Wall::lower;
+    if (value(scene.start_position) == value(scene.wall_upper)) wall_ = Wall::upper;
   }
 
   /// Simulates the window once. Throws std::runtime_error past impact_limit impacts.

@@ -11,9 +11,11 @@ struct TheoreticalMotion {
 /// On the circular arcs BE and FD, equations (1)-(2): r w and r w^2.
 TheoreticalMotion on_arc(double radius, double omega);
 
-/// On the straight crossing EF, equations (3)-(5), `angle` = phi_2 - phi_1 in (-pi/2, pi/2) [rad]
-/// from its middle. Equation (5) agrees with (4) only if normal and tangential part enclose 90
-/// degrees + angle; so read here.
+/// On the straight crossing EF, equations (3)-(5). `angle` = phi_2 - phi_1 in (-pi/2, pi/2) [rad]
+/// is what the driving plate has turned from the point where the crossing is tangent to its arc: it
+/// rises from 0 until the next plate takes over half way, and there runs from the negative back to
+/// 0. Equation (5) agrees with (4) only if normal and tangential part enclose 90 degrees + angle;
+/// so read here.
 TheoreticalMotion on_crossing(double radius, double omega, double angle);
 
 /// Equation (4)'s normal and tangential part [m/s^2] on the crossing.

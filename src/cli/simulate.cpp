@@ -9,6 +9,8 @@
 #include "src/cli/format.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
+#include "src/report/gnuplot.h"
+#include "src/reproduction/path_chart.h"
 
 namespace ricochet::cli {
 namespace {
@@ -50,6 +52,16 @@ std::string csv_of(const Recording& recording) {
   return text;
 }
 
+std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
+  report::Chart chart =
+      reproduction::path_chart(chosen.scene, recording, "path",
+                               fmt::format("{} at {} rad/s: {} collisions", chosen.name,
+                                           chosen.scene.omega, recording.count));
+  chart.width = 960;
+  chart.height = 360;
+  return report::to_svg(chart);
+}
+
 void print(const ChosenScene& chosen, const Recording& recording) {
   fmt::print("{} at {} rad/s: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
              chosen.scene.omega, recording.count, recording.end.time,
@@ -83,9 +95,10 @@ int simulate(const SimulateOptions& options) {
   if (!(options.width > 0 && std::isfinite(options.width))) {
     throw InputError(fmt::format("--width {}: must be a finite number > 0", options.width));
   }
-  const bool path = !options.csv.empty();
+  const bool path = !options.csv.empty() || !options.plot.empty();
   const Recording recording = record(chosen.scene, options.width, path ? 2000 : 0);
   if (!options.csv.empty()) write_text_file(options.csv, csv_of(recording));
+  if (!options.plot.empty()) write_text_file(options.plot, picture_of(chosen, recording));
   if (options.json) {
     fmt::print("{}\n", json_of(recording).dump(2));
   } else {

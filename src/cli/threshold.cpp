@@ -8,6 +8,7 @@
 #include "src/campaign/progress.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"
+#include "src/report/text.h"
 
 namespace ricochet::cli {
 namespace {
@@ -45,11 +46,6 @@ Json json_of(const ChosenScene& chosen, const Score& score) {
           {"examples", examples}};
 }
 
-template <class T>
-std::string text_of(const std::optional<T>& value, const char* form) {
-  return value ? fmt::format(fmt::runtime(form), *value) : "-";
-}
-
 void print_header() {
   fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7} {:>6} {:>6}  {}\n", "scene",
              "threshold", "paper", "error", "first loud", "quiet", "paper", "misclas", "purity",
@@ -67,10 +63,12 @@ void print_row(const ChosenScene& chosen, const Score& score) {
                             e.right ? "right" : "WRONG");
   }
   fmt::print("{:<12} {:>9} {:>6} {:>7} {:>10} {:>7} {:>7} {:>7.4f} {:>6} {:>6}  {}\n", chosen.name,
-             text_of(score.threshold, "{:.4f}"), text_of(chosen.claim.threshold, "{}"), error,
-             text_of(score.first_loud, "{:.3f}"), score.quiet_count,
-             text_of(chosen.claim.quiet_count, "{}"), score.misclassified,
-             text_of(score.purity, "{:.3f}"), text_of(score.loudness, "{:.2f}"), examples);
+             report::text_or_dash(score.threshold, "{:.4f}"),
+             report::text_or_dash(chosen.claim.threshold, "{}"), error,
+             report::text_or_dash(score.first_loud, "{:.3f}"), score.quiet_count,
+             report::text_or_dash(chosen.claim.quiet_count, "{}"), score.misclassified,
+             report::text_or_dash(score.purity, "{:.3f}"),
+             report::text_or_dash(score.loudness, "{:.2f}"), examples);
 }
 
 /// What an engineer wants to know, in words.

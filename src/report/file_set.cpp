@@ -71,12 +71,27 @@ bool is_our_chart(const fs::path& path) {
   return start == svg_start;
 }
 
-}  // namespace
-
-void replace_files(const fs::path& folder, const FileSet& files) {
+/// Does the work; a failure of the file system becomes the user's error.
+template <class Work>
+void in_folder(const fs::path& folder, Work work) {
   try {
     MadeFolder made(folder);
     const DraftFolder draft(folder);
+    work(made, draft);
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("{}: the report cannot be written: {}", folder.string(),
+                                 error.code().message()));
+  }
+}
+
+}  // namespace
+
+void require_writable(const fs::path& folder) {
+  in_folder(folder, [](const MadeFolder&, const DraftFolder&) {});
+}
+
+void replace_files(const fs::path& folder, const FileSet& files) {
+  in_folder(folder, [&](MadeFolder& made, const DraftFolder& draft) {
     for (const auto& [name, text] : files) {
       if (fs::is_directory(folder / name))
         throw InputError(
@@ -90,10 +105,7 @@ void replace_files(const fs::path& folder, const FileSet& files) {
     for (const auto& [name, text] : files) fs::rename(draft.path() / name, folder / name);
     for (const fs::path& path : stale) fs::remove(path);
     made.keep();
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(fmt::format("{}: the report cannot be written: {}", folder.string(),
-                                 error.code().message()));
-  }
+  });
 }
 
 }  // namespace ricochet::report

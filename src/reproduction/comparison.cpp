@@ -8,7 +8,7 @@
 #include "src/campaign/runner.h"
 #include "src/core/instance.h"
 #include "src/core/verdict.h"
-#include "src/statistics/expected_running_time.h"
+#include "src/statistics/bootstrap.h"
 
 namespace ricochet::reproduction {
 namespace {
@@ -59,25 +59,16 @@ Standing standing(const std::vector<RunRecord>& records, const Problem& problem,
   Standing result;
   result.solver = records.front().solver;
   result.smooth = static_cast<bool>(problem.differentiate);
-  std::vector<double> regrets;
-  std::vector<Effort> evaluations;
-  std::vector<Effort> seconds;
   for (const RunRecord& record : records) {
     const Verdict verdict = judge(record, problem, tolerance);
-    ++result.runs;
-    result.solved += verdict.solved ? 1 : 0;
     result.failed += record.failure.empty() ? 0 : 1;
-    regrets.push_back(verdict.regret.value_or(infinity));
+    result.regrets.push_back(verdict.regret.value_or(infinity));
     const auto spent =
         static_cast<double>(verdict.evaluations_to_solve.value_or(record.ledger.charged));
-    evaluations.push_back({spent, verdict.solved});
-    seconds.push_back({verdict.seconds_to_solve.value_or(record.ledger.seconds), verdict.solved});
-    result.evaluations_spent += static_cast<double>(record.ledger.charged);
+    result.evaluations.push_back({spent, verdict.solved});
+    result.seconds.push_back(
+        {verdict.seconds_to_solve.value_or(record.ledger.seconds), verdict.solved});
   }
-  result.evaluations_spent /= result.runs;
-  result.median_regret = quantile(regrets, 0.5);
-  result.evaluations_to_solve = expected_running_time(evaluations);
-  result.seconds_to_solve = expected_running_time(seconds);
   return result;
 }
 
@@ -102,14 +93,8 @@ std::vector<Entry> entries_of(const std::vector<Contest>& contests,
 
 }  // namespace
 
-std::size_t runs_of(const std::vector<Contest>& contests, const std::vector<Solver>& solvers,
-                    const ComparisonPlan& plan) {
-  return entries_of(contests, solvers).size() * static_cast<std::size_t>(plan.instances);
-}
-
 std::vector<ContestResult> compare(const std::vector<Contest>& contests,
-                                   const std::vector<Solver>& solvers, const ComparisonPlan& plan,
-                                   Progress& progress) {
+                                   const std::vector<Solver>& solvers, const ComparisonPlan& plan) {
   const auto entries = entries_of(contests, solvers);
   std::deque<Problem> problems;  // stays in place while the jobs point into it
   std::vector<Job> jobs;
@@ -119,11 +104,13 @@ std::vector<ContestResult> compare(const std::vector<Contest>& contests,
       jobs.push_back({&problems.back(), entry.solver, plan.budget, 0});
     }
   }
+  Progress progress("comparing solvers", static_cast<double>(jobs.size()));
   const auto records = run_all(jobs, progress);
 
   std::vector<ContestResult> results;
   for (const Contest& contest : contests) {
-    results.push_back({contest.name, contest.exact.best_known.value(), {}, {}, {}});
+    results.push_back(
+        {contest.case_id, contest.goal, contest.exact.best_known.value(), {}, {}, {}});
   }
   const auto most = static_cast<double>(plan.budget.evaluations);
   double slowest = 1e-5;

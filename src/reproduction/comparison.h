@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "src/campaign/progress.h"
 #include "src/core/run.h"
 #include "src/core/solver.h"
-#include "src/statistics/bootstrap.h"
+#include "src/statistics/expected_running_time.h"
 
 namespace ricochet::reproduction {
 
@@ -18,30 +17,31 @@ struct Progression {
   std::vector<double> median, lower, upper;
 };
 
+/// What a contest asks for.
+enum class Goal { count, top_speed };
+
 /// One question, put to all solvers that can take it: those without derivatives get the true count,
 /// those with derivatives the surrogate; all are judged by the true count.
 struct Contest {
-  std::string name;
+  std::string case_id;
+  Goal goal;
   Problem exact;         ///< without derivatives
   Problem smooth;        ///< with derivatives
   double tolerance = 0;  ///< regret that still counts as solved
 };
 
-/// How a solver did over all its runs in one contest.
+/// How a solver did in one contest; one entry a run in every list.
 struct Standing {
   std::string solver;
-  bool smooth = false;  ///< it was shown the surrogate
-  int runs = 0;
-  int solved = 0;  ///< runs that reached the best known value within the contest's tolerance
-  int failed = 0;  ///< runs that ended in an exception
-  double median_regret = 0;  ///< infinite where half the runs found nothing feasible
-  std::optional<double> evaluations_to_solve;  ///< expected running time
-  std::optional<double> seconds_to_solve;
-  double evaluations_spent = 0;  ///< mean per run
+  bool smooth = false;                       ///< it was shown the surrogate
+  int failed = 0;                            ///< runs that ended in an exception
+  std::vector<double> regrets;               ///< infinite where a run found nothing feasible
+  std::vector<Effort> evaluations, seconds;  ///< until solved, or in all
 };
 
 struct ContestResult {
-  std::string name;
+  std::string case_id;
+  Goal goal;
   double best_known = 0;
   std::vector<Standing> standings;
   std::vector<Progression> by_evaluations;
@@ -55,11 +55,6 @@ struct ComparisonPlan {
 
 /// Runs every solver on instances 1..n of every contest, in parallel, and sums up.
 std::vector<ContestResult> compare(const std::vector<Contest>& contests,
-                                   const std::vector<Solver>& solvers, const ComparisonPlan& plan,
-                                   Progress& progress);
-
-/// How many runs `compare` will make.
-std::size_t runs_of(const std::vector<Contest>& contests, const std::vector<Solver>& solvers,
-                    const ComparisonPlan& plan);
+                                   const std::vector<Solver>& solvers, const ComparisonPlan& plan);
 
 }  // namespace ricochet::reproduction

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "problems/carrier_track/threshold.h"
+#include "src/campaign/progress.h"
 
 namespace ricochet::reproduction {
 namespace {
@@ -45,7 +46,7 @@ double CountGrid::mean(std::size_t restitution, std::size_t friction,
   return means[(disturbance * frictions.size() + friction) * restitutions.size() + restitution];
 }
 
-CountGrid count_grid(const Scene& reading, double step, bool coarse, Progress& progress) {
+CountGrid count_grid(const Scene& reading, double step, bool coarse) {
   CountGrid grid;
   grid.restitutions = coarse ? std::vector{0.1, 0.3, 0.5, 0.7, 0.9}
                              : std::vector{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
@@ -54,6 +55,7 @@ CountGrid count_grid(const Scene& reading, double step, bool coarse, Progress& p
   grid.disturbances = coarse ? std::vector{0.0, 0.1, 1.0} : std::vector{0.0, 0.1, 0.3, 1.0};
   const std::size_t rows = grid.restitutions.size() * grid.frictions.size();
   grid.means.resize(rows * grid.disturbances.size());
+  Progress progress("counting over the grid", static_cast<double>(grid.means.size()));
   tbb::parallel_for(std::size_t{0}, grid.means.size(), [&](std::size_t i) {
     Scene scene = reading;
     scene.restitution_lower = scene.restitution_upper =
@@ -63,7 +65,7 @@ CountGrid count_grid(const Scene& reading, double step, bool coarse, Progress& p
     const auto counts = carrier_track::scan_speeds(scene, step, 18.0).counts;
     grid.means[i] =
         std::accumulate(counts.begin(), counts.end(), 0.0) / static_cast<double>(counts.size());
-    progress.advance(static_cast<double>(counts.size()));
+    progress.advance(1);
   });
   return grid;
 }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "problems/carrier_track/scene.h"
-#include "src/campaign/progress.h"
 
 namespace ricochet::reproduction {
 
@@ -20,8 +19,7 @@ struct CountGrid {
 };
 
 /// `step` [rad/s] between the speeds. Parallel over the grid.
-CountGrid count_grid(const carrier_track::Scene& reading, double step, bool coarse,
-                     Progress& progress);
+CountGrid count_grid(const carrier_track::Scene& reading, double step, bool coarse);
 
 /// How often neighbours on the grid change the way a conclusion says, and by how much from end to
 /// end.

@@ -16,7 +16,7 @@ TEST(Transition, MovesEvenlyOnTheArc) {
   EXPECT_DOUBLE_EQ(m.acceleration, 3.185);
 }
 
-TEST(Transition, MeetsTheArcInTheMiddleOfTheCrossing) {
+TEST(Transition, MeetsTheArcWhereTheCrossingIsTangentToIt) {
   EXPECT_DOUBLE_EQ(on_crossing(radius, omega, 0.0).speed, on_arc(radius, omega).speed);
   EXPECT_DOUBLE_EQ(on_crossing(radius, omega, 0.0).acceleration,
                    on_arc(radius, omega).acceleration);

@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/report/text.h"
+#include "src/reproduction/sections.h"
+#include "src/statistics/bootstrap.h"
+
+namespace ricochet::reproduction {
+namespace {
+
+using report::text_or_dash;
+
+/// All runs of one solver with one goal, over all cases.
+Standing total_of(const Study& study, const std::string& solver, Goal goal) {
+  Standing total;
+  total.solver = solver;
+  for (const ContestResult& contest : study.contests) {
+    if (contest.goal != goal) continue;
+    for (const Standing& s : contest.standings) {
+      if (s.solver != solver) continue;
+      total.smooth = s.smooth;
+      total.failed += s.failed;
+      total.regrets.insert(total.regrets.end(), s.regrets.begin(), s.regrets.end());
+      total.evaluations.insert(total.evaluations.end(), s.evaluations.begin(), s.evaluations.end());
+      total.seconds.insert(total.seconds.end(), s.seconds.begin(), s.seconds.end());
+    }
+  }
+  return total;
+}
+
+double share_solved(const Standing& standing) {
+  const auto solved = std::count_if(standing.evaluations.begin(), standing.evaluations.end(),
+                                    [](const Effort& e) { return e.reached; });
+  return static_cast<double>(solved) / static_cast<double>(standing.evaluations.size());
+}
+
+const char* name_of(Goal goal) {
+  return goal == Goal::count ? "fewest collisions" : "fastest quiet speed";
+}
+
+report::Table table_of(const Study& study, Goal goal) {
+  const std::string unit = goal == Goal::count ? "collisions" : "rad/s";
+  report::Table table{
+      fmt::format("Goal: {}, over all cases. Solved: runs that reached the best that an exhaustive "
+                  "scan knows{}. To solve: expected evaluations, and milliseconds of processor "
+                  "time, with restarts until solved. Median gap: to the best known, after {} "
+                  "evaluations.",
+                  name_of(goal), goal == Goal::count ? "" : ", within 0.01 rad/s",
+                  study.plan.comparison.budget.evaluations),
+      {{"solver", report::Alignment::left},
+       {"is shown", report::Alignment::left},
+       {"runs"},
+       {"solved"},
+       {"evaluations to solve"},
+       {"ms to solve"},
+       {fmt::format("median gap [{}]", unit)},
+       {"failed"}},
+      {}};
+  for (const Solver& solver : study.solvers) {
+    const Standing t = total_of(study, solver.name, goal);
+    if (t.regrets.empty()) continue;
+    auto milliseconds = expected_running_time(t.seconds);
+    if (milliseconds) *milliseconds *= 1e3;
+    const double gap = quantile(t.regrets, 0.5);
+    table.rows.push_back(
+        {{solver.name},
+         {t.smooth ? "surrogate" : "count"},
+         {fmt::format("{}", t.regrets.size())},
+         {fmt::format("{:.0f} %", 100 * share_solved(t))},
+         {text_or_dash(expected_running_time(t.evaluations), "{:.0f}")},
+         {text_or_dash(milliseconds, "{:.3g}")},
+         {std::isfinite(gap) ? fmt::format("{:.3g}", std::max(0.0, gap)) : "nothing quiet found"},
+         {fmt::format("{}", t.failed)}});
+  }
+  return table;
+}
+
+report::Figure map_of(const Study& study, Goal goal) {
+  report::Chart chart;
+  chart.name = goal == Goal::count ? "solved-count" : "solved-top-speed";
+  chart.title = fmt::format("Runs solved [%]: {}", name_of(goal));
+  chart.x.label = "case";
+  report::HeatMap map{"solved [%]", {}, report::Range{0, 100}};
+  for (const Solver& solver : study.solvers) {
+    std::vector<std::optional<double>> row;
+    for (const ContestResult& contest : study.contests) {
+      if (contest.goal != goal) continue;
+      for (const Standing& s : contest.standings) {
+        if (s.solver == solver.name) row.emplace_back(100 * share_solved(s));
+      }
+    }
+    if (row.empty()) continue;
+    map.rows.push_back(std::move(row));
+    chart.y.categories.push_back(solver.name);
+  }
+  for (const ContestResult& contest : study.contests) {
+    if (contest.goal == goal) chart.x.categories.push_back(contest.case_id);
+  }
+  chart.heat_map = std::move(map);
+  chart.width = 540;
+  chart.height = 440;
+  return {chart, ""};
+}
+
+struct Price {
+  const char* name;
+  const char* label;
+  std::vector<Progression> ContestResult::*of;
+};
+
+const Price evaluations{"evaluations", "evaluations", &ContestResult::by_evaluations};
+const Price seconds{"seconds", "processor time [s]", &ContestResult::by_seconds};
+
+report::Figure progress_of(const ContestResult& contest, const Price& price, bool smooth) {
+  report::Chart chart;
+  const bool count = contest.goal == Goal::count;
+  chart.name = fmt::format("{}-{}-{}-{}", count ? "fewest" : "fastest", contest.case_id,
+                           smooth ? "surrogate" : "count", price.name);
+  std::transform(chart.name.begin(), chart.name.end(), chart.name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  chart.title = fmt::format("{}: {}, shown the {}", contest.case_id, name_of(contest.goal),
+                            smooth ? "surrogate" : "count");
+  chart.x = {price.label, report::Scale::logarithmic};
+  chart.y.label = count ? "true count" : "quiet speed found [rad/s]";
+  const auto& progressions = contest.*price.of;
+  for (std::size_t i = 0; i < progressions.size(); ++i) {
+    if (contest.standings[i].smooth != smooth) continue;
+    const Progression& p = progressions[i];
+    report::Series series{p.solver, report::Mark::line, {}};
+    for (std::size_t k = 0; k < p.price.size(); ++k) {
+      const double sign = count ? 1 : -1;
+      const auto [lower, upper] = std::minmax(sign * p.lower[k], sign * p.upper[k]);
+      const bool bounded = std::isfinite(lower) && std::isfinite(upper);
+      series.samples.push_back(
+          {p.price[k], sign * p.median[k],
+           bounded ? std::optional(report::Range{lower, upper}) : std::nullopt});
+    }
+    chart.series.push_back(std::move(series));
+  }
+  chart.lines = {{report::Direction::horizontal, count ? contest.best_known : -contest.best_known,
+                  "best known"}};
+  chart.width = 540;
+  chart.height = 400;
+  return {chart, ""};
+}
+
+}  // namespace
+
+report::Section comparison_section(const Study& study) {
+  report::Section section{"solvers", "Which solver finds it"};
+  const ComparisonPlan& plan = study.plan.comparison;
+  section.paragraphs = {
+      fmt::format(
+          "Two questions for every case: at which speed are the collisions fewest, and how "
+          "fast may the machine turn and be quiet? Solvers without derivatives are shown "
+          "the true count; those with derivatives the smooth surrogate and its exact "
+          "gradient. All are judged by the true count at the points that they asked for. "
+          "An evaluation is a simulation; a gradient costs another one. Each solver runs on "
+          "{} instances of each question, the same for all: the box moved and reflected, a "
+          "random start. A solver that ends early starts anew elsewhere, until {} "
+          "evaluations are spent.",
+          plan.instances, plan.budget.evaluations),
+      "In the charts a line is the median over the instances, its band the 95 % bootstrap interval "
+      "of that median. Lines begin where half of the runs have found something quiet."};
+  for (const Goal goal : {Goal::top_speed, Goal::count}) {
+    section.tables.push_back(table_of(study, goal));
+    section.figures.push_back(map_of(study, goal));
+  }
+  for (const ContestResult& contest : study.contests) {
+    for (const Price& price : {evaluations, seconds}) {
+      for (const bool smooth : {false, true}) {
+        section.figures.push_back(progress_of(contest, price, smooth));
+      }
+    }
+  }
+  return section;
+}
+
+}  // namespace ricochet::reproduction

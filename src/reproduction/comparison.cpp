@@ -15,11 +15,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The form of a contest that a solver is put to: the true count where it can, else the surrogate.
-const Problem* form_for(const Contest& contest, const Solver& solver) {
-  if (solver.accepts(contest.exact)) return &contest.exact;
-  if (solver.accepts(contest.smooth)) return &contest.smooth;
-  return nullptr;
+const Form* form_for(const Contest& contest, const Solver& solver) {
+  const auto accepted =
+      std::find_if(contest.forms.begin(), contest.forms.end(),
+                   [&](const Form& form) { return solver.accepts(form.problem); });
+  return accepted == contest.forms.end() ? nullptr : &*accepted;
 }
 
 /// Best feasible true objective reached at no more than `price`; infinite if none.
@@ -55,12 +55,12 @@ Progression progression(const std::vector<RunRecord>& records, double least, dou
   return result;
 }
 
-Standing standing(const std::vector<RunRecord>& records, const Problem& problem, double tolerance) {
+Standing standing(const std::vector<RunRecord>& records, const Form& form, double tolerance) {
   Standing result;
   result.solver = records.front().solver;
-  result.smooth = static_cast<bool>(problem.differentiate);
+  result.form = form.label;
   for (const RunRecord& record : records) {
-    const Verdict verdict = judge(record, problem, tolerance);
+    const Verdict verdict = judge(record, form.problem, tolerance);
     result.failed += record.failure.empty() ? 0 : 1;
     result.regrets.push_back(verdict.regret.value_or(infinity));
     const auto spent =
@@ -76,7 +76,7 @@ Standing standing(const std::vector<RunRecord>& records, const Problem& problem,
 struct Entry {
   std::size_t contest;
   const Solver* solver;
-  const Problem* form;
+  const Form* form;
 };
 
 std::vector<Entry> entries_of(const std::vector<Contest>& contests,
@@ -84,8 +84,7 @@ std::vector<Entry> entries_of(const std::vector<Contest>& contests,
   std::vector<Entry> entries;
   for (std::size_t c = 0; c < contests.size(); ++c) {
     for (const Solver& solver : solvers) {
-      if (const Problem* form = form_for(contests[c], solver))
-        entries.push_back({c, &solver, form});
+      if (const Form* form = form_for(contests[c], solver)) entries.push_back({c, &solver, form});
     }
   }
   return entries;
@@ -100,7 +99,7 @@ std::vector<ContestResult> compare(const std::vector<Contest>& contests,
   std::vector<Job> jobs;
   for (const Entry& entry : entries) {
     for (int i = 1; i <= plan.instances; ++i) {
-      problems.push_back(instance(*entry.form, i));
+      problems.push_back(instance(entry.form->problem, i));
       jobs.push_back({&problems.back(), entry.solver, plan.budget, 0});
     }
   }
@@ -109,8 +108,12 @@ std::vector<ContestResult> compare(const std::vector<Contest>& contests,
 
   std::vector<ContestResult> results;
   for (const Contest& contest : contests) {
-    results.push_back(
-        {contest.case_id, contest.goal, contest.exact.best_known.value(), {}, {}, {}});
+    results.push_back({contest.case_id,
+                       contest.goal,
+                       contest.forms.front().problem.best_known.value(),
+                       {},
+                       {},
+                       {}});
   }
   const auto most = static_cast<double>(plan.budget.evaluations);
   double slowest = 1e-5;

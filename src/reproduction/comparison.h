@@ -20,20 +20,25 @@ struct Progression {
 /// What a contest asks for.
 enum class Goal { count, top_speed };
 
-/// One question, put to all solvers that can take it: those without derivatives get the true count,
-/// those with derivatives the surrogate; all are judged by the true count.
+/// A question as some solvers can take it.
+struct Form {
+  std::string label;  ///< what a solver is shown
+  Problem problem;
+};
+
+/// One question, put to all solvers: each gets the first form that it accepts, and all are judged
+/// by the truth, which the forms share.
 struct Contest {
   std::string case_id;
   Goal goal;
-  Problem exact;         ///< without derivatives
-  Problem smooth;        ///< with derivatives
+  std::vector<Form> forms;
   double tolerance = 0;  ///< regret that still counts as solved
 };
 
 /// How a solver did in one contest; one entry a run in every list.
 struct Standing {
   std::string solver;
-  bool smooth = false;                       ///< it was shown the surrogate
+  std::string form;                          ///< what it was shown
   int failed = 0;                            ///< runs that ended in an exception
   std::vector<double> regrets;               ///< infinite where a run found nothing feasible
   std::vector<Effort> evaluations, seconds;  ///< until solved, or in all

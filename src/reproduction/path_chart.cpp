@@ -17,7 +17,10 @@ report::Chart path_chart(const carrier_track::Scene& scene,
   chart.x.label = turns ? "driver plate [turns]" : "time [s]";
   chart.y.label = "x [mm]";
   report::Series path{"", report::Mark::line, {}};
+  double last = -1;
   for (const carrier_track::Sample& s : recording.path) {
+    if (s.time <= last) continue;  // an impact has two samples, before and after
+    last = s.time;
     path.samples.push_back({s.time / unit, s.position / millimetre});
   }
   chart.series = {std::move(path)};

@@ -7,6 +7,7 @@
 #include "problems/carrier_track/problems.h"
 #include "problems/carrier_track/surrogate.h"
 #include "src/campaign/progress.h"
+#include "src/core/penalty.h"
 
 namespace ricochet::reproduction {
 namespace {
@@ -41,6 +42,13 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
   return {the_case, scene, std::move(scan), result, std::move(paths)};
 }
 
+/// All forms under one name, which alone decides about instances and starts: the same for all.
+Contest contest_of(const std::string& case_id, Goal goal, std::vector<Form> forms,
+                   double tolerance) {
+  for (Form& form : forms) form.problem.name = forms.front().problem.name;
+  return {case_id, goal, std::move(forms), tolerance};
+}
+
 std::vector<Contest> contests_of(const Study& study) {
   std::vector<Contest> contests;
   for (const CaseStudy& c : study.cases) {
@@ -53,8 +61,15 @@ std::vector<Contest> contests_of(const Study& study) {
         top_speed_problem(c.the_case, reading, limit),
         top_speed_surrogate_problem(c.the_case, reading, limit, default_width)};
     certify(problems, c.scan, limit);
-    contests.push_back({c.the_case.id, Goal::count, problems[0], problems[1], count_tolerance});
-    contests.push_back({c.the_case.id, Goal::top_speed, problems[2], problems[3], speed_tolerance});
+    contests.push_back(contest_of(c.the_case.id, Goal::count,
+                                  {{"count", problems[0]}, {"surrogate", problems[1]}},
+                                  count_tolerance));
+    contests.push_back(contest_of(c.the_case.id, Goal::top_speed,
+                                  {{"count", problems[2]},
+                                   {"penalised count", penalised(problems[2], penalty_weight)},
+                                   {"surrogate", problems[3]},
+                                   {"penalised surrogate", penalised(problems[3], penalty_weight)}},
+                                  speed_tolerance));
   }
   return contests;
 }
@@ -62,7 +77,7 @@ std::vector<Contest> contests_of(const Study& study) {
 }  // namespace
 
 StudyPlan full_plan() {
-  return {ScanOptions{1e-3, 10, fastest_speed}, 0.05, false, {15, Budget{200}}, every_id()};
+  return {ScanOptions{1e-3, 10, fastest_speed}, 0.05, false, {15, Budget{100}}, every_id()};
 }
 
 StudyPlan quick_plan() {

@@ -1,0 +1,67 @@
+#include "src/core/penalty.h"
+
+#include <gtest/gtest.h>
+
+namespace ricochet {
+namespace {
+
+/// x0^2 + x1 subject to 1 - x0 <= 0 and x1 - 2 <= 0.
+Problem constrained() {
+  Problem problem;
+  problem.name = "constrained";
+  problem.lower = Vector::Constant(2, -5);
+  problem.upper = Vector::Constant(2, 5);
+  problem.start = Vector::Zero(2);
+  problem.constraints = 2;
+  problem.best_known = -4.0;
+  problem.evaluate = [](const Vector& x) {
+    return Values{x[0] * x[0] + x[1], Vector{{1 - x[0], x[1] - 2}}};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), Vector{{2 * x[0], 1.0}}, Matrix{{-1.0, 0.0}, {0.0, 1.0}}};
+  };
+  return problem;
+}
+
+TEST(Penalty, AddsNothingWhereTheConstraintsHold) {
+  const Problem problem = penalised(constrained(), 10);
+  EXPECT_EQ(problem.constraints, 0);
+  EXPECT_EQ(problem.best_known, -4.0);
+  EXPECT_EQ(problem.evaluate(Vector{{2.0, 1.0}}).objective, 5.0);
+  EXPECT_EQ(problem.evaluate(Vector{{2.0, 1.0}}).constraints.size(), 0);
+}
+
+TEST(Penalty, AddsTheWeightedSumOfTheViolations) {
+  const Problem problem = penalised(constrained(), 10);
+  EXPECT_EQ(problem.evaluate(Vector{{-1.0, 4.0}}).objective, 5.0 + 10 * (2.0 + 2.0));
+}
+
+TEST(Penalty, HasTheGradientOfItsValues) {
+  const Problem problem = penalised(constrained(), 10);
+  for (const Vector& x : {Vector{{2.0, 1.0}}, Vector{{-1.0, 4.0}}, Vector{{0.5, 0.0}}}) {
+    const Derivatives d = problem.differentiate(x);
+    EXPECT_EQ(d.values.objective, problem.evaluate(x).objective);
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      const double h = 1e-5;
+      const Vector step = h * Vector::Unit(2, i);
+      const double slope =
+          (problem.evaluate(x + step).objective - problem.evaluate(x - step).objective) / (2 * h);
+      EXPECT_NEAR(d.gradient[i], slope, 1e-6);
+    }
+  }
+}
+
+TEST(Penalty, IsJudgedByTheTruthOfTheConstraints) {
+  const Truth truth = penalised(constrained(), 10).truth(Vector{{-1.0, 4.0}});
+  EXPECT_EQ(truth.objective, 5.0);
+  EXPECT_EQ(truth.violation, 2.0);
+}
+
+TEST(Penalty, KeepsATruthOfTheProblemsOwn) {
+  Problem original = constrained();
+  original.truth = [](const Vector&) { return Truth{7.0, 3.0}; };
+  EXPECT_EQ(penalised(original, 10).truth(Vector::Zero(2)).objective, 7.0);
+}
+
+}  // namespace
+}  // namespace ricochet

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "src/report/text.h"
@@ -10,6 +11,7 @@
 namespace ricochet::reproduction {
 namespace {
 
+using report::lower_case;
 using report::text_or_dash;
 
 /// All runs of one solver with one goal, over all cases.
@@ -99,8 +101,8 @@ report::Figure map_of(const Study& study, Goal goal) {
     if (contest.goal == goal) chart.x.categories.push_back(contest.case_id);
   }
   chart.heat_map = std::move(map);
-  chart.width = 540;
-  chart.height = 440;
+  chart.width = 640;
+  chart.height = 460;
   return {chart, ""};
 }
 
@@ -118,40 +120,69 @@ struct Price {
 const Price evaluations{"evaluations", "evaluations", &ContestResult::by_evaluations};
 const Price seconds{"seconds", "processor time [s]", &ContestResult::by_seconds};
 
+/// Solvers that share a chart: more than seven lines with bands cannot be told apart.
+struct Group {
+  const char* name;  ///< part of the file's name
+  const char* title;
+  bool (*holds)(const Standing&);
+};
+
 bool is_smooth(const Standing& standing) {
   return standing.form.ends_with("surrogate");
 }
 
-report::Figure progress_of(const ContestResult& contest, const Price& price, bool smooth) {
+bool is_nlopt(const Standing& standing) {
+  return standing.solver.starts_with("nlopt");
+}
+
+const std::array<Group, 3> groups{
+    {{"fireworks", "fireworks and chance",
+      [](const Standing& s) { return !is_smooth(s) && !is_nlopt(s); }},
+     {"count", "NLopt, shown the count",
+      [](const Standing& s) { return !is_smooth(s) && is_nlopt(s); }},
+     {"surrogate", "shown the surrogate", [](const Standing& s) { return is_smooth(s); }}}};
+
+/// Below this gap [rad/s] the exhaustive scan cannot tell; the logarithmic axis ends here.
+constexpr double smallest_gap = 1e-3;
+
+report::Series series_of(const Progression& progression, const ContestResult& contest) {
+  const auto shown = [&](double reached) {
+    return contest.goal == Goal::count ? reached
+                                       : std::max(smallest_gap, reached - contest.best_known);
+  };
+  report::Series series{progression.solver, report::Mark::line, {}};
+  for (std::size_t k = 0; k < progression.price.size(); ++k) {
+    const double lower = shown(progression.lower[k]);
+    const double upper = shown(progression.upper[k]);
+    const bool bounded = std::isfinite(lower) && std::isfinite(upper);
+    series.samples.push_back({progression.price[k], shown(progression.median[k]),
+                              bounded ? std::optional(report::Range{lower, upper}) : std::nullopt});
+  }
+  return series;
+}
+
+report::Figure progress_of(const ContestResult& contest, const Price& price, const Group& group) {
   report::Chart chart;
   const bool count = contest.goal == Goal::count;
-  chart.name = fmt::format("{}-{}-{}-{}", count ? "fewest" : "fastest", contest.case_id,
-                           smooth ? "surrogate" : "count", price.name);
-  std::transform(chart.name.begin(), chart.name.end(), chart.name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  chart.title = fmt::format("{}: {}, shown the {}", contest.case_id, name_of(contest.goal),
-                            smooth ? "surrogate" : "count");
+  chart.name = fmt::format("{}-{}-{}-{}", count ? "fewest" : "fastest", lower_case(contest.case_id),
+                           group.name, price.name);
+  chart.title =
+      fmt::format("{}, {}: {}", contest.case_id, count ? "fewest" : "fastest", group.title);
   chart.x = {price.label, report::Scale::logarithmic};
-  chart.y.label = count ? "true count" : "quiet speed found [rad/s]";
+  if (count) {
+    chart.y.label = "true count";
+    chart.lines = {{report::Direction::horizontal, contest.best_known, "best known"}};
+  } else {
+    chart.y = {"gap to the fastest [rad/s]", report::Scale::logarithmic,
+               report::Range{smallest_gap, 20}};
+  }
   const auto& progressions = contest.*price.of;
   for (std::size_t i = 0; i < progressions.size(); ++i) {
-    if (is_smooth(contest.standings[i]) != smooth) continue;
-    const Progression& p = progressions[i];
-    report::Series series{p.solver, report::Mark::line, {}};
-    for (std::size_t k = 0; k < p.price.size(); ++k) {
-      const double sign = count ? 1 : -1;
-      const auto [lower, upper] = std::minmax(sign * p.lower[k], sign * p.upper[k]);
-      const bool bounded = std::isfinite(lower) && std::isfinite(upper);
-      series.samples.push_back(
-          {p.price[k], sign * p.median[k],
-           bounded ? std::optional(report::Range{lower, upper}) : std::nullopt});
+    if (group.holds(contest.standings[i])) {
+      chart.series.push_back(series_of(progressions[i], contest));
     }
-    chart.series.push_back(std::move(series));
   }
-  chart.lines = {{report::Direction::horizontal, count ? contest.best_known : -contest.best_known,
-                  "best known"}};
-  chart.width = 540;
-  chart.height = 400;
+  chart.height = 360;
   return {chart, ""};
 }
 
@@ -173,7 +204,8 @@ report::Section comparison_section(const Study& study) {
           "evaluations are spent.",
           penalty_weight, plan.instances, plan.budget.evaluations),
       "In the charts a line is the median over the instances, its band the 95 % bootstrap interval "
-      "of that median. Lines begin where half of the runs have found something quiet. Charts show "
+      "of that median; gaps below 0.001 rad/s are drawn there. Lines begin where half of the runs "
+      "have found something quiet. Charts show "
       "C1, C2 and C9; the tables and maps count every case compared."};
   for (const Goal goal : {Goal::top_speed, Goal::count}) {
     section.tables.push_back(table_of(study, goal));
@@ -181,9 +213,9 @@ report::Section comparison_section(const Study& study) {
   }
   for (const ContestResult& contest : study.contests) {
     if (!is_charted(contest.case_id)) continue;
-    for (const Price& price : {evaluations, seconds}) {
-      for (const bool smooth : {false, true}) {
-        section.figures.push_back(progress_of(contest, price, smooth));
+    for (const Group& group : groups) {
+      for (const Price& price : {evaluations, seconds}) {
+        section.figures.push_back(progress_of(contest, price, group));
       }
     }
   }

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
+#include "src/report/text.h"
 #include "src/reproduction/sections.h"
 
 namespace ricochet::reproduction {
 namespace {
 
 using namespace carrier_track;
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
+using report::lower_case;
 
 /// The staircase, with a sample only where it jumps.
 std::vector<report::Sample> samples_of(const SpeedScan& scan) {
@@ -37,14 +34,14 @@ report::Figure curve_of(const CaseStudy& c) {
   chart.y = {"collisions", report::Scale::linear, report::Range{0, 1.1 * most}};
   chart.series = {{"", report::Mark::steps, samples_of(shown)}};
   using report::Direction;
+  // In this order, so that each line looks the same in every chart.
+  chart.lines = {{Direction::horizontal, quiet_limit(c.score.quiet_count), "quiet up to here"}};
   if (c.score.threshold) {
     chart.lines.push_back({Direction::vertical, *c.score.threshold, "threshold"});
   }
   if (the_case.claim.threshold) {
     chart.lines.push_back({Direction::vertical, *the_case.claim.threshold, "paper's threshold"});
   }
-  chart.lines.push_back(
-      {Direction::horizontal, quiet_limit(c.score.quiet_count), "quiet up to here"});
   return {chart, ""};
 }
 

@@ -45,13 +45,25 @@ class Program {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app_.exit(error);  // --help, --version
-      std::fprintf(stderr, "ricochet: %s; see ricochet --help\n", error.what());
+      std::fprintf(stderr, "ricochet: %s; see ricochet --help\n", explanation(error).c_str());
       return bad_input;
     }
     return work_();
   }
 
  private:
+  /// What CLI11 says, but where it only misses a command the one that was taken for it.
+  std::string explanation(const CLI::ParseError& error) const {
+    if (app_.get_subcommands().empty() && app_.remaining_size() > 0) {
+      std::string known;
+      for (const CLI::App* command : app_.get_subcommands(nullptr)) {
+        known += (known.empty() ? "" : ", ") + command->get_name();
+      }
+      return app_.remaining().front() + " is no command; allowed: " + known;
+    }
+    return error.what();
+  }
+
   void add_reproduce() {
     CLI::App* command =
         app_.add_subcommand("reproduce", "The main job: every case against the paper, as a report");

@@ -87,11 +87,11 @@ std::string summary(const Page& page) {
     text += fmt::format("\n## {}\n", escape_markdown(section.heading));
     add_paragraphs(section.paragraphs);
     for (const Table& table : section.tables) text += fmt::format("\n{}", to_markdown(table));
-    if (!section.figures.empty()) text += "\n";
-    for (const Figure& figure : section.figures)
-      text += fmt::format("- [{}]({}.svg){}{}\n", escape_markdown(figure.chart.title),
-                          figure.chart.name, figure.caption.empty() ? "" : ": ",
-                          escape_markdown(figure.caption));
+    for (const Figure& figure : section.figures) {
+      text += fmt::format("\n![{}]({}.svg)\n", escape_markdown(figure.chart.title),
+                          figure.chart.name);
+      if (!figure.caption.empty()) text += fmt::format("\n{}\n", escape_markdown(figure.caption));
+    }
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "src/core/error.h"
+#include "src/report/file_set.h"
 #include "tests/report/sample_charts.h"
 
 namespace ricochet::report {
@@ -82,11 +83,11 @@ TEST_F(PageFiles, EscapeHtml) {
                     HasSubstr("<a href=\"https://example.org/a\">")));
 }
 
-TEST_F(PageFiles, LinkTheChartsFromTheSummary) {
+TEST_F(PageFiles, ShowTheChartsInTheSummary) {
   write_page(page_with({"one"}), root_);
   EXPECT_THAT(read(root_ / "summary.md"),
               AllOf(HasSubstr("# Title &lt;script>\n"), HasSubstr("## First &amp; foremost\n"),
-                    HasSubstr("| C1 |"), HasSubstr("- [A title](one.svg): Caption of one")));
+                    HasSubstr("| C1 |"), HasSubstr("![A title](one.svg)\n\nCaption of one")));
 }
 
 TEST_F(PageFiles, ReplaceAnEarlierReportAndNothingElse) {
@@ -113,6 +114,14 @@ TEST_F(PageFiles, AreNotWrittenIntoAFolderThatCannotBe) {
                     AllOf(HasSubstr((root_ / "file").string()), Not(HasSubstr("\n")))));
   EXPECT_THAT(names(root_), UnorderedElementsAre("file"));
   EXPECT_EQ(read(root_ / "file"), "mine");
+}
+
+TEST_F(PageFiles, CanBeRefusedBeforeAnyWork) {
+  EXPECT_NO_THROW(require_writable(root_ / "new" / "folder"));
+  EXPECT_FALSE(std::filesystem::exists(root_ / "new"));
+  write(root_ / "file", "mine");
+  EXPECT_THROW(require_writable(root_ / "file" / "folder"), InputError);
+  EXPECT_THROW(require_writable(root_ / "file"), InputError);
 }
 
 TEST_F(PageFiles, StayAsTheyWereIfOneCannotBeReplaced) {

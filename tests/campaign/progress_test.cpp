@@ -1,0 +1,18 @@
+#include "src/campaign/progress.h"
+
+#include <gtest/gtest.h>
+
+namespace ricochet {
+namespace {
+
+TEST(Progress, IsSilentWhereStandardErrorIsNoTerminal) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress("counting", 3);
+    for (int i = 0; i < 3; ++i) progress.advance(1);
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace ricochet

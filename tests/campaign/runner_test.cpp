@@ -1,0 +1,91 @@
+#include "src/campaign/runner.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <stdexcept>
+
+#include "src/core/instance.h"
+
+namespace ricochet {
+namespace {
+
+/// A bowl with its bottom at 0.3 in every coordinate.
+Problem bowl() {
+  Problem problem;
+  problem.name = "bowl";
+  problem.lower = Vector::Zero(3);
+  problem.upper = Vector::Ones(3);
+  problem.start = Vector::Ones(3);
+  problem.evaluate = [](const Vector& x) { return Values{(x.array() - 0.3).square().sum(), {}}; };
+  return problem;
+}
+
+Solver chance(std::string name) {
+  Solver solver;
+  solver.name = std::move(name);
+  solver.stochastic = true;
+  solver.accepts = [](const Problem&) { return true; };
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) {
+    Vector x = start;
+    while (evaluator.objective(x)) x = uniform_point(evaluator.problem(), random);
+    return SolverExit("spent");
+  };
+  return solver;
+}
+
+struct Jobs {
+  std::vector<Problem> problems;
+  std::vector<Solver> solvers{chance("one"), chance("other")};
+  std::vector<Job> jobs;
+
+  explicit Jobs(int instances) {
+    for (int i = 0; i < instances; ++i) problems.push_back(instance(bowl(), i));
+    for (const Problem& problem : problems) {
+      for (const Solver& solver : solvers) jobs.push_back({&problem, &solver, {100}, 0});
+    }
+  }
+};
+
+std::vector<RunRecord> run_on(const std::vector<Job>& jobs, std::size_t threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  Progress progress("running", static_cast<double>(jobs.size()));
+  return run_all(jobs, progress);
+}
+
+TEST(Runner, KeepsTheOrderOfTheJobs) {
+  const Jobs jobs(20);
+  const auto records = run_on(jobs.jobs, 2);
+  ASSERT_EQ(records.size(), jobs.jobs.size());
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(records[i].solver, jobs.jobs[i].solver->name);
+    EXPECT_EQ(records[i].instance, jobs.jobs[i].problem->instance);
+  }
+}
+
+TEST(Runner, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Jobs jobs(20);
+  const auto one = run_on(jobs.jobs, 1);
+  const auto two = run_on(jobs.jobs, 2);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    ASSERT_EQ(one[i].trace.size(), two[i].trace.size());
+    for (std::size_t k = 0; k < one[i].trace.size(); ++k) {
+      EXPECT_EQ(one[i].trace[k].x, two[i].trace[k].x);
+      EXPECT_EQ(one[i].trace[k].truth.objective, two[i].trace[k].truth.objective);
+      EXPECT_EQ(one[i].trace[k].evaluations, two[i].trace[k].evaluations);
+    }
+  }
+}
+
+TEST(Runner, FinishesTheOtherRunsWhenOneFails) {
+  Jobs jobs(3);
+  jobs.problems[1].evaluate = [](const Vector&) -> Values { throw std::runtime_error("torn"); };
+  const auto records = run_on(jobs.jobs, 2);
+  EXPECT_EQ(records[2].failure, "torn");
+  EXPECT_EQ(records[3].failure, "torn");
+  EXPECT_EQ(records[0].failure, "");
+  EXPECT_EQ(records[5].ledger.charged, 100);
+}
+
+}  // namespace
+}  // namespace ricochet

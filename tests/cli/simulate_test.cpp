@@ -1,0 +1,78 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<std::string> keys_of(const ordered_json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+TEST(Simulate, PrintsTheJsonOfTheContract) {
+  const Outcome outcome = call("simulate --case C2 --omega 1.9 --format json");
+  ASSERT_EQ(outcome.exit_code, 0);
+  const auto json = ordered_json::parse(outcome.out);
+  EXPECT_THAT(keys_of(json), ElementsAre("count", "surrogate", "certain", "margin", "impacts",
+                                         "peaks", "end", "evaluations", "fidelity"));
+  EXPECT_EQ(json["count"], 14);
+  EXPECT_EQ(json["certain"], true);
+  EXPECT_EQ(json["fidelity"], "impact");
+  EXPECT_THAT(keys_of(json["impacts"][0]), ElementsAre("time", "wall", "speed"));
+  EXPECT_EQ(json["impacts"][0]["wall"], "lower");
+  EXPECT_THAT(keys_of(json["peaks"][0]), ElementsAre("time", "position"));
+  EXPECT_THAT(keys_of(json["end"]), ElementsAre("time", "position", "velocity"));
+  std::size_t fast = 0;
+  for (const auto& impact : json["impacts"]) fast += impact["speed"] > 9.65e-3 ? 1 : 0;
+  EXPECT_EQ(fast, 14U);
+  EXPECT_GT(json["impacts"].size(), fast);
+}
+
+TEST(Simulate, ExplainsItselfToPeople) {
+  const Outcome outcome = call("simulate --case C1");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("C1 at 3 rad/s: 3 collisions"));
+  EXPECT_THAT(outcome.out, HasSubstr("counts"));
+}
+
+TEST(Simulate, WritesThePathAndItsPicture) {
+  const auto folder = fresh_folder();
+  const Outcome outcome = call("simulate --case C1 --csv " + (folder / "path.csv").string() +
+                               " --plot " + (folder / "path.svg").string());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string csv = read(folder / "path.csv");
+  EXPECT_THAT(csv, testing::StartsWith("time_s,position_m,velocity_m_per_s\n0,0.0005616,-0.09\n"));
+  EXPECT_GT(std::count(csv.begin(), csv.end(), '\n'), 2000);
+  EXPECT_THAT(read(folder / "path.svg"), HasSubstr("<svg"));
+  EXPECT_THAT(read(folder / "path.svg"), HasSubstr("3 collisions"));
+}
+
+TEST(Simulate, RefusesSpeedsThatNoPlateTurnsAt) {
+  for (const char* omega : {"0", "-1", "nan", "inf"}) {
+    expect_refusal(std::string("simulate --case C1 --omega ") + omega, "--omega = ");
+  }
+  expect_refusal("simulate --case C1 --width 0", "--width");
+  expect_refusal("simulate --case C1 --fidelity perfect", "--fidelity");
+}
+
+TEST(Simulate, WritesNothingWhereItCannot) {
+  const auto folder = fresh_folder();
+  const auto file = write(folder, "file", "mine");
+  for (const char* option : {"--csv", "--plot"}) {
+    expect_refusal("simulate --case C1 " + std::string(option) + " " + (file / "path").string(),
+                   "file/path");
+  }
+  EXPECT_EQ(read(file), "mine");
+}
+
+}  // namespace
+}  // namespace ricochet::cli

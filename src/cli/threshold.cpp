@@ -72,14 +72,24 @@ void print_row(const ChosenScene& chosen, const Score& score) {
 }
 
 /// What an engineer wants to know, in words.
-void print_advice(const Score& score, const ScanOptions& options) {
-  fmt::print("\nQuiet means at most {} collisions in the window: 1.5 times the usual {}.\n",
-             std::floor(quiet_limit(score.quiet_count)), score.quiet_count);
-  if (!score.first_loud) {
-    fmt::print("Every speed up to {} rad/s is quiet.\n", options.highest);
+void print_advice(const ChosenScene& chosen, const Score& score, const ScanOptions& options) {
+  fmt::print("{}: ", chosen.name);
+  if (score.first_loud) {
+    fmt::print("stay below {:.3f} rad/s, the lowest speed that is loud.\n", *score.first_loud);
   } else {
-    fmt::print("Stay below {:.3f} rad/s: from there on there are speeds that are loud.\n",
-               *score.first_loud);
+    fmt::print("every speed up to {} rad/s is quiet.\n", options.highest);
+  }
+  fmt::print("Quiet means at most {} collisions in the window: 1.5 times the usual {}.\n",
+             std::floor(quiet_limit(score.quiet_count)), score.quiet_count);
+  if (score.threshold) {
+    fmt::print(
+        "Quiet and loud divide best at {:.4f} rad/s; {:.2f} % of the speeds up to {} rad/s "
+        "lie on the wrong side.\n",
+        *score.threshold, 100 * score.misclassified, options.highest);
+  }
+  if (chosen.claim.threshold) {
+    fmt::print("The paper has them divide at {} rad/s, with {} collisions below.\n",
+               *chosen.claim.threshold, report::text_or_dash(chosen.claim.quiet_count, "{}"));
   }
 }
 
@@ -111,9 +121,12 @@ int threshold(const ThresholdOptions& options) {
     fmt::print("{}\n", (options.all ? rows : rows.front()).dump(2));
     return 0;
   }
+  if (!options.all) {
+    print_advice(scenes.front(), scores.front(), scan);
+    return 0;
+  }
   print_header();
   for (std::size_t i = 0; i < scenes.size(); ++i) print_row(scenes[i], scores[i]);
-  if (scenes.size() == 1) print_advice(scores.front(), scan);
   return 0;
 }
 

@@ -1,0 +1,168 @@
+#include "solvers/ipopt.h"
+
+#include <IpIpoptApplication.hpp>
+#include <IpTNLP.hpp>
+#include <algorithm>
+#include <mutex>
+
+#include "solvers/unit_box.h"
+
+namespace ricochet {
+namespace {
+
+using Ipopt::Index;
+using Ipopt::Number;
+
+/// Thrown through Ipopt once the evaluator refuses. An evaluation that merely fails makes Ipopt
+/// halve its step and, in the end, enter its restoration phase; a foreign exception it turns into a
+/// return status.
+struct Refused {};
+
+/// A problem in the unit cube, as Ipopt wants to be asked. The jacobian is dense and row-major.
+class UnitProblem : public Ipopt::TNLP {
+ public:
+  UnitProblem(Evaluator& evaluator, const Vector& start)
+      : box_(evaluator),
+        start_(box_.to_unit(start)),
+        constraints_(evaluator.problem().constraints) {}
+
+  bool get_nlp_info(Index& n, Index& m, Index& jacobian_entries, Index& hessian_entries,
+                    IndexStyleEnum& index_style) override {
+    n = static_cast<Index>(start_.size());
+    m = static_cast<Index>(constraints_);
+    jacobian_entries = n * m;
+    hessian_entries = 0;
+    index_style = C_STYLE;
+    return true;
+  }
+
+  bool get_bounds_info(Index n, Number* u_lower, Number* u_upper, Index m, Number* c_lower,
+                       Number* c_upper) override {
+    std::fill_n(u_lower, n, 0.0);
+    std::fill_n(u_upper, n, 1.0);
+    std::fill_n(c_lower, m, -2e19);  // beyond 1e19 is no bound to Ipopt
+    std::fill_n(c_upper, m, 0.0);
+    return true;
+  }
+
+  bool get_starting_point(Index n, bool, Number* u, bool, Number*, Number*, Index, bool,
+                          Number*) override {
+    std::copy_n(start_.data(), n, u);
+    return true;
+  }
+
+  bool eval_f(Index n, const Number* u, bool, Number& objective) override {
+    const auto values = box_.values(Eigen::Map<const Vector>(u, n));
+    if (values) objective = values->objective;
+    return done(values.has_value());
+  }
+
+  bool eval_grad_f(Index n, const Number* u, bool, Number* gradient) override {
+    const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n));
+    if (derivatives) Eigen::Map<Vector>(gradient, n) = derivatives->gradient;
+    return done(derivatives.has_value());
+  }
+
+  bool eval_g(Index n, const Number* u, bool, Index m, Number* constraints) override {
+    const auto values = box_.values(Eigen::Map<const Vector>(u, n));
+    if (values) Eigen::Map<Vector>(constraints, m) = values->constraints;
+    return done(values.has_value());
+  }
+
+  bool eval_jac_g(Index n, const Number* u, bool, Index m, Index, Index* rows, Index* columns,
+                  Number* entries) override {
+    if (!entries) {  // asked for the structure
+      for (Index k = 0; k < n * m; ++k) {
+        rows[k] = k / n;
+        columns[k] = k % n;
+      }
+      return true;
+    }
+    const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n));
+    if (derivatives) {
+      Eigen::Map<Matrix>(entries, n, m) = derivatives->jacobian.transpose();
+    }
+    return done(derivatives.has_value());
+  }
+
+  bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number, Number, Number, Number, Number,
+                             Number, Number, Number, Index, const Ipopt::IpoptData*,
+                             Ipopt::IpoptCalculatedQuantities*) override {
+    return !box_.over();
+  }
+
+  void finalize_solution(Ipopt::SolverReturn, Index, const Number*, const Number*, const Number*,
+                         Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
+                         Ipopt::IpoptCalculatedQuantities*) override {}
+
+ private:
+  bool done(bool answered) const {
+    if (box_.over()) throw Refused();
+    return answered;
+  }
+
+  UnitBox box_;
+  Vector start_;
+  Eigen::Index constraints_;
+};
+
+SolverExit in_words(Ipopt::ApplicationReturnStatus status) {
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return "solved";
+    case Ipopt::Solved_To_Acceptable_Level:
+      return "solved to an acceptable level";
+    case Ipopt::Infeasible_Problem_Detected:
+      return "infeasible problem detected";
+    case Ipopt::Search_Direction_Becomes_Too_Small:
+      return "search direction too small";
+    case Ipopt::Diverging_Iterates:
+      return "diverging";
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return "iterations spent";
+    case Ipopt::Restoration_Failed:
+      return "restoration failed";
+    case Ipopt::Error_In_Step_Computation:
+      return "no step found";
+    case Ipopt::Invalid_Number_Detected:
+      return not_finite;
+    default:
+      return "failure";
+  }
+}
+
+/// Guards the whole of Ipopt, its construction and destruction too: it and MUMPS keep global state.
+std::mutex ipopt_mutex;
+
+SolverExit minimise(Evaluator& evaluator, const Vector& start) {
+  const std::lock_guard lock(ipopt_mutex);
+  const Ipopt::SmartPtr<Ipopt::TNLP> problem = new UnitProblem(evaluator, start);
+  const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
+  const auto options = application->Options();
+  options->SetStringValue("hessian_approximation", "limited-memory");
+  options->SetStringValue("sb", "yes");
+  options->SetIntegerValue("print_level", 0);
+  // The verdict grants no violation, so neither may the solver widen the bounds.
+  options->SetNumericValue("bound_relax_factor", 0.0);
+  // "": no options file, not even one that happens to lie in the working directory.
+  Ipopt::ApplicationReturnStatus status = application->Initialize("");
+  if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(problem);
+  return evaluator.over() ? stopped_by_evaluator : in_words(status);
+}
+
+}  // namespace
+
+Solver ipopt() {
+  Solver solver;
+  solver.name = "ipopt";
+  solver.version = "Ipopt " IPOPT_VERSION;
+  solver.accepts = [](const Problem& problem) {
+    return has_room(problem) && static_cast<bool>(problem.differentiate);
+  };
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) {
+    return minimise(evaluator, start);
+  };
+  return solver;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,22 @@
+#include "solvers/random_search.h"
+
+#include "solvers/unit_box.h"
+#include "src/core/instance.h"
+
+namespace ricochet {
+
+Solver random_search() {
+  Solver solver;
+  solver.name = "random-search";
+  solver.version = "ricochet " RICOCHET_VERSION;
+  solver.stochastic = true;
+  solver.accepts = has_room;
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
+    Vector x = start;
+    while (evaluator.values(x)) x = uniform_point(evaluator.problem(), random);
+    return stopped_by_evaluator;
+  };
+  return solver;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,25 @@
+#include "solvers/solvers.h"
+
+#include "solvers/ceres.h"
+#include "solvers/fireworks/fireworks.h"
+#include "solvers/ipopt.h"
+#include "solvers/nlopt.h"
+#include "solvers/random_search.h"
+#include "solvers/scan.h"
+
+namespace ricochet {
+
+std::vector<Solver> all_solvers() {
+  std::vector<Solver> solvers = {
+      random_search(),
+      scan(),
+      fireworks("fireworks", {}),
+      fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
+      ipopt(),
+      ceres_lbfgs(),
+  };
+  for (Solver& solver : nlopt_solvers()) solvers.push_back(std::move(solver));
+  return solvers;
+}
+
+}  // namespace ricochet

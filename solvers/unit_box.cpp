@@ -1,0 +1,50 @@
+#include "solvers/unit_box.h"
+
+#include <cmath>
+
+namespace ricochet {
+
+bool has_room(const Problem& problem) {
+  return (problem.upper.array() > problem.lower.array()).any();
+}
+
+UnitBox::UnitBox(Evaluator& evaluator)
+    : evaluator_(evaluator),
+      lower_(evaluator.problem().lower),
+      width_(evaluator.problem().upper - evaluator.problem().lower) {}
+
+Vector UnitBox::to_unit(const Vector& x) const {
+  return (width_.array() > 0).select((x - lower_).cwiseQuotient(width_), 0.0);
+}
+
+Vector UnitBox::from_unit(const Vector& u) const {
+  return lower_ + width_.cwiseProduct(u);
+}
+
+std::optional<Values> UnitBox::values(const Vector& u) {
+  if (!u.allFinite()) return std::nullopt;
+  auto shown = evaluator_.values(from_unit(u));
+  if (shown) shown->constraints.array() += feasibility_margin;
+  return shown;
+}
+
+std::optional<Derivatives> UnitBox::derivatives(const Vector& u) {
+  if (!u.allFinite()) return std::nullopt;
+  auto shown = evaluator_.derivatives(from_unit(u));
+  if (!shown) return std::nullopt;
+  shown->values.constraints.array() += feasibility_margin;
+  shown->gradient.array() *= width_.array();
+  shown->jacobian *= width_.asDiagonal();
+  return shown;
+}
+
+bool finite(const Values& values) {
+  return std::isfinite(values.objective) && values.constraints.allFinite();
+}
+
+bool finite(const Derivatives& derivatives) {
+  return finite(derivatives.values) && derivatives.gradient.allFinite() &&
+         derivatives.jacobian.allFinite();
+}
+
+}  // namespace ricochet

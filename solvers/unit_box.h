@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+
+#include "src/core/evaluator.h"
+#include "src/core/solver.h"
+
+namespace ricochet {
+
+/// What a solver says when it ended because the evaluator refused.
+inline constexpr const char* stopped_by_evaluator = "stopped by the evaluator";
+
+/// What a solver says when it ended because it, or the problem, lost its numbers.
+inline constexpr const char* not_finite = "a number is not finite";
+
+/// How far inside the feasible set the solvers of libraries are kept. They converge to a violation
+/// of about their tolerance, but the verdict grants none.
+inline constexpr double feasibility_margin = 1e-8;
+
+/// Whether the box holds more than one point. In one that does not, the evaluator answers from
+/// memory for ever and a solver that waits for its refusal never ends.
+bool has_room(const Problem& problem);
+
+/// An evaluator seen through the unit cube, u = (x - lower) / (upper - lower), so that one step and
+/// one tolerance suit every coordinate of every problem.
+class UnitBox {
+ public:
+  explicit UnitBox(Evaluator& evaluator);
+
+  /// The u of a point of the box; 0 in a coordinate whose box has no width.
+  Vector to_unit(const Vector& x) const;
+  Vector from_unit(const Vector& u) const;
+
+  /// Objective and constraints at u, the constraints raised by feasibility_margin. Nothing once the
+  /// run is over, or where u is not finite: the evaluator would end the run, but only this start
+  /// has failed.
+  std::optional<Values> values(const Vector& u);
+
+  /// The same with the derivatives with respect to u.
+  std::optional<Derivatives> derivatives(const Vector& u);
+
+  bool over() const { return evaluator_.over(); }
+
+ private:
+  Evaluator& evaluator_;
+  Vector lower_, width_;
+};
+
+/// Whether objective and constraints are numbers.
+bool finite(const Values& values);
+
+/// Whether the derivatives are, too.
+bool finite(const Derivatives& derivatives);
+
+}  // namespace ricochet

@@ -137,11 +137,10 @@ std::mutex ipopt_mutex;
 SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   const std::lock_guard lock(ipopt_mutex);
   const Ipopt::SmartPtr<Ipopt::TNLP> problem = new UnitProblem(evaluator, start);
+  // false: no console, so there is neither banner nor log to silence.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   const auto options = application->Options();
   options->SetStringValue("hessian_approximation", "limited-memory");
-  options->SetStringValue("sb", "yes");
-  options->SetIntegerValue("print_level", 0);
   // The verdict grants no violation, so neither may the solver widen the bounds.
   options->SetNumericValue("bound_relax_factor", 0.0);
   // "": no options file, not even one that happens to lie in the working directory.

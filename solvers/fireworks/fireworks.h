@@ -15,7 +15,7 @@ enum class ThirdBranch {
   as_printed,     ///< round(a m), as the paper prints it: the fewest, whatever the share
 };
 
-/// The defaults are those of Tan & Zhu, section 3; the paper states none.
+/// The defaults are those of Tan & Zhu; the paper states none.
 struct FireworksOptions {
   int fireworks = 5;         ///< N of (23), >= 1
   double sparks = 50;        ///< m of (23): what the fireworks share

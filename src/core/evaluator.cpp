@@ -2,6 +2,7 @@
 
 #include <time.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace ricochet {
@@ -52,7 +53,8 @@ void Evaluator::charge(std::int64_t price) {
 void Evaluator::score(const Vector& x) {
   const double before = thread_seconds();
   const Truth truth = problem_.truth ? problem_.truth(x) : truth_of(*values_);
-  if (trace_.empty() || better(truth, trace_.back().truth)) {
+  const bool known = !std::isnan(truth.objective) && !std::isnan(truth.violation);
+  if (known && (trace_.empty() || better(truth, trace_.back().truth))) {
     trace_.push_back({ledger_.charged, ledger_.seconds, truth, x});
   }
   started_ += thread_seconds() - before;

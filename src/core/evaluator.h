@@ -45,8 +45,8 @@ struct Improvement {
 /// The only one who counts, times, traces, and refuses when the budget is spent. Remembers the last
 /// point, so that a solver that asks separately for objective, constraints and gradient at one
 /// point pays once. Every point is scored by its truth off the clock: the trace, never a solver's
-/// answer, tells what was reached. Points outside the box are evaluated at their projection onto
-/// it.
+/// answer, tells what was reached; a truth that is not a number is no point reached. Points outside
+/// the box are evaluated at their projection onto it.
 ///
 /// Nothing throws through a solver's frame: an exception of the problem is stored in `failure`, and
 /// from then on every call is refused.

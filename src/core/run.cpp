@@ -5,6 +5,10 @@
 namespace ricochet {
 namespace {
 
+/// So many starts in a row that ask for nothing new end a run. One may happen by chance, where a
+/// solver moves its start to the point asked for last.
+constexpr int idle_starts = 10;
+
 std::string message_of(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
@@ -31,11 +35,12 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
   std::exception_ptr failure;
   try {
     Vector start = number == 0 ? problem.start : uniform_point(problem, starts);
-    std::int64_t before = -1;
-    while (!evaluator.over() && evaluator.ledger().charged > before) {
-      before = evaluator.ledger().charged;
+    int idle = 0;
+    while (!evaluator.over() && idle < idle_starts) {
+      const std::int64_t before = evaluator.ledger().charged;
       record.exits.push_back(solver.solve(evaluator, start, random));
       start = uniform_point(problem, starts);
+      idle = evaluator.ledger().charged > before ? 0 : idle + 1;
     }
   } catch (...) {
     failure = std::current_exception();

@@ -25,9 +25,10 @@ struct RunRecord {
 };
 
 /// Runs the solver from the problem's start, and from new starts uniform in the box until the
-/// budget is spent, a restart asks for nothing new, or something throws. The starts depend on
-/// problem, instance and run alone, so that all solvers get the same ones; the solver's randomness
-/// depends on the solver too. An exception ends the run and is recorded, never passed on.
+/// budget is spent, ten starts in a row ask for nothing new, or something throws. The starts depend
+/// on problem, instance and run alone, so that all solvers get the same ones; the solver's
+/// randomness depends on the solver too. An exception ends the run and is recorded, never passed
+/// on.
 RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number);
 
 }  // namespace ricochet

@@ -99,6 +99,19 @@ TEST(Evaluator, TracesOnlyImprovementsAndScoresThemByTheirTruth) {
   EXPECT_EQ(evaluator.best()->truth.objective, 0.0);
 }
 
+TEST(Evaluator, NeverTracesATruthThatIsNotANumber) {
+  Problem problem = parabola(1);
+  problem.truth = [](const Vector& x) {
+    return Truth{x[0] < 0.5 ? std::numeric_limits<double>::quiet_NaN() : 3.0, 0.0};
+  };
+  Evaluator evaluator(problem, {10});
+  evaluator.objective(Vector::Constant(1, 0.1));
+  EXPECT_TRUE(evaluator.trace().empty());
+  evaluator.objective(Vector::Constant(1, 0.9));
+  ASSERT_EQ(evaluator.trace().size(), 1U);
+  EXPECT_EQ(evaluator.trace()[0].truth.objective, 3.0);
+}
+
 TEST(Evaluator, PrefersAFeasiblePointToALowerObjective) {
   Problem problem = parabola(1);
   problem.constraints = 1;

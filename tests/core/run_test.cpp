@@ -31,10 +31,21 @@ TEST(Run, RestartsUntilTheBudgetIsSpent) {
   EXPECT_EQ(record.refusal, Refusal::evaluations);
 }
 
-TEST(Run, StopsWhenARestartAsksForNothing) {
+TEST(Run, StopsWhenTenRestartsAskForNothing) {
   const RunRecord record = run(parabola(2), sampler(0), {55}, 0);
-  EXPECT_EQ(record.exits.size(), 1U);
+  EXPECT_EQ(record.exits.size(), 10U);
   EXPECT_EQ(record.ledger.charged, 0);
+}
+
+TEST(Run, GoesOnAfterARestartThatAskedForNothing) {
+  Solver lazy = sampler(1);
+  int calls = 0;
+  lazy.solve = [&calls](Evaluator& evaluator, const Vector& start, Random&) {
+    if (++calls % 3 != 0) evaluator.objective(start);
+    return SolverExit("done");
+  };
+  const RunRecord record = run(parabola(2), lazy, {55}, 0);
+  EXPECT_EQ(record.ledger.charged, 55);
 }
 
 TEST(Run, GivesTheSameTraceForTheSameSeedAndAnotherForAnotherRun) {

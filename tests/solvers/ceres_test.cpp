@@ -1,0 +1,54 @@
+#include "solvers/ceres.h"
+
+#include <gtest/gtest.h>
+
+#include "src/core/run.h"
+#include "tests/solvers/test_problems.h"
+
+namespace ricochet {
+namespace {
+
+TEST(CeresLbfgs, BeginsAtTheStart) {
+  const Problem problem = sphere(2, 3);
+  const RunRecord record = run(problem, ceres_lbfgs(), {3}, 0);
+  EXPECT_LT((record.trace.front().x - problem.start).norm(), 1e-12);
+}
+
+TEST(CeresLbfgs, LeavesAStartOnTheBound) {
+  Problem problem = sphere(3, 3);
+  problem.start = Vector{{100, -100, 100}};
+  Evaluator evaluator(problem, {1000});
+  Random random;
+  EXPECT_EQ(ceres_lbfgs().solve(evaluator, problem.start, random), "converged");
+  EXPECT_LT(evaluator.best()->truth.objective, 1e-12);
+}
+
+TEST(CeresLbfgs, DoesNotTakeAStartWithoutANumberForAnOptimum) {
+  EXPECT_EQ(run(never_a_number(2), ceres_lbfgs(), {30}, 0).exits.front(), "failure");
+}
+
+TEST(CeresLbfgs, FindsAnOptimumOnTheBound) {
+  const RunRecord record = run(sphere(2, 130), ceres_lbfgs(), {300}, 0);
+  EXPECT_NEAR(record.trace.back().truth.objective, 2 * 30 * 30, 1e-6);
+}
+
+TEST(CeresLbfgs, SaysNothingEvenWhenItFails) {
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  run(never_a_number(2), ceres_lbfgs(), {30}, 0);
+  run(half_a_number(), ceres_lbfgs(), {300}, 0);
+  run(breaks_after(4, 2), ceres_lbfgs(), {300}, 0);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(CeresLbfgs, TakesOnlyWhatItCanDo) {
+  EXPECT_TRUE(ceres_lbfgs().accepts(sphere(2, 3)));
+  EXPECT_FALSE(ceres_lbfgs().accepts(disc()));
+  Problem problem = sphere(2, 3);
+  problem.differentiate = nullptr;
+  EXPECT_FALSE(ceres_lbfgs().accepts(problem));
+}
+
+}  // namespace
+}  // namespace ricochet

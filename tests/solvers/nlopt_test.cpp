@@ -1,0 +1,115 @@
+#include "solvers/nlopt.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "src/core/run.h"
+#include "tests/solvers/test_problems.h"
+
+namespace ricochet {
+namespace {
+
+Solver named(const std::string& name) {
+  const std::vector<Solver> solvers = nlopt_solvers();
+  return *std::find_if(solvers.begin(), solvers.end(),
+                       [&](const Solver& solver) { return solver.name == name; });
+}
+
+std::vector<std::string> accepting(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const Solver& solver : nlopt_solvers()) {
+    if (solver.accepts(problem)) names.push_back(solver.name);
+  }
+  return names;
+}
+
+TEST(Nlopt, AcceptsConstraintsWhereTheAlgorithmTakesThem) {
+  EXPECT_THAT(accepting(disc()),
+              testing::UnorderedElementsAre("nlopt-direct-l", "nlopt-isres", "nlopt-cobyla",
+                                            "nlopt-slsqp", "nlopt-mma"));
+}
+
+TEST(Nlopt, AcceptsProblemsWithoutDerivativesWhereTheAlgorithmNeedsNone) {
+  Problem problem = sphere(2, 3);
+  problem.differentiate = nullptr;
+  EXPECT_THAT(accepting(problem),
+              testing::UnorderedElementsAre("nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
+                                            "nlopt-esch", "nlopt-cobyla", "nlopt-bobyqa",
+                                            "nlopt-nelder-mead", "nlopt-sbplx"));
+}
+
+TEST(Nlopt, KeepsBobyqaFromOneDimension) {
+  EXPECT_FALSE(named("nlopt-bobyqa").accepts(sphere(1, 3)));
+  EXPECT_TRUE(named("nlopt-bobyqa").accepts(sphere(2, 3)));
+}
+
+class NloptLocal : public testing::TestWithParam<std::string> {};
+
+TEST_P(NloptLocal, ConvergesToTheOptimumAndSaysSo) {
+  const RunRecord record = run(sphere(2, 3), named(GetParam()), {500}, 0);
+  EXPECT_THAT(record.exits.front(), testing::AnyOf("xtol reached", "success"));
+  EXPECT_GE(record.exits.size(), 2U) << "it leaves the budget to another start";
+  EXPECT_LT(record.trace.back().truth.objective, 1e-10);
+}
+
+TEST_P(NloptLocal, FindsAnOptimumInACorner) {
+  const RunRecord record = run(sphere(2, 130), named(GetParam()), {500}, 0);
+  EXPECT_NEAR(record.trace.back().truth.objective, 2 * 30 * 30, 1e-3);
+}
+
+TEST_P(NloptLocal, EndsOnACurvedConstraintWithoutViolatingIt) {
+  if (!named(GetParam()).accepts(disc())) GTEST_SKIP() << "takes no constraints";
+  const RunRecord record = run(disc(), named(GetParam()), {500}, 0);
+  EXPECT_EQ(record.exits.front(), "xtol reached");
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
+}
+
+TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBox) {
+  const Problem metres = sphere(2, 3);
+  Problem millimetres = metres;
+  millimetres.lower *= 1024;  // a power of two keeps every digit
+  millimetres.upper *= 1024;
+  millimetres.start *= 1024;
+  millimetres.evaluate = [metres](const Vector& x) { return metres.evaluate(x / 1024); };
+  millimetres.differentiate = [metres](const Vector& x) {
+    Derivatives d = metres.differentiate(x / 1024);
+    d.gradient /= 1024;
+    return d;
+  };
+  const RunRecord a = run(metres, named(GetParam()), {40}, 0);
+  const RunRecord b = run(millimetres, named(GetParam()), {40}, 0);
+  ASSERT_EQ(a.trace.size(), b.trace.size());
+  EXPECT_EQ(a.trace.back().truth.objective, b.trace.back().truth.objective);
+}
+
+TEST_P(NloptLocal, EndsAStartAtANumberThatIsNotFinite) {
+  const RunRecord record = run(half_a_number(), named(GetParam()), {300}, 0);
+  EXPECT_EQ(record.exits.front(), "a number is not finite");
+  EXPECT_GE(record.exits.size(), 2U);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NloptLocal,
+                         testing::Values("nlopt-cobyla", "nlopt-bobyqa", "nlopt-nelder-mead",
+                                         "nlopt-sbplx", "nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+class NloptGlobal : public testing::TestWithParam<std::string> {};
+
+TEST_P(NloptGlobal, GoesOnWhereANumberIsNotFinite) {
+  const RunRecord record = run(half_a_number(), named(GetParam()), {300}, 0);
+  EXPECT_EQ(record.ledger.charged, 300);
+  EXPECT_EQ(record.exits, std::vector<SolverExit>{"stopped by the evaluator"});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NloptGlobal,
+                         testing::Values("nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
+                                         "nlopt-esch"),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+}  // namespace
+}  // namespace ricochet

@@ -1,0 +1,223 @@
+// What every solver promises, whatever is behind it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/problems.h"
+#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/surrogate.h"
+#include "solvers/solvers.h"
+#include "src/core/run.h"
+#include "tests/solvers/test_problems.h"
+
+namespace ricochet {
+
+/// How a failed test names its solver.
+void PrintTo(const Solver& solver, std::ostream* stream) {
+  *stream << solver.name;
+}
+
+namespace {
+
+std::vector<Problem> small_problems() {
+  return {sphere(1, 3), sphere(2, 3), sphere(5, -20),    staircase(),       disc(),
+          plateau(1),   plateau(2),   never_a_number(1), never_a_number(2), half_a_number()};
+}
+
+void expect_same_trace(const RunRecord& a, const RunRecord& b) {
+  EXPECT_EQ(a.ledger.charged, b.ledger.charged) << a.problem;
+  EXPECT_EQ(a.exits, b.exits) << a.problem;
+  ASSERT_EQ(a.trace.size(), b.trace.size()) << a.problem;
+  for (std::size_t k = 0; k < a.trace.size(); ++k) {
+    EXPECT_EQ(a.trace[k].evaluations, b.trace[k].evaluations) << a.problem;
+    EXPECT_EQ(a.trace[k].x, b.trace[k].x) << a.problem;
+    const Truth& p = a.trace[k].truth;
+    const Truth& q = b.trace[k].truth;
+    EXPECT_TRUE(p.objective == q.objective || (std::isnan(p.objective) && std::isnan(q.objective)))
+        << a.problem;
+    EXPECT_EQ(p.violation, q.violation) << a.problem;
+  }
+}
+
+/// All points that a single call of `solve` asks for, from the problem's start.
+std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, std::uint64_t seed) {
+  std::vector<Vector> asked;
+  Problem recorded = problem;
+  recorded.evaluate = [&](const Vector& x) {
+    asked.push_back(x);
+    return problem.evaluate(x);
+  };
+  recorded.differentiate = [&](const Vector& x) {
+    asked.push_back(x);
+    return problem.differentiate(x);
+  };
+  Evaluator evaluator(recorded, {100});
+  Random random(seed);
+  solver.solve(evaluator, problem.start, random);
+  return asked;
+}
+
+using Clock = std::chrono::steady_clock;
+
+class SolverContract : public testing::TestWithParam<Solver> {
+ protected:
+  const Solver& solver() const { return GetParam(); }
+
+  /// The small problems it accepts; at least one.
+  std::vector<Problem> accepted() const {
+    std::vector<Problem> problems = small_problems();
+    problems.erase(std::remove_if(problems.begin(), problems.end(),
+                                  [&](const Problem& p) { return !solver().accepts(p); }),
+                   problems.end());
+    EXPECT_FALSE(problems.empty());
+    return problems;
+  }
+
+  /// The smallest sphere it accepts.
+  Problem easy() const { return solver().accepts(sphere(1, 3)) ? sphere(1, 3) : sphere(2, 3); }
+};
+
+TEST_P(SolverContract, SpendsItsBudgetAndNoMore) {
+  for (const Problem& problem : accepted()) {
+    for (const std::int64_t budget : {3, 50, 200}) {
+      const RunRecord record = run(problem, solver(), {budget}, 0);
+      EXPECT_LE(record.ledger.charged, budget) << problem.name;
+      EXPECT_EQ(record.failure, "") << problem.name;
+      if (problem.name == "sphere") {
+        EXPECT_GE(record.ledger.charged, budget - problem.dimension());
+        EXPECT_EQ(record.refusal, Refusal::evaluations);
+      }
+    }
+  }
+}
+
+TEST_P(SolverContract, EndsAtOnceWhereTheEvaluatorRefusesAtOnce) {
+  for (const Problem& problem : accepted()) {
+    for (const std::int64_t budget : {0, 1, 2}) {
+      const auto begun = Clock::now();
+      const RunRecord record = run(problem, solver(), {budget}, 0);
+      EXPECT_LT(Clock::now() - begun, std::chrono::seconds(1)) << problem.name;
+      EXPECT_LE(record.ledger.charged, budget) << problem.name;
+      EXPECT_EQ(record.exits.back(), "stopped by the evaluator") << problem.name;
+    }
+  }
+}
+
+TEST_P(SolverContract, EndsWhenTheTimeIsSpent) {
+  const auto begun = Clock::now();
+  const RunRecord record = run(easy(), solver(), {1'000'000'000, 0.02}, 0);
+  EXPECT_LT(Clock::now() - begun, std::chrono::seconds(1));
+  EXPECT_EQ(record.refusal, Refusal::seconds);
+  EXPECT_EQ(record.exits.back(), "stopped by the evaluator");
+}
+
+TEST_P(SolverContract, GivesTheSameTraceForTheSameRun) {
+  for (const Problem& problem : accepted()) {
+    const RunRecord first = run(problem, solver(), {150}, 1);
+    run(problem, solver(), {40}, 2);  // leaves nothing behind in the library
+    expect_same_trace(first, run(problem, solver(), {150}, 1));
+  }
+}
+
+TEST_P(SolverContract, DrawsFromItsRandomStateIfItSaysSoAndOnlyThen) {
+  const Problem problem = easy();
+  const std::vector<Vector> a = asked_points(solver(), problem, 1);
+  const std::vector<Vector> b = asked_points(solver(), problem, 2);
+  EXPECT_EQ(a == b, !solver().stochastic);
+  EXPECT_EQ(a, asked_points(solver(), problem, 1));
+}
+
+TEST_P(SolverContract, StaysInTheBox) {
+  for (const Problem& problem : accepted()) {
+    for (const Improvement& step : run(problem, solver(), {150}, 1).trace) {
+      EXPECT_TRUE((step.x.array() >= problem.lower.array()).all()) << problem.name;
+      EXPECT_TRUE((step.x.array() <= problem.upper.array()).all()) << problem.name;
+    }
+  }
+}
+
+TEST_P(SolverContract, EndsAndReportsWhenTheProblemThrows) {
+  for (const int calls : {0, 1, 7}) {
+    const Problem problem = breaks_after(calls, easy().dimension());
+    const RunRecord record = run(problem, solver(), {10000}, 0);
+    EXPECT_EQ(record.failure, "broken scene");
+    EXPECT_EQ(record.refusal, Refusal::failure);
+    EXPECT_EQ(record.ledger.values + record.ledger.derivatives, calls);
+    EXPECT_EQ(record.exits.back(), "stopped by the evaluator");
+  }
+}
+
+TEST_P(SolverContract, GetsPastValuesThatAreNotNumbers) {
+  Problem problem = half_a_number();
+  if (!solver().accepts(problem)) GTEST_SKIP() << "takes one dimension only";
+  int numbers = 0;
+  const auto evaluate = problem.evaluate;
+  problem.evaluate = [&](const Vector& x) {
+    const Values values = evaluate(x);
+    numbers += std::isfinite(values.objective);
+    return values;
+  };
+  differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 3); });
+  run(problem, solver(), {200}, 0);
+  EXPECT_GT(numbers, 10);
+}
+
+TEST_P(SolverContract, FindsAFeasiblePointNearTheConstrainedOptimum) {
+  const Problem problem = disc();
+  if (!solver().accepts(problem)) GTEST_SKIP() << "takes no constraints";
+  const RunRecord record = run(problem, solver(), {1000}, 0);
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_GE(record.trace.back().truth.objective, -std::sqrt(2.0) - 1e-12);
+  EXPECT_LT(record.trace.back().truth.objective, solver().stochastic ? -1.3 : -1.39);
+}
+
+TEST_P(SolverContract, GivesTheSameTracesInTwoThreads) {
+  const auto work = [this](int number) {
+    std::vector<RunRecord> records;
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      for (const Problem& problem : {easy(), disc()}) {
+        if (solver().accepts(problem)) {
+          records.push_back(run(problem, solver(), {150}, number + repeat));
+        }
+      }
+    }
+    return records;
+  };
+  auto one = std::async(std::launch::async, work, 1);
+  auto two = std::async(std::launch::async, work, 2);
+  const std::vector<RunRecord> parallel[] = {one.get(), two.get()};
+  for (const int number : {1, 2}) {
+    const std::vector<RunRecord> serial = work(number);
+    const std::vector<RunRecord>& other = parallel[number - 1];
+    ASSERT_EQ(serial.size(), other.size());
+    for (std::size_t k = 0; k < serial.size(); ++k) expect_same_trace(serial[k], other[k]);
+  }
+}
+
+TEST_P(SolverContract, RunsOnTheCarrierTrack) {
+  using namespace carrier_track;
+  const Scene scene = default_reading().scene;
+  for (const Problem& problem : {count_problem(find_case("C1"), scene),
+                                 surrogate_problem(find_case("C1"), scene, default_width)}) {
+    if (!solver().accepts(problem)) continue;
+    const RunRecord record = run(problem, solver(), {100}, 0);
+    EXPECT_EQ(record.failure, "") << problem.name;
+    EXPECT_EQ(record.refusal, Refusal::evaluations) << problem.name;
+    EXPECT_LE(record.ledger.charged, 100) << problem.name;
+    EXPECT_FALSE(record.trace.empty()) << problem.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, SolverContract, testing::ValuesIn(all_solvers()),
+                         [](const auto& tested) { return test_name(tested.param.name); });
+
+}  // namespace
+}  // namespace ricochet

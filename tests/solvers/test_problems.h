@@ -1,0 +1,127 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "src/core/problem.h"
+
+/// The small problems that every solver is put to.
+namespace ricochet {
+
+/// A solver's name as GoogleTest takes it.
+inline std::string test_name(std::string name) {
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+/// An unconstrained problem of n variables on [lower, upper]^n, started at `start` everywhere.
+/// Without derivatives.
+template <class Objective>
+Problem box_problem(std::string name, Eigen::Index n, double lower, double upper, double start,
+                    Objective objective) {
+  Problem problem;
+  problem.name = std::move(name);
+  problem.source = "the solvers' tests";
+  problem.lower = Vector::Constant(n, lower);
+  problem.upper = Vector::Constant(n, upper);
+  problem.start = Vector::Constant(n, start);
+  problem.evaluate = [objective](const Vector& x) { return Values{objective(x), {}}; };
+  return problem;
+}
+
+/// Gives an unconstrained problem a gradient.
+template <class Gradient>
+void differentiate_by(Problem& problem, Gradient gradient) {
+  problem.differentiate = [evaluate = problem.evaluate, gradient](const Vector& x) {
+    return Derivatives{evaluate(x), gradient(x), Matrix(0, x.size())};
+  };
+}
+
+/// Sum of (x_i - centre)^2 on [-100, 100]^n from 40; optimum 0 at x_i = centre.
+inline Problem sphere(Eigen::Index n, double centre) {
+  Problem problem = box_problem("sphere", n, -100, 100, 40, [centre](const Vector& x) {
+    return (x.array() - centre).square().sum();
+  });
+  problem.best_known = 0.0;
+  differentiate_by(problem,
+                   [centre](const Vector& x) -> Vector { return 2 * (x.array() - centre); });
+  return problem;
+}
+
+/// floor(|x - 7|) on [0, 18] from 15: optimum 0 for 6 < x < 8. Its derivative is 0, as is true
+/// almost everywhere.
+inline Problem staircase() {
+  Problem problem = box_problem("staircase", 1, 0, 18, 15,
+                                [](const Vector& x) { return std::floor(std::abs(x[0] - 7)); });
+  problem.best_known = 0.0;
+  differentiate_by(problem, [](const Vector& x) -> Vector { return Vector::Zero(x.size()); });
+  return problem;
+}
+
+/// x + y within the unit disc, on [-2, 2]^2 from outside the disc; optimum -sqrt(2) on the circle.
+inline Problem disc() {
+  Problem problem = box_problem("disc", 2, -2, 2, 1.5, [](const Vector& x) { return x.sum(); });
+  problem.constraints = 1;
+  problem.best_known = -std::sqrt(2.0);
+  problem.evaluate = [](const Vector& x) {
+    return Values{x.sum(), Vector::Constant(1, x.squaredNorm() - 1)};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), Vector::Ones(2), 2 * x.transpose()};
+  };
+  return problem;
+}
+
+/// The same value everywhere.
+inline Problem plateau(Eigen::Index n) {
+  Problem problem = box_problem("plateau", n, 0, 18, 9, [](const Vector&) { return 7.0; });
+  differentiate_by(problem, [](const Vector& x) -> Vector { return Vector::Zero(x.size()); });
+  return problem;
+}
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// No number anywhere.
+inline Problem never_a_number(Eigen::Index n) {
+  Problem problem =
+      box_problem("never-a-number", n, 0, 18, 9, [](const Vector&) { return not_a_number; });
+  differentiate_by(
+      problem, [](const Vector& x) -> Vector { return Vector::Constant(x.size(), not_a_number); });
+  return problem;
+}
+
+/// sphere(2, 3), but no number in the half where the coordinates' sum is above 60, the start
+/// included.
+inline Problem half_a_number() {
+  Problem problem = box_problem("half-a-number", 2, -100, 100, 40, [](const Vector& x) {
+    return x.sum() > 60 ? not_a_number : (x.array() - 3).square().sum();
+  });
+  differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 3); });
+  return problem;
+}
+
+/// sphere(n, 3) that throws "broken scene" after `calls` calls; for one run.
+inline Problem breaks_after(int calls, Eigen::Index n) {
+  Problem problem = sphere(n, 3);
+  problem.name = "breaks";
+  const auto left = std::make_shared<std::atomic<int>>(calls);
+  const auto step = [left] {
+    if (left->fetch_sub(1) <= 0) throw std::runtime_error("broken scene");
+  };
+  problem.evaluate = [step, evaluate = problem.evaluate](const Vector& x) {
+    step();
+    return evaluate(x);
+  };
+  problem.differentiate = [step, differentiate = problem.differentiate](const Vector& x) {
+    step();
+    return differentiate(x);
+  };
+  return problem;
+}
+
+}  // namespace ricochet

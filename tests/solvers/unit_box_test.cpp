@@ -1,0 +1,68 @@
+#include "solvers/unit_box.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/solvers/test_problems.h"
+
+namespace ricochet {
+namespace {
+
+TEST(UnitBox, TakesCornersToCornersAndBack) {
+  Problem problem = sphere(2, 3);
+  problem.lower = Vector{{-100, 2}};
+  problem.upper = Vector{{300, 4}};
+  Evaluator evaluator(problem, {10});
+  const UnitBox box(evaluator);
+  EXPECT_EQ(box.to_unit(problem.lower), Vector::Zero(2));
+  EXPECT_EQ(box.to_unit(problem.upper), Vector::Ones(2));
+  EXPECT_EQ(box.from_unit(Vector{{0.25, 0.5}}), (Vector{{0, 3}}));
+}
+
+TEST(UnitBox, HasAPlaceForACoordinateWithoutWidth) {
+  Problem problem = sphere(2, 3);
+  problem.lower = Vector{{-100, 2}};
+  problem.upper = Vector{{300, 2}};
+  Evaluator evaluator(problem, {10});
+  const UnitBox box(evaluator);
+  EXPECT_EQ(box.to_unit(Vector{{100, 2}}), (Vector{{0.5, 0}}));
+  EXPECT_EQ(box.from_unit(Vector{{0.5, 1}}), (Vector{{100, 2}}));
+}
+
+TEST(UnitBox, ScalesDerivativesByTheWidth) {
+  const Problem problem = disc();  // on [-2, 2]^2
+  Evaluator evaluator(problem, {10});
+  UnitBox box(evaluator);
+  const auto seen = box.derivatives(Vector{{0.75, 0.25}});  // x = (1, -1)
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->gradient, Vector::Constant(2, 4));
+  EXPECT_EQ(seen->jacobian.row(0).transpose(), (Vector{{8, -8}}));
+}
+
+TEST(UnitBox, RaisesTheConstraintsByTheMargin) {
+  const Problem problem = disc();
+  Evaluator evaluator(problem, {10});
+  UnitBox box(evaluator);
+  EXPECT_EQ(box.values(Vector{{0.75, 0.5}})->constraints[0], feasibility_margin);
+  EXPECT_EQ(box.derivatives(Vector{{0.5, 0.25}})->values.constraints[0], feasibility_margin);
+}
+
+TEST(UnitBox, DoesNotAskTheEvaluatorWhereThePointIsNotFinite) {
+  const Problem problem = sphere(1, 3);
+  Evaluator evaluator(problem, {10});
+  UnitBox box(evaluator);
+  EXPECT_FALSE(box.values(Vector::Constant(1, not_a_number)));
+  EXPECT_FALSE(box.derivatives(Vector::Constant(1, not_a_number)));
+  EXPECT_FALSE(box.over()) << "the run goes on from another start";
+}
+
+TEST(Finite, LooksAtEveryNumber) {
+  const Values good{1.0, Vector::Ones(1)};
+  EXPECT_TRUE(finite(Derivatives{good, Vector::Ones(2), Matrix::Ones(1, 2)}));
+  EXPECT_FALSE(finite(Values{not_a_number, {}}));
+  EXPECT_FALSE(finite(Values{1.0, Vector::Constant(1, not_a_number)}));
+  EXPECT_FALSE(finite(Derivatives{good, Vector::Constant(2, not_a_number), Matrix::Ones(1, 2)}));
+  EXPECT_FALSE(finite(Derivatives{good, Vector::Ones(2), Matrix::Constant(1, 2, not_a_number)}));
+}
+
+}  // namespace
+}  // namespace ricochet

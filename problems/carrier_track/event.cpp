@@ -96,6 +96,7 @@ Event next_event(const Flight<double>& flight, int direction, double ahead, doub
   Travel here = traveller.at(0);
   const double start_speed = here.speed;
   double time = 0;
+  double patience = bounds.shortest_step;
   double step = safe_step(here.speed, here.acceleration, bounds.jerk);
   if (here.speed <= 0) {  // setting out from rest with the force just beyond friction
     const double jerk = direction * flight.jerk();
@@ -115,7 +116,9 @@ Event next_event(const Flight<double>& flight, int direction, double ahead, doub
       there.speed = std::max(there.speed, 0.0);
     }
     step = std::max(safe_step(there.speed, there.acceleration, bounds.jerk), epsilon * next);
-    if (there.speed <= noise) step = std::max(step, bounds.shortest_step);
+    // A speed that stays lost in rounding is left behind by steps that double.
+    patience = there.speed <= noise ? 2 * patience : bounds.shortest_step;
+    if (there.speed <= noise) step = std::max(step, patience);
     time = next;
     here = there;
   }
@@ -125,8 +128,10 @@ Event next_departure(const Flight<double>& applied, double friction, bool may_ri
                      double horizon, std::int64_t& evaluations) {
   const Bounds bounds = bounds_of(applied);
   const double noise = 4 * epsilon * (bounds.acceleration + friction);
+  const double slope_noise = 4 * epsilon * bounds.jerk;
   if (bounds.jerk <= 0) return {EventKind::horizon, horizon, 0};
   double time = 0;
+  double patience = bounds.shortest_step;
   for (;;) {
     // The flight's derivatives at `time`, from its harmonics turned there.
     double push = applied.steady;
@@ -141,14 +146,20 @@ Event next_departure(const Flight<double>& applied, double friction, bool may_ri
     }
     ++evaluations;
     double step = infinity;
+    bool at_the_edge = false;
     for (const int direction : {+1, -1}) {
       if (direction > 0 ? !may_rise : !may_fall) continue;
       const double reserve = friction - direction * push;
       const double reserve_slope = -direction * slope;
-      if (reserve <= noise && reserve_slope < 0) return {EventKind::depart, time, direction};
+      if (reserve <= noise && reserve_slope < -slope_noise) {
+        return {EventKind::depart, time, direction};
+      }
       step = std::min(step, safe_step(std::max(reserve, 0.0), reserve_slope, bounds.snap));
-      if (reserve <= noise) step = std::max(step, bounds.shortest_step);
+      at_the_edge = at_the_edge || reserve <= noise;
     }
+    // A force that stays within rounding of the band's edge is left behind by steps that double.
+    patience = at_the_edge ? 2 * patience : bounds.shortest_step;
+    if (at_the_edge) step = std::max(step, patience);
     if (time >= horizon || step == infinity) return {EventKind::horizon, horizon, 0};
     time = std::min(time + std::max(step, epsilon * time), horizon);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -127,12 +128,19 @@ class ImpactModel {
 
   bool at(Wall wall) const { return wall_ == wall; }
 
-  /// Where a body without velocity goes now: friction and a wall behind the force hold it.
+  /// Where a body without velocity goes now: friction and a wall behind the force hold it. So does
+  /// friction that the forces exceed by rounding alone; next_departure tells if they grow.
   int direction_of_departure() const {
-    const double push = value(applied());
-    const double friction = value(friction_);
-    if (push > friction && !at(Wall::upper)) return +1;
-    if (push < -friction && !at(Wall::lower)) return -1;
+    double push = value(steady_);
+    double size = value(friction_) + std::abs(push);
+    for (int i = 0; i < harmonics_; ++i) {
+      const double cosine = value(harmonic_[static_cast<std::size_t>(i)].cosine);
+      push += cosine;
+      size += std::abs(cosine);
+    }
+    const double hold = value(friction_) + 4 * std::numeric_limits<double>::epsilon() * size;
+    if (push > hold && !at(Wall::upper)) return +1;
+    if (push < -hold && !at(Wall::lower)) return -1;
     return 0;
   }
 
@@ -148,7 +156,10 @@ class ImpactModel {
     Scalar time = constant<Scalar>(event.time);
     for (int i = 0; i < DerivativeOrder<Scalar>::value; ++i) {
       const Motion<Scalar> m = path.at(time);
-      if (event.kind == EventKind::wall) time -= (m.position - wall) / m.velocity;
+      // A wall that is only touched has no derivative; its time is left to be a constant.
+      if (event.kind == EventKind::wall && value(m.velocity) != 0.0) {
+        time -= (m.position - wall) / m.velocity;
+      }
       if (event.kind == EventKind::turn) time -= m.velocity / m.acceleration;
     }
     if (event.kind == EventKind::horizon) time = duration_ - time_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -146,12 +147,12 @@ class Table {
 
 toml::table parse(const std::filesystem::path& path) {
   std::ifstream stream(path);
-  std::ostringstream text;
-  if (std::filesystem::is_directory(path) || !stream || !(text << stream.rdbuf())) {
+  if (std::filesystem::is_directory(path) || !stream) {
     throw InputError(fmt::format("{}: cannot be read: it must be a TOML file", path.string()));
   }
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
   try {
-    return toml::parse(text.str(), path.string());
+    return toml::parse(text, path.string());
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid TOML: {}", path.string(),
                                  error.source().begin.line, error.description()));

@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
@@ -50,8 +53,27 @@ const std::vector<std::string>& lines() {
   return text;
 }
 
+/// A folder of this process alone, gone with it: ctest runs the tests of this file side by side.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::path(testing::TempDir()) / std::to_string(getpid())) {
+    std::filesystem::create_directories(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 std::filesystem::path file_with(const std::string& text) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "machine.toml";
+  static const Folder folder;
+  const auto path = folder.path() / "machine.toml";
   std::ofstream(path) << text;
   return path;
 }

@@ -65,7 +65,9 @@ TEST(Threshold, AgreesWithTryingEverySplitOnRandomStaircases) {
     EXPECT_DOUBLE_EQ(split.misclassified, static_cast<double>(best) / 40.0);
     const bool inside = where > 0 && where < counts.size();
     ASSERT_EQ(split.speed.has_value(), inside);
-    if (inside) EXPECT_DOUBLE_EQ(*split.speed, static_cast<double>(where) + 0.5);
+    if (inside) {
+      EXPECT_DOUBLE_EQ(*split.speed, static_cast<double>(where) + 0.5);
+    }
   }
 }
 
@@ -93,7 +95,7 @@ TEST(Threshold, ScansTheSpeedsItNames) {
 
 /// Scores a staircase made by hand through the function that scores simulations.
 Score score_of(const SpeedScan& scan, const Claim& claim) {
-  return score(Scene{}, claim, scan, 1);
+  return score(default_reading().scene, claim, scan, 1);
 }
 
 TEST(Threshold, ScoresEveryPartAsThePaperClaimsIt) {

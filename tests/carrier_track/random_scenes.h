@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+#include "problems/carrier_track/scene.h"
+
+namespace ricochet::carrier_track {
+
+/// Valid scenes that between them use every term of equation (31), every kind of wall and start,
+/// with some tens of impacts each. The same seed gives the same scenes everywhere: the draws use
+/// only the generator's bits, whose sequence the standard fixes.
+class RandomScenes {
+ public:
+  explicit RandomScenes(std::uint64_t seed) : random_(seed) {}
+
+  Scene next() {
+    Scene scene;
+    scene.mass = within(0.5, 2.0);
+    scene.wall_lower = chance(0.5) ? 0.0 : within(-2e-3, 1e-3);
+    const double gap = log_within(0.2e-3, 5e-3);
+    scene.wall_upper = scene.wall_lower + gap;
+    scene.restitution_lower = restitution();
+    scene.restitution_upper = chance(0.5) ? scene.restitution_lower : restitution();
+    scene.friction = chance(0.3) ? 0.0 : within(0.0, 0.5);
+    scene.normal_force = within(0.0, 3.0);
+    scene.pull = chance(0.2) ? 0.0 : within(-1.5, 1.5);
+    scene.pull_rotates = chance(0.3);
+    scene.omega = log_within(0.5, 20.0);
+    scene.centrifugal = static_cast<Centrifugal>(random_() % 3);
+    const double square = scene.omega * scene.omega;
+    scene.centrifugal_mass_radius = chance(0.2) ? 0.0 : within(0.0, 2.0) / square;
+    scene.slider_mass_radius = chance(0.5) ? 0.0 : within(0.0, 1.0) / square;
+    scene.phase = within(-4.0, 4.0);
+    scene.disturbance = chance(0.4) ? 0.0 : within(-1.0, 1.0);
+    scene.disturbance_frequency = log_within(0.3, 40.0);
+    scene.start_position = scene.wall_lower + gap * share_of_gap();
+    scene.start_velocity = chance(0.3) ? 0.0 : within(-0.1, 0.1);
+    if (chance(0.4)) {
+      scene.window = Seconds{within(0.3, 2.0)};
+    } else {
+      scene.window = Revolutions{within(0.3, 2.0) * scene.omega / 6.28};
+    }
+    if (chance(0.1)) scene.wall_upper = std::numeric_limits<double>::infinity();
+    scene.slowest = log_within(1e-3, 2e-2);
+    return scene;
+  }
+
+  double within(double a, double b) {
+    return a + (b - a) * static_cast<double>(random_() >> 11) * 0x1p-53;
+  }
+  double log_within(double a, double b) { return a * std::pow(b / a, within(0, 1)); }
+  bool chance(double probability) { return within(0, 1) < probability; }
+
+ private:
+  double restitution() {
+    switch (random_() % 6) {
+      case 0:
+        return 0.0;
+      case 1:
+        return 0.1;
+      case 2:
+        return 0.9;
+      case 3:
+        return 1.0;
+      default:
+        return within(0.0, 1.0);
+    }
+  }
+  double share_of_gap() {
+    switch (random_() % 6) {
+      case 0:
+        return 0.0;
+      case 1:
+        return 1.0;
+      default:
+        return within(0.0, 1.0);
+    }
+  }
+
+  std::mt19937_64 random_;
+};
+
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,133 @@
+#include "problems/carrier_track/scene_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "problems/carrier_track/reading.h"
+#include "src/core/error.h"
+#include "tests/carrier_track/random_scenes.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::string complaint_about(const Scene& scene) {
+  try {
+    check(scene, "machine");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(SceneCheck, AcceptsTheDefaultsTheReadingsAndRandomScenes) {
+  EXPECT_NO_THROW(check(Scene{}, "machine"));
+  for (const Reading& reading : all_readings()) EXPECT_NO_THROW(check(reading.scene, reading.name));
+  RandomScenes scenes(31);
+  for (int i = 0; i < 1000; ++i) EXPECT_NO_THROW(check(scenes.next(), "machine"));
+}
+
+TEST(SceneCheck, AcceptsTheEdgesOfEveryRange) {
+  Scene scene;
+  scene.wall_upper = infinity;
+  scene.restitution_lower = 0;
+  scene.start_position = 0;
+  scene.omega = 0;
+  scene.disturbance_frequency = 0;
+  scene.pull = -1;
+  scene.disturbance = -1;
+  EXPECT_EQ(complaint_about(scene), "accepted");
+  scene.wall_upper = scene.start_position = 1;
+  EXPECT_EQ(complaint_about(scene), "accepted");
+}
+
+struct Wrong {
+  double Scene::*field;
+  std::string key;
+  std::string allowed;
+  std::vector<double> values;
+};
+
+TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  for (const Wrong& wrong : {
+           Wrong{&Scene::mass, "scene.mass", "> 0 [kg]", {0, -1, infinity, nan}},
+           Wrong{&Scene::wall_lower, "scene.wall_lower", "finite", {-infinity, nan}},
+           Wrong{&Scene::wall_upper, "scene.wall_upper", "> wall_lower = 0", {0, -1, nan}},
+           Wrong{&Scene::restitution_lower, "scene.restitution", "0..1", {-tiny, 1.0001, nan}},
+           Wrong{&Scene::restitution_upper, "scene.restitution", "0..1", {-tiny, 1.0001, nan}},
+           Wrong{&Scene::friction, "scene.friction", ">= 0", {-tiny, infinity, nan}},
+           Wrong{&Scene::normal_force, "scene.normal_force", ">= 0", {-tiny, infinity, nan}},
+           Wrong{&Scene::pull, "scene.pull", "finite", {infinity, -infinity, nan}},
+           Wrong{&Scene::centrifugal_mass_radius,
+                 "scene.centrifugal_mass_radius",
+                 ">= 0",
+                 {-tiny, infinity, nan}},
+           Wrong{&Scene::slider_mass_radius,
+                 "scene.slider_mass_radius",
+                 ">= 0",
+                 {-tiny, infinity, nan}},
+           Wrong{&Scene::phase, "scene.phase", "finite", {infinity, nan}},
+           Wrong{&Scene::disturbance, "scene.disturbance", "finite", {infinity, nan}},
+           Wrong{&Scene::disturbance_frequency,
+                 "scene.disturbance_frequency",
+                 ">= 0",
+                 {-tiny, infinity, nan}},
+           Wrong{&Scene::start_position, "scene.start_position", "0..1", {-tiny, 1.01, nan}},
+           Wrong{&Scene::start_velocity, "scene.start_velocity", "finite", {infinity, nan}},
+           Wrong{&Scene::omega, "scene.omega", ">= 0", {-tiny, infinity, nan}},
+           Wrong{&Scene::slowest, "count.slowest", "> 0", {0, -1, infinity, nan}},
+           Wrong{&Scene::peak_high, "count.peak_high", "> 0", {0, -1, infinity, nan}},
+           Wrong{&Scene::peak_low, "count.peak_low", "> 0", {0, -1, infinity, nan}},
+       }) {
+    for (const double value : wrong.values) {
+      Scene scene;
+      scene.*wrong.field = value;
+      const std::string message = complaint_about(scene);
+      EXPECT_THAT(message, StartsWith("machine: " + wrong.key + " = "));
+      EXPECT_THAT(message, HasSubstr("must be"));
+      EXPECT_THAT(message, HasSubstr(wrong.allowed)) << value;
+    }
+  }
+}
+
+TEST(SceneCheck, NeverLetsABodyStartAtInfinity) {
+  Scene scene;
+  scene.wall_upper = scene.start_position = infinity;
+  EXPECT_THAT(complaint_about(scene), StartsWith("machine: scene.start_position"));
+}
+
+TEST(SceneCheck, RefusesAnEmptyWindow) {
+  for (const double count : {0.0, -1.0, infinity, nan}) {
+    Scene scene;
+    scene.window = Seconds{count};
+    EXPECT_THAT(complaint_about(scene), StartsWith("machine: window.seconds = "));
+    scene.window = Revolutions{count};
+    EXPECT_THAT(complaint_about(scene), StartsWith("machine: window.revolutions = "));
+  }
+}
+
+TEST(SceneCheck, NeedsASpeedForAWindowInRevolutions) {
+  Scene scene;
+  scene.omega = 0.0;
+  EXPECT_NO_THROW(check_omega(scene, "command line", "--omega"));
+  scene.window = Revolutions{1.0};
+  try {
+    check_omega(scene, "command line", "--omega");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), StartsWith("command line: --omega = 0: must be"));
+    EXPECT_THAT(error.what(), HasSubstr("revolutions"));
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

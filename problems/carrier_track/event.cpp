@@ -22,13 +22,24 @@ Bounds bounds_of(const Flight<double>& flight) {
   Bounds bounds;
   bounds.acceleration = std::abs(flight.steady);
   double fastest = 0;
-  for (int i = 0; i < flight.harmonics; ++i) {
-    const auto& h = flight.harmonic[static_cast<std::size_t>(i)];
-    const double amplitude = std::sqrt(h.cosine * h.cosine + h.sine * h.sine);
-    bounds.acceleration += amplitude;
-    bounds.jerk += amplitude * h.frequency;
-    bounds.snap += amplitude * h.frequency * h.frequency;
-    if (amplitude > 0) fastest = std::max(fastest, h.frequency);
+  const auto add = [&](double cosine, double sine, double frequency) {
+    const double amplitude = std::sqrt(cosine * cosine + sine * sine);
+    bounds.jerk += amplitude * frequency;
+    bounds.snap += amplitude * frequency * frequency;
+    if (amplitude > 0) fastest = std::max(fastest, frequency);
+    return amplitude;
+  };
+  const auto& [plate, disturbance] = flight.harmonic;
+  if (flight.harmonics == 2 && plate.frequency == disturbance.frequency) {
+    // As one harmonic: two that all but cancel would have the search creep.
+    add(plate.cosine + disturbance.cosine, plate.sine + disturbance.sine, plate.frequency);
+    bounds.acceleration += std::abs(plate.cosine) + std::abs(plate.sine) +
+                           std::abs(disturbance.cosine) + std::abs(disturbance.sine);
+  } else {
+    for (int i = 0; i < flight.harmonics; ++i) {
+      const auto& h = flight.harmonic[static_cast<std::size_t>(i)];
+      bounds.acceleration += add(h.cosine, h.sine, h.frequency);
+    }
   }
   bounds.shortest_step = fastest > 0 ? 1e-8 / fastest : 0.0;
   return bounds;

@@ -64,6 +64,17 @@ TEST(Friction, HoldsABodyAgainstAnyForceWithinItsBand) {
   }
 }
 
+TEST(Friction, YieldsToTheSmallestExcessOfForce) {
+  for (const double sign : {-1.0, 1.0}) {
+    Scene scene = block();
+    const double excess = 0x1p-40;  // exact beside the 0.5 N of friction
+    scene.mass = 1.0;
+    scene.pull = -sign * (0.5 + excess);
+    scene.window = Seconds{1000.0};
+    expect_close(watch(scene).end.position, sign * 0.5 * excess * 1e6);
+  }
+}
+
 TEST(Friction, LetsABodySlipWhenAGrowingForceLeavesItsBand) {
   for (const double share : {0.1, 0.5, 0.9, 0.999, 1 - 1e-9}) {
     Scene scene = shaken_block(share);

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <sstream>
 
 #include "tests/cli/tool.h"
 
@@ -25,10 +25,13 @@ TEST(Readme, ShowsASolverThatIsReallyThere) {
 TEST(Readme, ListsTheKeysOfAScene) {
   const std::string text = readme();
   const std::string scene = call("scene --case C1").out;
-  const std::regex key("(^|\n)([a-z_]+) = ");
   int keys = 0;
-  for (std::sregex_iterator k(scene.begin(), scene.end(), key), end; k != end; ++k, ++keys) {
-    EXPECT_THAT(text, testing::HasSubstr(fmt::format("`{}`", (*k)[2].str())));
+  std::istringstream lines(scene);
+  for (std::string line; std::getline(lines, line);) {
+    const auto end = line.find(" = ");
+    if (end == std::string::npos) continue;
+    EXPECT_THAT(text, testing::HasSubstr(fmt::format("`{}`", line.substr(0, end))));
+    ++keys;
   }
   EXPECT_GT(keys, 20);
 }

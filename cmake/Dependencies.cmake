@@ -5,6 +5,8 @@ find_package(Ceres 2.1 REQUIRED)
 # With both NLopt packages installed a plain search finds the C build, which lacks StoGO and AGS.
 find_package(NLopt 2.7 CONFIG REQUIRED NO_DEFAULT_PATH
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx)
+find_package(Boost 1.74 REQUIRED)  # headers: Odeint, Math
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial)
 pkg_check_modules(Ipopt REQUIRED IMPORTED_TARGET ipopt)
 find_package(TBB REQUIRED)
 find_package(fmt 9 REQUIRED)

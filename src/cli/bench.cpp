@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/integrators_bench.h"
 #include "bench/simulation_bench.h"
 #include "src/core/error.h"
 
@@ -14,6 +15,7 @@ int bench(std::vector<std::string> arguments, bool json) {
   for (std::string& argument : arguments) argv.push_back(argument.data());
   auto argc = static_cast<int>(argv.size());
   bench::add_simulation_benchmarks();
+  bench::add_integrator_benchmarks();
   benchmark::Initialize(&argc, argv.data());
   if (argc > 1) {
     throw InputError(std::string("bench: unknown argument ") + argv[1] +

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ricochet::bench {
+
+/// Registers the measurements of all event-locating integrators on the same scenes with Google
+/// Benchmark, so that their ratios can be read from one run.
+void add_integrator_benchmarks();
+
+}  // namespace ricochet::bench

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cmath>
+
+// NOTE: plain C++17, as are flight_method.h and dense_flight.h: Boost.Odeint's rosenbrock4 does not
+// compile as C++20, and scene.h needs concepts.
+namespace ricochet::carrier_track {
+
+template <class Scalar>
+struct BasicScene;
+
+struct State {
+  double position;  ///< [m]
+  double velocity;  ///< [m/s]
+};
+
+/// The right-hand side of equation (31) between impacts, as accelerations [m/s^2].
+struct Forces {
+  double steady = 0;
+  double turning = 0;  ///< amplitude, with angle omega t + phase
+  double omega = 0;    ///< [rad/s]
+  double phase = 0;    ///< [rad]
+  double disturbance = 0;
+  double disturbance_frequency = 0;  ///< [rad/s]
+  double friction = 0;               ///< >= 0, set-valued at rest
+
+  /// All but contact and friction, at `time` [s].
+  double applied(double time) const {
+    double sum = steady;
+    if (turning != 0) sum += turning * std::cos(omega * time + phase);
+    if (disturbance != 0) sum += disturbance * std::cos(disturbance_frequency * time);
+    return sum;
+  }
+
+  /// Its derivative with respect to time [m/s^3].
+  double applied_rate(double time) const {
+    return -turning * omega * std::sin(omega * time + phase) -
+           disturbance * disturbance_frequency * std::sin(disturbance_frequency * time);
+  }
+
+  /// [s]; of the forces that act and vary, infinite if there is none.
+  double shortest_period() const;
+};
+
+/// The forces of a valid scene.
+Forces forces_of(const BasicScene<double>& scene);
+
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/recording.h"
+#include "problems/carrier_track/scene.h"
+
+namespace ricochet::carrier_track {
+
+/// What a numerical method makes of a scene.
+struct Outcome {
+  std::vector<Impact> impacts;         ///< every one that the method saw, slow ones too
+  Sample end{};                        ///< where it ended; the end of the window if finished
+  std::int64_t force_evaluations = 0;  ///< event-driven: of the closed-form flight
+  bool finished = false;
+  std::string failure;  ///< why it did not finish, for instance too many steps
+};
+
+/// A method for the whole hybrid motion: flights, impacts, sticking and the ends of Zeno sequences.
+/// `run` takes a valid scene and a control > 0. It never throws, and it always ends: a run with
+/// too many steps or impacts is not finished. Runs share nothing.
+struct Integrator {
+  std::string name;
+  std::string version;
+  std::string control;  ///< what the number given to `run` means, with its unit
+  std::function<Outcome(const Scene&, double control)> run;
+};
+
+/// The project's own event-driven simulator first, then what it is compared with.
+std::vector<Integrator> all_integrators();
+
+/// A rebound slower than this [m/s] against a pressing force ends a Zeno sequence for every method
+/// here but the event-driven one, which sums it in closed form (resting_speed). Its hop under the
+/// forces of these scenes is 1e-12 m high, about the rounding of a position in a track.
+inline constexpr double slowest_rebound = 1e-6;
+
+/// A run with more impacts than this is not finished.
+inline constexpr std::size_t most_impacts = 1'000'000;
+
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,61 @@
+#include <array>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/version.hpp>
+
+#include "problems/carrier_track/integrators/dense_flight.h"
+#include "problems/carrier_track/integrators/located_events.h"
+#include "problems/carrier_track/integrators/methods.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+
+// NOTE: an array, not a std::vector: no allocation in a step, and the compiler unrolls it.
+using Vector = std::array<double, 2>;
+
+class Dopri5 : public FlightMethod {
+ public:
+  Dopri5(const FlightSetting& setting, double tolerance)
+      : setting_(setting),
+        stepper_(odeint::make_dense_output(tolerance * setting.length, tolerance,
+                                           longest_step(setting.forces, setting.window),
+                                           odeint::runge_kutta_dopri5<Vector>())),
+        step_(0.1 * longest_step(setting.forces, setting.window)) {}
+
+  Landing fly(const Leg& leg) override {
+    const double friction = leg.direction * setting_.forces.friction;
+    const auto pull = [&](double time) {
+      ++evaluations_;
+      return setting_.forces.applied(leg.start + time) - friction;
+    };
+    const auto system = [&](const Vector& x, Vector& slope, double time) {
+      slope = {x[1], pull(time)};
+    };
+    return fly_dense(stepper_, system, pull, setting_.gap, setting_.forces.friction > 0, leg,
+                     workspace_, step_, steps_);
+  }
+
+  std::int64_t evaluations() const override { return evaluations_; }
+
+ private:
+  FlightSetting setting_;
+  odeint::result_of::make_dense_output<odeint::runge_kutta_dopri5<Vector>>::type stepper_;
+  Vector workspace_{};
+  double step_;
+  std::int64_t steps_ = 0;
+  std::int64_t evaluations_ = 0;
+};
+
+}  // namespace
+
+Integrator odeint_dopri5() {
+  return {"odeint-dopri5", "Boost " BOOST_LIB_VERSION, "relative tolerance",
+          [](const Scene& scene, double tolerance) {
+            Dopri5 method(flight_setting(scene), tolerance);
+            return run_with_located_events(scene, method);
+          }};
+}
+
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,17 @@
+#include <boost/version.hpp>
+
+#include "problems/carrier_track/integrators/located_events.h"
+#include "problems/carrier_track/integrators/methods.h"
+#include "problems/carrier_track/integrators/rosenbrock_flight.h"
+
+namespace ricochet::carrier_track {
+
+Integrator odeint_rosenbrock4() {
+  return {"odeint-rosenbrock4", "Boost " BOOST_LIB_VERSION, "relative tolerance",
+          [](const Scene& scene, double tolerance) {
+            const auto method = rosenbrock_flight(flight_setting(scene), tolerance);
+            return run_with_located_events(scene, *method);
+          }};
+}
+
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,23 @@
+#include "problems/carrier_track/integrators/fixed_step.h"
+#include "problems/carrier_track/integrators/methods.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+State step(const Forces& forces, double time, const State& state, int /*direction*/,
+           double length) {
+  const double pushed = state.velocity + length * forces.applied(time);
+  const double velocity = after_friction(pushed, length * forces.friction);
+  return {state.position + length * velocity, velocity};
+}
+
+}  // namespace
+
+Integrator semi_implicit_euler() {
+  return {"semi-implicit-euler", "ricochet " RICOCHET_VERSION, "step [s]",
+          [](const Scene& scene, double longest) {
+            return run_with_reflection(scene, longest, 1, step);
+          }};
+}
+
+}  // namespace ricochet::carrier_track

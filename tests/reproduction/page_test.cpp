@@ -39,7 +39,8 @@ TEST(Page, DrawsChartsThatHoldTogether) {
 
 TEST(Page, KeepsEveryLineWithinItsBand) {
   int bands = 0;
-  for (const report::Figure& figure : section_of(page_of(tiny_study()), "solvers").figures) {
+  const report::Page page = page_of(tiny_study());
+  for (const report::Figure& figure : section_of(page, "solvers").figures) {
     for (const report::Series& series : figure.chart.series) {
       for (const report::Sample& sample : series.samples) {
         if (!sample.spread) continue;

@@ -12,6 +12,7 @@ if(RICOCHET_SANITIZE)
   # that is followed, and x86 needs no alignment.
   target_compile_options(ricochet_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize=null,vptr,alignment
-    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -Wno-maybe-uninitialized)  # GCC cannot tell through the sanitizers' checks
   target_link_options(ricochet_options INTERFACE -fsanitize=address,undefined)
 endif()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ricochet::carrier_track {
 namespace {
@@ -97,13 +98,96 @@ class Traveller {
   std::int64_t& evaluations_;
 };
 
+/// Most flights are short beside the period of their forces, and then bounds from the start alone
+/// prove which event comes first and that it is the only root in reach; a few steps find it.
+/// `jerk` bounds the third derivative.
+class ShortFlight {
+ public:
+  ShortFlight(const Flight<double>& flight, int direction, double horizon,
+              const Traveller& traveller)
+      : traveller_(traveller), speed_(direction * flight.velocity), horizon_(horizon) {
+    acceleration_ = flight.steady;
+    for (int i = 0; i < flight.harmonics; ++i) {
+      const auto& h = flight.harmonic[static_cast<std::size_t>(i)];
+      acceleration_ += h.cosine;
+      jerk_bound_ += h.frequency * (std::abs(h.cosine) + std::abs(h.sine));
+      size_ += std::abs(h.cosine);
+    }
+    size_ += std::abs(flight.steady);
+    acceleration_ *= direction;
+    jerk_ = direction * flight.jerk();
+  }
+
+  /// Time of the turn, where it comes first for certain: speed <= v + a t + J t^2 / 2 crosses zero
+  /// while the acceleration is still negative, and before the wall can be reached.
+  std::optional<double> turn(double ahead) const {
+    const double certain = acceleration_ * acceleration_ - 2 * jerk_bound_ * speed_;
+    if (!(acceleration_ < -noise() && speed_ > 0 && certain > 0)) return std::nullopt;
+    const double latest = 2 * speed_ / (std::sqrt(certain) - acceleration_);
+    if (!(latest < horizon_ && 0.5 * speed_ * latest < ahead)) return std::nullopt;
+    const double square = acceleration_ * acceleration_ - 2 * jerk_ * speed_;
+    double time = 2 * speed_ / (std::sqrt(square) - acceleration_);
+    for (int i = 0; i < steps; ++i) {
+      const Travel m = traveller_.at(time);
+      const double step = -m.speed / m.acceleration;
+      time = std::min(time + step, latest);
+      // Newton's next error is below J step^2 / (2 |a|).
+      if (jerk_bound_ * step * step <= -2 * epsilon * m.acceleration * time) return time;
+    }
+    return std::nullopt;
+  }
+
+  /// Time of the wall, where it comes first for certain: the speed is at least v + a t - J t^2 / 2,
+  /// which stays positive until the distance that follows from it is beyond the wall.
+  std::optional<double> wall(double ahead) const {
+    const double square = speed_ * speed_ + 2 * acceleration_ * ahead;
+    if (!(square > 0 && speed_ >= 0 && speed_ + std::sqrt(square) > 0)) return std::nullopt;
+    double time = 2 * ahead / (speed_ + std::sqrt(square));
+    const double latest = 1.25 * time;
+    const double slow = speed_ + latest * (acceleration_ - latest * jerk_bound_ / 2);
+    const double near = latest * (speed_ + latest * (acceleration_ / 2 - latest * jerk_bound_ / 6));
+    const bool accelerates = speed_ > 0 || acceleration_ > noise();
+    if (!(slow > 0 && near > ahead && latest < horizon_ && accelerates)) return std::nullopt;
+    // One Newton step on the cubic with the jerk at the start.
+    const double miss = time * (speed_ + time * (acceleration_ / 2 + time * jerk_ / 6)) - ahead;
+    time -= miss / (speed_ + time * (acceleration_ + time * jerk_ / 2));
+    for (int i = 0; i < steps; ++i) {
+      const Travel m = traveller_.at(time);
+      const double gap = ahead - m.distance;
+      const double root = m.speed * m.speed + 2 * m.acceleration * gap;
+      if (!(root > 0 && m.speed > 0)) return std::nullopt;
+      const double step = 2 * gap / (m.speed + std::sqrt(root));
+      time = std::min(time + step, latest);
+      // The parabola's next error is below J step^3 / (6 v).
+      if (jerk_bound_ * std::abs(step * step * step) <= 6 * epsilon * m.speed * time) return time;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr int steps = 6;
+  /// An acceleration below this may be rounding.
+  double noise() const { return 1e-9 * size_; }
+
+  const Traveller& traveller_;
+  double speed_;
+  double acceleration_ = 0;
+  double jerk_ = 0;
+  double jerk_bound_ = 0;
+  double size_ = 0;  // sum of the forces' magnitudes
+  double horizon_;
+};
+
 }  // namespace
 
 Event next_event(const Flight<double>& flight, int direction, double ahead, double horizon,
                  std::int64_t& evaluations) {
   if (ahead <= 0) return {EventKind::wall, 0, direction};
-  const Bounds bounds = bounds_of(flight);
   const Traveller traveller(flight, direction, evaluations);
+  const ShortFlight quick(flight, direction, horizon, traveller);
+  if (const auto time = quick.turn(ahead)) return {EventKind::turn, *time, direction};
+  if (const auto time = quick.wall(ahead)) return {EventKind::wall, *time, direction};
+  const Bounds bounds = bounds_of(flight);
   Travel here = traveller.at(0);
   const double start_speed = here.speed;
   double time = 0;

@@ -14,6 +14,14 @@ struct Stumpff {
   Scalar c2, c3;
 };
 
+/// The first `terms` of a power series in q, by Horner's rule.
+template <std::size_t terms, class Scalar>
+Scalar series(const Scalar& q, const std::array<double, 9>& coefficients) {
+  Scalar sum = constant<Scalar>(coefficients[terms - 1]);
+  for (std::size_t k = terms - 1; k-- > 0;) sum = sum * q + constant<Scalar>(coefficients[k]);
+  return sum;
+}
+
 /// Relative error about 1e-16 for |u| < 1 (series), below 1e-15 beyond (closed form).
 template <class Scalar>
 Stumpff<Scalar> stumpff(const Scalar& u) {
@@ -40,15 +48,10 @@ Stumpff<Scalar> stumpff(const Scalar& u) {
                                            1.0 / 1307674368000,
                                            -1.0 / 355687428096000,
                                            1.0 / 121645100408832000};
-    // NOTE: most flights turn by little; for |u| < 1/8 five terms leave out less than 1e-17.
-    const std::size_t last = value(q) < 1.0 / 64 ? 4 : 8;
-    Scalar c2 = constant<Scalar>(even[last]);
-    Scalar c3 = constant<Scalar>(odd[last]);
-    for (std::size_t k = last; k-- > 0;) {
-      c2 = c2 * q + constant<Scalar>(even[k]);
-      c3 = c3 * q + constant<Scalar>(odd[k]);
-    }
-    return {c2, c3};
+    // NOTE: most flights turn by little; what is left out stays below 1e-16.
+    if (value(q) < 1e-4) return {series<3>(q, even), series<3>(q, odd)};
+    if (value(q) < 1.0 / 64) return {series<5>(q, even), series<5>(q, odd)};
+    return {series<9>(q, even), series<9>(q, odd)};
   }
   const Scalar one = constant<Scalar>(1.0);
   return {(one - cos(u)) / q, (u - sin(u)) / (q * u)};
@@ -79,8 +82,9 @@ struct Flight {
   std::array<Harmonic<Scalar>, 2> harmonic;  ///< driver plate, disturbance
   int harmonics = 2;                         ///< how many of them act
 
-  /// Exact up to rounding at any t >= 0 [s] from the flight's start.
-  Motion<Scalar> at(const Scalar& t) const {
+  /// Exact up to rounding at any t >= 0 [s] from the flight's start. Where the harmonics are when
+  /// the flight ends goes to `turned`, if asked for.
+  Motion<Scalar> at(const Scalar& t, std::array<Harmonic<Scalar>, 2>* turned = nullptr) const {
     Motion<Scalar> m{position + t * (velocity + steady * t * constant<Scalar>(0.5)),
                      velocity + steady * t, steady};
     for (int i = 0; i < harmonics; ++i) {
@@ -88,11 +92,18 @@ struct Flight {
       const Scalar u = h.frequency * t;
       const auto [c2, c3] = stumpff(u);
       const Scalar one = constant<Scalar>(1.0);
-      const Scalar one_minus_cos = u * u * c2;
-      const Scalar sinc = one - u * u * c3;  // sin(u) / u
+      const Scalar q = u * u;
+      const Scalar cosine = one - q * c2;
+      const Scalar sinc = one - q * c3;  // sin(u) / u
+      const Scalar sine = u * sinc;
       m.position += t * t * (h.cosine * c2 - h.sine * (u * c3));
       m.velocity += t * (h.cosine * sinc - h.sine * (u * c2));
-      m.acceleration += h.cosine * (one - one_minus_cos) - h.sine * (u * sinc);
+      const Scalar now = h.cosine * cosine - h.sine * sine;
+      m.acceleration += now;
+      if (turned != nullptr) {
+        (*turned)[static_cast<std::size_t>(i)] = {now, h.sine * cosine + h.cosine * sine,
+                                                  h.frequency};
+      }
     }
     return m;
   }

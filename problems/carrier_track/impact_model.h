@@ -39,6 +39,10 @@ struct Observer {
   template <class Scalar>
   void stretch(const Scalar& /*time*/, const Flight<Scalar>& /*flight*/,
                const Scalar& /*duration*/) {}
+
+  /// The state after a step within a compliant wall: time [s], position [m], velocity [m/s].
+  template <class Scalar>
+  void contact(const Scalar& /*time*/, const Scalar& /*position*/, const Scalar& /*velocity*/) {}
 };
 
 /// [s]; the window of a scene. Revolutions need omega > 0.
@@ -164,10 +168,10 @@ class ImpactModel {
     }
     if (event.kind == EventKind::horizon) time = duration_ - time_;
     tell_stretch(observer, path, time);
-    const Motion<Scalar> m = path.at(time);
+    const Motion<Scalar> m = path.at(time, &harmonic_);
     offset_ = m.position;
     velocity_ = m.velocity;
-    pass(time);
+    time_ += time;
     if (event.kind == EventKind::wall) {
       strike(observer);
     } else if (event.kind == EventKind::turn) {

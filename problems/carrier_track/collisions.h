@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "problems/carrier_track/impact_model.h"
+#include "problems/carrier_track/simulate.h"
 
 /// The objective of the paper, equations (31)-(33), defined once. A simulation yields features,
 /// each with a margin z that is positive when it counts:

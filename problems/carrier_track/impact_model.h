@@ -319,10 +319,4 @@ class ImpactModel {
   std::int64_t impacts_ = 0;
 };
 
-/// Simulates `scene` (valid, see scene_check.h) and tells `observer` what happens.
-template <class Scalar, class SomeObserver>
-End<Scalar> simulate(const BasicScene<Scalar>& scene, SomeObserver& observer) {
-  return ImpactModel<Scalar>(scene).run(observer);
-}
-
 }  // namespace ricochet::carrier_track

@@ -18,6 +18,10 @@ class Recorder : public Observer {
 
   void peak(double time, double position) { recording_.peaks.push_back({time, position}); }
 
+  void contact(double time, double position, double velocity) {
+    if (std::isfinite(spacing_)) recording_.path.push_back({time, position, velocity});
+  }
+
   void stretch(double time, const Flight<double>& flight, double duration) {
     if (!std::isfinite(spacing_)) return;
     const auto pieces = std::max(1.0, std::ceil(duration / spacing_));

@@ -37,8 +37,9 @@ struct Recording {
   End<double> end{};
 };
 
-/// Simulates a valid scene and keeps everything. The path is sampled at the ends of every stretch
-/// and evenly in between, about `samples` times over the window; 0 keeps no path.
+/// Simulates a valid scene and keeps everything. The path is sampled at the ends of every stretch,
+/// at every step in a compliant wall, and evenly in between, about `samples` times over the window;
+/// 0 keeps no path.
 Recording record(const Scene& scene, double width, std::size_t samples);
 
 /// Whether the count of a valid scene stays the same when mass and restitution are changed by one

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 
+#include "problems/carrier_track/contact_law.h"
 #include "problems/carrier_track/scalar.h"
 
 namespace ricochet::carrier_track {
@@ -12,7 +14,7 @@ enum class Centrifugal { projected, inward, outward };
 /// What makes a feature of the motion count as a collision; see collisions.h.
 enum class CountRule { impacts, peaks };
 
-enum class Fidelity { impact };
+enum class Fidelity { impact, compliant };
 
 /// The simulated window: a number of turns of the driver plate, or a time.
 struct Revolutions {
@@ -65,6 +67,11 @@ struct BasicScene {
       constant<Scalar>(3e-3);  ///< [m], > 0; rule peaks: a maximum from here on counts
   Scalar peak_low = constant<Scalar>(1e-3);  ///< [m], > 0; rule peaks: a maximum up to here counts
   Fidelity fidelity = Fidelity::impact;
+  // Of fidelity compliant alone, which carries no derivatives.
+  ContactLaw contact_law = ContactLaw::hunt_crossley;
+  double stiffness = 1e8;               ///< [N/m^contact_exponent], > 0
+  double contact_exponent = 1.5;        ///< > 0; 1 for kelvin_voigt
+  std::optional<double> contact_speed;  ///< [m/s], > 0: v0 of the law; none: of each impact its own
 };
 
 using Scene = BasicScene<double>;
@@ -96,7 +103,11 @@ BasicScene<Scalar> lifted(const Scene& scene) {
           lift(scene.slowest),
           lift(scene.peak_high),
           lift(scene.peak_low),
-          scene.fidelity};
+          scene.fidelity,
+          scene.contact_law,
+          scene.stiffness,
+          scene.contact_exponent,
+          scene.contact_speed};
 }
 
 }  // namespace ricochet::carrier_track

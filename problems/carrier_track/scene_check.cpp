@@ -36,6 +36,18 @@ class Checker {
   const std::string& origin_;
 };
 
+void check_contact_law(const Scene& scene, const Checker& checker) {
+  if (scene.fidelity != Fidelity::compliant) return;
+  checker.require(scene.contact_law != ContactLaw::kelvin_voigt || scene.contact_exponent == 1,
+                  "model.contact_exponent", scene.contact_exponent,
+                  "1, because kelvin-voigt is linear");
+  for (const double restitution : {scene.restitution_lower, scene.restitution_upper}) {
+    checker.require(restitution > 0 || !needs_restitution(scene.contact_law), "scene.restitution",
+                    restitution,
+                    "> 0, because the damping of this model.contact_law is infinite at 0");
+  }
+}
+
 }  // namespace
 
 void check_omega(const Scene& scene, const std::string& origin, const std::string& name) {
@@ -79,6 +91,10 @@ void check(const Scene& scene, const std::string& origin) {
   checker.positive("count.slowest", scene.slowest, "m/s");
   checker.positive("count.peak_high", scene.peak_high, "m");
   checker.positive("count.peak_low", scene.peak_low, "m");
+  checker.positive("model.stiffness", scene.stiffness, "N/m^contact_exponent");
+  checker.positive("model.contact_exponent", scene.contact_exponent, "1");
+  checker.positive("model.contact_speed", scene.contact_speed.value_or(1.0), "m/s");
+  check_contact_law(scene, checker);
 }
 
 }  // namespace ricochet::carrier_track

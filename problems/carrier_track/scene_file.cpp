@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -36,8 +37,16 @@ const Choices<CountRule>& rule_choices() {
   return choices;
 }
 
-const Choices<Fidelity>& fidelity_choices() {
-  static const Choices<Fidelity> choices = {{"impact", Fidelity::impact}};
+const Choices<ContactLaw>& contact_law_choices() {
+  static const Choices<ContactLaw> choices = {
+      {"hertz", ContactLaw::hertz},
+      {"kelvin-voigt", ContactLaw::kelvin_voigt},
+      {"hunt-crossley", ContactLaw::hunt_crossley},
+      {"lankarani-nikravesh", ContactLaw::lankarani_nikravesh},
+      {"zhiying-qishao", ContactLaw::zhiying_qishao},
+      {"flores", ContactLaw::flores},
+      {"gonthier", ContactLaw::gonthier},
+      {"exact-restitution", ContactLaw::exact_restitution}};
   return choices;
 }
 
@@ -114,6 +123,17 @@ class Table {
     refuse(key, node, allowed);
   }
 
+  /// A number, or a word that stands for none.
+  void number_or(std::string_view key, std::string_view none, std::optional<double>& target) {
+    if (!has(key)) return;
+    const toml::node& node = *table_->get(key);
+    if (node.is_string() && node.as_string()->get() == none) {
+      target.reset();
+    } else {
+      target = number_of(key, node, fmt::format("a number, or \"{}\"", none));
+    }
+  }
+
   /// Refuses every key that was not asked for.
   void finish() const {
     if (table_ == nullptr) return;
@@ -125,7 +145,7 @@ class Table {
   }
 
  private:
-  double number_of(std::string_view key, const toml::node& node, const char* allowed) const {
+  double number_of(std::string_view key, const toml::node& node, std::string_view allowed) const {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
     if (!value) refuse(key, node, allowed);
     return *value;
@@ -196,6 +216,16 @@ void read_window(Table& table, const std::string& origin, Scene& scene) {
   }
 }
 
+void read_model(Table& table, Scene& scene) {
+  table.choice("fidelity", fidelity_choices(), scene.fidelity);
+  table.choice("contact_law", contact_law_choices(), scene.contact_law);
+  table.number("stiffness", scene.stiffness);
+  if (scene.contact_law == ContactLaw::kelvin_voigt) scene.contact_exponent = 1;
+  table.number("contact_exponent", scene.contact_exponent);
+  table.number_or("contact_speed", "each", scene.contact_speed);
+  table.finish();
+}
+
 /// The shortest text that reads back to the same number, as a TOML float.
 std::string text_of(double x) {
   const std::string text = fmt::format("{}", x);
@@ -203,6 +233,12 @@ std::string text_of(double x) {
 }
 
 }  // namespace
+
+const Choices<Fidelity>& fidelity_choices() {
+  static const Choices<Fidelity> choices = {{"impact", Fidelity::impact},
+                                            {"compliant", Fidelity::compliant}};
+  return choices;
+}
 
 Scene read_scene(const std::filesystem::path& path) {
   const toml::table file = parse(path);
@@ -228,8 +264,7 @@ Scene read_scene(const std::filesystem::path& path) {
   count.number("peak_high", result.peak_high);
   count.number("peak_low", result.peak_low);
   count.finish();
-  model.choice("fidelity", fidelity_choices(), result.fidelity);
-  model.finish();
+  read_model(model, result);
   check(result, origin);
   return result;
 }
@@ -271,6 +306,12 @@ std::string write_scene(const Scene& scene) {
   line("peak_low", scene.peak_low, "m, rule peaks: a maximum up to here counts");
   text +=
       fmt::format("\n[model]\nfidelity = \"{}\"\n", name_of(fidelity_choices(), scene.fidelity));
+  text += fmt::format("contact_law = \"{}\"\n", name_of(contact_law_choices(), scene.contact_law));
+  line("stiffness", scene.stiffness, "N/m^contact_exponent");
+  line("contact_exponent", scene.contact_exponent, "1 for kelvin-voigt");
+  text += scene.contact_speed
+              ? fmt::format("contact_speed = {}  # m/s\n", text_of(*scene.contact_speed))
+              : "contact_speed = \"each\"\n";
   return text;
 }
 

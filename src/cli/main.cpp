@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <set>
 
 #include "problems/carrier_track/scene_file.h"
 #include "src/cli/bench.h"
@@ -78,8 +79,10 @@ class Program {
     add_scene_choice(*command, simulate_.scene);
     add_format(*command, simulate_.json);
     command->add_option("--omega", simulate_.omega, "Speed [rad/s] in place of the scene's");
-    command->add_option("--fidelity", simulate_.fidelity, "Level of the model: impact")
-        ->check(CLI::IsMember({"impact"}));
+    std::set<std::string> levels;
+    for (const auto& [name, level] : carrier_track::fidelity_choices()) levels.emplace(name);
+    command->add_option("--fidelity", simulate_.fidelity, "Level of the model, for the scene's own")
+        ->check(CLI::IsMember(levels));
     command->add_option("--width", simulate_.width, "Smoothing width of the surrogate")
         ->capture_default_str();
     command->add_option("--csv", simulate_.csv, "File for the path: time, position, velocity");

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/scene_check.h"
+#include "problems/carrier_track/scene_file.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
@@ -21,7 +23,21 @@ const char* name_of(Wall wall) {
   return wall == Wall::lower ? "lower" : "upper";
 }
 
-Json json_of(const Recording& recording) {
+std::string_view name_of(Fidelity fidelity) {
+  for (const auto& [name, level] : fidelity_choices()) {
+    if (level == fidelity) return name;
+  }
+  throw std::logic_error("a level of the model without a name");
+}
+
+Fidelity fidelity_named(const std::string& wanted) {
+  for (const auto& [name, level] : fidelity_choices()) {
+    if (name == wanted) return level;
+  }
+  throw InputError(fmt::format("--fidelity {}: there is no such level", wanted));
+}
+
+Json json_of(const Scene& scene, const Recording& recording) {
   Json impacts = Json::array();
   for (const Impact& i : recording.impacts) {
     impacts.push_back({{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}});
@@ -41,7 +57,7 @@ Json json_of(const Recording& recording) {
             {"position", recording.end.position},
             {"velocity", recording.end.velocity}}},
           {"evaluations", recording.end.evaluations},
-          {"fidelity", "impact"}};
+          {"fidelity", name_of(scene.fidelity)}};
 }
 
 std::string csv_of(const Recording& recording) {
@@ -92,6 +108,10 @@ int simulate(const SimulateOptions& options) {
     chosen.scene.omega = *options.omega;
     check_omega(chosen.scene, chosen.name, "--omega");
   }
+  if (!options.fidelity.empty()) {
+    chosen.scene.fidelity = fidelity_named(options.fidelity);
+    check(chosen.scene, chosen.name);
+  }
   if (!(options.width > 0 && std::isfinite(options.width))) {
     throw InputError(fmt::format("--width {}: must be a finite number > 0", options.width));
   }
@@ -100,7 +120,7 @@ int simulate(const SimulateOptions& options) {
   if (!options.csv.empty()) write_text_file(options.csv, csv_of(recording));
   if (!options.plot.empty()) write_text_file(options.plot, picture_of(chosen, recording));
   if (options.json) {
-    fmt::print("{}\n", json_of(recording).dump(2));
+    fmt::print("{}\n", json_of(chosen.scene, recording).dump(2));
   } else {
     print(chosen, recording);
   }

@@ -260,7 +260,7 @@ TEST(ImpactModel, RefusesAWindowWithTooManyImpacts) {
   scene.start_velocity = 1e3;
   scene.window = Seconds{1.0001e4};
   Observer nobody;
-  EXPECT_THROW(simulate(scene, nobody), std::runtime_error);
+  EXPECT_THROW(ImpactModel<double>(scene).run(nobody), std::runtime_error);
 }
 
 TEST(ImpactModel, EndsWhereTheForcesBalanceFrictionButForRounding) {

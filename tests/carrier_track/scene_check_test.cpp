@@ -87,6 +87,8 @@ TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
            Wrong{&Scene::slowest, "count.slowest", "> 0", {0, -1, infinity, nan}},
            Wrong{&Scene::peak_high, "count.peak_high", "> 0", {0, -1, infinity, nan}},
            Wrong{&Scene::peak_low, "count.peak_low", "> 0", {0, -1, infinity, nan}},
+           Wrong{&Scene::stiffness, "model.stiffness", "> 0", {0, -1, infinity, nan}},
+           Wrong{&Scene::contact_exponent, "model.contact_exponent", "> 0", {0, -1, infinity, nan}},
        }) {
     for (const double value : wrong.values) {
       Scene scene;
@@ -97,6 +99,45 @@ TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
       EXPECT_THAT(message, HasSubstr(wrong.allowed)) << value;
     }
   }
+}
+
+TEST(SceneCheck, RefusesAContactSpeedThatIsNone) {
+  for (const double speed : {0.0, -1.0, infinity, nan}) {
+    Scene scene;
+    scene.contact_speed = speed;
+    EXPECT_THAT(complaint_about(scene), StartsWith("machine: model.contact_speed = "));
+  }
+}
+
+TEST(SceneCheck, RefusesARestitutionThatTheContactLawCannotReturn) {
+  Scene scene;
+  scene.contact_exponent = 1;
+  for (double Scene::*wall : {&Scene::restitution_lower, &Scene::restitution_upper}) {
+    scene.restitution_lower = scene.restitution_upper = 0.5;
+    scene.*wall = 0;
+    for (const ContactLaw law : {ContactLaw::kelvin_voigt, ContactLaw::flores, ContactLaw::gonthier,
+                                 ContactLaw::exact_restitution}) {
+      scene.contact_law = law;
+      scene.fidelity = Fidelity::compliant;
+      EXPECT_THAT(complaint_about(scene),
+                  StartsWith("machine: scene.restitution = 0: must be > 0"));
+      scene.fidelity = Fidelity::impact;
+      EXPECT_EQ(complaint_about(scene), "accepted") << "the law is not used";
+    }
+    scene.fidelity = Fidelity::compliant;
+    scene.contact_law = ContactLaw::hunt_crossley;
+    EXPECT_EQ(complaint_about(scene), "accepted");
+  }
+}
+
+TEST(SceneCheck, RefusesAnExponentThatKelvinVoigtDoesNotHave) {
+  Scene scene;
+  scene.fidelity = Fidelity::compliant;
+  scene.contact_law = ContactLaw::kelvin_voigt;
+  EXPECT_THAT(complaint_about(scene),
+              StartsWith("machine: model.contact_exponent = 1.5: must be 1"));
+  scene.contact_exponent = 1;
+  EXPECT_EQ(complaint_about(scene), "accepted");
 }
 
 TEST(SceneCheck, NeverLetsABodyStartAtInfinity) {

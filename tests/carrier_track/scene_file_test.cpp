@@ -49,7 +49,11 @@ const std::vector<std::string>& lines() {
                                                 "peak_high = 3e-3",
                                                 "peak_low = 1e-3",
                                                 "[model]",
-                                                "fidelity = \"impact\""};
+                                                "fidelity = \"impact\"",
+                                                "contact_law = \"flores\"",
+                                                "stiffness = 2e7",
+                                                "contact_exponent = 1.3",
+                                                "contact_speed = 0.25"};
   return text;
 }
 
@@ -113,6 +117,10 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(scene.omega, 3.0);
   EXPECT_EQ(std::get<Revolutions>(scene.window).count, 1.22);
   EXPECT_EQ(scene.slowest, 3.6e-3);
+  EXPECT_EQ(scene.contact_law, ContactLaw::flores);
+  EXPECT_EQ(scene.stiffness, 2e7);
+  EXPECT_EQ(scene.contact_exponent, 1.3);
+  EXPECT_EQ(scene.contact_speed, 0.25);
 }
 
 TEST(SceneFile, ReadsTheOtherFormsOfAKey) {
@@ -128,6 +136,17 @@ TEST(SceneFile, ReadsTheOtherFormsOfAKey) {
             Centrifugal::inward);
   EXPECT_TRUE(read_scene(file_with(with("pull_rotates", "pull_rotates = true"))).pull_rotates);
   EXPECT_EQ(read_scene(file_with(with("rule", "rule = \"peaks\""))).rule, CountRule::peaks);
+  EXPECT_EQ(read_scene(file_with(with("fidelity", "fidelity = \"compliant\""))).fidelity,
+            Fidelity::compliant);
+  EXPECT_FALSE(read_scene(file_with(with("contact_speed", "contact_speed = \"each\"")))
+                   .contact_speed.has_value());
+}
+
+TEST(SceneFile, KnowsTheExponentOfKelvinVoigt) {
+  std::string text = with("contact_law", "contact_law = \"kelvin-voigt\"");
+  text.erase(text.find("contact_exponent"),
+             text.find("contact_speed") - text.find("contact_exponent"));
+  EXPECT_EQ(read_scene(file_with(text)).contact_exponent, 1.0);
 }
 
 struct Wrong {
@@ -191,6 +210,11 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"peak_high", "peak_high = -1", "count.peak_high = -1", "> 0"},
         Wrong{"peak_low", "peak_low = nan", "count.peak_low = nan", "> 0"},
         Wrong{"fidelity", "fidelity = \"perfect\"", "perfect", "\"impact\""},
+        Wrong{"contact_law", "contact_law = \"rubber\"", "rubber", "\"hunt-crossley\""},
+        Wrong{"stiffness", "stiffness = -1", "model.stiffness = -1", "> 0"},
+        Wrong{"contact_exponent", "contact_exponent = 0", "model.contact_exponent = 0", "> 0"},
+        Wrong{"contact_speed", "contact_speed = \"all\"", "model.contact_speed", "\"each\""},
+        Wrong{"contact_speed", "contact_speed = 0", "model.contact_speed = 0", "> 0"},
         Wrong{"pull", "pul = 0.86", "scene.pul", "allowed: centrifugal"}));
 
 TEST(SceneFile, NamesATableThatIsMissingOrUnknown) {
@@ -229,9 +253,16 @@ TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
     scene.pull_rotates = true;
     scene.window = Seconds{12};
     scene.rule = CountRule::peaks;
+    scene.fidelity = Fidelity::compliant;
+    scene.contact_law = ContactLaw::zhiying_qishao;
+    scene.stiffness = 1e8 / 3.0;
+    scene.contact_exponent = 10.0 / 9.0;
+    if (a_case.id == "C2") scene.contact_speed = 0.1;
     const std::string text = write_scene(scene);
     EXPECT_EQ(write_scene(read_scene(file_with(text))), text);
     EXPECT_EQ(read_scene(file_with(text)).phase, scene.phase);
+    EXPECT_EQ(read_scene(file_with(text)).stiffness, scene.stiffness);
+    EXPECT_EQ(read_scene(file_with(text)).contact_speed, scene.contact_speed);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "problems/carrier_track/impact_model.h"
+#include "problems/carrier_track/simulate.h"
 
 namespace ricochet::carrier_track {
 

@@ -37,6 +37,13 @@ TEST(Simulate, PrintsTheJsonOfTheContract) {
   EXPECT_GT(json["impacts"].size(), fast);
 }
 
+TEST(Simulate, TakesTheLevelOfTheModel) {
+  const auto json =
+      ordered_json::parse(call("simulate --case C4 --fidelity compliant --format json").out);
+  EXPECT_EQ(json["fidelity"], "compliant");
+  EXPECT_NE(json["count"], 6) << "a wall as soft as the default is another machine";
+}
+
 TEST(Simulate, ExplainsItselfToPeople) {
   const Outcome outcome = call("simulate --case C1");
   EXPECT_EQ(outcome.exit_code, 0);

@@ -36,7 +36,7 @@ TEST(Forces, AreThoseOfTheImpactModel) {
     scene.friction = 0;  // a flight's acceleration would hold it
     AccelerationWatch watch;
     watch.forces = forces_of(scene);
-    simulate(scene, watch);
+    ImpactModel<double>(scene).run(watch);
     compared += watch.compared;
   }
   EXPECT_GT(compared, 1000);

@@ -23,7 +23,7 @@ Outcome run(const Scene& scene, double /*control*/) {
   Outcome outcome;
   ImpactCollector collector(outcome.impacts);
   try {
-    const End<double> end = simulate(scene, collector);
+    const End<double> end = ImpactModel<double>(scene).run(collector);
     outcome.end = {end.time, end.position, end.velocity};
     outcome.force_evaluations = end.evaluations;
     outcome.finished = true;

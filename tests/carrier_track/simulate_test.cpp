@@ -1,0 +1,48 @@
+#include "problems/carrier_track/simulate.h"
+
+#include <gtest/gtest.h>
+
+#include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/recording.h"
+#include "problems/carrier_track/surrogate.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+Scene compliant(double stiffness) {
+  Scene scene = scene_of(find_case("C4"), default_reading().scene);
+  scene.omega = 5;
+  scene.fidelity = Fidelity::compliant;
+  scene.contact_law = ContactLaw::exact_restitution;
+  scene.stiffness = stiffness;
+  return scene;
+}
+
+TEST(Simulate, FollowsTheFidelityOfTheScene) {
+  Scene hard = compliant(1e18);
+  hard.fidelity = Fidelity::impact;
+  const int count = record(hard, 0.25, 0).count;
+  EXPECT_EQ(record(compliant(1e18), 0.25, 0).count, count);
+  EXPECT_NE(record(compliant(1e8), 0.25, 0).count, count) << "a soft wall is another machine";
+}
+
+TEST(Simulate, RecordsThePathInACompliantWall) {
+  const Recording recording = record(compliant(1e10), 0.25, 200);
+  double deepest = 0;
+  double last = 0;
+  for (const Sample& s : recording.path) {
+    deepest = std::min(deepest, s.position);
+    EXPECT_GE(s.time, last - 1e-12);
+    last = s.time;
+  }
+  EXPECT_LT(deepest, -1e-6);
+}
+
+TEST(Simulate, HasNoDerivativesInACompliantWall) {
+  EXPECT_THROW(surrogate_slope(compliant(1e8), 0.25), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -29,48 +29,16 @@ CompliantModel::CompliantModel(const Scene& scene, double tolerance)
       tolerance_(tolerance),
       duration_(duration_of(scene)),
       friction_(scene.friction * scene.normal_force / scene.mass),
+      forces_(scene),
       origin_(scene.start_position),
       velocity_(scene.start_velocity),
       motion_(tolerance) {
-  const double centrifugal = scene.centrifugal_mass_radius * scene.omega * scene.omega;
-  double turning = -scene.slider_mass_radius * scene.omega * scene.omega;
-  (scene.pull_rotates ? turning : steady_) -= scene.pull;
-  switch (scene.centrifugal) {
-    case Centrifugal::projected:
-      turning += centrifugal;
-      break;
-    case Centrifugal::inward:
-      steady_ -= centrifugal;
-      break;
-    case Centrifugal::outward:
-      steady_ += centrifugal;
-      break;
-  }
-  steady_ /= scene.mass;
-  const double amplitude = turning / scene.mass;
-  harmonic_[0] = {amplitude * std::cos(scene.phase), amplitude * std::sin(scene.phase),
-                  scene.omega};
-  harmonic_[1] = {scene.disturbance / scene.mass, 0, scene.disturbance_frequency};
-  harmonics_ = scene.disturbance == 0 ? 1 : 2;
   damping_ = {damping_of(scene.contact_law, scene.restitution_lower),
               damping_of(scene.contact_law, scene.restitution_upper)};
   if (scene.start_position == scene.wall_lower) wall_ = Wall::lower;
   if (scene.start_position == scene.wall_upper) wall_ = Wall::upper;
   direction_ = sign(velocity_);
   if (direction_ == 0) stop();
-  rising_ = direction_ > 0;
-}
-
-/// Acceleration by the applied forces, and in `size` the sum of their magnitudes.
-double CompliantModel::applied(double& size) const {
-  double sum = steady_;
-  size = std::abs(steady_);
-  for (int i = 0; i < harmonics_; ++i) {
-    const double cosine = harmonic_[static_cast<std::size_t>(i)].cosine;
-    sum += cosine;
-    size += std::abs(cosine);
-  }
-  return sum;
 }
 
 /// Acceleration up to which a body without velocity is held where the forces have some `size`.
@@ -116,11 +84,10 @@ void CompliantModel::enter(double speed) {
 /// Puts a body at rest on the surface of a wall into it, as deep as the press carries, unless
 /// nothing presses but rounding.
 void CompliantModel::settle() {
-  double size = 0;
-  const double push = inward() * applied(size) - friction_;
-  if (push <= tolerance_ * (size + friction_)) return;
-  double strongest = std::abs(steady_);
-  for (const auto& h : harmonic_) strongest += std::hypot(h.cosine, h.sine);
+  const double push = inward() * forces_.sum() - friction_;
+  if (push <= tolerance_ * (forces_.size() + friction_)) return;
+  double strongest = std::abs(forces_.steady());
+  for (const auto& h : forces_.harmonic()) strongest += std::hypot(h.cosine, h.sine);
   const double deepest = resting_depth(strongest);
   const double speed = std::sqrt(strongest * deepest);
   in_contact_ = true;
@@ -136,9 +103,9 @@ double CompliantModel::resting_depth(double press) const {
 /// The velocity has come down to zero: where the body goes now.
 void CompliantModel::stop() {
   velocity_ = 0;
-  if (rising_ && !summit_) summit_ = Summit{time_, position()};
-  double size = 0;
-  double push = applied(size);
+  peaks_.stops(time_, position());
+  double size = forces_.size();
+  double push = forces_.sum();
   if (in_contact_) {
     const double resting = motion_.resting_force();
     push -= inward() * resting;
@@ -150,10 +117,9 @@ void CompliantModel::stop() {
 
 /// When and where a body at rest sets out.
 Event CompliantModel::departure() {
-  double size = 0;
-  applied(size);
-  for (const auto& h : harmonic_) size += std::abs(h.sine);
-  Flight<double> held = flight(steady_);
+  double size = forces_.size();
+  for (const auto& h : forces_.harmonic()) size += std::abs(h.sine);
+  Flight<double> held = forces_.flight(offset_, velocity_, 0);
   double limit = friction_;
   if (in_contact_) {
     const double resting = motion_.resting_force();
@@ -184,7 +150,8 @@ ContactEvent CompliantModel::step() {
   }
   const int into = inward();
   const int direction = direction_ * into;
-  Flight<double> push{0, 0, into * steady_ - direction * friction_, harmonic_, harmonics_};
+  Flight<double> push = forces_.flight(0, 0, 0);
+  push.steady = into * push.steady - direction * friction_;
   for (auto& h : push.harmonic) {
     h.cosine *= into;
     h.sine *= into;
@@ -193,21 +160,14 @@ ContactEvent CompliantModel::step() {
   const ContactEvent event = motion_.step(push, direction, left, evaluations_);
   offset_ = into * motion_.depth();
   velocity_ = into * motion_.speed();
-  pass(motion_.elapsed(), event == ContactEvent::horizon);
+  forces_.pass(motion_.elapsed());
+  tick(motion_.elapsed(), event == ContactEvent::horizon);
   return event;
 }
 
-/// Lets `time` pass for the clock and the harmonics' angles; the angles keep unit amplitude.
-void CompliantModel::pass(double time, bool to_the_end) {
+/// Lets `time` pass for the clock.
+void CompliantModel::tick(double time, bool to_the_end) {
   time_ = to_the_end ? duration_ : time_ + time;
-  for (int i = 0; i < harmonics_; ++i) {
-    auto& h = harmonic_[static_cast<std::size_t>(i)];
-    const double u = h.frequency * time;
-    const auto [c2, c3] = stumpff(u);
-    const double cosine = 1 - u * u * c2;
-    const double sine = u * (1 - u * u * c3);
-    h = {h.cosine * cosine - h.sine * sine, h.sine * cosine + h.cosine * sine, h.frequency};
-  }
 }
 
 }  // namespace ricochet::carrier_track

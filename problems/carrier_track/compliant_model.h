@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "problems/carrier_track/applied_forces.h"
 #include "problems/carrier_track/contact_motion.h"
 #include "problems/carrier_track/event.h"
 #include "problems/carrier_track/impact_model.h"
+#include "problems/carrier_track/peak_watch.h"
 #include "problems/carrier_track/scene.h"
 
 namespace ricochet::carrier_track {
@@ -52,22 +54,18 @@ class CompliantModel {
   }
 
  private:
-  struct Summit {
-    double time, position;
-  };
-
   template <class SomeObserver>
   void fly(SomeObserver& observer) {
     begin_motion(observer);
-    const Flight<double> path = flight(steady_ - direction_ * friction_);
+    const Flight<double> path = forces_.flight(offset_, velocity_, -direction_ * friction_);
     const double wall = (direction_ > 0 ? scene_.wall_upper : scene_.wall_lower) - origin_;
     const Event event = next_event(path, direction_, direction_ * (wall - offset_),
                                    duration_ - time_, evaluations_);
     tell(observer, path, event.time);
-    const Motion<double> m = path.at(event.time);
+    const Motion<double> m = forces_.fly(path, event.time);
     offset_ = m.position;
     velocity_ = m.velocity;
-    pass(event.time, event.kind == EventKind::horizon);
+    tick(event.time, event.kind == EventKind::horizon);
     if (event.kind == EventKind::wall) {
       const double speed = reach_wall();
       if (speed > 0) observer.impact(time_, *wall_, speed);
@@ -92,8 +90,9 @@ class CompliantModel {
   template <class SomeObserver>
   void rest(SomeObserver& observer) {
     const Event event = departure();
-    tell(observer, Flight<double>{offset_, 0, 0, harmonic_, 0}, event.time);
-    pass(event.time, event.kind == EventKind::horizon);
+    tell(observer, Flight<double>{offset_, 0, 0, {}, 0}, event.time);
+    forces_.pass(event.time);
+    tick(event.time, event.kind == EventKind::horizon);
     depart(event.direction);
   }
 
@@ -103,24 +102,16 @@ class CompliantModel {
     observer.stretch(time_, path, time);
   }
 
-  /// A maximum is certain once the body has moved down from it; a plateau counts once, at its
-  /// start.
   template <class SomeObserver>
   void begin_motion(SomeObserver& observer) {
-    if (direction_ < 0 && summit_) observer.peak(summit_->time, summit_->position);
-    summit_.reset();
-    rising_ = direction_ > 0;
+    peaks_.moves(direction_, observer);
     if (!in_contact_) wall_.reset();
   }
 
-  Flight<double> flight(double steady) const {
-    return {offset_, velocity_, steady, harmonic_, harmonics_};
-  }
   double position() const { return origin_ + offset_; }
   /// +1 where going up leads into the wall touched, else -1.
   int inward() const { return wall_ == Wall::upper ? +1 : -1; }
 
-  double applied(double& size) const;
   double hold(double size) const;
   ContactForce contact_force(double approach_speed) const;
   double reach_wall();
@@ -131,15 +122,13 @@ class CompliantModel {
   Event departure();
   void depart(int direction);
   ContactEvent step();
-  void pass(double time, bool to_the_end);
+  void tick(double time, bool to_the_end);
 
   const Scene& scene_;
   double tolerance_;
   double duration_;
-  double friction_;    // deceleration [m/s^2]
-  double steady_ = 0;  // [m/s^2]
-  std::array<Harmonic<double>, 2> harmonic_{};
-  int harmonics_ = 2;
+  double friction_;  // deceleration [m/s^2]
+  AppliedForces<double> forces_;
   std::array<double, 2> damping_{};  // D or damping ratio of the lower and the upper wall
 
   double time_ = 0;
@@ -151,8 +140,7 @@ class CompliantModel {
   std::optional<Wall> wall_;  // the wall touched or pressed
   bool in_contact_ = false;
   ContactMotion motion_;
-  bool rising_ = false;
-  std::optional<Summit> summit_;
+  PeakWatch<double> peaks_;
   std::int64_t evaluations_ = 0;
   std::int64_t impacts_ = 0;
   std::int64_t steps_ = 0;

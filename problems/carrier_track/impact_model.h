@@ -8,8 +8,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "problems/carrier_track/applied_forces.h"
 #include "problems/carrier_track/event.h"
 #include "problems/carrier_track/flight.h"
+#include "problems/carrier_track/peak_watch.h"
 #include "problems/carrier_track/scene.h"
 
 namespace ricochet::carrier_track {
@@ -72,31 +74,9 @@ class ImpactModel {
       : scene_(scene),
         duration_(duration_of(scene)),
         friction_(scene.friction * scene.normal_force / scene.mass),
+        forces_(scene),
         origin_(scene.start_position),
         velocity_(scene.start_velocity) {
-    using std::cos;
-    using std::sin;
-    const Scalar zero = constant<Scalar>(0.0);
-    const Scalar centrifugal = scene.centrifugal_mass_radius * scene.omega * scene.omega;
-    Scalar turning = -scene.slider_mass_radius * scene.omega * scene.omega;
-    Scalar steady = zero;
-    (scene.pull_rotates ? turning : steady) -= scene.pull;
-    switch (scene.centrifugal) {
-      case Centrifugal::projected:
-        turning += centrifugal;
-        break;
-      case Centrifugal::inward:
-        steady -= centrifugal;
-        break;
-      case Centrifugal::outward:
-        steady += centrifugal;
-        break;
-    }
-    steady_ = steady / scene.mass;
-    const Scalar amplitude = turning / scene.mass;
-    harmonic_[0] = {amplitude * cos(scene.phase), amplitude * sin(scene.phase), scene.omega};
-    harmonic_[1] = {scene.disturbance / scene.mass, zero, scene.disturbance_frequency};
-    harmonics_ = value(scene.disturbance) == 0.0 ? 1 : 2;
     if (value(scene.start_position) == value(scene.wall_lower)) wall_ = Wall::lower;
     if (value(scene.start_position) == value(scene.wall_upper)) wall_ = Wall::upper;
   }
@@ -106,7 +86,6 @@ class ImpactModel {
   End<Scalar> run(SomeObserver& observer) {
     direction_ = sign(value(velocity_));
     if (direction_ == 0) direction_ = direction_of_departure();
-    rising_ = direction_ > 0;
     while (value(time_) < value(duration_)) {
       if (direction_ == 0) {
         rest(observer);
@@ -120,29 +99,14 @@ class ImpactModel {
  private:
   static int sign(double x) { return (x > 0) - (x < 0); }
 
-  Scalar applied() const {
-    Scalar sum = steady_;
-    for (int i = 0; i < harmonics_; ++i) sum += harmonic_[static_cast<std::size_t>(i)].cosine;
-    return sum;
-  }
-
-  Flight<Scalar> flight(const Scalar& steady) const {
-    return {offset_, velocity_, steady, harmonic_, harmonics_};
-  }
-
   bool at(Wall wall) const { return wall_ == wall; }
 
   /// Where a body without velocity goes now: friction and a wall behind the force hold it. So does
   /// friction that the forces exceed by rounding alone; next_departure tells if they grow.
   int direction_of_departure() const {
-    double push = value(steady_);
-    double size = value(friction_) + std::abs(push);
-    for (int i = 0; i < harmonics_; ++i) {
-      const double cosine = value(harmonic_[static_cast<std::size_t>(i)].cosine);
-      push += cosine;
-      size += std::abs(cosine);
-    }
-    const double hold = value(friction_) + 4 * std::numeric_limits<double>::epsilon() * size;
+    const double push = value(forces_.sum());
+    const double hold = value(friction_) + 4 * std::numeric_limits<double>::epsilon() *
+                                               (value(friction_) + forces_.size());
     if (push > hold && !at(Wall::upper)) return +1;
     if (push < -hold && !at(Wall::lower)) return -1;
     return 0;
@@ -152,7 +116,7 @@ class ImpactModel {
   void move(SomeObserver& observer) {
     const Scalar sigma = constant<Scalar>(direction_);
     const Scalar wall = (direction_ > 0 ? scene_.wall_upper : scene_.wall_lower) - origin_;
-    const Flight<Scalar> path = flight(steady_ - sigma * friction_);
+    const Flight<Scalar> path = forces_.flight(offset_, velocity_, -sigma * friction_);
     begin_motion(observer);
     const Event event =
         next_event(path.plain(), direction_, direction_ * (value(wall) - value(offset_)),
@@ -168,7 +132,7 @@ class ImpactModel {
     }
     if (event.kind == EventKind::horizon) time = duration_ - time_;
     tell_stretch(observer, path, time);
-    const Motion<Scalar> m = path.at(time, &harmonic_);
+    const Motion<Scalar> m = forces_.fly(path, time);
     offset_ = m.position;
     velocity_ = m.velocity;
     time_ += time;
@@ -176,7 +140,7 @@ class ImpactModel {
       strike(observer);
     } else if (event.kind == EventKind::turn) {
       velocity_ = constant<Scalar>(0.0);
-      end_of_rise();
+      peaks_.stops(time_, origin_ + offset_);
       direction_ = direction_of_departure();
     }
   }
@@ -191,7 +155,7 @@ class ImpactModel {
     offset_ = constant<Scalar>(0.0);
     const Scalar speed = constant<Scalar>(direction_) * velocity_;
     observer.impact(time_, *wall_, speed);
-    end_of_rise();
+    peaks_.stops(time_, origin_ + offset_);
     const Scalar restitution =
         at(Wall::upper) ? scene_.restitution_upper : scene_.restitution_lower;
     direction_ = -direction_;
@@ -204,7 +168,7 @@ class ImpactModel {
     using std::sqrt;
     velocity_ = constant<Scalar>(direction_) * speed;
     if (value(speed) > resting_speed) return;
-    const Scalar press = -constant<Scalar>(direction_) * applied();  // into the wall
+    const Scalar press = -constant<Scalar>(direction_) * forces_.sum();  // into the wall
     if (value(press) < -value(friction_)) {  // the force leads away from the wall
       if (value(speed) == 0) velocity_ = constant<Scalar>(0.0);
       return;
@@ -218,7 +182,8 @@ class ImpactModel {
       remaining = speed * (constant<Scalar>(1.0) / up + constant<Scalar>(1.0) / sqrt(up * down)) /
                   (constant<Scalar>(1.0) - ratio);
       // The force must keep still over the sum, unless the hops are lost in rounding anyway.
-      if (jerk_bound() * value(remaining) > 1e-3 * value(down) && value(speed) > 1e-15) return;
+      if (forces_.jerk_bound() * value(remaining) > 1e-3 * value(down) && value(speed) > 1e-15)
+        return;
     }
     velocity_ = constant<Scalar>(0.0);
     direction_ = 0;
@@ -230,16 +195,16 @@ class ImpactModel {
 
   template <class SomeObserver>
   void rest(SomeObserver& observer) {
-    const Flight<Scalar> held = flight(steady_);
+    const Flight<Scalar> held = forces_.flight(offset_, velocity_, constant<Scalar>(0.0));
     const Event event =
         next_departure(held.plain(), value(friction_), !at(Wall::upper), !at(Wall::lower),
                        value(duration_) - value(time_), evaluations_);
     Scalar time = constant<Scalar>(event.time);
     for (int i = 0; i < DerivativeOrder<Scalar>::value && event.kind == EventKind::depart; ++i) {
-      ImpactModel later = *this;
+      AppliedForces<Scalar> later = forces_;
       later.pass(time);
-      const Scalar excess = later.applied() - constant<Scalar>(event.direction) * friction_;
-      time -= excess / later.flight(steady_).jerk();
+      const Scalar excess = later.sum() - constant<Scalar>(event.direction) * friction_;
+      time -= excess / later.flight(offset_, velocity_, constant<Scalar>(0.0)).jerk();
     }
     if (event.kind == EventKind::horizon) time = duration_ - time_;
     tell_rest(observer, time);
@@ -256,55 +221,24 @@ class ImpactModel {
   template <class SomeObserver>
   void tell_rest(SomeObserver& observer, const Scalar& time) {
     const Scalar zero = constant<Scalar>(0.0);
-    tell_stretch(observer, Flight<Scalar>{offset_, zero, zero, harmonic_, 0}, time);
+    tell_stretch(observer, Flight<Scalar>{offset_, zero, zero, {}, 0}, time);
   }
 
-  /// Lets `time` pass for the clock and the harmonics' angles; the angles keep unit amplitude.
   void pass(const Scalar& time) {
     time_ += time;
-    for (int i = 0; i < harmonics_; ++i) {
-      auto& h = harmonic_[static_cast<std::size_t>(i)];
-      const Scalar u = h.frequency * time;
-      const auto [c2, c3] = stumpff(u);
-      const Scalar cosine = constant<Scalar>(1.0) - u * u * c2;
-      const Scalar sine = u * (constant<Scalar>(1.0) - u * u * c3);
-      h = {h.cosine * cosine - h.sine * sine, h.sine * cosine + h.cosine * sine, h.frequency};
-    }
+    forces_.pass(time);
   }
 
-  double jerk_bound() const {
-    double bound = 0;
-    for (int i = 0; i < harmonics_; ++i) {
-      const auto& h = harmonic_[static_cast<std::size_t>(i)];
-      bound += std::hypot(value(h.cosine), value(h.sine)) * value(h.frequency);
-    }
-    return bound;
-  }
-
-  void end_of_rise() {
-    if (rising_ && !summit_) summit_ = Summit{time_, origin_ + offset_};
-  }
-
-  /// A maximum is certain once the body has moved down from it; a plateau counts once, at its
-  /// start.
   template <class SomeObserver>
   void begin_motion(SomeObserver& observer) {
-    if (direction_ < 0 && summit_) observer.peak(summit_->time, summit_->position);
-    summit_.reset();
-    rising_ = direction_ > 0;
+    peaks_.moves(direction_, observer);
     if (direction_ > 0 ? at(Wall::lower) : at(Wall::upper)) wall_.reset();
   }
-
-  struct Summit {
-    Scalar time, position;
-  };
 
   const BasicScene<Scalar>& scene_;
   Scalar duration_;
   Scalar friction_;  // deceleration [m/s^2]
-  Scalar steady_;    // [m/s^2]
-  std::array<Harmonic<Scalar>, 2> harmonic_;
-  int harmonics_ = 2;
+  AppliedForces<Scalar> forces_;
 
   Scalar time_ = constant<Scalar>(0.0);
   // The position is held from the wall last touched, so that no hop is lost in its rounding.
@@ -313,8 +247,7 @@ class ImpactModel {
   Scalar velocity_;
   int direction_ = 0;         // of motion; 0 at rest
   std::optional<Wall> wall_;  // the wall touched
-  bool rising_ = false;
-  std::optional<Summit> summit_;
+  PeakWatch<Scalar> peaks_;
   std::int64_t evaluations_ = 0;
   std::int64_t impacts_ = 0;
 };

@@ -20,6 +20,12 @@ Json restitution_of(const Scene& scene) {
   return Json::array({scene.restitution_lower, scene.restitution_upper});
 }
 
+/// A multiple of the scan's step without the last digits of its rounding.
+Json speed_of(const std::optional<double>& speed) {
+  constexpr double digits = 1e9;
+  return speed ? Json(std::round(*speed * digits) / digits) : Json(nullptr);
+}
+
 Json json_of(const ChosenScene& chosen, const Score& score) {
   Json examples = Json::array();
   for (const Example& e : score.examples) {
@@ -33,8 +39,8 @@ Json json_of(const ChosenScene& chosen, const Score& score) {
           {"friction", chosen.scene.friction},
           {"disturbance", chosen.scene.disturbance},
           {"paper_threshold", cli::json_of(chosen.claim.threshold)},
-          {"threshold", cli::json_of(score.threshold)},
-          {"first_loud", cli::json_of(score.first_loud)},
+          {"threshold", speed_of(score.threshold)},
+          {"first_loud", speed_of(score.first_loud)},
           {"misclassified", score.misclassified},
           {"purity", cli::json_of(score.purity)},
           {"loudness", cli::json_of(score.loudness)},

@@ -1,6 +1,7 @@
 #include "src/core/text_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
@@ -23,7 +24,9 @@ class TextFile : public testing::Test {
     return text.str();
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "ricochet_text_file_test";
+  // Tests run side by side, each in a process of its own.
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / ("ricochet_text_file_" + std::to_string(getpid()));
 };
 
 TEST_F(TextFile, ReplacesTheWholeFile) {

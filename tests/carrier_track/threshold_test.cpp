@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <random>
+#include <vector>
 
+#include "problems/carrier_track/collisions.h"
 #include "problems/carrier_track/reading.h"
 
 namespace ricochet::carrier_track {
@@ -141,6 +144,38 @@ TEST(Threshold, PutsTheExamplesOfAFigureOnTheirSides) {
   EXPECT_TRUE(result.examples[1].right);
   EXPECT_GT(result.examples[1].count, 2 * result.examples[0].count);
 }
+
+class EveryCase : public testing::TestWithParam<Case> {};
+
+TEST_P(EveryCase, HasTheThresholdOfAnExhaustiveScan) {
+  const Case& a_case = GetParam();
+  const Scene scene = scene_of(a_case, default_reading().scene);
+  const Score result = score(scene, a_case.claim, ScanOptions{});
+  ASSERT_TRUE(result.threshold.has_value());
+  const double limit = quiet_limit(result.quiet_count);
+  // One speed after the other, counted from the impacts; loud_below[k] of the first k are loud.
+  std::vector<int> loud_below = {0};
+  std::optional<double> first_loud;
+  for (int k = 1; k <= 18000; ++k) {
+    Scene turning = scene;
+    turning.omega = k * 1e-3;
+    const bool loud = objective(turning, 0.0) > limit;
+    if (loud && !first_loud) first_loud = turning.omega;
+    loud_below.push_back(loud_below.back() + (loud ? 1 : 0));
+  }
+  ASSERT_TRUE(first_loud.has_value());
+  EXPECT_NEAR(*result.first_loud, *first_loud, 1e-9);
+  const auto wrong = [&](int quiet) {
+    const int quiet_above =
+        18000 - quiet - (loud_below.back() - loud_below[static_cast<std::size_t>(quiet)]);
+    return loud_below[static_cast<std::size_t>(quiet)] + quiet_above;
+  };
+  const auto found = static_cast<int>(*result.threshold / 1e-3);
+  for (int quiet = 0; quiet <= 18000; ++quiet) ASSERT_LE(wrong(found), wrong(quiet)) << quiet;
+}
+
+INSTANTIATE_TEST_SUITE_P(Threshold, EveryCase, testing::ValuesIn(all_cases()),
+                         [](const auto& tested) { return tested.param.id; });
 
 }  // namespace
 }  // namespace ricochet::carrier_track

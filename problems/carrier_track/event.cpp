@@ -71,19 +71,34 @@ class Traveller {
             direction_ * m.acceleration};
   }
 
-  /// Time in [lower, upper] at which the distance reaches `ahead`, where it is monotone.
-  double arrival(double ahead, double lower, double upper, Travel from) const {
+  /// Where the flight starts.
+  Travel start() const {
+    double acceleration = flight_.steady;
+    for (int i = 0; i < flight_.harmonics; ++i) {
+      acceleration += flight_.harmonic[static_cast<std::size_t>(i)].cosine;
+    }
+    return {0, direction_ * flight_.velocity, direction_ * acceleration};
+  }
+
+  /// Time in [lower, upper] at which the distance reaches `ahead`, where it is monotone; `jerk`
+  /// bounds the third derivative.
+  double arrival(double ahead, double lower, double upper, Travel from, double jerk) const {
     double time = lower;
     for (int i = 0; i < 100 && upper - lower > 2 * epsilon * upper; ++i) {
       const double gap = ahead - from.distance;
-      const double root = from.speed * from.speed + 2 * from.acceleration * gap;
+      const double square = from.speed * from.speed + 2 * from.acceleration * gap;
       // The step of the local parabola; bisection where there is none or it leaves the bracket.
-      double next = root >= 0 ? time + 2 * gap / (from.speed + std::sqrt(root)) : infinity;
-      if (!(next > lower && next < upper)) {
+      const double speed = square >= 0 ? std::sqrt(square) : 0;  // at the wall
+      double next = square >= 0 ? time + 2 * gap / (from.speed + speed) : infinity;
+      double error = infinity;
+      if (next > lower && next < upper) {
+        const double step = std::abs(next - time);
+        error = jerk * step * step * step / (6 * speed);
+      } else {
         if (std::abs(next - time) <= 2 * epsilon * time) break;
         next = lower + 0.5 * (upper - lower);
       }
-      const bool settled = std::abs(next - time) <= 2 * epsilon * next;
+      const bool settled = error <= epsilon * next || std::abs(next - time) <= 2 * epsilon * next;
       time = next;
       if (settled) break;
       from = at(time);
@@ -154,12 +169,13 @@ class ShortFlight {
     for (int i = 0; i < steps; ++i) {
       const Travel m = traveller_.at(time);
       const double gap = ahead - m.distance;
-      const double root = m.speed * m.speed + 2 * m.acceleration * gap;
-      if (!(root > 0 && m.speed > 0)) return std::nullopt;
-      const double step = 2 * gap / (m.speed + std::sqrt(root));
+      const double left = m.speed * m.speed + 2 * m.acceleration * gap;
+      if (!(left > 0 && m.speed > 0)) return std::nullopt;
+      const double speed = std::sqrt(left);  // at the wall
+      const double step = 2 * gap / (m.speed + speed);
       time = std::min(time + step, latest);
-      // The parabola's next error is below J step^3 / (6 v).
-      if (jerk_bound_ * std::abs(step * step * step) <= 6 * epsilon * m.speed * time) return time;
+      // The parabola's next error is about J step^3 / (6 v).
+      if (jerk_bound_ * std::abs(step * step * step) <= 6 * epsilon * speed * time) return time;
     }
     return std::nullopt;
   }
@@ -188,7 +204,7 @@ Event next_event(const Flight<double>& flight, int direction, double ahead, doub
   if (const auto time = quick.turn(ahead)) return {EventKind::turn, *time, direction};
   if (const auto time = quick.wall(ahead)) return {EventKind::wall, *time, direction};
   const Bounds bounds = bounds_of(flight);
-  Travel here = traveller.at(0);
+  Travel here = traveller.start();
   const double start_speed = here.speed;
   double time = 0;
   double patience = bounds.shortest_step;
@@ -202,7 +218,7 @@ Event next_event(const Flight<double>& flight, int direction, double ahead, doub
     const double next = std::min(time + step, horizon);
     Travel there = traveller.at(next);
     if (there.distance >= ahead) {
-      return {EventKind::wall, traveller.arrival(ahead, time, next, here), direction};
+      return {EventKind::wall, traveller.arrival(ahead, time, next, here, bounds.jerk), direction};
     }
     if (next >= horizon) return {EventKind::horizon, horizon, direction};
     const double noise = 4 * epsilon * (start_speed + bounds.acceleration * next);

@@ -5,6 +5,7 @@
 
 #include "problems/carrier_track/scene_file.h"
 #include "src/cli/bench.h"
+#include "src/cli/dynamics.h"
 #include "src/cli/list.h"
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
@@ -36,6 +37,7 @@ class Program {
     add_reproduce();
     add_simulate();
     add_threshold();
+    add_dynamics();
     add_scene();
     add_list();
     add_bench();
@@ -100,6 +102,14 @@ class Program {
     command->callback([this] { work_ = [this] { return threshold(threshold_); }; });
   }
 
+  void add_dynamics() {
+    CLI::App* command = app_.add_subcommand(
+        "dynamics", "Contact laws, numerical methods, hard and compliant walls, as a report");
+    command->add_flag("--quick", dynamics_.quick, "A coarser study, in seconds");
+    command->add_option("--out", dynamics_.out, "Folder for the report")->capture_default_str();
+    command->callback([this] { work_ = [this] { return dynamics(dynamics_); }; });
+  }
+
   void add_scene() {
     CLI::App* command =
         app_.add_subcommand("scene", "Prints a scene as TOML, to start a machine of your own");
@@ -135,6 +145,7 @@ class Program {
   ReproduceOptions reproduce_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
+  DynamicsOptions dynamics_;
   SceneChoice scene_;
   std::string list_;
   bool list_json_ = false;

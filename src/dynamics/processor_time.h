@@ -1,0 +1,8 @@
+#pragma once
+
+namespace ricochet::dynamics {
+
+/// Processor time of this thread [s]: other threads and waiting do not count.
+double processor_seconds();
+
+}  // namespace ricochet::dynamics

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "src/dynamics/study.h"
+#include "src/report/page.h"
+
+/// The parts of the report, in its order. Each says first what it found.
+namespace ricochet::dynamics {
+
+/// Restitution asked for against restitution returned, a line a contact law.
+report::Section restitution_section(const std::vector<LawStudy>& laws);
+
+/// What the methods' accuracy costs in one arena.
+report::Section work_section(const ArenaWork& work);
+
+/// The speed of every method over that of the event-driven one, all arenas.
+report::Section speed_section(const std::vector<ArenaWork>& works);
+
+/// Error against processor time, or against force evaluations, in one arena.
+report::Figure work_chart(const ArenaWork& work, bool by_time);
+
+/// Where a compliant wall counts otherwise than a hard one.
+report::Section fidelity_section(const FidelityStudy& fidelity);
+
+/// What made this report.
+report::Section origin_section(const Study& study);
+
+}  // namespace ricochet::dynamics

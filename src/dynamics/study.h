@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "src/dynamics/fidelity.h"
+#include "src/dynamics/restitution.h"
+#include "src/dynamics/work.h"
+
+/// The study of the dynamics: contact laws, numerical methods and levels of the model.
+namespace ricochet::dynamics {
+
+struct StudyPlan {
+  std::size_t measured_stride;  ///< every which restitution is simulated, too
+  double chaotic_seconds;       ///< [s], window of the chaotic arena
+  WorkPlan work;
+  FidelityPlan fidelity;
+};
+
+/// Everything: a quarter of a minute on one processor; times are measured, so one thing at a time.
+StudyPlan full_plan();
+
+/// Coarser: seconds.
+StudyPlan quick_plan();
+
+struct Study {
+  StudyPlan plan;
+  std::vector<LawStudy> laws;
+  std::vector<carrier_track::Integrator> integrators;
+  std::vector<ArenaWork> works;
+  FidelityStudy fidelity;
+  double seconds = 0;  ///< elapsed
+};
+
+/// All but the times is the same every time.
+Study make_study(const StudyPlan& plan);
+
+}  // namespace ricochet::dynamics

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/integrators/accuracy.h"
+#include "problems/carrier_track/integrators/integrator.h"
+
+/// Work against precision: what the accuracy of a method costs.
+namespace ricochet::dynamics {
+
+/// A scene that methods are put to.
+struct Arena {
+  std::string id;           ///< part of charts' names
+  std::string name;         ///< as a heading
+  std::string description;  ///< a sentence or two
+  carrier_track::Scene scene;
+  bool chaotic = false;  ///< impacts cannot be matched for long: only their rate is compared
+};
+
+/// Mild, fast, sticking, grazing and chaotic; the chaotic one with `seconds` [s] of window.
+std::vector<Arena> all_arenas(double seconds);
+
+/// One run of a method.
+struct Trial {
+  double control;
+  double seconds;  ///< [s] of processor time a run
+  std::int64_t force_evaluations;
+  bool finished;
+  carrier_track::Accuracy accuracy;  ///< of a finished run
+  /// [s] of impact times, or in a chaotic arena the relative distance from the mean rate;
+  /// nothing where the run failed: not finished, impacts missed or spurious, or none to compare.
+  std::optional<double> error;
+};
+
+struct MethodWork {
+  std::string method;
+  std::string control;        ///< what the control means; "none": only one trial
+  std::vector<Trial> trials;  ///< from the loosest control to the tightest
+};
+
+struct ArenaWork {
+  Arena arena;
+  int impacts = 0;  ///< those of the reference that count, at least 1
+  /// Chaotic alone, of 32 references whose start velocity differs by parts in 1e12: the mean of
+  /// their impacts, and three relative standard deviations. No method can be held to more.
+  double mean_impacts = 0;
+  double rate_spread = 0;
+  std::vector<MethodWork> methods;  ///< the event-driven reference first
+};
+
+/// How far the controls go: `per_decade` of each, tolerances from 1e-3 to `tolerance`, steps from a
+/// tenth of the mean time between impacts to this over `steps`.
+struct WorkPlan {
+  int per_decade;
+  double tolerance;
+  double steps;
+};
+
+/// Runs every method over its controls, one after the other on this thread, and measures the
+/// processor time: of three measurements the least, each of as many runs as take half a
+/// millisecond; of runs longer than 30 ms only one. Calls `done` after every method.
+ArenaWork work_in(
+    const Arena& arena, const WorkPlan& plan,
+    const std::vector<carrier_track::Integrator>& integrators,
+    const std::function<void()>& done = [] {});
+
+/// The loosest trial from which on every error is at most `limit`; nothing if the tightest is not.
+std::optional<Trial> loosest_within(const MethodWork& method, double limit);
+
+}  // namespace ricochet::dynamics

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "src/dynamics/sections.h"
+
+namespace ricochet::dynamics {
+namespace {
+
+using report::Scale;
+
+/// Errors are drawn no smaller than this: the rounding of a time, or half an impact in the rate.
+double smallest_error(const ArenaWork& work) {
+  return work.arena.chaotic ? 0.5 / work.impacts : 1e-16;
+}
+
+double cost_of(const ArenaWork& work, const Trial& trial, bool by_time) {
+  const double cost =
+      by_time ? trial.seconds : std::max(1.0, static_cast<double>(trial.force_evaluations));
+  return cost / work.impacts;
+}
+
+/// From the decade below the smallest error to one above the largest: where failures are drawn.
+report::Range errors_of(const ArenaWork& work) {
+  report::Range range{1e-3, 1e-3};
+  for (const MethodWork& method : work.methods) {
+    for (const Trial& trial : method.trials) {
+      if (!trial.error || method.control == "none") continue;
+      const double error = std::max(*trial.error, smallest_error(work));
+      range = {std::min(range.lower, error), std::max(range.upper, error)};
+    }
+  }
+  return {std::pow(10, std::floor(std::log10(range.lower))),
+          std::pow(10, std::ceil(std::log10(range.upper)) + 1)};
+}
+
+}  // namespace
+
+report::Figure work_chart(const ArenaWork& work, bool by_time) {
+  report::Chart chart;
+  chart.name = fmt::format("work-{}-{}", work.arena.id, by_time ? "time" : "evaluations");
+  chart.title = work.arena.name;
+  chart.x = {by_time ? "processor time per impact [s]" : "force evaluations per impact",
+             Scale::logarithmic};
+  const report::Range errors = errors_of(work);
+  chart.y = {work.arena.chaotic ? "relative error of impacts per second" : "impact-time error [s]",
+             Scale::logarithmic, report::Range{errors.lower, 3 * errors.upper}};
+  chart.lines = {{report::Direction::horizontal, errors.upper, "failed"}};
+  for (const MethodWork& method : work.methods) {
+    if (method.control == "none") {
+      chart.lines.push_back({report::Direction::vertical,
+                             cost_of(work, method.trials.front(), by_time), method.method});
+      continue;
+    }
+    report::Series series{method.method, report::Mark::points, {}};
+    for (const Trial& trial : method.trials) {
+      const double error =
+          trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper;
+      series.samples.push_back({cost_of(work, trial, by_time), error});
+    }
+    chart.series.push_back(std::move(series));
+  }
+  if (work.arena.chaotic && work.rate_spread > errors.lower) {
+    chart.lines.push_back(
+        {report::Direction::horizontal, work.rate_spread, "as right as can be told"});
+  }
+  chart.width = 640;
+  chart.height = 400;
+  std::string caption = "The same by evaluations of the forces, which no machine changes.";
+  if (by_time) {
+    caption =
+        "Left is fast, low is accurate. A point is a control; those on the line \"failed\" missed "
+        "or invented impacts or did not finish. The vertical line is the event-driven simulator, "
+        "the reference.";
+    if (work.arena.chaotic) caption += " Errors below half an impact are drawn as that.";
+  }
+  return {std::move(chart), std::move(caption)};
+}
+
+}  // namespace ricochet::dynamics

@@ -1,0 +1,86 @@
+#include "src/dynamics/work.h"
+
+#include <gtest/gtest.h>
+
+namespace ricochet::dynamics {
+namespace {
+
+const WorkPlan coarse{1, 1e-10, 1e3};
+
+const std::vector<ArenaWork>& works() {
+  static const std::vector<ArenaWork> all = [] {
+    std::vector<ArenaWork> result;
+    for (const Arena& arena : all_arenas(5)) {
+      result.push_back(work_in(arena, coarse, carrier_track::all_integrators()));
+    }
+    return result;
+  }();
+  return all;
+}
+
+TEST(Work, OfTheReferenceAgainstItselfIsWithoutError) {
+  for (const ArenaWork& work : works()) {
+    const MethodWork& reference = work.methods.front();
+    EXPECT_EQ(reference.method, "event-driven");
+    ASSERT_EQ(reference.trials.size(), 1U);
+    if (work.arena.chaotic) {
+      EXPECT_LT(*reference.trials[0].error, work.rate_spread);
+    } else {
+      EXPECT_EQ(reference.trials[0].error, 0.0) << work.arena.id;
+    }
+    EXPECT_EQ(reference.trials[0].accuracy.missed, 0);
+    EXPECT_GT(reference.trials[0].seconds, 0);
+  }
+}
+
+TEST(Work, BuysAccuracyInTheMildArena) {
+  const ArenaWork& mild = works().front();
+  for (std::size_t m = 1; m < mild.methods.size(); ++m) {
+    const MethodWork& method = mild.methods[m];
+    const Trial& tightest = method.trials.back();
+    ASSERT_TRUE(tightest.error.has_value()) << method.method;
+    for (const Trial& trial : method.trials) {
+      if (!trial.error) continue;
+      EXPECT_LT(*tightest.error, 0.1 * *trial.error) << method.method;  // than at the loosest
+      break;
+    }
+    EXPECT_GT(tightest.force_evaluations, method.trials.front().force_evaluations);
+  }
+}
+
+TEST(Work, ComesOutTheSameAgainButForTheTimes) {
+  const ArenaWork& one = works().front();
+  const ArenaWork two = work_in(one.arena, coarse, carrier_track::all_integrators());
+  for (std::size_t m = 0; m < one.methods.size(); ++m) {
+    ASSERT_EQ(one.methods[m].trials.size(), two.methods[m].trials.size());
+    for (std::size_t t = 0; t < one.methods[m].trials.size(); ++t) {
+      const Trial& a = one.methods[m].trials[t];
+      const Trial& b = two.methods[m].trials[t];
+      EXPECT_EQ(a.error, b.error) << one.methods[m].method;
+      EXPECT_EQ(a.force_evaluations, b.force_evaluations) << one.methods[m].method;
+    }
+  }
+}
+
+TEST(Work, HasImpactsInEveryArena) {
+  for (const ArenaWork& work : works()) {
+    EXPECT_GE(work.impacts, 2) << work.arena.id;
+    EXPECT_EQ(work.rate_spread > 0, work.arena.chaotic) << work.arena.id;
+  }
+}
+
+TEST(Work, GivesTheLoosestControlFromWhichOnAllAreGoodEnough) {
+  const auto trial = [](double control, std::optional<double> error) {
+    return Trial{control, 1, 1, true, {}, error};
+  };
+  const MethodWork method{"a",
+                          "step [s]",
+                          {trial(1, 1e-7), trial(0.1, std::nullopt), trial(0.01, 1e-7),
+                           trial(1e-3, 1e-8), trial(1e-4, 1e-8)}};
+  EXPECT_EQ(loosest_within(method, 1e-6)->control, 0.01);
+  EXPECT_EQ(loosest_within(method, 1e-8)->control, 1e-3);
+  EXPECT_FALSE(loosest_within(method, 1e-9).has_value());
+}
+
+}  // namespace
+}  // namespace ricochet::dynamics

@@ -11,7 +11,8 @@ using testing::HasSubstr;
 TEST(Main, NamesEveryCommandInItsHelp) {
   const Outcome help = call("--help");
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* command : {"reproduce", "simulate", "threshold", "scene", "list", "bench"}) {
+  for (const char* command :
+       {"reproduce", "dynamics", "simulate", "threshold", "scene", "list", "bench"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     EXPECT_EQ(call(std::string(command) + " --help").exit_code, 0) << command;
   }

@@ -42,7 +42,6 @@ class AppliedForces {
 
   const Scalar& steady() const { return steady_; }
   const std::array<Harmonic<Scalar>, 2>& harmonic() const { return harmonic_; }
-  int harmonics() const { return harmonics_; }
 
   /// The acceleration now [m/s^2].
   Scalar sum() const {

@@ -120,16 +120,16 @@ class ShortFlight {
  public:
   ShortFlight(const Flight<double>& flight, int direction, double horizon,
               const Traveller& traveller)
-      : traveller_(traveller), speed_(direction * flight.velocity), horizon_(horizon) {
-    acceleration_ = flight.steady;
+      : traveller_(traveller), horizon_(horizon) {
+    const Travel start = traveller.start();
+    speed_ = start.speed;
+    acceleration_ = start.acceleration;
     for (int i = 0; i < flight.harmonics; ++i) {
       const auto& h = flight.harmonic[static_cast<std::size_t>(i)];
-      acceleration_ += h.cosine;
       jerk_bound_ += h.frequency * (std::abs(h.cosine) + std::abs(h.sine));
       size_ += std::abs(h.cosine);
     }
     size_ += std::abs(flight.steady);
-    acceleration_ *= direction;
     jerk_ = direction * flight.jerk();
   }
 
@@ -187,8 +187,8 @@ class ShortFlight {
 
   const Traveller& traveller_;
   double speed_;
-  double acceleration_ = 0;
-  double jerk_ = 0;
+  double acceleration_;
+  double jerk_;
   double jerk_bound_ = 0;
   double size_ = 0;  // sum of the forces' magnitudes
   double horizon_;

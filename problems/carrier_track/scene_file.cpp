@@ -37,19 +37,6 @@ const Choices<CountRule>& rule_choices() {
   return choices;
 }
 
-const Choices<ContactLaw>& contact_law_choices() {
-  static const Choices<ContactLaw> choices = {
-      {"hertz", ContactLaw::hertz},
-      {"kelvin-voigt", ContactLaw::kelvin_voigt},
-      {"hunt-crossley", ContactLaw::hunt_crossley},
-      {"lankarani-nikravesh", ContactLaw::lankarani_nikravesh},
-      {"zhiying-qishao", ContactLaw::zhiying_qishao},
-      {"flores", ContactLaw::flores},
-      {"gonthier", ContactLaw::gonthier},
-      {"exact-restitution", ContactLaw::exact_restitution}};
-  return choices;
-}
-
 template <class Value>
 std::string_view name_of(const Choices<Value>& choices, Value value) {
   for (const auto& [name, choice] : choices) {
@@ -233,6 +220,19 @@ std::string text_of(double x) {
 }
 
 }  // namespace
+
+const Choices<ContactLaw>& contact_law_choices() {
+  static const Choices<ContactLaw> choices = {
+      {"hertz", ContactLaw::hertz},
+      {"kelvin-voigt", ContactLaw::kelvin_voigt},
+      {"hunt-crossley", ContactLaw::hunt_crossley},
+      {"lankarani-nikravesh", ContactLaw::lankarani_nikravesh},
+      {"zhiying-qishao", ContactLaw::zhiying_qishao},
+      {"flores", ContactLaw::flores},
+      {"gonthier", ContactLaw::gonthier},
+      {"exact-restitution", ContactLaw::exact_restitution}};
+  return choices;
+}
 
 const Choices<Fidelity>& fidelity_choices() {
   static const Choices<Fidelity> choices = {{"impact", Fidelity::impact},

@@ -18,6 +18,9 @@ Scene read_scene(const std::filesystem::path& path);
 /// The levels of the model by their names in a file.
 const std::vector<std::pair<std::string_view, Fidelity>>& fidelity_choices();
 
+/// The contact laws by their names in a file.
+const std::vector<std::pair<std::string_view, ContactLaw>>& contact_law_choices();
+
 /// The scene as a TOML text that read_scene reads back to the same scene, bit for bit.
 std::string write_scene(const Scene& scene);
 

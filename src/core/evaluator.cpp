@@ -1,24 +1,14 @@
 #include "src/core/evaluator.h"
 
-#include <time.h>
-
 #include <cmath>
 #include <stdexcept>
 
+#include "src/core/processor_time.h"
+
 namespace ricochet {
-namespace {
-
-/// Processor time of this thread [s]: other threads and waiting for locks do not count.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
 
 Evaluator::Evaluator(const Problem& problem, const Budget& budget)
-    : problem_(problem), budget_(budget), started_(thread_seconds()) {}
+    : problem_(problem), budget_(budget), started_(processor_seconds()) {}
 
 std::int64_t Evaluator::remaining() const {
   return over() ? 0 : budget_.evaluations - ledger_.charged;
@@ -26,7 +16,7 @@ std::int64_t Evaluator::remaining() const {
 
 bool Evaluator::admits(const Vector& x, std::int64_t price) {
   if (over()) return false;
-  ledger_.seconds = thread_seconds() - started_;
+  ledger_.seconds = processor_seconds() - started_;
   if (ledger_.charged + price > budget_.evaluations) refusal_ = Refusal::evaluations;
   if (ledger_.seconds >= budget_.seconds) refusal_ = Refusal::seconds;
   if (x.size() != problem_.dimension() || !x.allFinite()) refusal_ = Refusal::bad_point;
@@ -47,17 +37,17 @@ bool Evaluator::guarded(Work work) {
 
 void Evaluator::charge(std::int64_t price) {
   ledger_.charged += price;
-  ledger_.seconds = thread_seconds() - started_;
+  ledger_.seconds = processor_seconds() - started_;
 }
 
 void Evaluator::score(const Vector& x) {
-  const double before = thread_seconds();
+  const double before = processor_seconds();
   const Truth truth = problem_.truth ? problem_.truth(x) : truth_of(*values_);
   const bool known = !std::isnan(truth.objective) && !std::isnan(truth.violation);
   if (known && (trace_.empty() || better(truth, trace_.back().truth))) {
     trace_.push_back({ledger_.charged, ledger_.seconds, truth, x});
   }
-  started_ += thread_seconds() - before;
+  started_ += processor_seconds() - before;
 }
 
 std::optional<Values> Evaluator::values(const Vector& x) {

@@ -7,7 +7,7 @@
 #include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/threshold.h"
 #include "src/campaign/progress.h"
-#include "src/dynamics/processor_time.h"
+#include "src/core/processor_time.h"
 
 namespace ricochet::dynamics {
 namespace {

@@ -1,27 +1,16 @@
 #include "src/dynamics/restitution.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
+#include "problems/carrier_track/scene_file.h"
 #include "problems/carrier_track/simulate.h"
 
 namespace ricochet::dynamics {
 namespace {
 
 using namespace carrier_track;
-
-constexpr std::array<std::pair<const char*, ContactLaw>, 8> laws{
-    {{"hertz", ContactLaw::hertz},
-     {"kelvin-voigt", ContactLaw::kelvin_voigt},
-     {"hunt-crossley", ContactLaw::hunt_crossley},
-     {"lankarani-nikravesh", ContactLaw::lankarani_nikravesh},
-     {"zhiying-qishao", ContactLaw::zhiying_qishao},
-     {"flores", ContactLaw::flores},
-     {"gonthier", ContactLaw::gonthier},
-     {"exact-restitution", ContactLaw::exact_restitution}}};
 
 double distance(const ReturnedRestitution& point) {
   return std::abs(point.returned - point.asked);
@@ -63,8 +52,8 @@ double measured_return(ContactLaw law, double asked) {
 
 std::vector<LawStudy> study_laws(std::size_t stride) {
   std::vector<LawStudy> studies;
-  for (const auto& [name, law] : laws) {
-    LawStudy& study = studies.emplace_back(LawStudy{name, law, {}, {}});
+  for (const auto& [name, law] : contact_law_choices()) {
+    LawStudy& study = studies.emplace_back(LawStudy{std::string(name), law, {}, {}});
     for (std::size_t k = 2; k <= 98; ++k) {
       const double asked = 0.01 * static_cast<double>(k);
       study.exact.push_back({asked, closed_return(law, asked)});

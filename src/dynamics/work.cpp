@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/impact_model.h"
-#include "src/dynamics/processor_time.h"
+#include "src/core/processor_time.h"
 
 namespace ricochet::dynamics {
 namespace {

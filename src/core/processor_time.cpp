@@ -1,8 +1,8 @@
-#include "src/dynamics/processor_time.h"
+#include "src/core/processor_time.h"
 
 #include <time.h>
 
-namespace ricochet::dynamics {
+namespace ricochet {
 
 double processor_seconds() {
   timespec now{};
@@ -10,4 +10,4 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace ricochet::dynamics
+}  // namespace ricochet

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace ricochet::dynamics {
+namespace ricochet {
 
 /// Processor time of this thread [s]: other threads and waiting do not count.
 double processor_seconds();
 
-}  // namespace ricochet::dynamics
+}  // namespace ricochet

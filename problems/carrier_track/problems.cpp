@@ -8,11 +8,6 @@
 namespace ricochet::carrier_track {
 namespace {
 
-Scene at_speed(Scene scene, const Vector& x) {
-  scene.omega = x[0];
-  return scene;
-}
-
 Problem speed_problem(std::string name, std::string source) {
   Problem problem;
   problem.name = std::move(name);
@@ -28,7 +23,7 @@ Problem speed_problem(std::string name, std::string source) {
 Problem count_problem(const Case& a_case, const Scene& reading) {
   Problem problem = speed_problem("count-" + a_case.id, "collision count, equations (31)-(33)");
   problem.evaluate = [scene = scene_of(a_case, reading)](const Vector& x) {
-    return Values{objective(at_speed(scene, x), 0.0), {}};
+    return Values{objective(at_speed(scene, x[0]), 0.0), {}};
   };
   return problem;
 }
@@ -38,14 +33,14 @@ Problem surrogate_problem(const Case& a_case, const Scene& reading, double width
       speed_problem("surrogate-" + a_case.id, "smooth surrogate of the collision count");
   const Scene scene = scene_of(a_case, reading);
   problem.evaluate = [scene, width](const Vector& x) {
-    return Values{objective(at_speed(scene, x), width), {}};
+    return Values{objective(at_speed(scene, x[0]), width), {}};
   };
   problem.differentiate = [scene, width](const Vector& x) {
-    const Slope s = surrogate_slope(at_speed(scene, x), width);
+    const Slope s = surrogate_slope(at_speed(scene, x[0]), width);
     return Derivatives{{s.value, {}}, Vector::Constant(1, s.slope), Matrix(0, 1)};
   };
   problem.truth = [scene](const Vector& x) {
-    return Truth{objective(at_speed(scene, x), 0.0), 0.0};
+    return Truth{objective(at_speed(scene, x[0]), 0.0), 0.0};
   };
   return problem;
 }
@@ -55,7 +50,7 @@ Problem top_speed_problem(const Case& a_case, const Scene& reading, double limit
       speed_problem("top-speed-" + a_case.id, "fastest speed whose collision count is quiet");
   problem.constraints = 1;
   problem.evaluate = [scene = scene_of(a_case, reading), limit](const Vector& x) {
-    return Values{-x[0], Vector::Constant(1, objective(at_speed(scene, x), 0.0) - limit)};
+    return Values{-x[0], Vector::Constant(1, objective(at_speed(scene, x[0]), 0.0) - limit)};
   };
   return problem;
 }
@@ -67,16 +62,16 @@ Problem top_speed_surrogate_problem(const Case& a_case, const Scene& reading, do
   problem.constraints = 1;
   const Scene scene = scene_of(a_case, reading);
   problem.evaluate = [scene, limit, width](const Vector& x) {
-    return Values{-x[0], Vector::Constant(1, objective(at_speed(scene, x), width) - limit)};
+    return Values{-x[0], Vector::Constant(1, objective(at_speed(scene, x[0]), width) - limit)};
   };
   problem.differentiate = [scene, limit, width](const Vector& x) {
-    const Slope s = surrogate_slope(at_speed(scene, x), width);
+    const Slope s = surrogate_slope(at_speed(scene, x[0]), width);
     return Derivatives{{-x[0], Vector::Constant(1, s.value - limit)},
                        Vector::Constant(1, -1.0),
                        Matrix::Constant(1, 1, s.slope)};
   };
   problem.truth = [scene, limit](const Vector& x) {
-    return Truth{-x[0], std::max(0.0, objective(at_speed(scene, x), 0.0) - limit)};
+    return Truth{-x[0], std::max(0.0, objective(at_speed(scene, x[0]), 0.0) - limit)};
   };
   return problem;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "problems/carrier_track/contact_law.h"
 #include "problems/carrier_track/scalar.h"
@@ -14,7 +16,8 @@ enum class Centrifugal { projected, inward, outward };
 /// What makes a feature of the motion count as a collision; see collisions.h.
 enum class CountRule { impacts, peaks };
 
-enum class Fidelity { impact, compliant };
+/// The levels of the model, see simulate.h.
+enum class Fidelity { impact, compliant, planar, automatic };
 
 /// The simulated window: a number of turns of the driver plate, or a time.
 struct Revolutions {
@@ -25,15 +28,37 @@ struct Seconds {
 };
 using Window = std::variant<Revolutions, Seconds>;
 
+/// The speed of the driver plate at a time [s]. Between knots it changes linearly with time; before
+/// the first and after the last it holds.
+template <class Scalar>
+struct SpeedKnot {
+  double time;   ///< [s], >= 0, increasing from knot to knot
+  Scalar omega;  ///< [rad/s], >= 0
+};
+
+/// The second direction, y, of equation (22): the clearance across, in which the carrier is free
+/// too. Mass and friction coefficient are those of x.
+template <class Scalar>
+struct Across {
+  Scalar pull = constant<Scalar>(0.0);               ///< [N], T_1 sin(phi), towards the upper wall
+  Scalar wall_lower = constant<Scalar>(0.0);         ///< [m]
+  Scalar wall_upper = constant<Scalar>(1.0);         ///< [m], > wall_lower, may be infinite
+  Scalar restitution_lower = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar restitution_upper = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar start_position = constant<Scalar>(0.5);     ///< [m], within the walls
+  Scalar start_velocity = constant<Scalar>(0.0);     ///< [m/s]
+};
+
 /// A yarn carrier in its clearance: equation (31) of the paper along x, which points from the lower
 /// to the upper wall. SI units. Physical constants are of type Scalar so that derivatives with
 /// respect to any of them can be carried through a simulation.
 ///
 /// mass x'' = - pull (cos alpha if pull_rotates, else 1)
 ///            + centrifugal_mass_radius omega^2 (cos alpha | -1 | +1)
-///            - slider_mass_radius omega^2 cos alpha
+///            - slider_mass_radius (omega' sin alpha + omega^2 cos alpha)
 ///            + disturbance cos(disturbance_frequency t)
-///            + contact - friction normal_force sign(x'),     alpha = omega t + phase;
+///            + contact - friction normal_force sign(x'),
+/// where alpha is the integral of omega, plus phase;
 /// friction is set-valued at rest, and an impact turns x' into -restitution x'.
 ///
 /// The defaults are a body at rest between two elastic walls with no force on it.
@@ -58,7 +83,8 @@ struct BasicScene {
   Scalar disturbance_frequency = constant<Scalar>(1.0);  ///< [rad/s], >= 0
   Scalar start_position = constant<Scalar>(0.5);         ///< [m], within the walls
   Scalar start_velocity = constant<Scalar>(0.0);         ///< [m/s]
-  Scalar omega = constant<Scalar>(1.0);  ///< [rad/s], speed of the driver plate, >= 0
+  Scalar omega = constant<Scalar>(1.0);    ///< [rad/s], speed of the driver plate, >= 0
+  std::vector<SpeedKnot<Scalar>> profile;  ///< takes the place of omega where it is not empty
   Window window = Seconds{1.0};
   CountRule rule = CountRule::impacts;
   Scalar slowest =
@@ -72,6 +98,7 @@ struct BasicScene {
   double stiffness = 1e8;               ///< [N/m^contact_exponent], > 0
   double contact_exponent = 1.5;        ///< > 0; 1 for kelvin_voigt
   std::optional<double> contact_speed;  ///< [m/s], > 0: v0 of the law; none: of each impact its own
+  std::optional<Across<Scalar>> across;  ///< of fidelity planar and automatic
 };
 
 using Scene = BasicScene<double>;
@@ -80,6 +107,19 @@ using Scene = BasicScene<double>;
 template <class Scalar>
 BasicScene<Scalar> lifted(const Scene& scene) {
   const auto lift = [](double x) { return constant<Scalar>(x); };
+  std::vector<SpeedKnot<Scalar>> profile;
+  for (const auto& knot : scene.profile) profile.push_back({knot.time, lift(knot.omega)});
+  std::optional<Across<Scalar>> across;
+  if (scene.across) {
+    const Across<double>& y = *scene.across;
+    across = Across<Scalar>{lift(y.pull),
+                            lift(y.wall_lower),
+                            lift(y.wall_upper),
+                            lift(y.restitution_lower),
+                            lift(y.restitution_upper),
+                            lift(y.start_position),
+                            lift(y.start_velocity)};
+  }
   return {lift(scene.mass),
           lift(scene.wall_lower),
           lift(scene.wall_upper),
@@ -98,6 +138,7 @@ BasicScene<Scalar> lifted(const Scene& scene) {
           lift(scene.start_position),
           lift(scene.start_velocity),
           lift(scene.omega),
+          std::move(profile),
           scene.window,
           scene.rule,
           lift(scene.slowest),
@@ -107,7 +148,16 @@ BasicScene<Scalar> lifted(const Scene& scene) {
           scene.contact_law,
           scene.stiffness,
           scene.contact_exponent,
-          scene.contact_speed};
+          scene.contact_speed,
+          std::move(across)};
+}
+
+/// The same scene at a constant speed [rad/s].
+template <class Scalar>
+BasicScene<Scalar> at_speed(BasicScene<Scalar> scene, const Scalar& omega) {
+  scene.omega = omega;
+  scene.profile.clear();
+  return scene;
 }
 
 }  // namespace ricochet::carrier_track

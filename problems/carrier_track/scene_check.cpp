@@ -13,22 +13,23 @@ class Checker {
  public:
   explicit Checker(const std::string& origin) : origin_(origin) {}
 
-  void require(bool holds, const char* key, double value, const std::string& allowed) const {
+  void require(bool holds, const std::string& key, double value, const std::string& allowed) const {
     if (!holds)
       throw InputError(fmt::format("{}: {} = {}: must be {}", origin_, key, value, allowed));
   }
-  void finite(const char* key, double value, const char* unit) const {
+  void finite(const std::string& key, double value, const char* unit) const {
     require(std::isfinite(value), key, value, fmt::format("a finite number [{}]", unit));
   }
-  void positive(const char* key, double value, const char* unit) const {
+  void positive(const std::string& key, double value, const char* unit) const {
     require(std::isfinite(value) && value > 0, key, value,
             fmt::format("a finite number > 0 [{}]", unit));
   }
-  void not_negative(const char* key, double value, const char* unit) const {
+  void not_negative(const std::string& key, double value, const char* unit) const {
     require(std::isfinite(value) && value >= 0, key, value,
             fmt::format("a finite number >= 0 [{}]", unit));
   }
-  void fraction(const char* key, double value) const {
+  const std::string& origin() const { return origin_; }
+  void fraction(const std::string& key, double value) const {
     require(value >= 0 && value <= 1, key, value, "within 0..1");
   }
 
@@ -36,8 +37,45 @@ class Checker {
   const std::string& origin_;
 };
 
+void check_walls(const Checker& checker, const std::string& table, double lower, double upper,
+                 double start) {
+  const auto key = [&](const char* name) { return fmt::format("{}.{}", table, name); };
+  checker.finite(key("wall_lower"), lower, "m");
+  checker.require(upper > lower, key("wall_upper"), upper,
+                  fmt::format("> wall_lower = {} [m], or inf", lower));
+  checker.require(start >= lower && start <= upper && std::isfinite(start), key("start_position"),
+                  start, fmt::format("within the walls, {}..{} [m]", lower, upper));
+}
+
+void check_across(const Scene& scene, const Checker& checker) {
+  if (!scene.across) {
+    if (scene.fidelity != Fidelity::planar) return;
+    throw InputError(checker.origin() +
+                     ": model.fidelity = planar: must have the table [across], for y");
+  }
+  const Across<double>& y = *scene.across;
+  checker.finite("across.pull", y.pull, "N");
+  checker.require(y.pull == 0 || !scene.pull_rotates, "across.pull", y.pull,
+                  "0, because scene.pull_rotates turns scene.pull into this direction");
+  check_walls(checker, "across", y.wall_lower, y.wall_upper, y.start_position);
+  checker.fraction("across.restitution", y.restitution_lower);
+  checker.fraction("across.restitution", y.restitution_upper);
+  checker.finite("across.start_velocity", y.start_velocity, "m/s");
+}
+
+void check_profile(const Scene& scene, const Checker& checker) {
+  double before = -1;
+  for (const auto& knot : scene.profile) {
+    checker.require(std::isfinite(knot.time) && knot.time >= 0 && knot.time > before,
+                    "scene.omega's time", knot.time,
+                    "a finite number >= 0 [s], later than the one before");
+    checker.not_negative("scene.omega", knot.omega, "rad/s");
+    before = knot.time;
+  }
+}
+
 void check_contact_law(const Scene& scene, const Checker& checker) {
-  if (scene.fidelity != Fidelity::compliant) return;
+  if (scene.fidelity == Fidelity::impact || scene.fidelity == Fidelity::planar) return;
   checker.require(scene.contact_law != ContactLaw::kelvin_voigt || scene.contact_exponent == 1,
                   "model.contact_exponent", scene.contact_exponent,
                   "1, because kelvin-voigt is linear");
@@ -53,19 +91,17 @@ void check_contact_law(const Scene& scene, const Checker& checker) {
 void check_omega(const Scene& scene, const std::string& origin, const std::string& name) {
   const Checker checker(origin);
   if (std::holds_alternative<Revolutions>(scene.window)) {
-    checker.require(std::isfinite(scene.omega) && scene.omega > 0, name.c_str(), scene.omega,
+    checker.require(std::isfinite(scene.omega) && scene.omega > 0, name, scene.omega,
                     "a finite number > 0 [rad/s], because the window is in revolutions");
   } else {
-    checker.not_negative(name.c_str(), scene.omega, "rad/s");
+    checker.not_negative(name, scene.omega, "rad/s");
   }
 }
 
 void check(const Scene& scene, const std::string& origin) {
   const Checker checker(origin);
   checker.positive("scene.mass", scene.mass, "kg");
-  checker.finite("scene.wall_lower", scene.wall_lower, "m");
-  checker.require(scene.wall_upper > scene.wall_lower, "scene.wall_upper", scene.wall_upper,
-                  fmt::format("> wall_lower = {} [m], or inf", scene.wall_lower));
+  check_walls(checker, "scene", scene.wall_lower, scene.wall_upper, scene.start_position);
   checker.fraction("scene.restitution", scene.restitution_lower);
   checker.fraction("scene.restitution", scene.restitution_upper);
   checker.not_negative("scene.friction", scene.friction, "1");
@@ -76,13 +112,11 @@ void check(const Scene& scene, const std::string& origin) {
   checker.finite("scene.phase", scene.phase, "rad");
   checker.finite("scene.disturbance", scene.disturbance, "N");
   checker.not_negative("scene.disturbance_frequency", scene.disturbance_frequency, "rad/s");
-  checker.require(scene.start_position >= scene.wall_lower &&
-                      scene.start_position <= scene.wall_upper &&
-                      std::isfinite(scene.start_position),
-                  "scene.start_position", scene.start_position,
-                  fmt::format("within the walls, {}..{} [m]", scene.wall_lower, scene.wall_upper));
   checker.finite("scene.start_velocity", scene.start_velocity, "m/s");
-  check_omega(scene, origin, "scene.omega");
+  check_profile(scene, checker);
+  check_omega(at_speed(scene, scene.profile.empty() ? scene.omega : scene.profile.back().omega),
+              origin, "scene.omega");
+  check_across(scene, checker);
   if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
     checker.positive("window.revolutions", turns->count, "1");
   } else {

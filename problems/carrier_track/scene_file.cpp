@@ -15,142 +15,13 @@
 #include <utility>
 #include <vector>
 
+#include "problems/carrier_track/choices.h"
 #include "problems/carrier_track/scene_check.h"
+#include "problems/carrier_track/toml_table.h"
 #include "src/core/error.h"
 
 namespace ricochet::carrier_track {
 namespace {
-
-template <class Value>
-using Choices = std::vector<std::pair<std::string_view, Value>>;
-
-const Choices<Centrifugal>& centrifugal_choices() {
-  static const Choices<Centrifugal> choices = {{"projected", Centrifugal::projected},
-                                               {"inward", Centrifugal::inward},
-                                               {"outward", Centrifugal::outward}};
-  return choices;
-}
-
-const Choices<CountRule>& rule_choices() {
-  static const Choices<CountRule> choices = {{"impacts", CountRule::impacts},
-                                             {"peaks", CountRule::peaks}};
-  return choices;
-}
-
-template <class Value>
-std::string_view name_of(const Choices<Value>& choices, Value value) {
-  for (const auto& [name, choice] : choices) {
-    if (choice == value) return name;
-  }
-  return {};
-}
-
-/// One table of the file. Every key asked for is known; finish() refuses the others.
-class Table {
- public:
-  Table(const toml::table& file, std::string name, std::string origin)
-      : name_(std::move(name)), origin_(std::move(origin)), table_(file[name_].as_table()) {}
-
-  bool exists() const { return table_ != nullptr; }
-
-  bool has(std::string_view key) {
-    known_.insert(std::string(key));
-    return table_ != nullptr && table_->contains(key);
-  }
-
-  void number(std::string_view key, double& target) {
-    if (!has(key)) return;
-    target = number_of(key, *table_->get(key), "a number");
-  }
-
-  void required(std::string_view key, double& target) {
-    need(key);
-    number(key, target);
-  }
-
-  void need(std::string_view key) {
-    if (!has(key)) {
-      throw InputError(fmt::format("{}: {}.{} is missing", origin_, name_, key));
-    }
-  }
-
-  /// One number for both, or an array of two.
-  void pair(std::string_view key, double& first, double& second) {
-    need(key);
-    const toml::node& node = *table_->get(key);
-    const toml::array* array = node.as_array();
-    if (array == nullptr) {
-      first = second = number_of(key, node, "a number, or [lower, upper]");
-      return;
-    }
-    if (array->size() != 2) refuse(key, node, "a number, or [lower, upper]");
-    first = number_of(key, *array->get(0), "a number, or [lower, upper]");
-    second = number_of(key, *array->get(1), "a number, or [lower, upper]");
-  }
-
-  void boolean(std::string_view key, bool& target) {
-    if (!has(key)) return;
-    const toml::node& node = *table_->get(key);
-    if (!node.is_boolean()) refuse(key, node, "true or false");
-    target = node.as_boolean()->get();
-  }
-
-  template <class Value>
-  void choice(std::string_view key, const Choices<Value>& choices, Value& target) {
-    if (!has(key)) return;
-    const toml::node& node = *table_->get(key);
-    std::string allowed;
-    for (const auto& [name, value] : choices) {
-      if (node.is_string() && node.as_string()->get() == name) {
-        target = value;
-        return;
-      }
-      allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : " or ", name);
-    }
-    refuse(key, node, allowed);
-  }
-
-  /// A number, or a word that stands for none.
-  void number_or(std::string_view key, std::string_view none, std::optional<double>& target) {
-    if (!has(key)) return;
-    const toml::node& node = *table_->get(key);
-    if (node.is_string() && node.as_string()->get() == none) {
-      target.reset();
-    } else {
-      target = number_of(key, node, fmt::format("a number, or \"{}\"", none));
-    }
-  }
-
-  /// Refuses every key that was not asked for.
-  void finish() const {
-    if (table_ == nullptr) return;
-    for (const auto& [key, node] : *table_) {
-      if (known_.contains(std::string(key.str()))) continue;
-      throw InputError(fmt::format("{}: {}.{} is not a key; allowed: {}", origin_, name_, key.str(),
-                                   fmt::join(known_, ", ")));
-    }
-  }
-
- private:
-  double number_of(std::string_view key, const toml::node& node, std::string_view allowed) const {
-    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value) refuse(key, node, allowed);
-    return *value;
-  }
-
-  [[noreturn]] void refuse(std::string_view key, const toml::node& node,
-                           std::string_view allowed) const {
-    std::ostringstream text;
-    node.visit([&text](const auto& shown) { text << shown; });
-    throw InputError(
-        fmt::format("{}: {}.{} = {}: must be {}", origin_, name_, key, text.str(), allowed));
-  }
-
-  std::string name_;
-  std::string origin_;
-  const toml::table* table_;
-  std::set<std::string> known_;
-};
 
 toml::table parse(const std::filesystem::path& path) {
   std::ifstream stream(path);
@@ -166,7 +37,7 @@ toml::table parse(const std::filesystem::path& path) {
   }
 }
 
-void read_scene_table(Table& table, Scene& scene) {
+void read_scene_table(TomlTable& table, Scene& scene) {
   table.required("mass", scene.mass);
   table.required("wall_lower", scene.wall_lower);
   table.required("wall_upper", scene.wall_upper);
@@ -183,11 +54,24 @@ void read_scene_table(Table& table, Scene& scene) {
   table.number("disturbance_frequency", scene.disturbance_frequency);
   table.required("start_position", scene.start_position);
   table.number("start_velocity", scene.start_velocity);
-  table.number("omega", scene.omega);
+  table.number_or_knots("omega", scene.omega, scene.profile);
   table.finish();
 }
 
-void read_window(Table& table, const std::string& origin, Scene& scene) {
+void read_across(TomlTable& table, Scene& scene) {
+  if (table.exists()) {
+    Across<double>& y = scene.across.emplace();
+    table.number("pull", y.pull);
+    table.required("wall_lower", y.wall_lower);
+    table.required("wall_upper", y.wall_upper);
+    table.pair("restitution", y.restitution_lower, y.restitution_upper);
+    table.required("start_position", y.start_position);
+    table.number("start_velocity", y.start_velocity);
+  }
+  table.finish();
+}
+
+void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
   double count = 0;
   const bool turns = table.has("revolutions");
   const bool time = table.has("seconds");
@@ -203,7 +87,7 @@ void read_window(Table& table, const std::string& origin, Scene& scene) {
   }
 }
 
-void read_model(Table& table, Scene& scene) {
+void read_model(TomlTable& table, Scene& scene) {
   table.choice("fidelity", fidelity_choices(), scene.fidelity);
   table.choice("contact_law", contact_law_choices(), scene.contact_law);
   table.number("stiffness", scene.stiffness);
@@ -219,31 +103,28 @@ std::string text_of(double x) {
   return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;
 }
 
+std::string line_of(std::string_view key, double value, std::string_view unit) {
+  return fmt::format("{} = {}  # {}\n", key, text_of(value), unit);
+}
+
+std::string lines_of(const Across<double>& y) {
+  return "\n[across]  # the second direction, y\n" +
+         line_of("pull", y.pull, "N, towards wall_upper") +
+         line_of("wall_lower", y.wall_lower, "m") +
+         line_of("wall_upper", y.wall_upper, "m; may be inf") +
+         fmt::format("restitution = [{}, {}]  # lower wall, upper wall\n",
+                     text_of(y.restitution_lower), text_of(y.restitution_upper)) +
+         line_of("start_position", y.start_position, "m") +
+         line_of("start_velocity", y.start_velocity, "m/s");
+}
+
 }  // namespace
-
-const Choices<ContactLaw>& contact_law_choices() {
-  static const Choices<ContactLaw> choices = {
-      {"hertz", ContactLaw::hertz},
-      {"kelvin-voigt", ContactLaw::kelvin_voigt},
-      {"hunt-crossley", ContactLaw::hunt_crossley},
-      {"lankarani-nikravesh", ContactLaw::lankarani_nikravesh},
-      {"zhiying-qishao", ContactLaw::zhiying_qishao},
-      {"flores", ContactLaw::flores},
-      {"gonthier", ContactLaw::gonthier},
-      {"exact-restitution", ContactLaw::exact_restitution}};
-  return choices;
-}
-
-const Choices<Fidelity>& fidelity_choices() {
-  static const Choices<Fidelity> choices = {{"impact", Fidelity::impact},
-                                            {"compliant", Fidelity::compliant}};
-  return choices;
-}
 
 Scene read_scene(const std::filesystem::path& path) {
   const toml::table file = parse(path);
   const std::string origin = path.string();
-  static constexpr std::array<std::string_view, 4> tables = {"scene", "window", "count", "model"};
+  static constexpr std::array<std::string_view, 5> tables = {"scene", "across", "window", "count",
+                                                             "model"};
   for (const auto& [key, node] : file) {
     if (std::find(tables.begin(), tables.end(), key.str()) == tables.end() || !node.is_table()) {
       throw InputError(fmt::format("{}: {} is not a table of a scene; allowed: [{}]", origin,
@@ -251,13 +132,15 @@ Scene read_scene(const std::filesystem::path& path) {
     }
   }
   Scene result;
-  Table scene(file, "scene", origin);
-  Table window(file, "window", origin);
-  Table count(file, "count", origin);
-  Table model(file, "model", origin);
+  TomlTable scene(file, "scene", origin);
+  TomlTable across(file, "across", origin);
+  TomlTable window(file, "window", origin);
+  TomlTable count(file, "count", origin);
+  TomlTable model(file, "model", origin);
   if (!scene.exists()) throw InputError(origin + ": the table [scene] is missing");
   if (!window.exists()) throw InputError(origin + ": the table [window] is missing");
   read_scene_table(scene, result);
+  read_across(across, result);
   read_window(window, origin, result);
   count.choice("rule", rule_choices(), result.rule);
   count.number("slowest", result.slowest);
@@ -272,7 +155,7 @@ Scene read_scene(const std::filesystem::path& path) {
 std::string write_scene(const Scene& scene) {
   std::string text = "[scene]\n";
   const auto line = [&text](std::string_view key, double value, std::string_view unit) {
-    text += fmt::format("{} = {}  # {}\n", key, text_of(value), unit);
+    text += line_of(key, value, unit);
   };
   line("mass", scene.mass, "kg");
   line("wall_lower", scene.wall_lower, "m");
@@ -292,7 +175,17 @@ std::string write_scene(const Scene& scene) {
   line("disturbance_frequency", scene.disturbance_frequency, "rad/s");
   line("start_position", scene.start_position, "m");
   line("start_velocity", scene.start_velocity, "m/s");
-  line("omega", scene.omega, "rad/s");
+  if (scene.profile.empty()) {
+    line("omega", scene.omega, "rad/s");
+  } else {
+    std::string knots;
+    for (const auto& knot : scene.profile) {
+      knots += fmt::format("{}[{}, {}]", knots.empty() ? "" : ", ", text_of(knot.time),
+                           text_of(knot.omega));
+    }
+    text += fmt::format("omega = [{}]  # s, rad/s\n", knots);
+  }
+  if (scene.across) text += lines_of(*scene.across);
   text += "\n[window]  # revolutions or seconds\n";
   if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
     text += fmt::format("revolutions = {}\n", text_of(turns->count));

@@ -2,24 +2,16 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "problems/carrier_track/scene.h"
 
 namespace ricochet::carrier_track {
 
-/// Reads a machine from a TOML file with the tables [scene], [window], [count] and [model] of the
-/// README. Throws InputError, in one line with file, key, value and what is allowed, for a file
-/// that cannot be read or parsed, an unknown or missing key, a wrong type, or a value out of range.
+/// Reads a machine from a TOML file with the tables [scene], [across], [window], [count] and
+/// [model] of the README. Throws InputError, in one line with file, key, value and what is allowed,
+/// for a file that cannot be read or parsed, an unknown or missing key, a wrong type, or a value
+/// out of range.
 Scene read_scene(const std::filesystem::path& path);
-
-/// The levels of the model by their names in a file.
-const std::vector<std::pair<std::string_view, Fidelity>>& fidelity_choices();
-
-/// The contact laws by their names in a file.
-const std::vector<std::pair<std::string_view, ContactLaw>>& contact_law_choices();
 
 /// The scene as a TOML text that read_scene reads back to the same scene, bit for bit.
 std::string write_scene(const Scene& scene);

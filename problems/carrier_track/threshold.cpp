@@ -65,9 +65,7 @@ std::vector<Example> judge_examples(const Scene& scene, const Figure& figure, do
 }  // namespace
 
 int count_at(const Scene& scene, double omega) {
-  Scene turning = scene;
-  turning.omega = omega;
-  return static_cast<int>(objective(turning, 0.0));
+  return static_cast<int>(objective(at_speed(scene, omega), 0.0));
 }
 
 SpeedScan scan_speeds(const Scene& scene, double step, double highest) {

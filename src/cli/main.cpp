@@ -3,6 +3,7 @@
 #include <exception>
 #include <set>
 
+#include "problems/carrier_track/choices.h"
 #include "problems/carrier_track/scene_file.h"
 #include "src/cli/bench.h"
 #include "src/cli/dynamics.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "problems/carrier_track/choices.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/scene_check.h"
-#include "problems/carrier_track/scene_file.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
@@ -23,18 +23,16 @@ const char* name_of(Wall wall) {
   return wall == Wall::lower ? "lower" : "upper";
 }
 
-std::string_view name_of(Fidelity fidelity) {
-  for (const auto& [name, level] : fidelity_choices()) {
-    if (level == fidelity) return name;
-  }
-  throw std::logic_error("a level of the model without a name");
-}
-
 Fidelity fidelity_named(const std::string& wanted) {
   for (const auto& [name, level] : fidelity_choices()) {
     if (name == wanted) return level;
   }
   throw InputError(fmt::format("--fidelity {}: there is no such level", wanted));
+}
+
+std::string speed_of(const Scene& scene) {
+  if (scene.profile.empty()) return fmt::format("{} rad/s", scene.omega);
+  return fmt::format("a speed profile of {} knots", scene.profile.size());
 }
 
 Json json_of(const Scene& scene, const Recording& recording) {
@@ -57,7 +55,7 @@ Json json_of(const Scene& scene, const Recording& recording) {
             {"position", recording.end.position},
             {"velocity", recording.end.velocity}}},
           {"evaluations", recording.end.evaluations},
-          {"fidelity", name_of(scene.fidelity)}};
+          {"fidelity", name_of(fidelity_choices(), scene.fidelity)}};
 }
 
 std::string csv_of(const Recording& recording) {
@@ -69,18 +67,17 @@ std::string csv_of(const Recording& recording) {
 }
 
 std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
-  report::Chart chart =
-      reproduction::path_chart(chosen.scene, recording, "path",
-                               fmt::format("{} at {} rad/s: {} collisions", chosen.name,
-                                           chosen.scene.omega, recording.count));
+  report::Chart chart = reproduction::path_chart(
+      chosen.scene, recording, "path",
+      fmt::format("{} at {}: {} collisions", chosen.name, speed_of(chosen.scene), recording.count));
   chart.width = 960;
   chart.height = 360;
   return report::to_svg(chart);
 }
 
 void print(const ChosenScene& chosen, const Recording& recording) {
-  fmt::print("{} at {} rad/s: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
-             chosen.scene.omega, recording.count, recording.end.time,
+  fmt::print("{} at {}: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
+             speed_of(chosen.scene), recording.count, recording.end.time,
              recording.certain ? "certain" : "not certain: too sensitive to tell",
              recording.surrogate);
   if (recording.margin) {
@@ -105,7 +102,7 @@ void print(const ChosenScene& chosen, const Recording& recording) {
 int simulate(const SimulateOptions& options) {
   ChosenScene chosen = choose_scene(options.scene);
   if (options.omega) {
-    chosen.scene.omega = *options.omega;
+    chosen.scene = at_speed(chosen.scene, *options.omega);
     check_omega(chosen.scene, chosen.name, "--omega");
   }
   if (!options.fidelity.empty()) {

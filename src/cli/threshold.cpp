@@ -113,6 +113,12 @@ int threshold(const ThresholdOptions& options) {
   }
   const auto scenes =
       options.all ? every_case() : std::vector<ChosenScene>{choose_scene(options.scene)};
+  for (const ChosenScene& chosen : scenes) {
+    if (chosen.scene.profile.empty()) continue;
+    throw InputError(chosen.name +
+                     ": scene.omega is a profile: must be a number, because a threshold is of "
+                     "constant speeds");
+  }
   std::vector<Score> scores;
   {
     Progress progress("scanning speeds", static_cast<double>(scenes.size()));

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "problems/carrier_track/scene_file.h"
+#include "problems/carrier_track/choices.h"
 #include "problems/carrier_track/simulate.h"
 
 namespace ricochet::dynamics {

@@ -9,7 +9,8 @@ report::Chart path_chart(const carrier_track::Scene& scene,
                          const carrier_track::Recording& recording, std::string name,
                          std::string title) {
   constexpr double millimetre = 1e-3;
-  const bool turns = std::holds_alternative<carrier_track::Revolutions>(scene.window);
+  const bool turns =
+      std::holds_alternative<carrier_track::Revolutions>(scene.window) && scene.profile.empty();
   const double unit = turns ? 2 * std::numbers::pi / scene.omega : 1.0;
   report::Chart chart;
   chart.name = std::move(name);

@@ -24,7 +24,8 @@ double damping_of(ContactLaw law, double restitution) {
 
 }  // namespace
 
-CompliantModel::CompliantModel(const Scene& scene, double tolerance)
+template <class Forces>
+CompliantModel<Forces>::CompliantModel(const Scene& scene, double tolerance)
     : scene_(scene),
       tolerance_(tolerance),
       duration_(duration_of(scene)),
@@ -42,11 +43,13 @@ CompliantModel::CompliantModel(const Scene& scene, double tolerance)
 }
 
 /// Acceleration up to which a body without velocity is held where the forces have some `size`.
-double CompliantModel::hold(double size) const {
+template <class Forces>
+double CompliantModel<Forces>::hold(double size) const {
   return friction_ + 4 * epsilon * size;
 }
 
-ContactForce CompliantModel::contact_force(double approach_speed) const {
+template <class Forces>
+ContactForce CompliantModel<Forces>::contact_force(double approach_speed) const {
   const double factor = damping_[wall_ == Wall::upper ? 1 : 0];
   const double stiffness = scene_.stiffness / scene_.mass;
   if (scene_.contact_law == ContactLaw::kelvin_voigt) {
@@ -57,7 +60,8 @@ ContactForce CompliantModel::contact_force(double approach_speed) const {
 }
 
 /// Puts the body that has arrived exactly at the wall, and returns its speed.
-double CompliantModel::reach_wall() {
+template <class Forces>
+double CompliantModel<Forces>::reach_wall() {
   if (++impacts_ > impact_limit) {
     throw std::runtime_error("the simulation has more than 10000000 impacts in its window");
   }
@@ -68,7 +72,8 @@ double CompliantModel::reach_wall() {
 }
 
 /// Begins a contact at the surface of the wall touched.
-void CompliantModel::enter(double speed) {
+template <class Forces>
+void CompliantModel<Forces>::enter(double speed) {
   if (speed <= resting_speed) {
     velocity_ = 0;
     stop();
@@ -83,11 +88,11 @@ void CompliantModel::enter(double speed) {
 
 /// Puts a body at rest on the surface of a wall into it, as deep as the press carries, unless
 /// nothing presses but rounding.
-void CompliantModel::settle() {
+template <class Forces>
+void CompliantModel<Forces>::settle() {
   const double push = inward() * forces_.sum() - friction_;
   if (push <= tolerance_ * (forces_.size() + friction_)) return;
-  double strongest = std::abs(forces_.steady());
-  for (const auto& h : forces_.harmonic()) strongest += std::hypot(h.cosine, h.sine);
+  const double strongest = forces_.strongest();
   const double deepest = resting_depth(strongest);
   const double speed = std::sqrt(strongest * deepest);
   in_contact_ = true;
@@ -96,12 +101,14 @@ void CompliantModel::settle() {
 }
 
 /// Depth [m] that carries a press [m/s^2].
-double CompliantModel::resting_depth(double press) const {
+template <class Forces>
+double CompliantModel<Forces>::resting_depth(double press) const {
   return std::pow(press * scene_.mass / scene_.stiffness, 1 / scene_.contact_exponent);
 }
 
 /// The velocity has come down to zero: where the body goes now.
-void CompliantModel::stop() {
+template <class Forces>
+void CompliantModel<Forces>::stop() {
   velocity_ = 0;
   peaks_.stops(time_, position());
   double size = forces_.size();
@@ -116,27 +123,28 @@ void CompliantModel::stop() {
 }
 
 /// When and where a body at rest sets out.
-Event CompliantModel::departure() {
-  double size = forces_.size();
-  for (const auto& h : forces_.harmonic()) size += std::abs(h.sine);
-  Flight<double> held = forces_.flight(offset_, velocity_, 0);
+template <class Forces>
+Event CompliantModel<Forces>::departure() {
+  const double size = forces_.strongest();
+  Path held = forces_.flight(offset_, velocity_, 0);
   double limit = friction_;
   if (in_contact_) {
     const double resting = motion_.resting_force();
-    held.steady -= inward() * resting;
+    held.push(-inward() * resting);
     limit = hold(size + resting);
   } else if (wall_) {
     // The band is widened on the inward side by what settle() needs to find a depth. Else the body
     // would set out, and stay, for ever.
     const double margin = 2 * tolerance_ * (size + friction_);
-    held.steady -= inward() * 0.5 * margin;
+    held.push(-inward() * 0.5 * margin);
     limit += 0.5 * margin;
   }
-  return next_departure(held, limit, true, true, duration_ - time_, evaluations_);
+  return next_departure(held, limit, true, true, horizon(), evaluations_);
 }
 
 /// Sets out from rest, or stays for 0; a body pressed onto the surface of a wall settles in it.
-void CompliantModel::depart(int direction) {
+template <class Forces>
+void CompliantModel<Forces>::depart(int direction) {
   direction_ = direction;
   if (direction != 0 && wall_ && !in_contact_ && direction == inward()) {
     direction_ = 0;
@@ -144,30 +152,40 @@ void CompliantModel::depart(int direction) {
   }
 }
 
-ContactEvent CompliantModel::step() {
+template <class Forces>
+ContactEvent CompliantModel<Forces>::step() {
   if (++steps_ > contact_step_limit) {
     throw std::runtime_error("the simulation has more than 50000000 steps in contact");
   }
   const int into = inward();
   const int direction = direction_ * into;
-  Flight<double> push = forces_.flight(0, 0, 0);
-  push.steady = into * push.steady - direction * friction_;
-  for (auto& h : push.harmonic) {
-    h.cosine *= into;
-    h.sine *= into;
-  }
-  const double left = duration_ - time_;
-  const ContactEvent event = motion_.step(push, direction, left, evaluations_);
+  const double drag = direction * friction_;
+  const Path path = forces_.flight(0, 0, 0);
+  ContactPush push{path.taylor(),
+                   [&](double time) { return into * path.at(time).acceleration - drag; }};
+  for (double& c : push.taylor.coefficient) c *= into;
+  push.taylor.coefficient[0] -= drag;
+  const ContactEvent event = motion_.step(push, direction, horizon(), evaluations_);
   offset_ = into * motion_.depth();
   velocity_ = into * motion_.speed();
   forces_.pass(motion_.elapsed());
-  tick(motion_.elapsed(), event == ContactEvent::horizon);
+  tick(motion_.elapsed());
   return event;
 }
 
-/// Lets `time` pass for the clock.
-void CompliantModel::tick(double time, bool to_the_end) {
-  time_ = to_the_end ? duration_ : time_ + time;
+/// Time until the end of the window, or until the forces have to be taken anew.
+template <class Forces>
+double CompliantModel<Forces>::horizon() const {
+  return std::min(duration_ - time_, forces_.reach());
 }
+
+/// Lets `time` pass for the clock.
+template <class Forces>
+void CompliantModel<Forces>::tick(double time) {
+  time_ = time >= duration_ - time_ ? duration_ : time_ + time;
+}
+
+template class CompliantModel<AppliedForces<double>>;
+template class CompliantModel<ProfileForces<double>>;
 
 }  // namespace ricochet::carrier_track

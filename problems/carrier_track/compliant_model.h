@@ -6,6 +6,7 @@
 
 #include "problems/carrier_track/applied_forces.h"
 #include "problems/carrier_track/contact_motion.h"
+#include "problems/carrier_track/departure.h"
 #include "problems/carrier_track/event.h"
 #include "problems/carrier_track/impact_model.h"
 #include "problems/carrier_track/peak_watch.h"
@@ -32,6 +33,9 @@ inline constexpr std::int64_t contact_step_limit = 50'000'000;
 /// There is no Zeno sequence: hops slower than some (press / K^(1/(n+1)))^((n+1)/(2n)) end in the
 /// wall, and so do those of resting_speed. What remains in a wall without damping, or with little
 /// (contact_speed far above the impacts), rings, and is followed swing by swing.
+///
+/// For Forces = AppliedForces<double> and ProfileForces<double>.
+template <class Forces = AppliedForces<double>>
 class CompliantModel {
  public:
   /// `scene` must be valid (scene_check.h) and outlive the model. Tolerance: see ContactMotion.
@@ -54,18 +58,21 @@ class CompliantModel {
   }
 
  private:
+  using Path = typename Forces::Path;
+
   template <class SomeObserver>
   void fly(SomeObserver& observer) {
     begin_motion(observer);
-    const Flight<double> path = forces_.flight(offset_, velocity_, -direction_ * friction_);
+    const Path path = forces_.flight(offset_, velocity_, -direction_ * friction_);
     const double wall = (direction_ > 0 ? scene_.wall_upper : scene_.wall_lower) - origin_;
-    const Event event = next_event(path, direction_, direction_ * (wall - offset_),
-                                   duration_ - time_, evaluations_);
+    Path there = path;
+    const Event event =
+        next_event(there, direction_, direction_ * (wall - offset_), horizon(), evaluations_);
     tell(observer, path, event.time);
-    const Motion<double> m = forces_.fly(path, event.time);
-    offset_ = m.position;
-    velocity_ = m.velocity;
-    tick(event.time, event.kind == EventKind::horizon);
+    forces_.arrive(there, event.time);
+    offset_ = there.position;
+    velocity_ = there.velocity;
+    tick(event.time);
     if (event.kind == EventKind::wall) {
       const double speed = reach_wall();
       if (speed > 0) observer.impact(time_, *wall_, speed);
@@ -92,13 +99,13 @@ class CompliantModel {
     const Event event = departure();
     tell(observer, Flight<double>{offset_, 0, 0, {}, 0}, event.time);
     forces_.pass(event.time);
-    tick(event.time, event.kind == EventKind::horizon);
+    tick(event.time);
     depart(event.direction);
   }
 
-  template <class SomeObserver>
-  void tell(SomeObserver& observer, Flight<double> path, double time) {
-    path.position += origin_;
+  template <class SomeObserver, class SomePath>
+  void tell(SomeObserver& observer, SomePath path, double time) {
+    path.shift(origin_);
     observer.stretch(time_, path, time);
   }
 
@@ -122,13 +129,14 @@ class CompliantModel {
   Event departure();
   void depart(int direction);
   ContactEvent step();
-  void tick(double time, bool to_the_end);
+  double horizon() const;
+  void tick(double time);
 
   const Scene& scene_;
   double tolerance_;
   double duration_;
   double friction_;  // deceleration [m/s^2]
-  AppliedForces<double> forces_;
+  Forces forces_;
   std::array<double, 2> damping_{};  // D or damping ratio of the lower and the upper wall
 
   double time_ = 0;

@@ -65,47 +65,26 @@ double ContactMotion::force(double root, double speed) const {
   return elastic + force_.damping * speed * (force_.viscous ? 1.0 : elastic);
 }
 
-/// Prepares push() for a step. Most steps are short against the forces' periods: the Taylor series
-/// to t^6 then leaves out less than rounding does.
-void ContactMotion::set_push(const Flight<double>& applied) {
-  applied_ = applied;
-  push_series_ = {applied.steady};
-  double fastest = 0;
-  for (int i = 0; i < applied.harmonics; ++i) {
-    const auto& h = applied.harmonic[static_cast<std::size_t>(i)];
-    double even = h.cosine;
-    double odd = -h.sine * h.frequency;
-    for (std::size_t k = 0; k < push_series_.size(); k += 2) {
-      push_series_[k] += even;
-      if (k + 1 < push_series_.size()) push_series_[k + 1] += odd;
-      const auto order = static_cast<double>(k);
-      even *= -h.frequency * h.frequency / ((order + 1) * (order + 2));
-      odd *= -h.frequency * h.frequency / ((order + 2) * (order + 3));
-    }
-    fastest = std::max(fastest, h.frequency);
-  }
-  series_reach_ = 0.02 / fastest;
-}
-
 /// Inward acceleration by the applied forces and friction, `time` after the start of the step.
-double ContactMotion::push(double time) const {
-  if (!(std::abs(time) < series_reach_)) return applied_.at(time).acceleration;
-  double sum = push_series_.back();
-  for (std::size_t k = push_series_.size() - 1; k-- > 0;) sum = sum * time + push_series_[k];
+double ContactMotion::push_at(double time) const {
+  const auto& [coefficient, reach] = push_->taylor;
+  if (!(std::abs(time) < reach)) return push_->exact(time);
+  double sum = coefficient.back();
+  for (std::size_t k = coefficient.size() - 1; k-- > 0;) sum = sum * time + coefficient[k];
   return sum;
 }
 
 ExtrapolationState ContactMotion::rate(const State& state) const {
   ++*evaluations_;
-  const double net = push(state[2]) - force(state[0], state[1]);
+  const double net = push_at(state[2]) - force(state[0], state[1]);
   return {state[1], 2 * state[0] * net, 2 * state[0]};
 }
 
 ContactMotion::Slopes ContactMotion::slopes() const {
   const double y = state_[0];
   const double u = state_[1];
-  const double net = push(0) - force(y, u);
-  const double jerk = push_series_[1];
+  const double net = push_at(0) - force(y, u);
+  const double jerk = push_->taylor.coefficient[1];
   if (slack_) return {2 * net, 0, 2 * y * jerk};
   const double elastic = spring(y);
   const double damped = 1 + (force_.viscous ? 0 : force_.damping * u);
@@ -321,9 +300,9 @@ void ContactMotion::update_scales() {
   scale_[2] = scale_[0] * scale_[0] / scale_[1];
 }
 
-ContactEvent ContactMotion::step(const Flight<double>& applied, int direction, double horizon,
+ContactEvent ContactMotion::step(const ContactPush& push, int direction, double horizon,
                                  std::int64_t& evaluations) {
-  set_push(applied);
+  push_ = &push;
   direction_ = direction;
   horizon_ = horizon;
   evaluations_ = &evaluations;

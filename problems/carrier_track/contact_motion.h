@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "problems/carrier_track/extrapolation.h"
 #include "problems/carrier_track/flight.h"
@@ -16,6 +17,12 @@ struct ContactForce {
   double exponent;   ///< n
   double damping;    ///< D/v0 [s/m]; viscous: C/m [1/s]
   bool viscous;      ///< Kelvin-Voigt
+};
+
+/// The inward acceleration [m/s^2] by applied forces and friction over the time of a step [s].
+struct ContactPush {
+  Flight<double>::Taylor taylor;
+  std::function<double(double)> exact;  ///< for times beyond the reach of the series
 };
 
 enum class ContactEvent {
@@ -51,10 +58,10 @@ class ContactMotion {
   void begin(const ContactForce& force, double depth, double speed, double depth_scale,
              double speed_scale);
 
-  /// One step under the inward acceleration of `applied` (friction included, which must act against
-  /// `direction`, +1 inward, -1 outward), no longer than `horizon` [s]. Throws std::runtime_error
+  /// One step under `push`, whose friction must act against `direction`, +1 inward, -1 outward, no
+  /// longer than `horizon` [s]. Throws std::runtime_error
   /// where no step is small enough.
-  ContactEvent step(const Flight<double>& applied, int direction, double horizon,
+  ContactEvent step(const ContactPush& push, int direction, double horizon,
                     std::int64_t& evaluations);
 
   double depth() const { return state_[0] * state_[0]; }
@@ -76,8 +83,7 @@ class ContactMotion {
 
   double spring(double root) const;
   double force(double root, double speed) const;
-  void set_push(const Flight<double>& applied);
-  double push(double time) const;
+  double push_at(double time) const;
   State rate(const State& state) const;
   Slopes slopes() const;
   double stiffness_of(const Slopes& slopes) const;
@@ -111,9 +117,7 @@ class ContactMotion {
   State start_rate_{};
   Slopes slopes_{};
   double stiffness_ = 0;
-  Flight<double> applied_{};
-  std::array<double, 7> push_series_{};  // of push(t) in t
-  double series_reach_ = 0;
+  const ContactPush* push_ = nullptr;
   int direction_ = 0;
   double horizon_ = 0;
   std::int64_t* evaluations_ = nullptr;

@@ -49,6 +49,7 @@ Stumpff<Scalar> stumpff(const Scalar& u) {
                                            -1.0 / 355687428096000,
                                            1.0 / 121645100408832000};
     // NOTE: most flights turn by little; what is left out stays below 1e-16.
+    if (value(q) < 1e-8) return {series<2>(q, even), series<2>(q, odd)};
     if (value(q) < 1e-4) return {series<3>(q, even), series<3>(q, odd)};
     if (value(q) < 1.0 / 64) return {series<5>(q, even), series<5>(q, odd)};
     return {series<9>(q, even), series<9>(q, odd)};
@@ -72,6 +73,20 @@ struct Motion {
   Scalar acceleration;  ///< [m/s^2]
 };
 
+/// The forces of a path alone.
+struct Push {
+  double acceleration;  ///< [m/s^2]
+  double jerk;          ///< [m/s^3]
+};
+
+/// Bounds on what the forces of a path can do: for harmonics over all time.
+struct ForceBounds {
+  double acceleration = 0;   ///< [m/s^2], steady part included
+  double jerk = 0;           ///< [m/s^3]
+  double snap = 0;           ///< [m/s^4]
+  double shortest_step = 0;  ///< [s], below which the forces do not change within rounding
+};
+
 /// Free motion in closed form under x'' = steady + sum of harmonics, from a given start.
 /// The constant part holds friction, so a flight is valid only while the velocity keeps its sign.
 template <class Scalar>
@@ -82,13 +97,13 @@ struct Flight {
   std::array<Harmonic<Scalar>, 2> harmonic;  ///< driver plate, disturbance
   int harmonics = 2;                         ///< how many of them act
 
-  /// Exact up to rounding at any t >= 0 [s] from the flight's start. Where the harmonics are when
-  /// the flight ends goes to `turned`, if asked for.
+  /// Exact up to rounding at any t [s] from the flight's start. Where the harmonics are then goes
+  /// to `turned`, if asked for.
   Motion<Scalar> at(const Scalar& t, std::array<Harmonic<Scalar>, 2>* turned = nullptr) const {
     Motion<Scalar> m{position + t * (velocity + steady * t * constant<Scalar>(0.5)),
                      velocity + steady * t, steady};
     for (int i = 0; i < harmonics; ++i) {
-      const auto& h = harmonic[static_cast<std::size_t>(i)];
+      const auto& h = acting(i);
       const Scalar u = h.frequency * t;
       const auto [c2, c3] = stumpff(u);
       const Scalar one = constant<Scalar>(1.0);
@@ -108,14 +123,144 @@ struct Flight {
     return m;
   }
 
-  /// x''' [m/s^3] at the start of the flight.
+  /// Moves the origin of the position by -`by` [m].
+  void shift(const Scalar& by) { position += by; }
+
+  /// The forces at any t >= 0 [s], more exactly than at() where t is long.
+  Push push_at(double t) const {
+    Push push{value(steady), 0};
+    for (int i = 0; i < harmonics; ++i) {
+      const Harmonic<double> h = plain().acting(i);
+      const double c = std::cos(h.frequency * t);
+      const double s = std::sin(h.frequency * t);
+      push.acceleration += h.cosine * c - h.sine * s;
+      push.jerk -= h.frequency * (h.cosine * s + h.sine * c);
+    }
+    return push;
+  }
+
+  /// Adds a steady acceleration [m/s^2].
+  void push(const Scalar& by) { steady += by; }
+
+  /// Lets `t` [s] pass: the same flight, begun later.
+  void advance(const Scalar& t) {
+    const Motion<Scalar> m = at(t, &harmonic);
+    position = m.position;
+    velocity = m.velocity;
+  }
+
+  /// The second derivative of the position [m/s^2] at the start of the flight.
+  Scalar acceleration() const {
+    Scalar sum = steady;
+    for (int i = 0; i < harmonics; ++i) sum += acting(i).cosine;
+    return sum;
+  }
+
+  /// The third [m/s^3].
   Scalar jerk() const {
     Scalar sum = constant<Scalar>(0.0);
+    for (int i = 0; i < harmonics; ++i) sum -= acting(i).frequency * acting(i).sine;
+    return sum;
+  }
+
+  /// The fourth [m/s^4].
+  Scalar snap() const {
+    Scalar sum = constant<Scalar>(0.0);
     for (int i = 0; i < harmonics; ++i) {
-      const auto& h = harmonic[static_cast<std::size_t>(i)];
-      sum -= h.frequency * h.sine;
+      sum -= acting(i).frequency * acting(i).frequency * acting(i).cosine;
     }
     return sum;
+  }
+
+  /// Sum of the magnitudes that make up acceleration() [m/s^2]: what its rounding is relative to.
+  double size() const {
+    double sum = std::abs(value(steady));
+    for (int i = 0; i < harmonics; ++i) sum += std::abs(value(acting(i).cosine));
+    return sum;
+  }
+
+  /// A bound over all time on the jerk [m/s^3], at most sqrt(2) times the sum of the amplitudes.
+  double jerk_bound() const {
+    double bound = 0;
+    for (int i = 0; i < harmonics; ++i) {
+      const auto& h = acting(i);
+      bound += value(h.frequency) * (std::abs(value(h.cosine)) + std::abs(value(h.sine)));
+    }
+    return bound;
+  }
+
+  ForceBounds bounds() const {
+    ForceBounds bounds;
+    bounds.acceleration = std::abs(value(steady));
+    double fastest = 0;
+    const auto add = [&](double cosine, double sine, double frequency) {
+      const double amplitude = std::sqrt(cosine * cosine + sine * sine);
+      bounds.jerk += amplitude * frequency;
+      bounds.snap += amplitude * frequency * frequency;
+      if (amplitude > 0) fastest = std::fmax(fastest, frequency);
+      return amplitude;
+    };
+    const Flight<double> f = plain();
+    const auto& [plate, disturbance] = f.harmonic;
+    if (harmonics == 2 && plate.frequency == disturbance.frequency) {
+      // As one harmonic: two that all but cancel would have the search creep.
+      add(plate.cosine + disturbance.cosine, plate.sine + disturbance.sine, plate.frequency);
+      bounds.acceleration += std::abs(plate.cosine) + std::abs(plate.sine) +
+                             std::abs(disturbance.cosine) + std::abs(disturbance.sine);
+    } else {
+      for (int i = 0; i < harmonics; ++i) {
+        bounds.acceleration += add(f.acting(i).cosine, f.acting(i).sine, f.acting(i).frequency);
+      }
+    }
+    bounds.shortest_step = fastest > 0 ? 1e-8 / fastest : 0.0;
+    return bounds;
+  }
+
+  /// The first Taylor coefficients of the acceleration at the start, which give it without loss up
+  /// to `reach` [s].
+  struct Taylor {
+    std::array<double, 7> coefficient;
+    double reach;
+  };
+  Taylor taylor() const {
+    Taylor taylor{{value(steady)}, 0};
+    double fastest = 0;
+    for (int i = 0; i < harmonics; ++i) {
+      const double frequency = value(acting(i).frequency);
+      double even = value(acting(i).cosine);
+      double odd = -value(acting(i).sine) * frequency;
+      for (std::size_t k = 0; k < taylor.coefficient.size(); k += 2) {
+        taylor.coefficient[k] += even;
+        if (k + 1 < taylor.coefficient.size()) taylor.coefficient[k + 1] += odd;
+        const auto order = static_cast<double>(k);
+        even *= -frequency * frequency / ((order + 1) * (order + 2));
+        odd *= -frequency * frequency / ((order + 2) * (order + 3));
+      }
+      fastest = std::fmax(fastest, frequency);
+    }
+    taylor.reach = 0.02 / fastest;
+    return taylor;
+  }
+
+  /// A lower bound on the speed in `direction` over the next `time` [s], and what the speed swings
+  /// about but for the steady part [m/s].
+  struct Speeds {
+    double least, mean;
+  };
+  Speeds speeds(int direction, double time) const {
+    const double start = direction * value(velocity);
+    Speeds speeds{start + std::fmin(direction * value(steady), 0.0) * time, start};
+    for (int i = 0; i < harmonics; ++i) {
+      const double cosine = value(acting(i).cosine);
+      const double sine = value(acting(i).sine);
+      const double frequency = value(acting(i).frequency);
+      const double amplitude = std::sqrt(cosine * cosine + sine * sine);
+      const double swing = (amplitude + direction * sine) / frequency;
+      const bool slow = !(swing < amplitude * time);  // not a number where frequency is 0
+      speeds.least -= slow ? amplitude * time : swing;
+      if (!slow) speeds.mean -= direction * sine / frequency;
+    }
+    return speeds;
   }
 
   /// The plain values, for searching events.
@@ -127,6 +272,8 @@ struct Flight {
     }
     return result;
   }
+
+  const Harmonic<Scalar>& acting(int i) const { return harmonic[static_cast<std::size_t>(i)]; }
 };
 
 }  // namespace ricochet::carrier_track

@@ -22,7 +22,8 @@ class Recorder : public Observer {
     if (std::isfinite(spacing_)) recording_.path.push_back({time, position, velocity});
   }
 
-  void stretch(double time, const Flight<double>& flight, double duration) {
+  template <class Path>
+  void stretch(double time, const Path& flight, double duration) {
     if (!std::isfinite(spacing_)) return;
     const auto pieces = std::max(1.0, std::ceil(duration / spacing_));
     for (double i = 0; i <= pieces; ++i) {

@@ -15,10 +15,16 @@ template <class Scalar, class SomeObserver>
 End<Scalar> simulate(const BasicScene<Scalar>& scene, SomeObserver& observer) {
   if (scene.fidelity == Fidelity::compliant) {
     if constexpr (std::is_same_v<Scalar, double>) {
+      if (!scene.profile.empty()) {
+        return CompliantModel<ProfileForces<double>>(scene).run(observer);
+      }
       return CompliantModel(scene).run(observer);
     } else {
       throw std::invalid_argument("a compliant wall carries no derivatives");
     }
+  }
+  if (!scene.profile.empty()) {
+    return ImpactModel<Scalar, ProfileForces<Scalar>>(scene).run(observer);
   }
   return ImpactModel<Scalar>(scene).run(observer);
 }

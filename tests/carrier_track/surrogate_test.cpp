@@ -214,7 +214,7 @@ TEST(Surrogate, HasASlopeForABodyThatStartsAtRestAtAWall) {
 }
 
 TEST(Surrogate, HasASlopeWhereAnImpactOnlyTouches) {
-  // Thrown up with the apex at the wall: some touch it at exactly 0 m/s, where dt/dx is infinite.
+  // Thrown up with the apex at the wall: some touch it at next to 0 m/s, where dt/dx is infinite.
   int touches = 0;
   for (double velocity = 0.5; velocity < 10; velocity += 0.5) {
     for (double gravity = 0.5; gravity < 10; gravity += 0.5) {
@@ -228,7 +228,7 @@ TEST(Surrogate, HasASlopeWhereAnImpactOnlyTouches) {
       auto dual = lifted<Jet>(scene);
       dual.start_velocity.v[0] = 1.0;
       EXPECT_TRUE(std::isfinite(objective(dual, default_width).v[0])) << velocity << " " << gravity;
-      for (const auto& hit : watch(scene).hits) touches += hit.speed == 0;
+      for (const auto& hit : watch(scene).hits) touches += hit.speed < 1e-9;
     }
   }
   EXPECT_GT(touches, 0);

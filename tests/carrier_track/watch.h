@@ -1,5 +1,6 @@
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "problems/carrier_track/simulate.h"
@@ -27,8 +28,10 @@ struct Watched : Observer {
     hits.push_back({time, wall, speed});
   }
   void peak(const Scalar& time, const Scalar& position) { tops.push_back({time, position}); }
-  void stretch(const Scalar& time, const Flight<Scalar>& flight, const Scalar& duration) {
-    stretches.push_back({time, flight, duration});
+  /// Those of a speed profile are not kept.
+  template <class Path>
+  void stretch(const Scalar& time, const Path& path, const Scalar& duration) {
+    if constexpr (std::is_same_v<Path, Flight<Scalar>>) stretches.push_back({time, path, duration});
   }
 
   std::vector<Hit> hits;

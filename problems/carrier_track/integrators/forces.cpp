@@ -7,11 +7,65 @@
 
 namespace ricochet::carrier_track {
 
+ProfilePlate::Plate ProfilePlate::plate(double time) const {
+  const auto next =
+      std::find_if(knots.begin(), knots.end(), [&](const Knot& knot) { return time < knot.time; });
+  if (next == knots.begin()) {
+    return {next->alpha + next->omega * (time - next->time), next->omega, 0};
+  }
+  const Knot& last = *(next - 1);
+  const double since = time - last.time;
+  const double slope =
+      next == knots.end() ? 0.0 : (next->omega - last.omega) / (next->time - last.time);
+  return {last.alpha + since * (last.omega + 0.5 * slope * since), last.omega + slope * since,
+          slope};
+}
+
+double ProfilePlate::applied(double time) const {
+  const auto [alpha, omega, slope] = plate(time);
+  return steady + square * omega * omega +
+         (cosine + square_cosine * omega * omega) * std::cos(alpha) -
+         slider * slope * std::sin(alpha);
+}
+
+double ProfilePlate::applied_rate(double time) const {
+  const auto [alpha, omega, slope] = plate(time);
+  return 2 * square * omega * slope + 2 * square_cosine * omega * slope * std::cos(alpha) -
+         (cosine + square_cosine * omega * omega) * omega * std::sin(alpha) -
+         slider * slope * omega * std::cos(alpha);
+}
+
 double Forces::shortest_period() const {
+  double plate = 0;
+  for (const auto& knot : profile.knots) plate = std::max(plate, knot.omega);
   const double fastest =
       std::max(turning != 0 ? omega : 0.0, disturbance != 0 ? disturbance_frequency : 0.0);
-  return 2 * std::numbers::pi / fastest;
+  return 2 * std::numbers::pi / std::max(plate, fastest);
 }
+
+namespace {
+
+ProfilePlate profile_of(const Scene& scene) {
+  ProfilePlate plate;
+  const double centrifugal = scene.centrifugal_mass_radius / scene.mass;
+  plate.slider = scene.slider_mass_radius / scene.mass;
+  plate.square_cosine = -plate.slider;
+  (scene.pull_rotates ? plate.cosine : plate.steady) = -scene.pull / scene.mass;
+  if (scene.centrifugal == Centrifugal::projected) plate.square_cosine += centrifugal;
+  if (scene.centrifugal == Centrifugal::inward) plate.square = -centrifugal;
+  if (scene.centrifugal == Centrifugal::outward) plate.square = centrifugal;
+  double alpha = scene.phase + scene.profile.front().omega * scene.profile.front().time;
+  for (const auto& [time, omega] : scene.profile) {
+    if (!plate.knots.empty()) {
+      const auto& last = plate.knots.back();
+      alpha += (time - last.time) * 0.5 * (last.omega + omega);
+    }
+    plate.knots.push_back({time, alpha, omega});
+  }
+  return plate;
+}
+
+}  // namespace
 
 Forces forces_of(const Scene& scene) {
   Forces forces;
@@ -23,6 +77,10 @@ Forces forces_of(const Scene& scene) {
   if (scene.centrifugal == Centrifugal::projected) forces.turning += centrifugal;
   if (scene.centrifugal == Centrifugal::inward) forces.steady -= centrifugal;
   if (scene.centrifugal == Centrifugal::outward) forces.steady += centrifugal;
+  if (!scene.profile.empty()) {
+    forces.profile = profile_of(scene);
+    forces.steady = forces.turning = 0;
+  }
   forces.omega = scene.omega;
   forces.phase = scene.phase;
   forces.disturbance = scene.disturbance / scene.mass;

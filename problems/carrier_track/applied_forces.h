@@ -40,6 +40,24 @@ class AppliedForces {
     harmonics_ = value(scene.disturbance) == 0.0 ? 1 : 2;
   }
 
+  /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
+  /// disturbance, and sin alpha is the cosine of an angle a quarter turn behind.
+  static AppliedForces across(const BasicScene<Scalar>& scene) {
+    using std::cos;
+    using std::sin;
+    const Scalar zero = constant<Scalar>(0.0);
+    Scalar turning = scene.slider_mass_radius * scene.omega * scene.omega;
+    if (scene.pull_rotates) turning += scene.pull;
+    const Scalar amplitude = turning / scene.mass;
+    AppliedForces forces(scene);
+    forces.steady_ = scene.across.value().pull / scene.mass;
+    forces.harmonic_[0] = {amplitude * sin(scene.phase), -amplitude * cos(scene.phase),
+                           scene.omega};
+    forces.harmonic_[1] = {zero, zero, scene.disturbance_frequency};
+    forces.harmonics_ = 1;
+    return forces;
+  }
+
   const Scalar& steady() const { return steady_; }
   const std::array<Harmonic<Scalar>, 2>& harmonic() const { return harmonic_; }
 

@@ -26,12 +26,16 @@ struct Watched : Observer {
   void impact(const Scalar& time, Wall wall, const Scalar& speed) {
     hits.push_back({time, wall, speed});
   }
+  void across_impact(const Scalar& time, Wall wall, const Scalar& speed) {
+    across.push_back({time, wall, speed});
+  }
   void peak(const Scalar& time, const Scalar& position) { tops.push_back({time, position}); }
   void stretch(const Scalar& time, const Flight<Scalar>& flight, const Scalar& duration) {
     stretches.push_back({time, flight, duration});
   }
 
   std::vector<Hit> hits;
+  std::vector<Hit> across;  ///< in y
   std::vector<Top> tops;
   std::vector<Stretch> stretches;
   End<Scalar> end{};

@@ -18,17 +18,17 @@ class AppliedForces {
  public:
   using Path = Flight<Scalar>;
 
-  explicit AppliedForces(const BasicScene<Scalar>& scene) {
-    using std::cos;
-    using std::sin;
-    const PlateForces<Scalar> plate = plate_forces(scene);
-    const Scalar square = scene.omega * scene.omega;
-    const Scalar amplitude = plate.cosine + plate.square_cosine * square;
-    still_.steady = plate.steady + plate.square * square;
-    still_.harmonic[0] = {amplitude * cos(scene.phase), amplitude * sin(scene.phase), scene.omega};
-    still_.harmonic[1] = {scene.disturbance / scene.mass, constant<Scalar>(0.0),
-                          scene.disturbance_frequency};
-    still_.harmonics = value(scene.disturbance) == 0.0 ? 1 : 2;
+  explicit AppliedForces(const BasicScene<Scalar>& scene)
+      : AppliedForces(scene, plate_forces(scene)) {}
+
+  /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
+  /// disturbance.
+  static AppliedForces across(const BasicScene<Scalar>& scene) {
+    const Scalar zero = constant<Scalar>(0.0);
+    AppliedForces forces(scene, plate_forces_across(scene));
+    forces.still_.harmonic[1] = {zero, zero, scene.disturbance_frequency};
+    forces.still_.harmonics = 1;
+    return forces;
   }
 
   /// The acceleration now [m/s^2].
@@ -67,6 +67,22 @@ class AppliedForces {
   void arrive(const Path& there, const Scalar& /*time*/) { still_.harmonic = there.harmonic; }
 
  private:
+  AppliedForces(const BasicScene<Scalar>& scene, const PlateForces<Scalar>& plate) {
+    using std::cos;
+    using std::sin;
+    const Scalar square = scene.omega * scene.omega;
+    const Scalar cosine = plate.cosine + plate.square_cosine * square;
+    const Scalar sine = plate.sine + plate.square_sine * square;
+    const Scalar c = cos(scene.phase);
+    const Scalar s = sin(scene.phase);
+    still_.steady = plate.steady + plate.square * square;
+    // sin alpha is the cosine of an angle a quarter turn behind.
+    still_.harmonic[0] = {cosine * c + sine * s, cosine * s - sine * c, scene.omega};
+    still_.harmonic[1] = {scene.disturbance / scene.mass, constant<Scalar>(0.0),
+                          scene.disturbance_frequency};
+    still_.harmonics = value(scene.disturbance) == 0.0 ? 1 : 2;
+  }
+
   Path still_{};  // of a body at rest at zero
 };
 

@@ -139,6 +139,18 @@ struct Flight {
     return push;
   }
 
+  /// Adds `factor` times the forces of a flight whose harmonics have the same frequencies.
+  void add(double factor, const Flight& other) {
+    const Scalar by = constant<Scalar>(factor);
+    steady += by * other.steady;
+    for (int i = 0; i < other.harmonics; ++i) {
+      auto& h = harmonic[static_cast<std::size_t>(i)];
+      h.cosine += by * other.acting(i).cosine;
+      h.sine += by * other.acting(i).sine;
+    }
+    harmonics = harmonics > other.harmonics ? harmonics : other.harmonics;
+  }
+
   /// Adds a steady acceleration [m/s^2].
   void push(const Scalar& by) { steady += by; }
 

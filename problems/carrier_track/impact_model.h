@@ -15,6 +15,7 @@
 #include "problems/carrier_track/peak_watch.h"
 #include "problems/carrier_track/profile_forces.h"
 #include "problems/carrier_track/scene.h"
+#include "problems/carrier_track/zeno_tail.h"
 
 namespace ricochet::carrier_track {
 
@@ -34,6 +35,10 @@ struct Observer {
   /// An impact at `time` [s] with approach speed [m/s] >= 0; slow ones too, until the body sticks.
   template <class Scalar>
   void impact(const Scalar& /*time*/, Wall /*wall*/, const Scalar& /*speed*/) {}
+
+  /// The same on a wall of the second direction, y, of fidelity planar. It does not count.
+  template <class Scalar>
+  void across_impact(const Scalar& /*time*/, Wall /*wall*/, const Scalar& /*speed*/) {}
 
   /// A local maximum of x [m], first reached at `time` [s]; the ends of the window are none.
   template <class Scalar>
@@ -214,7 +219,6 @@ class ImpactModel {
   /// Leaves the wall with `speed`, or comes to rest there when a Zeno sequence ends the bouncing.
   template <class SomeObserver>
   void rebound(SomeObserver& observer, const Scalar& speed, const Scalar& restitution) {
-    using std::sqrt;
     velocity_ = constant<Scalar>(direction_) * speed;
     if (value(speed) > resting_speed) return;
     const Scalar press = -constant<Scalar>(direction_) * forces_.sum();  // into the wall
@@ -224,14 +228,10 @@ class ImpactModel {
     }
     Scalar remaining = constant<Scalar>(0.0);
     if (value(press) > value(friction_) && value(speed) > 0) {
-      // Each hop slows by press + friction and falls by press - friction: a geometric series.
-      const Scalar up = press + friction_;
-      const Scalar down = press - friction_;
-      const Scalar ratio = restitution * sqrt(down / up);
-      remaining = speed * (constant<Scalar>(1.0) / up + constant<Scalar>(1.0) / sqrt(up * down)) /
-                  (constant<Scalar>(1.0) - ratio);
+      remaining = zeno_tail(speed, restitution, press, friction_);
       // The force must keep still over the sum, unless the hops are lost in rounding anyway.
-      const bool still = forces_.jerk_bound() * value(remaining) <= 1e-3 * value(down) &&
+      const double down = value(press) - value(friction_);
+      const bool still = forces_.jerk_bound() * value(remaining) <= 1e-3 * down &&
                          value(remaining) <= value(forces_.reach());
       if (!still && value(speed) > 1e-15) return;
     }

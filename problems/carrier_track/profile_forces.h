@@ -18,13 +18,12 @@ class ProfileForces {
   using Path = RampFlight<Scalar>;
 
   explicit ProfileForces(const BasicScene<Scalar>& scene)
-      : knots_(scene.profile),
-        now_{plate_forces(scene),
-             {scene.disturbance / scene.mass, constant<Scalar>(0.0), scene.disturbance_frequency},
-             scene.phase,
-             scene.profile.front().omega,
-             constant<Scalar>(0.0)} {
-    begin_leg();
+      : ProfileForces(scene, plate_forces(scene), scene.disturbance / scene.mass) {}
+
+  /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
+  /// disturbance.
+  static ProfileForces across(const BasicScene<Scalar>& scene) {
+    return ProfileForces(scene, plate_forces_across(scene), constant<Scalar>(0.0));
   }
 
   /// The acceleration now [m/s^2].
@@ -37,8 +36,8 @@ class ProfileForces {
   double strongest() const {
     RampForces<Scalar> forces = now_;
     double strongest = 0;
-    for (std::size_t k = 0; k < knots_.size(); ++k) {
-      forces.omega = knots_[k].omega;
+    for (std::size_t k = 0; k < knots().size(); ++k) {
+      forces.omega = knots()[k].omega;
       for (const std::size_t end : {k, k + 1}) {
         forces.slope = slope_to(end);
         const Scalar zero = constant<Scalar>(0.0);
@@ -81,6 +80,19 @@ class ProfileForces {
   void arrive(const Path& /*there*/, const Scalar& time) { pass(time); }
 
  private:
+  ProfileForces(const BasicScene<Scalar>& scene, const PlateForces<Scalar>& plate,
+                const Scalar& disturbance)
+      : knots_(&scene.profile),
+        now_{plate,
+             {disturbance, constant<Scalar>(0.0), scene.disturbance_frequency},
+             scene.phase,
+             scene.profile.front().omega,
+             constant<Scalar>(0.0)} {
+    begin_leg();
+  }
+
+  const std::vector<SpeedKnot<Scalar>>& knots() const { return *knots_; }
+
   Path still() const {
     const Scalar zero = constant<Scalar>(0.0);
     return flight(zero, zero, zero);
@@ -88,18 +100,18 @@ class ProfileForces {
 
   /// Slope of omega [rad/s^2] on the leg that ends at a knot; after the last the speed holds.
   Scalar slope_to(std::size_t knot) const {
-    if (knot == 0 || knot >= knots_.size()) return constant<Scalar>(0.0);
-    return (knots_[knot].omega - knots_[knot - 1].omega) *
-           constant<Scalar>(1 / (knots_[knot].time - knots_[knot - 1].time));
+    if (knot == 0 || knot >= knots().size()) return constant<Scalar>(0.0);
+    return (knots()[knot].omega - knots()[knot - 1].omega) *
+           constant<Scalar>(1 / (knots()[knot].time - knots()[knot - 1].time));
   }
 
   Scalar left_of_leg() const {
-    if (next_ == knots_.size()) return constant<Scalar>(std::numeric_limits<double>::infinity());
-    return constant<Scalar>(knots_[next_].time) - time_;
+    if (next_ == knots().size()) return constant<Scalar>(std::numeric_limits<double>::infinity());
+    return constant<Scalar>(knots()[next_].time) - time_;
   }
 
   void begin_leg() {
-    if (next_ > 0) now_.omega = knots_[next_ - 1].omega;
+    if (next_ > 0) now_.omega = knots()[next_ - 1].omega;
     now_.slope = slope_to(next_);
   }
 
@@ -116,8 +128,8 @@ class ProfileForces {
     now_.disturbance = swinging.harmonic[0];
   }
 
-  const std::vector<SpeedKnot<Scalar>>& knots_;
-  std::size_t next_ = 0;  // knot
+  const std::vector<SpeedKnot<Scalar>>* knots_;  // of the scene
+  std::size_t next_ = 0;                         // knot
   Scalar time_ = constant<Scalar>(0.0);
   RampForces<Scalar> now_;
 };

@@ -89,6 +89,22 @@ class RampFlight {
     return {there.acceleration(), there.jerk()};
   }
 
+  /// Adds `factor` times the forces of a flight that begins at the same time.
+  void add(double factor, const RampFlight& other) {
+    const Scalar by = constant<Scalar>(factor);
+    for (std::size_t k = 0; k < terms; ++k) series_[k] += by * other.series_[k];
+    acceleration_ += by * other.acceleration_;
+    jerk_ += by * other.jerk_;
+    snap_ += by * other.snap_;
+    const double size = std::abs(factor);
+    size_ += size * other.size_;
+    bounds_.acceleration += size * other.bounds_.acceleration;
+    bounds_.jerk += size * other.bounds_.jerk;
+    bounds_.snap += size * other.bounds_.snap;
+    bounds_.shortest_step = std::fmin(bounds_.shortest_step, other.bounds_.shortest_step);
+    reach_ = std::fmin(reach_, other.reach_);
+  }
+
   /// Adds a steady acceleration [m/s^2].
   void push(const Scalar& by) {
     series_[0] += by;
@@ -166,11 +182,18 @@ class RampFlight {
     Scalar even = disturbance.cosine;
     Scalar odd = -disturbance.frequency * disturbance.sine;
     const Scalar turning = disturbance.frequency * disturbance.frequency;
+    const Scalar still_cosine = plate.cosine + plate.slope_cosine * slope;
+    const Scalar still_sine = plate.sine + plate.slope_sine * slope;
     for (std::size_t k = 0; k < terms; ++k) {
-      Scalar turned = zero;
-      for (std::size_t i = 0; i < 3 && i <= k; ++i) turned += square[i] * cosine[k - i];
-      series_[k] = plate.cosine * cosine[k] + plate.square_cosine * turned -
-                   plate.slope_sine * slope * sine[k] + (k % 2 == 0 ? even : odd);
+      Scalar turning_cosine = zero;
+      Scalar turning_sine = zero;
+      for (std::size_t i = 0; i < 3 && i <= k; ++i) {
+        turning_cosine += square[i] * cosine[k - i];
+        turning_sine += square[i] * sine[k - i];
+      }
+      series_[k] = still_cosine * cosine[k] + plate.square_cosine * turning_cosine +
+                   still_sine * sine[k] + plate.square_sine * turning_sine +
+                   (k % 2 == 0 ? even : odd);
       if (k < 3) series_[k] += plate.square * square[k];
       if (k % 2 == 1) {
         const auto order = static_cast<double>(k);
@@ -195,18 +218,18 @@ class RampFlight {
     const auto& plate = forces.plate;
     const double steady = std::abs(value(plate.steady));
     const double square = std::abs(value(plate.square));
-    const double cosine = std::abs(value(plate.cosine));
-    const double square_cosine = std::abs(value(plate.square_cosine));
-    const double slope_sine = std::abs(value(plate.slope_sine)) * slope;
-    const double turning = cosine + square_cosine * omega * omega;
-    const double turning_rate = 2 * square_cosine * omega * slope;
-    size_ = steady + square * omega * omega + turning + slope_sine + disturbance;
+    const double still = std::hypot(value(plate.cosine), value(plate.sine)) +
+                         slope * std::hypot(value(plate.slope_cosine), value(plate.slope_sine));
+    const double squared = std::hypot(value(plate.square_cosine), value(plate.square_sine));
+    const double turning = still + squared * omega * omega;
+    const double turning_rate = 2 * squared * omega * slope;
+    size_ = steady + square * omega * omega + turning + disturbance;
     bounds_.acceleration = size_;
-    bounds_.jerk = 2 * square * omega * slope + turning * omega + turning_rate +
-                   slope_sine * omega + disturbance * frequency;
+    bounds_.jerk =
+        2 * square * omega * slope + turning * omega + turning_rate + disturbance * frequency;
     bounds_.snap = 2 * square * slope * slope + turning * (omega * omega + slope) +
-                   2 * turning_rate * omega + 2 * square_cosine * slope * slope +
-                   slope_sine * (omega * omega + slope) + disturbance * frequency * frequency;
+                   2 * turning_rate * omega + 2 * squared * slope * slope +
+                   disturbance * frequency * frequency;
     bounds_.shortest_step = fastest > 0 ? 1e-8 / fastest : 0.0;
   }
 

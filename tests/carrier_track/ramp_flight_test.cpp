@@ -13,7 +13,8 @@ namespace {
 
 RampForces<double> random_forces(RandomScenes& draws) {
   const auto within = [&](double a, double b) { return draws.within(a, b); };
-  return {{within(-1, 1), within(-0.1, 0.1), within(-1, 1), within(-0.1, 0.1), within(0, 0.1)},
+  return {{within(-1, 1), within(-0.1, 0.1), within(-1, 1), within(-0.1, 0.1), within(-0.1, 0.1),
+           within(-1, 1), within(-0.1, 0.1), within(-0.1, 0.1)},
           {within(-1, 1), within(-1, 1), draws.log_within(0.3, 30)},
           within(-4, 4),
           draws.log_within(0.3, 20),
@@ -26,9 +27,11 @@ double acceleration(const RampForces<double>& f, double t) {
   const double alpha = f.alpha + t * (f.omega + f.slope * t / 2);
   const double angle = f.disturbance.frequency * t;
   return f.plate.steady + f.plate.square * omega * omega +
-         (f.plate.cosine + f.plate.square_cosine * omega * omega) * std::cos(alpha) -
-         f.plate.slope_sine * f.slope * std::sin(alpha) + f.disturbance.cosine * std::cos(angle) -
-         f.disturbance.sine * std::sin(angle);
+         (f.plate.cosine + f.plate.square_cosine * omega * omega + f.plate.slope_cosine * f.slope) *
+             std::cos(alpha) +
+         (f.plate.sine + f.plate.square_sine * omega * omega + f.plate.slope_sine * f.slope) *
+             std::sin(alpha) +
+         f.disturbance.cosine * std::cos(angle) - f.disturbance.sine * std::sin(angle);
 }
 
 TEST(RampFlight, IsTheDoubleIntegralOfTheForcesOverItsReach) {
@@ -94,7 +97,8 @@ TEST(RampFlight, CarriesDerivativesWithRespectToTheSlope) {
       const auto lift = [](double x) { return constant<Scalar>(x); };
       const RampForces<Scalar> forces{
           {lift(f.plate.steady), lift(f.plate.square), lift(f.plate.cosine),
-           lift(f.plate.square_cosine), lift(f.plate.slope_sine)},
+           lift(f.plate.square_cosine), lift(f.plate.slope_cosine), lift(f.plate.sine),
+           lift(f.plate.square_sine), lift(f.plate.slope_sine)},
           {lift(f.disturbance.cosine), lift(f.disturbance.sine), lift(f.disturbance.frequency)},
           lift(f.alpha),
           lift(f.omega),

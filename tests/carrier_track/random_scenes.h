@@ -48,6 +48,23 @@ class RandomScenes {
     return scene;
   }
 
+  /// One with a second direction, whose forces are of the size of those of the first.
+  Scene next_planar() {
+    Scene scene = next();
+    scene.fidelity = Fidelity::planar;
+    Across<double>& y = scene.across.emplace();
+    y.pull = scene.pull_rotates || chance(0.2) ? 0.0 : within(-1.5, 1.5);
+    y.wall_lower = chance(0.5) ? 0.0 : within(-2e-3, 1e-3);
+    const double gap = log_within(0.2e-3, 5e-3);
+    y.wall_upper = y.wall_lower + gap;
+    y.restitution_lower = restitution();
+    y.restitution_upper = chance(0.5) ? y.restitution_lower : restitution();
+    y.start_position = y.wall_lower + gap * share_of_gap();
+    y.start_velocity = chance(0.3) ? 0.0 : within(-0.1, 0.1);
+    if (chance(0.1)) y.wall_upper = std::numeric_limits<double>::infinity();
+    return scene;
+  }
+
   double within(double a, double b) {
     return a + (b - a) * static_cast<double>(random_() >> 11) * 0x1p-53;
   }

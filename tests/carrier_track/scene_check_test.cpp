@@ -33,6 +33,7 @@ TEST(SceneCheck, AcceptsTheDefaultsTheReadingsAndRandomScenes) {
   for (const Reading& reading : all_readings()) EXPECT_NO_THROW(check(reading.scene, reading.name));
   RandomScenes scenes(31);
   for (int i = 0; i < 1000; ++i) EXPECT_NO_THROW(check(scenes.next(), "machine"));
+  for (int i = 0; i < 1000; ++i) EXPECT_NO_THROW(check(scenes.next_planar(), "machine"));
 }
 
 TEST(SceneCheck, AcceptsTheEdgesOfEveryRange) {
@@ -99,6 +100,54 @@ TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
       EXPECT_THAT(message, HasSubstr(wrong.allowed)) << value;
     }
   }
+}
+
+struct WrongAcross {
+  double Across<double>::*field;
+  std::string key;
+  std::string allowed;
+  std::vector<double> values;
+};
+
+TEST(SceneCheck, NamesEveryFieldOfTheSecondDirectionOutOfItsRange) {
+  using Y = Across<double>;
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  for (const WrongAcross& wrong : {
+           WrongAcross{&Y::pull, "across.pull", "finite", {infinity, -infinity, nan}},
+           WrongAcross{&Y::wall_lower, "across.wall_lower", "finite", {-infinity, nan}},
+           WrongAcross{&Y::wall_upper, "across.wall_upper", "> wall_lower = 0", {0, -1, nan}},
+           WrongAcross{&Y::restitution_lower, "across.restitution", "0..1", {-tiny, 1.0001, nan}},
+           WrongAcross{&Y::restitution_upper, "across.restitution", "0..1", {-tiny, 1.0001, nan}},
+           WrongAcross{&Y::start_position, "across.start_position", "0..1", {-tiny, 1.01, nan}},
+           WrongAcross{&Y::start_velocity, "across.start_velocity", "finite", {infinity, nan}},
+       }) {
+    for (const double value : wrong.values) {
+      Scene scene;
+      scene.across.emplace().*wrong.field = value;
+      const std::string message = complaint_about(scene);
+      EXPECT_THAT(message, StartsWith("machine: " + wrong.key + " = "));
+      EXPECT_THAT(message, HasSubstr(wrong.allowed)) << value;
+    }
+  }
+}
+
+TEST(SceneCheck, NeedsASecondDirectionForFidelityPlanarAlone) {
+  Scene scene;
+  scene.fidelity = Fidelity::planar;
+  EXPECT_THAT(complaint_about(scene), HasSubstr("[across]"));
+  scene.across.emplace();
+  EXPECT_EQ(complaint_about(scene), "accepted");
+  scene.fidelity = Fidelity::impact;
+  EXPECT_EQ(complaint_about(scene), "accepted");
+}
+
+TEST(SceneCheck, RefusesAPullAcrossBesideOneThatTurnsThere) {
+  Scene scene;
+  scene.pull_rotates = true;
+  scene.across.emplace();
+  EXPECT_EQ(complaint_about(scene), "accepted");
+  scene.across->pull = 1;
+  EXPECT_THAT(complaint_about(scene), StartsWith("machine: across.pull = 1: must be 0"));
 }
 
 TEST(SceneCheck, RefusesAContactSpeedThatIsNone) {

@@ -91,6 +91,17 @@ std::string with(const std::string& key, const std::string& line) {
   return text;
 }
 
+/// The complete scene with a second direction, the line of `key` in its table replaced.
+std::string with_across(const std::string& key, const std::string& line) {
+  std::string text = with("", "") + "[across]\n";
+  for (const std::string old :
+       {"pull = -0.5", "wall_lower = -1e-3", "wall_upper = 3e-3", "restitution = [0.3, 0.4]",
+        "start_position = 2e-3", "start_velocity = 0.01"}) {
+    text += (old.starts_with(key + " =") ? line : old) + "\n";
+  }
+  return text;
+}
+
 /// The one line of complaint about a file with this text; fails if there is none.
 std::string complaint_about(const std::string& text) {
   try {
@@ -121,6 +132,19 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(scene.stiffness, 2e7);
   EXPECT_EQ(scene.contact_exponent, 1.3);
   EXPECT_EQ(scene.contact_speed, 0.25);
+}
+
+TEST(SceneFile, ReadsEveryKeyOfTheSecondDirection) {
+  EXPECT_FALSE(read_scene(file_with(with("", ""))).across.has_value());
+  const Scene scene = read_scene(file_with(with_across("", "")));
+  EXPECT_EQ(scene.pull, 0.86);
+  EXPECT_EQ(scene.across.value().pull, -0.5);
+  EXPECT_EQ(scene.across->wall_lower, -1e-3);
+  EXPECT_EQ(scene.across->wall_upper, 3e-3);
+  EXPECT_EQ(scene.across->restitution_lower, 0.3);
+  EXPECT_EQ(scene.across->restitution_upper, 0.4);
+  EXPECT_EQ(scene.across->start_position, 2e-3);
+  EXPECT_EQ(scene.across->start_velocity, 0.01);
 }
 
 TEST(SceneFile, ReadsTheOtherFormsOfAKey) {
@@ -217,6 +241,41 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"contact_speed", "contact_speed = 0", "model.contact_speed = 0", "> 0"},
         Wrong{"pull", "pul = 0.86", "scene.pul", "allowed: centrifugal"}));
 
+class WrongFieldAcross : public testing::TestWithParam<Wrong> {};
+
+TEST_P(WrongFieldAcross, IsNamedWithItsValueAndTheAllowedRange) {
+  const Wrong& wrong = GetParam();
+  const std::string message = complaint_about(with_across(wrong.key, wrong.line));
+  EXPECT_THAT(message, HasSubstr(wrong.named));
+  EXPECT_THAT(message, HasSubstr(wrong.allowed));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SceneFile, WrongFieldAcross,
+    testing::Values(
+        Wrong{"pull", "pull = inf", "across.pull = inf", "finite"},
+        Wrong{"pull", "pull = \"up\"", "across.pull", "a number"},
+        Wrong{"wall_lower", "wall_lower = -inf", "across.wall_lower = -inf", "finite"},
+        Wrong{"wall_lower", "", "across.wall_lower", "missing"},
+        Wrong{"wall_upper", "wall_upper = -1e-3", "across.wall_upper = -0.001", "> wall_lower"},
+        Wrong{"wall_upper", "", "across.wall_upper", "missing"},
+        Wrong{"restitution", "restitution = -0.1", "across.restitution = -0.1", "0..1"},
+        Wrong{"restitution", "restitution = [0.1, 1.1]", "across.restitution = 1.1", "0..1"},
+        Wrong{"restitution", "", "across.restitution", "missing"},
+        Wrong{"start_position", "start_position = 4e-3", "across.start_position = 0.004",
+              "within the walls, -0.001..0.003"},
+        Wrong{"start_position", "", "across.start_position", "missing"},
+        Wrong{"start_velocity", "start_velocity = nan", "across.start_velocity = nan", "finite"},
+        Wrong{"pull", "pul = 0.5", "across.pul", "allowed: pull"}));
+
+TEST(SceneFile, NeedsASecondDirectionForTheFidelityThatMovesInIt) {
+  const std::string planar = with("fidelity", "fidelity = \"planar\"");
+  EXPECT_THAT(complaint_about(planar), HasSubstr("[across]"));
+  const std::string across = with_across("", "");
+  const std::string whole = planar + across.substr(across.find("[across]"));
+  EXPECT_EQ(read_scene(file_with(whole)).fidelity, Fidelity::planar);
+}
+
 TEST(SceneFile, NamesATableThatIsMissingOrUnknown) {
   EXPECT_THAT(complaint_about(""), HasSubstr("[scene] is missing"));
   EXPECT_THAT(complaint_about("[scene]\nmass = 1\n"), HasSubstr("[window] is missing"));
@@ -250,8 +309,17 @@ TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
     scene.restitution_upper = 0.7;
     scene.wall_upper = a_case.id == "C1" ? std::numeric_limits<double>::infinity() : 2e-3;
     scene.centrifugal = Centrifugal::outward;
-    scene.pull_rotates = true;
+    scene.pull_rotates = a_case.id != "C4";
     scene.window = Seconds{12};
+    if (a_case.id == "C3" || a_case.id == "C4") {
+      scene.across = Across<double>{scene.pull_rotates ? 0.0 : -1.0 / 3.0,
+                                    -0.1,
+                                    std::numeric_limits<double>::infinity(),
+                                    0.1,
+                                    0.3,
+                                    1.0 / 7.0,
+                                    -1e-3};
+    }
     scene.rule = CountRule::peaks;
     scene.fidelity = Fidelity::compliant;
     scene.contact_law = ContactLaw::zhiying_qishao;
@@ -260,6 +328,11 @@ TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
     if (a_case.id == "C2") scene.contact_speed = 0.1;
     const std::string text = write_scene(scene);
     EXPECT_EQ(write_scene(read_scene(file_with(text))), text);
+    EXPECT_EQ(read_scene(file_with(text)).across.has_value(), scene.across.has_value());
+    if (scene.across) {
+      EXPECT_EQ(read_scene(file_with(text)).across->pull, scene.across->pull);
+      EXPECT_EQ(read_scene(file_with(text)).across->start_position, 1.0 / 7.0);
+    }
     EXPECT_EQ(read_scene(file_with(text)).phase, scene.phase);
     EXPECT_EQ(read_scene(file_with(text)).stiffness, scene.stiffness);
     EXPECT_EQ(read_scene(file_with(text)).contact_speed, scene.contact_speed);

@@ -44,5 +44,28 @@ TEST(Simulate, HasNoDerivativesInACompliantWall) {
   EXPECT_THROW(surrogate_slope(compliant(1e8), 0.25), std::invalid_argument);
 }
 
+/// Pressed across by the pull's other part, which adds to the normal force.
+Scene planar(double pull) {
+  Scene scene = compliant(1e8);
+  scene.fidelity = Fidelity::planar;
+  scene.across.emplace().pull = pull;
+  scene.across->start_position = 1;
+  return scene;
+}
+
+TEST(Simulate, MovesInTwoDirectionsAtFidelityPlanar) {
+  Scene alone = planar(0);
+  alone.fidelity = Fidelity::impact;
+  const int count = record(alone, 0.25, 0).count;
+  EXPECT_EQ(record(planar(0), 0.25, 0).count, count);
+  alone.normal_force += 1.5;
+  EXPECT_EQ(record(planar(1.5), 0.25, 0).count, record(alone, 0.25, 0).count);
+  EXPECT_NE(record(planar(1.5), 0.25, 0).count, count);
+}
+
+TEST(Simulate, HasNoDerivativesInTwoDirections) {
+  EXPECT_THROW(surrogate_slope(planar(1), 0.25), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace ricochet::carrier_track

@@ -27,6 +27,9 @@ struct Watched : Observer {
   void impact(const Scalar& time, Wall wall, const Scalar& speed) {
     hits.push_back({time, wall, speed});
   }
+  void across_impact(const Scalar& time, Wall wall, const Scalar& speed) {
+    across.push_back({time, wall, speed});
+  }
   void peak(const Scalar& time, const Scalar& position) { tops.push_back({time, position}); }
   /// Those of a speed profile are not kept.
   template <class Path>
@@ -35,6 +38,7 @@ struct Watched : Observer {
   }
 
   std::vector<Hit> hits;
+  std::vector<Hit> across;  ///< in y
   std::vector<Top> tops;
   std::vector<Stretch> stretches;
   End<Scalar> end{};

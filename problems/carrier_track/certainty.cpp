@@ -22,11 +22,6 @@ constexpr double sensitive_growth = 1e6;
 /// The changed windows are longer, so that what comes just after the end is seen.
 constexpr double longer = 1 + same_time;
 
-/// s(z) of Certainty::growth.
-double scaled(double margin) {
-  return margin > 0 ? margin : std::expm1(margin);
-}
-
 /// Relative changes of constants, of 0.5 to 1 times constants_change either way: unequal, so that
 /// those of a mass and a force do not cancel.
 class Changes {
@@ -111,7 +106,7 @@ const Feature* counterpart(const Feature& feature, const std::vector<Feature>& o
     if (best == nullptr || feature.time - before.time < best->time - feature.time) best = &before;
   }
   if (best == nullptr || std::abs(best->time - feature.time) > same_time * duration ||
-      std::abs(scaled(best->margin) - scaled(feature.margin)) > same_margin) {
+      std::abs(best->scaled - feature.scaled) > same_margin) {
     return nullptr;
   }
   return best;
@@ -157,10 +152,10 @@ class Comparison {
         if (f.margin > 0) suspect(kind, f, Doubt::graze, given_end);
         continue;
       }
-      const double change = std::abs(scaled(other->margin) - scaled(f.margin));
+      const double change = std::abs(other->scaled - f.scaled);
       pairs_.push_back({f.time, change});
       moved_ = std::max(moved_, std::abs(other->time / other_end - f.time / given_end));
-      if (std::abs(scaled(f.margin)) <= std::max(change, constants_change)) {
+      if (std::abs(f.scaled) <= std::max(change, constants_change)) {
         suspect(kind, f, Doubt::margin, given_end);
       }
     }
@@ -171,10 +166,13 @@ class Comparison {
     }
   }
 
+  /// Twice the movement, as that of an impact just after the end, which the given testimony lacks,
+  /// is not known.
   void find_near_end(std::size_t kind, const std::vector<Feature>& features, double end) {
     for (auto f = features.rbegin(); f != features.rend(); ++f) {
       if (f->time < (1 - same_time) * end) break;
-      if (f->margin > 0 && std::abs(end - f->time) <= end * std::max(moved_, constants_change)) {
+      if (f->margin > 0 &&
+          std::abs(end - f->time) <= 2 * end * std::max(moved_, constants_change)) {
         suspect(kind, *f, Doubt::window, end);
       }
     }

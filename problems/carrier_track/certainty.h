@@ -53,8 +53,9 @@ struct Certainty {
 class Testimony : public Observer {
  public:
   struct Feature {
-    double time;  ///< [s], from which on it is known to count
-    double margin;
+    double time;    ///< [s], from which on it is known to count
+    double margin;  ///< z
+    double scaled;  ///< s(z) of Certainty::growth
   };
   enum Kind : std::size_t { lower_impact, upper_impact, high_peak, low_peak, kinds };
 
@@ -79,13 +80,14 @@ class Testimony : public Observer {
   /// A stretch without reversal; a turning point lies between one and the next if no impact does.
   template <class Path>
   void stretch(double time, const Path& path, double duration) {
-    if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * path.at(0.0).velocity > 0)) turn(time);
+    const auto start = path.at(0.0);
+    if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * start.velocity > 0)) {
+      turn(time, start.position);
+    }
     ahead_.reset();
     now_ = time + duration;
-    const double velocity = path.at(0.5 * duration).velocity;
-    if (velocity == 0) return;
-    ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
-    reached_ = path.at(duration).position;
+    const double velocity = start.velocity != 0 ? start.velocity : path.at(0.5 * duration).velocity;
+    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
   }
 
   /// In order of time.
@@ -98,14 +100,16 @@ class Testimony : public Observer {
  private:
   template <class Tell>
   void tell(Tell tell, std::size_t kind) {
-    const auto keep = [&](double z) { features_[kind++].push_back({now_, z}); };
+    const auto keep = [&](double z) {
+      features_[kind++].push_back({now_, z, z > 0 ? z : std::expm1(z)});
+    };
     Features<double, decltype(keep)> features(scene_, keep);
     tell(features);
   }
 
-  void turn(double time) {
+  void turn(double time, double position) {
     const double distance =
-        *ahead_ == Wall::upper ? scene_.wall_upper - reached_ : reached_ - scene_.wall_lower;
+        *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
     if (!(distance > 0) || std::isinf(distance)) return;
     if (!graze_ || distance < graze_->distance) graze_ = Graze{time, *ahead_, distance};
   }
@@ -116,7 +120,6 @@ class Testimony : public Observer {
   std::optional<Graze> graze_;
   double now_ = 0;             // [s]
   std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
-  double reached_ = 0;         // [m], where it ended
 };
 
 /// Certainty of the count of a valid scene, of which `testimony` is given. Simulates the scene four

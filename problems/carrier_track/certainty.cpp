@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <variant>
+
+#include "problems/carrier_track/collisions.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -196,12 +199,10 @@ bool has_impact(const Testimony& testimony, const Graze& graze, double duration)
   return first != times.end() && *first <= graze.time + same_time * duration;
 }
 
-/// The nearest graze of the one, if it comes by `time` and is an impact in the other.
-std::optional<Graze> touched(const Testimony& one, const Testimony& other, double time,
-                             double duration) {
+/// The nearest graze of the one, if it is an impact in the other.
+std::optional<Graze> touched(const Testimony& one, const Testimony& other, double duration) {
   const std::optional<Graze>& graze = one.graze();
-  if (!graze || graze->time > time + same_time * duration) return std::nullopt;
-  if (has_impact(one, *graze, duration) || !has_impact(other, *graze, duration)) {
+  if (!graze || has_impact(one, *graze, duration) || !has_impact(other, *graze, duration)) {
     return std::nullopt;
   }
   return graze;
@@ -263,6 +264,33 @@ std::optional<double> smallest_margin(const Testimony& testimony) {
 
 }  // namespace
 
+void Testimony::impact(double time, Wall wall, double speed) {
+  if (ahead_ == wall) ahead_.reset();
+  now_ = time;
+  const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
+  impacts_[kind].push_back(time);
+  const auto keep = [&](double z) { tell(kind, z); };
+  Features<double, decltype(keep)>(scene_, keep).impact(time, wall, speed);
+}
+
+void Testimony::peak(double time, double position) {
+  // It is told when the body moves down from it, which is now.
+  std::size_t kind = high_peak;
+  const auto keep = [&](double z) { tell(kind++, z); };
+  Features<double, decltype(keep)>(scene_, keep).peak(time, position);
+}
+
+void Testimony::tell(std::size_t kind, double margin) {
+  features_[kind].push_back({now_, margin, margin > 0 ? margin : std::expm1(margin)});
+}
+
+void Testimony::turn(double time, double position) {
+  const double distance =
+      *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+  if (!(distance > 0) || std::isinf(distance)) return;
+  if (!graze_ || distance < graze_->distance) graze_ = Graze{time, *ahead_, distance};
+}
+
 Certainty certainty_of(const Scene& scene, const Testimony& testimony) {
   Certainty certainty;
   certainty.margin = smallest_margin(testimony);
@@ -283,11 +311,11 @@ Certainty certainty_of(const Scene& scene, const Testimony& testimony) {
       const Comparison comparison(testimony, duration, other, near_end);
       pairs.insert(pairs.end(), comparison.pairs().begin(), comparison.pairs().end());
       const Suspect& suspect = comparison.first();
-      if (suspect.doubt == Doubt::none || suspect.time > first.time) continue;
-      first = suspect;
-      graze = touched(testimony, other, first.time, duration);
+      if (suspect.time < first.time) first = suspect;
+      if (graze) continue;
+      graze = touched(testimony, other, duration);
       graze_is_given = graze.has_value();
-      if (!graze) graze = touched(other, testimony, first.time, duration);
+      if (!graze) graze = touched(other, testimony, duration);
     }
   }
   for (const Pair& pair : pairs) {
@@ -295,6 +323,7 @@ Certainty certainty_of(const Scene& scene, const Testimony& testimony) {
     certainty.growth = std::max(certainty.growth, pair.change / constants_change);
   }
   if (first.doubt == Doubt::none) return certainty;
+  if (graze && graze->time > first.time + same_time * duration) graze.reset();
   if (graze) {
     first.doubt = Doubt::graze;
   } else if (certainty.growth >= sensitive_growth) {

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/impact_model.h"
 
 /// How far a count can be trusted. A scene's constants are known to some digits only, and a
 /// simulation rounds. So the scene is simulated again with all constants changed at once, and the
@@ -62,19 +61,8 @@ class Testimony : public Observer {
   /// Of a scene that outlives the testimony.
   explicit Testimony(const Scene& scene) : scene_(scene) {}
 
-  void impact(double time, Wall wall, double speed) {
-    if (ahead_ == wall) ahead_.reset();
-    now_ = time;
-    const Kind kind = wall == Wall::lower ? lower_impact : upper_impact;
-    impacts_[kind].push_back(time);
-    tell([&](auto& features) { features.impact(time, wall, speed); }, kind);
-  }
-
-  void peak(double time, double position) {
-    // It is told when the body moves down from it, now.
-    tell([&](auto& features) { features.peak(time, position); }, high_peak);
-  }
-
+  void impact(double time, Wall wall, double speed);
+  void peak(double time, double position);
   void contact(double time, double /*position*/, double /*velocity*/) { now_ = time; }
 
   /// A stretch without reversal; a turning point lies between one and the next if no impact does.
@@ -98,21 +86,8 @@ class Testimony : public Observer {
   const std::optional<Graze>& graze() const { return graze_; }
 
  private:
-  template <class Tell>
-  void tell(Tell tell, std::size_t kind) {
-    const auto keep = [&](double z) {
-      features_[kind++].push_back({now_, z, z > 0 ? z : std::expm1(z)});
-    };
-    Features<double, decltype(keep)> features(scene_, keep);
-    tell(features);
-  }
-
-  void turn(double time, double position) {
-    const double distance =
-        *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
-    if (!(distance > 0) || std::isinf(distance)) return;
-    if (!graze_ || distance < graze_->distance) graze_ = Graze{time, *ahead_, distance};
-  }
+  void tell(std::size_t kind, double margin);
+  void turn(double time, double position);
 
   const Scene& scene_;
   std::array<std::vector<Feature>, kinds> features_;

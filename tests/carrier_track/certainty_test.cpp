@@ -99,13 +99,14 @@ TEST(Certainty, DoubtsAMaximumAtALimit) {
   for (const bool high : {true, false}) {
     Scene scene = ball.scene();
     scene.rule = CountRule::peaks;
-    scene.peak_high = high ? second : 100;
-    scene.peak_low = high ? 1e-6 : second;
+    scene.peak_high = high ? second * (1 + 1e-10) : 100;
+    scene.peak_low = high ? 1e-6 : second * (1 + 1e-10);
     const Certainty close = certainty(scene);
     EXPECT_EQ(close.doubt, Doubt::margin) << close.reason;
-    EXPECT_LT(*close.margin, 1e-14);
+    EXPECT_NEAR(*close.margin, 1e-10, 1e-14);
     const double time = ball.impact_time(0) + ball.impact_speed(1) / gravity;
-    EXPECT_THAT(close.reason, HasSubstr(fmt::format("a maximum at {:.6g} s is within ", time)));
+    EXPECT_THAT(close.reason, HasSubstr(fmt::format("a maximum at {:.6g} s is within {:.2g} m of",
+                                                    time, 1e-10 * second)));
     (high ? scene.peak_high : scene.peak_low) *= 1 - 1e-7;
     EXPECT_TRUE(certainty(scene).certain);
   }

@@ -169,13 +169,13 @@ class Comparison {
     }
   }
 
-  /// Twice the movement, as that of an impact just after the end, which the given testimony lacks,
-  /// is not known.
+  /// Ten times the movement, as that of an impact just after the end, which the given testimony
+  /// lacks, is not known.
   void find_near_end(std::size_t kind, const std::vector<Feature>& features, double end) {
     for (auto f = features.rbegin(); f != features.rend(); ++f) {
       if (f->time < (1 - same_time) * end) break;
       if (f->margin > 0 &&
-          std::abs(end - f->time) <= 2 * end * std::max(moved_, constants_change)) {
+          std::abs(end - f->time) <= 10 * end * std::max(moved_, constants_change)) {
         suspect(kind, *f, Doubt::window, end);
       }
     }

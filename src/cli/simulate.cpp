@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "problems/carrier_track/choices.h"
@@ -35,6 +36,11 @@ std::string speed_of(const Scene& scene) {
   return fmt::format("a speed profile of {} knots", scene.profile.size());
 }
 
+Json json_of(const std::optional<Graze>& graze) {
+  if (!graze) return {};
+  return {{"time", graze->time}, {"wall", name_of(graze->wall)}, {"distance", graze->distance}};
+}
+
 Json json_of(const Scene& scene, const Recording& recording) {
   Json impacts = Json::array();
   for (const Impact& i : recording.impacts) {
@@ -46,8 +52,11 @@ Json json_of(const Scene& scene, const Recording& recording) {
   }
   return {{"count", recording.count},
           {"surrogate", recording.surrogate},
-          {"certain", recording.certain},
-          {"margin", cli::json_of(recording.margin)},
+          {"certain", recording.certainty.certain},
+          {"margin", cli::json_of(recording.certainty.margin)},
+          {"graze", json_of(recording.certainty.graze)},
+          {"growth", recording.certainty.growth},
+          {"doubt", recording.certainty.certain ? Json() : Json(recording.certainty.reason)},
           {"impacts", impacts},
           {"peaks", peaks},
           {"end",
@@ -76,12 +85,18 @@ std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
 }
 
 void print(const ChosenScene& chosen, const Recording& recording) {
+  const Certainty& certainty = recording.certainty;
   fmt::print("{} at {}: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
              speed_of(chosen.scene), recording.count, recording.end.time,
-             recording.certain ? "certain" : "not certain: too sensitive to tell",
-             recording.surrogate);
-  if (recording.margin) {
-    fmt::print("nearest margin to zero: {:.3g}\n", *recording.margin);
+             certainty.certain ? "certain" : "not certain", recording.surrogate);
+  if (!certainty.certain) fmt::print("not certain: {}\n", certainty.reason);
+  if (certainty.margin) {
+    fmt::print("nearest margin to zero: {:.3g}; a small change grows {:.2g}-fold\n",
+               *certainty.margin, certainty.growth);
+  }
+  if (certainty.graze) {
+    fmt::print("nearest missed wall: the {}, by {:.3g} m at {:.6g} s\n",
+               name_of(certainty.graze->wall), certainty.graze->distance, certainty.graze->time);
   }
   fmt::print("{} impacts, slow ones included; {} maxima of x\n", recording.impacts.size(),
              recording.peaks.size());

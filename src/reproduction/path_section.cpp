@@ -14,9 +14,9 @@ report::Figure path_of(const CaseStudy& c, double omega, const char* side,
   return {path_chart(scene, recording, fmt::format("path-{}-{}", number, side),
                      fmt::format("Figure {}, {} at {} rad/s: {} collisions", number, c.the_case.id,
                                  omega, recording.count)),
-          recording.certain
+          recording.certainty.certain
               ? ""
-              : "The count is not certain: changes of one part in 1e9 already alter it."};
+              : fmt::format("The count is not certain: {}.", recording.certainty.reason)};
 }
 
 }  // namespace

@@ -454,7 +454,7 @@ TEST(CompliantModel, CountsAsTheImpactModelWhereWallsAreVeryStiff) {
         scene.omega = loud ? a_case.claim.figure->loud : a_case.claim.figure->quiet;
       }
       const Recording hard = record(scene, 0.25, 0);
-      if (!hard.certain || hard.margin.value_or(1.0) < 0.01) continue;
+      if (!hard.certainty.certain || hard.certainty.margin.value_or(1.0) < 0.01) continue;
       const Pressed soft = press(scene);
       const auto count = std::count_if(soft.hits.begin(), soft.hits.end(),
                                        [&](const auto& hit) { return hit.speed > scene.slowest; });

@@ -73,7 +73,7 @@ void compare(const Scene& scene, double step, Agreement& agreement) {
     EXPECT_NEAR(model.end.position, fine.position, 1e-6);
   }
   agreement.listed += reference.size();
-  if (!model.certain) return;
+  if (!model.certainty.certain) return;
   ++agreement.certain;
   EXPECT_EQ(model.count, count_of(scene, fine.impacts));
 }

@@ -47,22 +47,22 @@ TEST(Recording, KeepsAPathWithinTheWallsThatTouchesThemAtTheImpacts) {
 TEST(Recording, IsCertainAwayFromEveryLimitAndUncertainAtOne) {
   Scene scene = default_reading().scene;
   const Recording plain = record(scene, 0.25, 0);
-  EXPECT_TRUE(plain.certain);
-  EXPECT_GT(*plain.margin, 1e-3);
+  EXPECT_TRUE(plain.certainty.certain);
+  EXPECT_GT(*plain.certainty.margin, 1e-3);
   // An impact exactly at the limit counts or not with the last digit.
   scene.slowest = plain.impacts.front().speed;
   const Recording close = record(scene, 0.25, 0);
-  EXPECT_FALSE(close.certain);
-  EXPECT_LT(*close.margin, 1e-9);
+  EXPECT_FALSE(close.certainty.certain);
+  EXPECT_LT(*close.certainty.margin, 1e-9);
 }
 
 TEST(Recording, HasNoMarginWithoutFeatures) {
   Scene scene = default_reading().scene;
   scene.window = Seconds{1e-4};  // ends before the first wall
   const Recording recording = record(scene, 0.25, 0);
-  EXPECT_FALSE(recording.margin);
+  EXPECT_FALSE(recording.certainty.margin);
   EXPECT_EQ(recording.count, 0);
-  EXPECT_TRUE(recording.certain);
+  EXPECT_TRUE(recording.certainty.certain);
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ TEST(Simulate, PrintsTheJsonOfTheContract) {
   const Outcome outcome = call("simulate --case C2 --omega 1.9 --format json");
   ASSERT_EQ(outcome.exit_code, 0);
   const auto json = ordered_json::parse(outcome.out);
-  EXPECT_THAT(keys_of(json), ElementsAre("count", "surrogate", "certain", "margin", "impacts",
-                                         "peaks", "end", "evaluations", "fidelity"));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("count", "surrogate", "certain", "margin", "graze", "growth", "doubt",
+                          "impacts", "peaks", "end", "evaluations", "fidelity"));
   EXPECT_EQ(json["count"], 14);
   EXPECT_EQ(json["certain"], true);
   EXPECT_EQ(json["fidelity"], "impact");

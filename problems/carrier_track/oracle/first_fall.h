@@ -58,10 +58,10 @@ Search first_fall(const Function& jet, const JetBounds& bounds, const Noise& noi
     const bool concave = middle.curvature < -bounds.third * h;
     const bool zero = std::abs(middle.value) + reach <= 2 * rounding;
     const bool smallest = h <= last_bit * upper;
-    if ((drops || smallest) && stop.value <= 0 && !zero) {
+    if ((drops || smallest) && stop.value < -rounding) {
       return {Search::End::falls, lower, upper};
     }
-    const bool free = positive || rises || zero || smallest || (drops && stop.value > 0) ||
+    const bool free = positive || rises || zero || smallest || drops ||
                       (convex && start.slope >= -bounds.slope_noise) ||
                       (concave && stop.value > rounding);
     if (!free) {

@@ -38,10 +38,10 @@ class AppliedForces {
   double size() const { return still_.size(); }
 
   /// Bound on the magnitude of sum() over all time [m/s^2].
-  double strongest() const { return still_.bounds().acceleration; }
+  double strongest() const { return still_.bounds(0).acceleration; }
 
   /// Bound over all time on the rate of sum() [m/s^3].
-  double jerk_bound() const { return still_.bounds().jerk; }
+  double jerk_bound() const { return still_.bounds(std::numeric_limits<double>::infinity()).jerk; }
 
   /// How long [s] a flight from here is good for.
   Scalar reach() const { return constant<Scalar>(std::numeric_limits<double>::infinity()); }

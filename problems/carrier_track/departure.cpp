@@ -13,14 +13,14 @@ Event next_departure(const Path& applied, double friction, bool may_rise, bool m
                      double horizon, std::int64_t& evaluations) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const ForceBounds bounds = applied.bounds();
+  const ForceBounds bounds = applied.bounds(horizon);
   const double noise = 4 * epsilon * (bounds.acceleration + friction);
   const double slope_noise = 4 * epsilon * bounds.jerk;
   if (bounds.jerk <= 0) return {EventKind::horizon, horizon, 0};
   double time = 0;
   double patience = bounds.shortest_step;
   for (;;) {
-    const auto [push, slope] = applied.push_at(time);
+    const auto [push, slope] = applied.applied_at(time);
     ++evaluations;
     double step = infinity;
     bool at_the_edge = false;

@@ -104,7 +104,7 @@ class Search {
 
   /// Steps no longer than the bound on the jerk proves that the speed stays positive.
   Event crawl() {
-    const ForceBounds bounds = there_.bounds();
+    const ForceBounds bounds = there_.bounds(horizon_);
     double patience = bounds.shortest_step;
     double step = safe_step(speed_, acceleration_, bounds.jerk);
     if (speed_ <= 0) {  // setting out from rest with the force just beyond friction

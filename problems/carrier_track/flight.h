@@ -74,14 +74,14 @@ struct Motion {
 };
 
 /// The forces of a path alone.
-struct Push {
+struct AppliedForce {
   double acceleration;  ///< [m/s^2]
   double jerk;          ///< [m/s^3]
 };
 
-/// Bounds on what the forces of a path can do: for harmonics over all time.
+/// Bounds on what the forces of a path can do.
 struct ForceBounds {
-  double acceleration = 0;   ///< [m/s^2], steady part included
+  double acceleration = 0;   ///< [m/s^2], the sum of the magnitudes
   double jerk = 0;           ///< [m/s^3]
   double snap = 0;           ///< [m/s^4]
   double shortest_step = 0;  ///< [s], below which the forces do not change within rounding
@@ -127,8 +127,8 @@ struct Flight {
   void shift(const Scalar& by) { position += by; }
 
   /// The forces at any t >= 0 [s], more exactly than at() where t is long.
-  Push push_at(double t) const {
-    Push push{value(steady), 0};
+  AppliedForce applied_at(double t) const {
+    AppliedForce push{value(steady), 0};
     for (int i = 0; i < harmonics; ++i) {
       const Harmonic<double> h = plain().acting(i);
       const double c = std::cos(h.frequency * t);
@@ -201,30 +201,24 @@ struct Flight {
     return bound;
   }
 
-  ForceBounds bounds() const {
+  /// Bounds up to a time [s] from the start. Two harmonics of nearly the same frequency that all
+  /// but cancel have bounds far below the sum of their own, or the search would creep.
+  ForceBounds bounds(double until) const {
     ForceBounds bounds;
     bounds.acceleration = std::abs(value(steady));
     double fastest = 0;
-    const auto add = [&](double cosine, double sine, double frequency) {
-      const double amplitude = std::sqrt(cosine * cosine + sine * sine);
+    for (int i = 0; i < harmonics; ++i) {
+      const auto [amplitude, frequency] = swing(i);
+      bounds.acceleration += amplitude;
       bounds.jerk += amplitude * frequency;
       bounds.snap += amplitude * frequency * frequency;
       if (amplitude > 0) fastest = std::fmax(fastest, frequency);
-      return amplitude;
-    };
-    const Flight<double> f = plain();
-    const auto& [plate, disturbance] = f.harmonic;
-    if (harmonics == 2 && plate.frequency == disturbance.frequency) {
-      // As one harmonic: two that all but cancel would have the search creep.
-      add(plate.cosine + disturbance.cosine, plate.sine + disturbance.sine, plate.frequency);
-      bounds.acceleration += std::abs(plate.cosine) + std::abs(plate.sine) +
-                             std::abs(disturbance.cosine) + std::abs(disturbance.sine);
-    } else {
-      for (int i = 0; i < harmonics; ++i) {
-        bounds.acceleration += add(f.acting(i).cosine, f.acting(i).sine, f.acting(i).frequency);
-      }
     }
     bounds.shortest_step = fastest > 0 ? 1e-8 / fastest : 0.0;
+    if (harmonics == 2) {
+      bounds.jerk = std::fmin(bounds.jerk, together(1, until));
+      bounds.snap = std::fmin(bounds.snap, together(2, until));
+    }
     return bounds;
   }
 
@@ -263,14 +257,12 @@ struct Flight {
     const double start = direction * value(velocity);
     Speeds speeds{start + std::fmin(direction * value(steady), 0.0) * time, start};
     for (int i = 0; i < harmonics; ++i) {
-      const double cosine = value(acting(i).cosine);
-      const double sine = value(acting(i).sine);
-      const double frequency = value(acting(i).frequency);
-      const double amplitude = std::sqrt(cosine * cosine + sine * sine);
-      const double swing = (amplitude + direction * sine) / frequency;
-      const bool slow = !(swing < amplitude * time);  // not a number where frequency is 0
-      speeds.least -= slow ? amplitude * time : swing;
-      if (!slow) speeds.mean -= direction * sine / frequency;
+      const auto [amplitude, frequency] = swing(i);
+      const double sine = direction * value(acting(i).sine);
+      const double drop = (amplitude + sine) / frequency;
+      const bool slow = !(drop < amplitude * time);  // not a number where frequency is 0
+      speeds.least -= slow ? amplitude * time : drop;
+      if (!slow) speeds.mean -= sine / frequency;
     }
     return speeds;
   }
@@ -283,6 +275,31 @@ struct Flight {
                             value(harmonic[i].frequency)};
     }
     return result;
+  }
+
+  struct Swing {
+    double amplitude, frequency;
+  };
+  Swing swing(int i) const {
+    const double cosine = value(acting(i).cosine);
+    const double sine = value(acting(i).sine);
+    return {std::sqrt(cosine * cosine + sine * sine), value(acting(i).frequency)};
+  }
+
+  /// A bound up to a time on a derivative of both harmonics, 1 or 2, as one that changes slowly.
+  double together(int order, double until) const {
+    double cosine = 0;
+    double sine = 0;
+    double drift = 0;
+    for (int i = 0; i < 2; ++i) {
+      const auto [amplitude, frequency] = swing(i);
+      const double factor = order == 1 ? frequency : frequency * frequency;
+      cosine += factor * value(acting(i).cosine);
+      sine += factor * value(acting(i).sine);
+      const double apart = std::abs(frequency - value(acting(0).frequency));
+      if (apart > 0) drift = factor * amplitude * std::fmin(2.0, apart * until);
+    }
+    return std::sqrt(cosine * cosine + sine * sine) + drift;
   }
 
   const Harmonic<Scalar>& acting(int i) const { return harmonic[static_cast<std::size_t>(i)]; }

@@ -41,7 +41,7 @@ class ProfileForces {
       for (const std::size_t end : {k, k + 1}) {
         forces.slope = slope_to(end);
         const Scalar zero = constant<Scalar>(0.0);
-        strongest = std::max(strongest, Path(zero, zero, forces).bounds().acceleration);
+        strongest = std::max(strongest, Path(zero, zero, forces).size());
       }
     }
     return strongest;

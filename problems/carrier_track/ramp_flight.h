@@ -83,7 +83,7 @@ class RampFlight {
   }
 
   /// The forces at any t [s] within the reach.
-  Push push_at(double t) const {
+  AppliedForce applied_at(double t) const {
     RampFlight<double> there = plain();
     there.advance(t);
     return {there.acceleration(), there.jerk()};
@@ -148,7 +148,7 @@ class RampFlight {
   double size() const { return size_; }
   /// Bounds over the reach.
   double jerk_bound() const { return bounds_.jerk; }
-  const ForceBounds& bounds() const { return bounds_; }
+  const ForceBounds& bounds(double /*until*/) const { return bounds_; }
 
   /// See Flight; nothing is known here, and a reach is too short for it to matter.
   typename Flight<Scalar>::Speeds speeds(int /*direction*/, double /*time*/) const {

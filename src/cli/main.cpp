@@ -11,6 +11,7 @@
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
 #include "src/cli/threshold.h"
+#include "src/cli/verify.h"
 #include "src/core/error.h"
 
 namespace ricochet::cli {
@@ -39,6 +40,7 @@ class Program {
     add_simulate();
     add_threshold();
     add_dynamics();
+    add_verify();
     add_scene();
     add_list();
     add_bench();
@@ -111,6 +113,18 @@ class Program {
     command->callback([this] { work_ = [this] { return dynamics(dynamics_); }; });
   }
 
+  void add_verify() {
+    CLI::App* command =
+        app_.add_subcommand("verify", "The impact model against an oracle in extended precision");
+    command->add_option("--scenes", verify_.scenes, "How many random and hostile scenes")
+        ->capture_default_str();
+    command->add_option("--seed", verify_.seed, "Of the scenes")->capture_default_str();
+    command->add_option("--scene-index", verify_.scene_index,
+                        "Prints this scene and both lists of impacts instead");
+    add_format(*command, verify_.json);
+    command->callback([this] { work_ = [this] { return verify(verify_); }; });
+  }
+
   void add_scene() {
     CLI::App* command =
         app_.add_subcommand("scene", "Prints a scene as TOML, to start a machine of your own");
@@ -147,6 +161,7 @@ class Program {
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   DynamicsOptions dynamics_;
+  VerifyOptions verify_;
   SceneChoice scene_;
   std::string list_;
   bool list_json_ = false;

@@ -15,7 +15,7 @@
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/scene_check.h"
 #include "tests/carrier_track/brute_force.h"
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tests/carrier_track/planar_brute_force.h"
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {

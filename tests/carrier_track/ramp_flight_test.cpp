@@ -6,7 +6,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -66,10 +66,10 @@ TEST(RampFlight, KnowsItsDerivativesAndBounds) {
     EXPECT_EQ(flight.acceleration(), push(0));
     EXPECT_NEAR(flight.jerk(), (push(h) - push(-h)) / (2 * h), 1e-6 * flight.jerk_bound());
     EXPECT_NEAR(flight.snap(), (push(h) - 2 * push(0) + push(-h)) / (h * h),
-                1e-4 * flight.bounds().snap);
-    EXPECT_LE(std::abs(flight.acceleration()), start.bounds().acceleration * (1 + 1e-12));
+                1e-4 * flight.bounds(reach).snap);
+    EXPECT_LE(std::abs(flight.acceleration()), start.bounds(reach).acceleration * (1 + 1e-12));
     EXPECT_LE(std::abs(flight.jerk()), start.jerk_bound() * (1 + 1e-12));
-    EXPECT_LE(std::abs(flight.snap()), start.bounds().snap * (1 + 1e-12));
+    EXPECT_LE(std::abs(flight.snap()), start.bounds(reach).snap * (1 + 1e-12));
   }
 }
 

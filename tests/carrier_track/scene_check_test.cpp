@@ -8,7 +8,7 @@
 
 #include "problems/carrier_track/reading.h"
 #include "src/core/error.h"
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

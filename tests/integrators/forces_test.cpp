@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/impact_model.h"
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/integrators/accuracy.h"
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/integrators/scenes.h"
 
 namespace ricochet::carrier_track {

@@ -9,7 +9,7 @@
 #include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/recording.h"
 #include "tests/carrier_track/brute_force.h"
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -87,7 +87,7 @@ void record_property(Agreement& agreement) {
   testing::Test::RecordProperty("certain", std::to_string(agreement.certain));
 }
 
-TEST(Oracle, BruteForceFindsTheImpactsOfRandomScenes) {
+TEST(BruteForce, FindsTheImpactsOfRandomScenes) {
   RandomScenes scenes(1);
   Agreement agreement;
   for (int i = 0; i < 400; ++i) {
@@ -102,7 +102,7 @@ TEST(Oracle, BruteForceFindsTheImpactsOfRandomScenes) {
   EXPECT_LT(agreement.quantile(0.5), 1e-9);
 }
 
-TEST(Oracle, BruteForceFindsTheImpactsOfEveryCase) {
+TEST(BruteForce, FindsTheImpactsOfEveryCase) {
   Agreement agreement;
   RandomScenes draws(2);
   for (const Case& a_case : all_cases()) {
@@ -119,7 +119,7 @@ TEST(Oracle, BruteForceFindsTheImpactsOfEveryCase) {
   EXPECT_GT(agreement.certain, 90);
 }
 
-TEST(Oracle, BruteForceConvergesWithTheSquareOfItsStep) {
+TEST(BruteForce, ConvergesWithTheSquareOfItsStep) {
   // What makes it a reference: the bars above rest on this order.
   RandomScenes scenes(3);
   double coarse = 0;

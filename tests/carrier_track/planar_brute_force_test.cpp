@@ -7,7 +7,7 @@
 
 #include "problems/carrier_track/recording.h"
 #include "tests/carrier_track/planar_brute_force.h"
-#include "tests/carrier_track/random_scenes.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -26,7 +26,7 @@ int count_of(const Scene& scene, const std::vector<Impact>& impacts) {
                                         [&](const Impact& i) { return i.speed > scene.slowest; }));
 }
 
-TEST(PlanarOracle, BruteForceFindsTheImpactsOfRandomScenes) {
+TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
   RandomScenes scenes(41);
   std::size_t listed = 0;
   std::size_t compared = 0;
@@ -61,7 +61,7 @@ TEST(PlanarOracle, BruteForceFindsTheImpactsOfRandomScenes) {
     }
     listed += reference.size();
     compared += k;
-    if (!model.certain) continue;
+    if (!model.certainty.certain) continue;
     ++certain;
     EXPECT_EQ(model.count, count_of(scene, fine.impacts));
   }

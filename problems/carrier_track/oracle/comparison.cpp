@@ -1,0 +1,42 @@
+#include "problems/carrier_track/oracle/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+namespace ricochet::carrier_track {
+
+std::vector<Impact> faster(const std::vector<Impact>& impacts, double slowest) {
+  std::vector<Impact> result;
+  std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(result),
+               [slowest](const Impact& impact) { return impact.speed > slowest; });
+  return result;
+}
+
+Comparison compare(const Scene& scene) {
+  Comparison result;
+  const OracleRun truth = oracle(scene);
+  if (!truth.finished) {
+    result.compared = false;
+    return result;
+  }
+  const Recording recording = record(scene, 0.0, 0);
+  result.certain = recording.certainty.certain;
+  result.count = recording.count;
+  result.truth = truth.count;
+  const std::vector<Impact> found = faster(recording.impacts, scene.slowest);
+  const std::vector<Impact> true_ones = faster(truth.impacts, scene.slowest);
+  const std::size_t pairs = std::min(found.size(), true_ones.size());
+  for (std::size_t k = 0; k < pairs && found[k].wall == true_ones[k].wall; ++k) {
+    ++result.matched;
+    result.time_error = std::max(result.time_error, std::abs(found[k].time - true_ones[k].time));
+    result.speed_error =
+        std::max(result.speed_error, std::abs(found[k].speed - true_ones[k].speed));
+  }
+  result.missed = static_cast<int>(true_ones.size()) - result.matched;
+  result.spurious = static_cast<int>(found.size()) - result.matched;
+  return result;
+}
+
+}  // namespace ricochet::carrier_track

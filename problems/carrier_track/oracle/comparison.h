@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "problems/carrier_track/oracle/oracle.h"
+#include "problems/carrier_track/recording.h"
+#include "problems/carrier_track/scene.h"
+
+namespace ricochet::carrier_track {
+
+/// What the library and the oracle make of one scene. Fast impacts are those faster than `slowest`.
+struct Comparison {
+  bool compared = true;    ///< false where the oracle broke off, at its cap
+  bool certain = false;    ///< whether the library calls its count certain
+  int count = 0;           ///< of the library
+  int truth = 0;           ///< of the oracle
+  int missed = 0;          ///< fast impacts of the oracle without a partner in the library
+  int spurious = 0;        ///< fast impacts of the library without a partner in the oracle
+  int matched = 0;         ///< pairs of fast impacts
+  double time_error = 0;   ///< [s], largest difference over the pairs
+  double speed_error = 0;  ///< [m/s], largest difference over the pairs
+
+  bool agrees() const { return count == truth; }
+};
+
+/// Simulates a valid scene of fidelity impact and rule impacts twice. The k-th fast impact of one
+/// is the partner of the k-th of the other if it is on the same wall.
+Comparison compare(const Scene& scene);
+
+/// The impacts of a list faster than `slowest` [m/s].
+std::vector<Impact> faster(const std::vector<Impact>& impacts, double slowest);
+
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,215 @@
+#include "problems/carrier_track/oracle/oracle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "problems/carrier_track/oracle/first_fall.h"
+#include "problems/carrier_track/oracle/push.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+using Real = long double;
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+constexpr Real last_bit = std::numeric_limits<Real>::epsilon();
+constexpr int flight_cap = 20 * static_cast<int>(oracle_impact_cap);
+
+Real window_of(const Scene& scene) {
+  if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
+    return 2 * std::numbers::pi_v<Real> * turns->count / scene.omega;
+  }
+  return std::get<Seconds>(scene.window).count;
+}
+
+/// One step of a body, in the direction in which it moves.
+struct Leg {
+  enum class End { wall, turn, window } end;
+  Real time, distance, speed;
+};
+
+class Body {
+ public:
+  explicit Body(const Scene& scene)
+      : scene_(scene),
+        push_(scene),
+        friction_(static_cast<Real>(scene.friction) * scene.normal_force / scene.mass),
+        window_(window_of(scene)),
+        gap_(static_cast<Real>(scene.wall_upper) - scene.wall_lower),
+        below_(static_cast<Real>(scene.start_position) - scene.wall_lower),
+        above_(static_cast<Real>(scene.wall_upper) - scene.start_position),
+        velocity_(scene.start_velocity) {
+    // Rounding of an acceleration and of a jerk; that of an angle grows with the angle.
+    const Real operations = 16;
+    const Real angle = 2 * window_;
+    acceleration_noise_ =
+        last_bit *
+        (operations * (std::abs(push_.steady) + friction_ + push_.size(0)) + angle * push_.size(1));
+    jerk_noise_ = last_bit * (operations * push_.size(1) + angle * push_.size(2));
+    for (std::size_t i = 0; i < bound_.size(); ++i) {
+      bound_[i] = push_.bound(static_cast<int>(i), window_);
+    }
+    for (const Push::Wave& wave : push_.waves) {
+      if (wave.amplitude != 0) piece_ = std::min(piece_, 0.25L / wave.frequency);
+    }
+  }
+
+  OracleRun run() {
+    for (int flights = 0; time_ < window_; ++flights) {
+      if (flights == flight_cap || run_.impacts.size() >= oracle_impact_cap) {
+        run_.finished = false;
+        break;
+      }
+      int direction = (velocity_ > 0) - (velocity_ < 0);
+      if (direction == 0) direction = rest();
+      if (direction != 0) fly(direction);
+    }
+    return std::move(run_);
+  }
+
+ private:
+  /// Lets the body rest until the force leaves the friction band towards a side that is free.
+  /// Returns the direction, 0 when the window ends first.
+  int rest() {
+    const PushFrom push(push_, time_);
+    Real first = window_ - time_;
+    int direction = 0;
+    for (const int side : {+1, -1}) {
+      if ((side > 0 ? above_ : below_) <= 0) continue;
+      const auto reserve = [&](Real t) {
+        const Pushed p = push.after(t);
+        return Jet{friction_ - side * p.acceleration, -side * p.jerk, -side * p.snap};
+      };
+      const auto noise = [&](Real) { return acceleration_noise_; };
+      const auto never = [](Real) { return false; };
+      const Search search = first_fall(reserve, {bound_[3], jerk_noise_}, noise, never, first,
+                                       std::min(piece_, first));
+      if (search.end != Search::End::falls) continue;
+      first = root_between(reserve, search.lower, search.upper);
+      direction = side;
+      if (first == 0) break;
+    }
+    time_ += first;
+    return direction;
+  }
+
+  void fly(int direction) {
+    const Leg leg = next_leg(direction);
+    time_ = leg.end == Leg::End::window ? window_ : time_ + leg.time;
+    below_ += direction * leg.distance;
+    above_ -= direction * leg.distance;
+    velocity_ = direction * leg.speed;
+    if (leg.end == Leg::End::wall) strike(direction, leg.speed);
+    if (leg.end == Leg::End::turn) {
+      velocity_ = 0;
+      if (direction > 0) run_.summits.push_back({static_cast<double>(time_), below_});
+    }
+  }
+
+  Leg next_leg(int direction) const {
+    const Real ahead = direction > 0 ? above_ : below_;
+    const Real speed = std::abs(velocity_);
+    if (ahead <= 0) return {Leg::End::wall, 0, 0, speed};
+    const PushFrom push(push_, time_);
+    const auto after = [&](Real t) {
+      const Pushed p = push.after(t);
+      return Pushed{t * (speed - friction_ * t / 2) + direction * p.distance,
+                    speed - friction_ * t + direction * p.speed,
+                    direction * p.acceleration - friction_, direction * p.jerk, direction * p.snap};
+    };
+    const auto speed_at = [&](Real t) {
+      const Pushed p = after(t);
+      return Jet{p.speed, p.acceleration, p.jerk};
+    };
+    const auto beyond = [&](Real t) {
+      const Pushed p = after(t);
+      return Jet{p.distance - ahead, p.speed, p.acceleration};
+    };
+    const auto noise = [&](Real t) { return 16 * last_bit * speed + acceleration_noise_ * t; };
+    const auto passed = [&](Real t) { return beyond(t).value >= 0; };
+    const Real left = window_ - time_;
+    // While the speed is positive the distance only grows: its first fall bounds the search.
+    const Search search = first_fall(speed_at, {bound_[2], acceleration_noise_}, noise, passed,
+                                     left, first_piece(speed, ahead, left));
+    const auto leg = [&](Leg::End end, Real t) {
+      const Pushed p = after(t);
+      return Leg{end, t, p.distance, std::max(p.speed, 0.0L)};
+    };
+    if (search.end == Search::End::never) return leg(Leg::End::window, left);
+    Real latest = search.upper;
+    if (search.end == Search::End::falls) {
+      latest = root_between(speed_at, search.lower, search.upper);
+      if (beyond(latest).value < 0) return leg(Leg::End::turn, latest);
+    }
+    return leg(Leg::End::wall, root_between(beyond, search.lower, latest));
+  }
+
+  /// A guess of how long the flight will last; it decides nothing but the cost.
+  Real first_piece(Real speed, Real ahead, Real left) const {
+    Real guess = std::min(piece_, left);
+    if (speed <= 0) return guess;
+    const Real acceleration = std::abs(push_.steady) + friction_ + push_.size(0);
+    if (acceleration > 0) guess = std::min(guess, speed / acceleration);
+    return std::min(guess, ahead / speed);
+  }
+
+  void strike(int direction, Real speed) {
+    const bool upper = direction > 0;
+    run_.impacts.push_back({static_cast<double>(time_), upper ? Wall::upper : Wall::lower,
+                            static_cast<double>(speed)});
+    if (speed > scene_.slowest) ++run_.count;
+    below_ = upper ? gap_ : 0;
+    above_ = upper ? 0 : gap_;
+    const Real restitution = upper ? scene_.restitution_upper : scene_.restitution_lower;
+    velocity_ = -direction * restitution * speed;
+    if (comes_to_rest(direction, restitution * speed, restitution)) velocity_ = 0;
+  }
+
+  /// Whether it is proved that a body that leaves the wall in `wall_side` at `speed` bounces until
+  /// it rests there, never faster. Suppose that the pressing acceleration p stays within slack of
+  /// its value. A hop then rises against at least p - slack + friction, so no higher than h =
+  /// v^2 / (2 (p - slack + friction)), and falls from there by at most p + slack - friction and at
+  /// least p - slack - friction. That bounds the ratio of speeds and the time of all hops; and if
+  /// the force cannot change by more than the slack in that time, the supposition holds.
+  bool comes_to_rest(int wall_side, Real speed, Real restitution) const {
+    if (speed > 1e-3L * scene_.slowest) return false;
+    const Real press = wall_side * PushFrom(push_, time_).after(0).acceleration;
+    const Real reserve = press - friction_;
+    if (reserve <= 64 * acceleration_noise_) return false;
+    const Real steady_ratio = restitution * std::sqrt(reserve / (press + friction_));
+    const Real slack = reserve * (1 - steady_ratio) / 2;
+    const Real rise = press - slack + friction_;
+    const Real slowest_fall = reserve - slack;
+    const Real ratio = restitution * std::sqrt((reserve + slack) / rise);
+    if (!(ratio < 1)) return false;
+    const Real hop = speed / rise + speed / std::sqrt(rise * slowest_fall);
+    return bound_[1] * hop / (1 - ratio) <= slack;
+  }
+
+  const Scene& scene_;
+  const Push push_;
+  const Real friction_;          // [m/s^2]
+  const Real window_;            // [s]
+  const Real gap_;               // [m]
+  std::array<Real, 4> bound_{};  // on the derivatives of the push within the window
+  Real acceleration_noise_ = 0;
+  Real jerk_noise_ = 0;
+  Real piece_ = infinity;  // [s], a quarter of a radian of the fastest wave
+
+  Real time_ = 0;
+  Real below_, above_;  // distance [m] to either wall, each with all its digits
+  Real velocity_;
+  OracleRun run_;
+};
+
+}  // namespace
+
+OracleRun oracle(const Scene& scene) {
+  return Body(scene).run();
+}
+
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+
+#include "problems/carrier_track/scene.h"
+
+namespace ricochet::carrier_track {
+
+/// Equation (31) without contact and friction, over the mass, in long double: a steady acceleration
+/// and two waves, amplitude cos(frequency t + phase), of the driver plate and the disturbance.
+struct Push {
+  struct Wave {
+    long double amplitude = 0;  ///< [m/s^2]
+    long double frequency = 1;  ///< [rad/s], > 0
+    long double phase = 0;      ///< [rad] at time 0
+  };
+
+  /// Throws std::invalid_argument for a scene whose speed is a profile.
+  explicit Push(const Scene& scene);
+
+  /// Sum of |amplitude| frequency^power [m/s^(2 + power)]: what rounding is relative to.
+  long double size(int power) const;
+
+  /// Bound on that derivative of the waves [m/s^(2 + power)] up to a time [s]. No larger than the
+  /// size; two waves that all but cancel have one that is far smaller.
+  long double bound(int power, long double until) const;
+
+  long double steady = 0;  ///< [m/s^2]
+  std::array<Wave, 2> waves;
+};
+
+/// What has become of a body at rest that only a push acts on, some time after a start.
+struct Pushed {
+  long double distance;      ///< [m]
+  long double speed;         ///< [m/s]
+  long double acceleration;  ///< [m/s^2]
+  long double jerk;          ///< [m/s^3]
+  long double snap;          ///< [m/s^4]
+};
+
+/// A push from a start on.
+class PushFrom {
+ public:
+  PushFrom(const Push& push, long double start);
+
+  /// In closed form, after `elapsed` >= 0 [s]. Differences of sines and cosines are written as
+  /// products, so that the shortest hop keeps all its digits.
+  Pushed after(long double elapsed) const;
+
+ private:
+  struct Angle {
+    long double sine, cosine;  // of the wave's angle at the start
+  };
+  const Push& push_;
+  std::array<Angle, 2> angle_;
+};
+
+}  // namespace ricochet::carrier_track

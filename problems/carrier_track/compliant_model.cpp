@@ -16,12 +16,6 @@ int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
-/// What the law makes of a wall's restitution.
-double damping_of(ContactLaw law, double restitution) {
-  return law == ContactLaw::kelvin_voigt ? damping_ratio(restitution, Release::zero_force)
-                                         : dissipation(law, restitution);
-}
-
 }  // namespace
 
 template <class Forces>
@@ -34,8 +28,8 @@ CompliantModel<Forces>::CompliantModel(const Scene& scene, double tolerance)
       origin_(scene.start_position),
       velocity_(scene.start_velocity),
       motion_(tolerance) {
-  damping_ = {damping_of(scene.contact_law, scene.restitution_lower),
-              damping_of(scene.contact_law, scene.restitution_upper)};
+  damping_ = {damping_factor(scene.contact_law, scene.restitution_lower),
+              damping_factor(scene.contact_law, scene.restitution_upper)};
   if (scene.start_position == scene.wall_lower) wall_ = Wall::lower;
   if (scene.start_position == scene.wall_upper) wall_ = Wall::upper;
   direction_ = sign(velocity_);

@@ -166,4 +166,9 @@ double damping_ratio(double restitution, Release release) {
   return upper;
 }
 
+double damping_factor(ContactLaw law, double restitution) {
+  return law == ContactLaw::kelvin_voigt ? damping_ratio(restitution, Release::zero_force)
+                                         : dissipation(law, restitution);
+}
+
 }  // namespace ricochet::carrier_track

@@ -57,4 +57,8 @@ double kelvin_voigt_restitution(double damping_ratio, Release release);
 /// The damping ratio that returns a restitution in (0, 1]; throws std::invalid_argument outside.
 double damping_ratio(double restitution, Release release);
 
+/// What a law makes of a restitution: D, or of kelvin_voigt the damping ratio that returns it when
+/// it never pulls. Throws as the two above.
+double damping_factor(ContactLaw law, double restitution);
+
 }  // namespace ricochet::carrier_track

@@ -87,4 +87,32 @@ std::vector<Arena> all_arenas(double seconds) {
        chaotic(seconds), true}};
 }
 
+Scene stiff_gap(double stiffness) {
+  Scene scene = shaken_gap(1e-3, 0.9, 0.1);
+  scene.start_velocity = 0.1;
+  scene.fidelity = Fidelity::compliant;
+  scene.contact_law = ContactLaw::exact_restitution;
+  scene.stiffness = stiffness;
+  return scene;
+}
+
+std::vector<Arena> stiff_arenas() {
+  const auto arena = [](const char* id, const char* name, double stiffness) {
+    Arena result{id, name, {}, shaken_gap(1e-3, 0.5, 0.5)};
+    result.scene.fidelity = Fidelity::compliant;
+    result.scene.contact_law = ContactLaw::exact_restitution;
+    result.scene.stiffness = stiffness;
+    result.scene.contact_speed = result.scene.start_velocity;
+    result.description = fmt::format(
+        "The mild scene on walls that give way, with {:.0e} N/m^1.5, and straight through the "
+        "contacts: these methods know no impact, only a force that is there behind a wall. Its "
+        "damping is scaled with one speed, {} m/s, so that it depends on the state alone. The "
+        "reference lands on both edges of every contact.",
+        stiffness, *result.scene.contact_speed);
+    return result;
+  };
+  return {arena("stiff", "Stiff: a shaken gap with walls that give way", 1e12),
+          arena("very-stiff", "Very stiff: the same, ten thousand times stiffer", 1e16)};
+}
+
 }  // namespace ricochet::dynamics

@@ -27,6 +27,10 @@ report::Section origin_section(const Study& study) {
   for (const auto& integrator : study.integrators) {
     table.rows.push_back({{integrator.name}, {integrator.version}, {integrator.control}});
   }
+  for (const auto& integrator : study.penalty_integrators) {
+    table.rows.push_back(
+        {{integrator.name + ", through contacts"}, {integrator.version}, {integrator.control}});
+  }
   section.tables = {std::move(table)};
   return section;
 }
@@ -45,6 +49,8 @@ report::Page page_of(const Study& study) {
       "before."};
   page.sections = {restitution_section(study.laws), speed_section(study.works)};
   for (const ArenaWork& work : study.works) page.sections.push_back(work_section(work));
+  page.sections.push_back(stability_section(study.stability));
+  for (const ArenaWork& work : study.stiff_works) page.sections.push_back(work_section(work));
   page.sections.push_back(fidelity_section(study.fidelity));
   page.sections.push_back(origin_section(study));
   return page;

@@ -23,6 +23,12 @@ report::Figure work_chart(const ArenaWork& work, bool by_time);
 /// Where a compliant wall counts otherwise than a hard one.
 report::Section fidelity_section(const FidelityStudy& fidelity);
 
+/// Where penalty methods count wrong, gain energy or give up.
+report::Section stability_section(const StabilityStudy& stability);
+
+/// Its maps, costs, and what a wall returns too much.
+std::vector<report::Figure> stability_charts(const StabilityStudy& stability);
+
 /// What made this report.
 report::Section origin_section(const Study& study);
 

@@ -5,6 +5,7 @@
 
 #include "src/dynamics/fidelity.h"
 #include "src/dynamics/restitution.h"
+#include "src/dynamics/stability.h"
 #include "src/dynamics/work.h"
 
 /// The study of the dynamics: contact laws, numerical methods and levels of the model.
@@ -15,9 +16,10 @@ struct StudyPlan {
   double chaotic_seconds;       ///< [s], window of the chaotic arena
   WorkPlan work;
   FidelityPlan fidelity;
+  StabilityPlan stability;
 };
 
-/// Everything: a quarter of a minute on one processor; times are measured, so one thing at a time.
+/// Everything: half a minute on one processor; times are measured, so one thing at a time.
 StudyPlan full_plan();
 
 /// Coarser: seconds.
@@ -29,7 +31,10 @@ struct Study {
   std::vector<carrier_track::Integrator> integrators;
   std::vector<ArenaWork> works;
   FidelityStudy fidelity;
-  double seconds = 0;  ///< elapsed
+  StabilityStudy stability;
+  std::vector<carrier_track::Integrator> penalty_integrators;
+  std::vector<ArenaWork> stiff_works;  ///< by penalty_integrators
+  double seconds = 0;                  ///< elapsed
 };
 
 /// All but the times is the same every time.

@@ -23,6 +23,13 @@ struct Arena {
 /// Mild, fast, sticking, grazing and chaotic; the chaotic one with `seconds` [s] of window.
 std::vector<Arena> all_arenas(double seconds);
 
+/// A shaken gap with walls of `stiffness` [N/m^1.5] that return 0.9, by exact-restitution with
+/// every impact's own speed; seven impacts or so.
+carrier_track::Scene stiff_gap(double stiffness);
+
+/// The mild arena on compliant walls, stiff and very stiff, for penalty_integrators.
+std::vector<Arena> stiff_arenas();
+
 /// One run of a method.
 struct Trial {
   double control;

@@ -86,15 +86,16 @@ class Script {
 
   void plot_lines() {
     // The last label first, so that the first lies on top.
+    // NOTE: as many digits as the axes' ranges have: gnuplot drops a line whose ends are outside.
     for (std::size_t i = line_labels_.size(); i-- > 0;) {
       const std::string data = begin_data();
       for (const ReferenceLine& line : chart_.lines) {
         if (line.label != line_labels_[i]) continue;
         if (line.direction == Direction::vertical)
-          add("{0:.6g} {1:.6g}\n{0:.6g} {2:.6g}\n\n", line.position, frame_.y.lower,
+          add("{0:.10g} {1:.10g}\n{0:.10g} {2:.10g}\n\n", line.position, frame_.y.lower,
               frame_.y.upper);
         else
-          add("{1:.6g} {0:.6g}\n{2:.6g} {0:.6g}\n\n", line.position, frame_.x.lower,
+          add("{1:.10g} {0:.10g}\n{2:.10g} {0:.10g}\n\n", line.position, frame_.x.lower,
               frame_.x.upper);
       }
       end_data();

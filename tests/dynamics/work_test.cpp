@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "problems/carrier_track/compliant_model.h"
+
 namespace ricochet::dynamics {
 namespace {
 
@@ -66,6 +68,41 @@ TEST(Work, HasImpactsInEveryArena) {
   for (const ArenaWork& work : works()) {
     EXPECT_GE(work.impacts, 2) << work.arena.id;
     EXPECT_EQ(work.rate_spread > 0, work.arena.chaotic) << work.arena.id;
+  }
+}
+
+/// Collects the impacts of a simulation.
+struct Collector : carrier_track::Observer {
+  carrier_track::Outcome outcome;
+
+  void impact(double time, carrier_track::Wall wall, double speed) {
+    outcome.impacts.push_back({time, wall, speed});
+  }
+};
+
+TEST(Work, InStiffArenasHasAReferenceThatItsOwnToleranceAndAnotherMethodConfirm) {
+  for (const Arena& arena : stiff_arenas()) {
+    const auto integrators = carrier_track::penalty_integrators();
+    const carrier_track::Outcome reference = integrators.front().run(arena.scene, 0);
+    ASSERT_GE(reference.impacts.size(), 8U);
+    Collector looser;
+    carrier_track::CompliantModel(arena.scene, 1e-11).run(looser);
+    const carrier_track::Outcome rosenbrock = integrators[2].run(arena.scene, 1e-12);
+    for (const carrier_track::Outcome& other : std::vector{looser.outcome, rosenbrock}) {
+      const auto accuracy = compare(arena.scene, other, reference);
+      EXPECT_EQ(accuracy.missed + accuracy.spurious, 0) << arena.id;
+      EXPECT_LT(*accuracy.impact_time_error, 1e-11) << arena.id;
+    }
+  }
+}
+
+TEST(Work, OfFixedStepsIsLostOnVeryStiffWallsUntilTheStepIsShort) {
+  const Arena arena = stiff_arenas().back();
+  const ArenaWork work = work_in(arena, {1, 1e-6, 1e3}, carrier_track::penalty_integrators());
+  for (const MethodWork& method : work.methods) {
+    for (const Trial& trial : method.trials) {
+      EXPECT_EQ(trial.finished, method.control != "step [s]") << method.method;
+    }
   }
 }
 

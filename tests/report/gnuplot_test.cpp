@@ -101,6 +101,20 @@ TEST(Gnuplot, PointsOnlyToIdsThatExist) {
   EXPECT_GT(references, 11);
 }
 
+TEST(Gnuplot, DrawsLinesAcrossPlotsWhoseLimitsHaveManyDigits) {
+  // Rounded to fewer digits, both ends of a line are outside, and gnuplot drops it.
+  Chart chart = line_chart({{1, 1}, {2, 2}});
+  chart.x.range = chart.y.range = Range{1.0 / 3, 20.0 / 3};
+  chart.lines = {{Direction::horizontal, 1, "one"}, {Direction::vertical, 2, "two"}};
+  const std::string svg = to_svg(chart);
+  for (const char* colour : {"34,  34,  34", "242, 184,  75"}) {
+    int paths = 0;
+    for (auto at = svg.find(colour); at != std::string::npos; at = svg.find(colour, at + 1))
+      ++paths;
+    EXPECT_EQ(paths, 2) << colour;  // in the plot and in the legend
+  }
+}
+
 TEST(Gnuplot, KeepsSpecialCharactersInEveryLabel) {
   const std::string odd = R"(<b> & "q" 'p' a_b^{c} @d \n 50 % `date` $x #1 ω²)";
   Chart chart = line_chart({{0, 1}, {1, 2}});

@@ -1,60 +1,15 @@
-#include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_version.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <array>
-#include <cstdlib>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
+#include "problems/carrier_track/integrators/cvode_memory.h"
 #include "problems/carrier_track/integrators/located_events.h"
 #include "problems/carrier_track/integrators/methods.h"
 
 namespace ricochet::carrier_track {
 namespace {
-
-/// Owns a C object that is freed through a pointer to its handle.
-template <class Handle, auto free>
-class Owned {
- public:
-  Owned() = default;
-  Owned(const Owned&) = delete;
-  Owned& operator=(const Owned&) = delete;
-  ~Owned() {
-    if (handle_) release(handle_);
-  }
-  Owned& operator=(Handle handle) {
-    handle_ = handle;
-    return *this;
-  }
-  operator Handle() const { return handle_; }
-  Handle* address() { return &handle_; }
-
- private:
-  static void release(Handle& handle) {
-    if constexpr (std::is_invocable_v<decltype(free), Handle*>) {
-      free(&handle);
-    } else {
-      free(handle);
-    }
-  }
-  Handle handle_ = nullptr;
-};
-
-void require(bool done, const char* what) {
-  if (!done) throw std::runtime_error(std::string("CVODE: ") + what);
-}
-
-/// A return flag below zero is an error.
-void require_flag(int flag) {
-  if (flag >= 0) return;
-  char* name = CVodeGetReturnFlagName(flag);
-  const std::string text = name;
-  std::free(name);
-  require(false, text.c_str());
-}
 
 /// Walls and turns are CVODE's own root functions. It looks for sign changes over its steps: what
 /// starts and ends within one is missed. Turns are watched without friction too, where nothing
@@ -62,48 +17,39 @@ void require_flag(int flag) {
 /// lost.
 class CvodeFlight : public FlightMethod {
  public:
-  CvodeFlight(const FlightSetting& setting, double tolerance, int method) : setting_(setting) {
-    require_flag(SUNContext_Create(nullptr, context_.address()));
-    vector_ = N_VMake_Serial(2, state_.data(), context_);
-    require(vector_ != nullptr, "no memory for the state");
-    memory_ = CVodeCreate(method, context_);
-    require(memory_ != nullptr, "no memory for the integrator");
-    require_flag(CVodeSetErrHandlerFn(
-        memory_, [](int, const char*, const char*, char*, void*) {}, nullptr));
-    require_flag(CVodeInit(memory_, slope, 0.0, vector_));
-    require_flag(CVodeSetUserData(memory_, this));
-    require_flag(CVodeSStolerances(memory_, tolerance, tolerance * setting.length));
-    require_flag(CVodeSetMaxNumSteps(memory_, most_steps));
+  CvodeFlight(const FlightSetting& setting, double tolerance, int method)
+      : setting_(setting), memory_(method, slope, this, tolerance, tolerance * setting.length) {
+    require_cvode_flag(CVodeSetMaxNumSteps(memory_.get(), most_steps));
     // NOTE: the forces do not depend on the state, so a fixed-point iteration settles at once and
     // saves the linear algebra of Newton's, for BDF too.
-    solver_ = SUNNonlinSol_FixedPoint(vector_, 0, context_);
-    require(solver_ != nullptr, "no memory for the iteration");
-    require_flag(CVodeSetNonlinearSolver(memory_, solver_));
-    require_flag(CVodeRootInit(memory_, 3, walls_and_turn));
+    solver_ = SUNNonlinSol_FixedPoint(memory_.vector(), 0, memory_.context());
+    require_cvode(solver_ != nullptr, "no memory for the iteration");
+    require_cvode_flag(CVodeSetNonlinearSolver(memory_.get(), solver_));
+    require_cvode_flag(CVodeRootInit(memory_.get(), 3, walls_and_turn));
     std::array<int, 3> inwards = {-1, -1, 0};
-    require_flag(CVodeSetRootDirection(memory_, inwards.data()));
-    require_flag(CVodeSetNoInactiveRootWarn(memory_));
+    require_cvode_flag(CVodeSetRootDirection(memory_.get(), inwards.data()));
+    require_cvode_flag(CVodeSetNoInactiveRootWarn(memory_.get()));
   }
 
   Landing fly(const Leg& leg) override {
     start_ = leg.start;
     friction_ = leg.direction * setting_.forces.friction;
-    state_ = {leg.state.position, leg.state.velocity};
-    require_flag(CVodeReInit(memory_, 0.0, vector_));
+    memory_.state() = {leg.state.position, leg.state.velocity};
+    require_cvode_flag(CVodeReInit(memory_.get(), 0.0, memory_.vector()));
     double time = 0;
     for (;;) {
-      const int flag = CVode(memory_, leg.longest, vector_, &time, CV_NORMAL);
+      const int flag = CVode(memory_.get(), leg.longest, memory_.vector(), &time, CV_NORMAL);
       if (flag == CV_TOO_CLOSE) {  // what is left of the window is lost in rounding
         const double position = leg.state.position + leg.longest * leg.state.velocity;
         return {Finish::limit, leg.longest, {position, leg.state.velocity}};
       }
-      require_flag(flag);
+      require_cvode_flag(flag);
       // NOTE: CVODE's own limit is for one call, and every turn returns.
       long steps = 0;
-      require_flag(CVodeGetNumSteps(memory_, &steps));
-      require(steps_ + steps <= most_steps, "more than 1000000 steps");
+      require_cvode_flag(CVodeGetNumSteps(memory_.get(), &steps));
+      require_cvode(steps_ + steps <= most_steps, "more than 1000000 steps");
       std::array<int, 3> found{};
-      if (flag == CV_ROOT_RETURN) require_flag(CVodeGetRootInfo(memory_, found.data()));
+      if (flag == CV_ROOT_RETURN) require_cvode_flag(CVodeGetRootInfo(memory_.get(), found.data()));
       const bool wall = found[0] != 0 || found[1] != 0;
       const bool turn = found[2] != 0 && setting_.forces.friction > 0;
       if (flag == CV_ROOT_RETURN && !wall && !turn) continue;
@@ -112,7 +58,9 @@ class CvodeFlight : public FlightMethod {
                             : found[1] != 0 ? Finish::upper_wall
                             : turn          ? Finish::turn
                                             : Finish::limit;
-      return {finish, finish == Finish::limit ? leg.longest : time, {state_[0], state_[1]}};
+      return {finish,
+              finish == Finish::limit ? leg.longest : time,
+              {memory_.state()[0], memory_.state()[1]}};
     }
   }
 
@@ -135,15 +83,10 @@ class CvodeFlight : public FlightMethod {
     return 0;
   }
 
-  static void free_memory(void** memory) { CVodeFree(memory); }
-
   FlightSetting setting_;
-  std::array<double, 2> state_{};
-  // NOTE: freed from the last to the first; the context has to outlive the others.
-  Owned<SUNContext, SUNContext_Free> context_;
-  Owned<N_Vector, N_VDestroy> vector_;
+  CvodeMemory memory_;
+  // NOTE: freed before the context of the memory.
   Owned<SUNNonlinearSolver, SUNNonlinSolFree> solver_;
-  Owned<void*, free_memory> memory_;
   double start_ = 0;     // [s], of the leg
   double friction_ = 0;  // [m/s^2], signed
   std::int64_t steps_ = 0;

@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "problems/carrier_track/compliant_model.h"
 #include "problems/carrier_track/impact_model.h"
 #include "problems/carrier_track/integrators/methods.h"
 
@@ -23,7 +24,9 @@ Outcome run(const Scene& scene, double /*control*/) {
   Outcome outcome;
   ImpactCollector collector(outcome.impacts);
   try {
-    const End<double> end = ImpactModel<double>(scene).run(collector);
+    const End<double> end = scene.fidelity == Fidelity::compliant
+                                ? CompliantModel(scene, 1e-12).run(collector)
+                                : ImpactModel<double>(scene).run(collector);
     outcome.end = {end.time, end.position, end.velocity};
     outcome.force_evaluations = end.evaluations;
     outcome.finished = true;

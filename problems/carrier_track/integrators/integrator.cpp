@@ -9,4 +9,10 @@ std::vector<Integrator> all_integrators() {
           cvode_bdf(),    semi_implicit_euler(), runge_kutta_4(),      moreau_jean()};
 }
 
+std::vector<Integrator> penalty_integrators() {
+  return {event_driven(),         penalty_odeint_dopri5(), penalty_odeint_rosenbrock4(),
+          penalty_cvode_adams(),  penalty_cvode_bdf(),     penalty_semi_implicit_euler(),
+          penalty_runge_kutta_4()};
+}
+
 }  // namespace ricochet::carrier_track

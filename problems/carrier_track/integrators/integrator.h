@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,13 @@ struct Outcome {
   std::int64_t force_evaluations = 0;  ///< event-driven: of the closed-form flight
   bool finished = false;
   std::string failure;  ///< why it did not finish, for instance too many steps
+
+  // Of penalty methods alone, which see the inside of the walls.
+  double deepest = 0;  ///< [m] behind a wall; infinite: more than the gap, which ended the run
+  /// [m/s]; the largest excess of the speed out of a wall again over that before it and what the
+  /// applied forces can have added in between. No wall gives energy: > 0 is the method's error.
+  /// Nothing where no contact has ended.
+  std::optional<double> gained;
 };
 
 /// A method for the whole hybrid motion: flights, impacts, sticking and the ends of Zeno sequences.
@@ -31,6 +39,10 @@ struct Integrator {
 
 /// The project's own event-driven simulator first, then what it is compared with.
 std::vector<Integrator> all_integrators();
+
+/// The same event-driven simulator first, then methods that integrate straight through the contacts
+/// of compliant walls. They refuse scenes with hard walls, and with friction.
+std::vector<Integrator> penalty_integrators();
 
 /// A rebound slower than this [m/s] against a pressing force ends a Zeno sequence for every method
 /// here but the event-driven one, which sums it in closed form (resting_speed). Its hop under the

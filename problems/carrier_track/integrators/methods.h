@@ -5,7 +5,8 @@
 /// One method a source file; integrator.cpp lists them.
 namespace ricochet::carrier_track {
 
-/// ImpactModel: flights in closed form, events by conservative advancement. Ignores the control.
+/// ImpactModel: flights in closed form, events by conservative advancement. On compliant walls the
+/// CompliantModel at its tightest tolerance, 1e-12. Ignores the control.
 Integrator event_driven();
 
 /// Boost.Odeint's Dormand-Prince 5(4), events on its dense output.
@@ -26,5 +27,14 @@ Integrator runge_kutta_4();
 
 /// Moreau-Jean time-stepping, theta = 1/2: contact and friction as impulses at velocity level.
 Integrator moreau_jean();
+
+/// Penalty methods (penalty.h): the same straight through the contacts of compliant walls.
+/// CVODE iterates Adams-Moulton by fixed point, as for non-stiff motion, and BDF by Newton.
+Integrator penalty_semi_implicit_euler();
+Integrator penalty_runge_kutta_4();
+Integrator penalty_odeint_dopri5();
+Integrator penalty_odeint_rosenbrock4();
+Integrator penalty_cvode_adams();
+Integrator penalty_cvode_bdf();
 
 }  // namespace ricochet::carrier_track

@@ -1,4 +1,5 @@
 #include <array>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/version.hpp>
@@ -6,6 +7,8 @@
 #include "problems/carrier_track/integrators/dense_flight.h"
 #include "problems/carrier_track/integrators/located_events.h"
 #include "problems/carrier_track/integrators/methods.h"
+#include "problems/carrier_track/integrators/penalty.h"
+#include "problems/carrier_track/integrators/take_step.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -48,6 +51,36 @@ class Dopri5 : public FlightMethod {
   std::int64_t evaluations_ = 0;
 };
 
+class Dopri5Steps : public StepMethod {
+ public:
+  Dopri5Steps(const PenaltySystem& system, double tolerance)
+      : system_(system),
+        stepper_(odeint::make_controlled(tolerance * system.length, tolerance,
+                                         longest_step(system.forces, system.window),
+                                         odeint::runge_kutta_dopri5<Vector>())),
+        step_(0.1 * longest_step(system.forces, system.window)) {}
+
+  void step(double& time, State& state) override {
+    const auto slope = [this](const Vector& x, Vector& dxdt, double t) {
+      ++evaluations_;
+      dxdt = {x[1], system_.acceleration(t, {x[0], x[1]})};
+    };
+    Vector x = {state.position, state.velocity};
+    // NOTE: the stepper keeps the last slope for the next step, as the first of it; but for the
+    // damping's scale, which acts inside the walls alone, it is the same one.
+    take_step(stepper_, slope, x, time, step_, system_.window);
+    state = {x[0], x[1]};
+  }
+
+  std::int64_t evaluations() const override { return evaluations_; }
+
+ private:
+  const PenaltySystem& system_;
+  odeint::result_of::make_controlled<odeint::runge_kutta_dopri5<Vector>>::type stepper_;
+  double step_;  // [s], proposed by the stepper
+  std::int64_t evaluations_ = 0;
+};
+
 }  // namespace
 
 Integrator odeint_dopri5() {
@@ -56,6 +89,13 @@ Integrator odeint_dopri5() {
             Dopri5 method(flight_setting(scene), tolerance);
             return run_with_located_events(scene, method);
           }};
+}
+
+Integrator penalty_odeint_dopri5() {
+  return penalty_integrator("odeint-dopri5", "Boost " BOOST_LIB_VERSION, "relative tolerance",
+                            [](const PenaltySystem& system, double tolerance) {
+                              return std::make_unique<Dopri5Steps>(system, tolerance);
+                            });
 }
 
 }  // namespace ricochet::carrier_track

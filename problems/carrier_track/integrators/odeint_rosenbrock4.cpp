@@ -2,7 +2,9 @@
 
 #include "problems/carrier_track/integrators/located_events.h"
 #include "problems/carrier_track/integrators/methods.h"
+#include "problems/carrier_track/integrators/penalty.h"
 #include "problems/carrier_track/integrators/rosenbrock_flight.h"
+#include "problems/carrier_track/integrators/rosenbrock_steps.h"
 
 namespace ricochet::carrier_track {
 
@@ -12,6 +14,11 @@ Integrator odeint_rosenbrock4() {
             const auto method = rosenbrock_flight(flight_setting(scene), tolerance);
             return run_with_located_events(scene, *method);
           }};
+}
+
+Integrator penalty_odeint_rosenbrock4() {
+  return penalty_integrator("odeint-rosenbrock4", "Boost " BOOST_LIB_VERSION, "relative tolerance",
+                            rosenbrock_steps);
 }
 
 }  // namespace ricochet::carrier_track

@@ -1,27 +1,15 @@
 #include "problems/carrier_track/integrators/rosenbrock_flight.h"
 
-#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
-#include <boost/numeric/odeint/stepper/rosenbrock4_controller.hpp>
 #include <boost/numeric/odeint/stepper/rosenbrock4_dense_output.hpp>
 #include <utility>
 
 #include "problems/carrier_track/integrators/dense_flight.h"
+#include "problems/carrier_track/integrators/rosenbrock.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-namespace odeint = boost::numeric::odeint;
-
-// NOTE: up to Boost 1.74 at least, d4 of the method (Hairer and Wanner's RODAS) has the wrong sign,
-// which leaves order 2 where the forces depend on time. This one hides it.
-struct Coefficients : odeint::default_rosenbrock_coefficients<double> {
-  const double d4 = -0.3620000000000023e-01;
-};
-
-using Method = odeint::rosenbrock4<double, Coefficients>;
-using Vector = Method::state_type;
-using Matrix = Method::matrix_type;
-using Controller = odeint::rosenbrock4_controller<Method>;
+using namespace rosenbrock;
 
 class RosenbrockFlight : public FlightMethod {
  public:
@@ -64,7 +52,7 @@ class RosenbrockFlight : public FlightMethod {
 
  private:
   FlightSetting setting_;
-  odeint::rosenbrock4_dense_output<Controller> stepper_;
+  boost::numeric::odeint::rosenbrock4_dense_output<Controller> stepper_;
   double step_;     // [s], proposed by the stepper
   double longest_;  // [s], the first step of the next leg
   Vector workspace_;

@@ -1,5 +1,6 @@
 #include "problems/carrier_track/integrators/fixed_step.h"
 #include "problems/carrier_track/integrators/methods.h"
+#include "problems/carrier_track/integrators/penalty.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -22,6 +23,22 @@ State step(const Forces& forces, double time, const State& state, int direction,
   return next;
 }
 
+/// The same with a force that depends on the state, too: four evaluations.
+State penalty_step(const PenaltySystem& system, double time, const State& state, double length) {
+  const double half = 0.5 * length;
+  const double v1 = state.velocity;
+  const double push = system.forces.applied(time + half);  // of both middle stages
+  const double a1 = system.acceleration(time, state);
+  const double v2 = v1 + half * a1;
+  const double a2 = push + system.wall({state.position + half * v1, v2});
+  const double v3 = v1 + half * a2;
+  const double a3 = push + system.wall({state.position + half * v2, v3});
+  const double v4 = v1 + length * a3;
+  const double a4 = system.acceleration(time + length, {state.position + length * v3, v4});
+  return {state.position + length / 6 * (v1 + 2 * v2 + 2 * v3 + v4),
+          v1 + length / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
+}
+
 }  // namespace
 
 Integrator runge_kutta_4() {
@@ -29,6 +46,10 @@ Integrator runge_kutta_4() {
           [](const Scene& scene, double longest) {
             return run_with_reflection(scene, longest, 3, step);
           }};
+}
+
+Integrator penalty_runge_kutta_4() {
+  return equal_step_penalty("runge-kutta-4", "ricochet " RICOCHET_VERSION, 4, penalty_step);
 }
 
 }  // namespace ricochet::carrier_track

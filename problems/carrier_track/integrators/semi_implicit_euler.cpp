@@ -1,5 +1,6 @@
 #include "problems/carrier_track/integrators/fixed_step.h"
 #include "problems/carrier_track/integrators/methods.h"
+#include "problems/carrier_track/integrators/penalty.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -18,6 +19,15 @@ Integrator semi_implicit_euler() {
           [](const Scene& scene, double longest) {
             return run_with_reflection(scene, longest, 1, step);
           }};
+}
+
+Integrator penalty_semi_implicit_euler() {
+  return equal_step_penalty(
+      "semi-implicit-euler", "ricochet " RICOCHET_VERSION, 1,
+      [](const PenaltySystem& system, double time, const State& state, double length) {
+        const double velocity = state.velocity + length * system.acceleration(time, state);
+        return State{state.position + length * velocity, velocity};
+      });
 }
 
 }  // namespace ricochet::carrier_track

@@ -46,6 +46,7 @@ report::Page page_of(const Study& study) {
   page.sections = {restitution_section(study.laws), speed_section(study.works)};
   for (const ArenaWork& work : study.works) page.sections.push_back(work_section(work));
   page.sections.push_back(fidelity_section(study.fidelity));
+  page.sections.push_back(lyapunov_section(study.lyapunov));
   page.sections.push_back(origin_section(study));
   return page;
 }

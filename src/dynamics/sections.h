@@ -23,6 +23,9 @@ report::Figure work_chart(const ArenaWork& work, bool by_time);
 /// Where a compliant wall counts otherwise than a hard one.
 report::Section fidelity_section(const FidelityStudy& fidelity);
 
+/// Which motions are chaotic, and how long an impact can be trusted.
+report::Section lyapunov_section(const LyapunovStudy& study);
+
 /// What made this report.
 report::Section origin_section(const Study& study);
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/dynamics/fidelity.h"
+#include "src/dynamics/lyapunov.h"
 #include "src/dynamics/restitution.h"
 #include "src/dynamics/work.h"
 
@@ -15,6 +16,7 @@ struct StudyPlan {
   double chaotic_seconds;       ///< [s], window of the chaotic arena
   WorkPlan work;
   FidelityPlan fidelity;
+  LyapunovPlan lyapunov;
 };
 
 /// Everything: a quarter of a minute on one processor; times are measured, so one thing at a time.
@@ -29,6 +31,7 @@ struct Study {
   std::vector<carrier_track::Integrator> integrators;
   std::vector<ArenaWork> works;
   FidelityStudy fidelity;
+  LyapunovStudy lyapunov;
   double seconds = 0;  ///< elapsed
 };
 

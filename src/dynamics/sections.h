@@ -26,6 +26,9 @@ report::Section fidelity_section(const FidelityStudy& fidelity);
 /// Which motions are chaotic, and how long an impact can be trusted.
 report::Section lyapunov_section(const LyapunovStudy& study);
 
+/// What every method does where the motion is hard to compute.
+report::Section hazards_section(const HazardStudy& study);
+
 /// What made this report.
 report::Section origin_section(const Study& study);
 

@@ -23,7 +23,8 @@ StudyPlan full_plan() {
           30,
           {2, 1e-12, 1e5},
           {{3, 6, 9, 12, 15, 18}, {1e10, 1e12, 1e14, 1e16, 1e18}},
-          {evenly(1, 18, 1), 100, evenly(1, 12, 0.1), 32}};
+          {evenly(1, 18, 1), 100, evenly(1, 12, 0.1), 32},
+          {8, 10000, 30, 8}};
 }
 
 StudyPlan quick_plan() {
@@ -31,7 +32,8 @@ StudyPlan quick_plan() {
           5,
           {1, 1e-12, 1e3},
           {{6, 12}, {1e10, 1e14, 1e18}},
-          {evenly(3, 18, 3), 20, evenly(1, 12, 0.5), 8}};
+          {evenly(3, 18, 3), 20, evenly(1, 12, 0.5), 8},
+          {3, 1000, 5, 4}};
 }
 
 Study make_study(const StudyPlan& plan) {
@@ -51,6 +53,7 @@ Study make_study(const StudyPlan& plan) {
   }
   study.fidelity = study_fidelity(plan.fidelity);
   study.lyapunov = study_lyapunov(plan.lyapunov);
+  study.hazards = study_hazards(plan.hazards, study.integrators);
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return study;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "src/dynamics/fidelity.h"
+#include "src/dynamics/hazards.h"
 #include "src/dynamics/lyapunov.h"
 #include "src/dynamics/restitution.h"
 #include "src/dynamics/work.h"
@@ -17,6 +18,7 @@ struct StudyPlan {
   WorkPlan work;
   FidelityPlan fidelity;
   LyapunovPlan lyapunov;
+  HazardPlan hazards;
 };
 
 /// Everything: a quarter of a minute on one processor; times are measured, so one thing at a time.
@@ -32,6 +34,7 @@ struct Study {
   std::vector<ArenaWork> works;
   FidelityStudy fidelity;
   LyapunovStudy lyapunov;
+  HazardStudy hazards;
   double seconds = 0;  ///< elapsed
 };
 

@@ -156,6 +156,13 @@ int failures(const std::vector<Cell>& row) {
                                         [](const Cell& cell) { return cell.state == State::bad; }));
 }
 
+/// How many methods fail at the hazard of a column.
+int failing(const report::Table& table, std::size_t column) {
+  return static_cast<int>(std::count_if(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+    return row[column].state == State::bad;
+  }));
+}
+
 std::string finding(const report::Table& loose, const report::Table& tight) {
   const std::size_t hazards = tight.columns.size() - 1;
   std::string clean;
@@ -173,8 +180,10 @@ std::string finding(const report::Table& loose, const report::Table& tight) {
   }
   return fmt::format(
       "Found: {} passes all {} hazards at either control; at the tight control {} fails most, {} "
-      "of {}.",
-      clean.empty() ? "no method" : clean, hazards, worst_method, worst, hazards);
+      "of {}. There a wall that is just touched or missed defeats {} of {} methods, sticking {}, "
+      "endless bouncing {}; the rate of impacts in chaos, {}.",
+      clean.empty() ? "no method" : clean, hazards, worst_method, worst, hazards, failing(tight, 2),
+      tight.rows.size(), failing(tight, 3), failing(tight, 1), failing(tight, hazards));
 }
 
 }  // namespace
@@ -195,16 +204,27 @@ report::Section hazards_section(const HazardStudy& study) {
           "impacts "
           "in {:.4f} s and then lies still; a good method rests within a thousandth of that time. "
           "Wall just touched or missed: a swing overshoots a wall by a part of itself, or falls "
-          "short. Sticking: dry friction must hold a block that 0.9999 of it pushes at, and let it "
+          "short, by 1e-3 down to 1e-15; \"sees all from 1e-05\" means every touch at least that "
+          "deep. Sticking: dry friction must hold a block that 0.9999 of it pushes at, and let it "
           "go when a varying force exceeds it for a moment, by 1e-1 down to {:.0e}.",
           study.tight.front().zeno.end_of_impacts, std::pow(10.0, -plan.decades)),
       fmt::format(
-          "Energy: a ball that loses next to nothing in an impact has e^(2n) of its energy after n "
+          "Energy: a ball that loses next to nothing in an impact has restitution^(2n) of its "
+          "energy after n "
           "impacts; n is {}. Its flights are parabolas, which one-step methods of higher order "
           "follow exactly. A good method is right within 0.1 %. Chaos: impacts per second in the "
           "chaotic scene, {} runs of {:g} s, against 64 exact ones; within {:.1f} % nobody can "
           "tell.",
           plan.impacts, plan.starts, plan.seconds, 100 * rate.uncertainty)};
+  const auto hangs = [](const MethodHazards& method) {
+    return method.sticking.gave_up.has_value();
+  };
+  if (std::any_of(study.loose.begin(), study.loose.end(), hangs)) {
+    section.paragraphs.push_back(
+        "Hangs: where a motion is smaller than its tolerance a method may find the next turn at "
+        "once, is started anew there, as friction demands, and finds the next, until a million "
+        "steps are used up.");
+  }
   section.tables = {std::move(loose), std::move(tight)};
   section.figures = {map_of(study, study.loose, "loose"), map_of(study, study.tight, "tight")};
   return section;

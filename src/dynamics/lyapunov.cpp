@@ -213,7 +213,12 @@ Scene arena_scene(const std::string& id, double seconds) {
 
 Course course_of(std::string name, const Scene& scene, int starts) {
   constexpr std::size_t shown = 400;
-  Course course{std::move(name), sensitivity_of(scene), digits_lost_by_impact(scene, shown), {}};
+  const Sensitivity sensitivity = sensitivity_of(scene);
+  Course course{std::move(name),
+                sensitivity,
+                sensitivity.impacts * duration_of(scene),
+                digits_lost_by_impact(scene, shown),
+                {}};
   for (int k = 0; k < starts; ++k) {
     Scene start = scene;
     start.start_velocity *= 1 + 0.01 * k;

@@ -67,6 +67,7 @@ struct LyapunovPlan {
 struct Course {
   std::string name;
   Sensitivity sensitivity;
+  double impacts;                   ///< in its window, about
   std::vector<double> digits_lost;  ///< by impact
   std::vector<int> parted;          ///< impacts until pairs of runs were apart, of those that were
 };

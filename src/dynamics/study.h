@@ -21,7 +21,7 @@ struct StudyPlan {
   HazardPlan hazards;
 };
 
-/// Everything: a quarter of a minute on one processor; times are measured, so one thing at a time.
+/// Everything: half a minute on one processor; times are measured, so one thing at a time.
 StudyPlan full_plan();
 
 /// Coarser: seconds.

@@ -130,12 +130,14 @@ TEST(Hazards, ReflectionAtTheEndOfAStepGainsOrLosesTheEnergyOfANearlyElasticBall
   EXPECT_NEAR(moreau.energy_ratio, 1, 5e-3);
 }
 
-TEST(Hazards, ChaosKeepsItsRateUnderAllButLooseRungeKutta) {
+TEST(Hazards, ChaosSparesTheRateOfImpacts) {
   for (const Integrator& integrator : all_integrators()) {
     const ChaoticRate rate = rate_of(integrator, loose, 20, 8);
     EXPECT_TRUE(rate.finished) << integrator.name;
-    EXPECT_LT(std::abs(rate.error), 2 * rate.uncertainty) << integrator.name;
-    EXPECT_LT(rate.uncertainty, 0.03);
+    EXPECT_LT(rate.uncertainty, 0.02);
+    // Thirty steps an impact bias it by a little, too.
+    const double bias = integrator.control == "step [s]" ? 0.02 : 0;
+    EXPECT_LT(std::abs(rate.error), rate.uncertainty + bias) << integrator.name;
   }
 }
 

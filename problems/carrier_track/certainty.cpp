@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <variant>
 
 #include "problems/carrier_track/collisions.h"
@@ -307,7 +308,14 @@ Certainty certainty_of(const Scene& scene, const Testimony& testimony) {
       const double near_end = duration_of(near);
       lengthen(near.window);
       Testimony other(near);
-      simulate(near, other);
+      try {
+        simulate(near, other);
+      } catch (const std::runtime_error& error) {
+        certainty.certain = false;
+        certainty.doubt = Doubt::sensitive;
+        certainty.reason = fmt::format("with the tenth digit changed {}", error.what());
+        return certainty;
+      }
       const Comparison comparison(testimony, duration, other, near_end);
       pairs.insert(pairs.end(), comparison.pairs().begin(), comparison.pairs().end());
       const Suspect& suspect = comparison.first();

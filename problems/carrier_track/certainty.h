@@ -30,7 +30,7 @@ enum class Doubt {
   margin,    ///< the change takes a feature's margin z to or across zero
   window,    ///< the change takes a feature that counts to or across the end of the window
   graze,     ///< a wall is touched or missed, or a maximum is there or not, with the change
-  sensitive  ///< the change has grown beyond 1e6-fold: nobody can tell
+  sensitive  ///< the change has grown beyond 1e6-fold, or leads to a motion that is refused
 };
 
 struct Certainty {

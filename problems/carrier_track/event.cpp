@@ -26,7 +26,7 @@ class Search {
         ahead_(ahead),
         horizon_(horizon),
         evaluations_(evaluations),
-        speed_(direction * path.velocity),
+        speed_(std::max(direction * path.velocity, 0.0)),
         acceleration_(direction * path.acceleration()),
         jerk_(direction * path.jerk()),
         snap_(direction * path.snap()),
@@ -56,13 +56,15 @@ class Search {
     const double b = 0.5 * jerk_ * plain * inverse;
     const double c = snap_ * plain * plain * inverse / 6;
     const Path start = there_;
-    advance(std::min(plain * (1 + b + c + b * (2 * b + 5 * (b * b + c))), latest));
+    const double guess = plain * (1 + b + c + b * (2 * b + 5 * (b * b + c)));
+    advance(guess > 0 && guess < latest ? guess : plain);
     for (int i = 0; i < 6; ++i) {
       const double slope = direction_ * there_.acceleration();
       const double step = std::min(-direction_ * there_.velocity / slope, latest - time_);
       advance(step);
       // Newton's next error is below J step^2 / (2 |a|).
-      if (jerk_bound_ * step * step <= -2 * epsilon * slope * time_) return true;
+      const bool settled = jerk_bound_ * step * step <= -2 * epsilon * slope * time_;
+      if (settled && time_ > 0) return true;
     }
     there_ = start;
     time_ = 0;
@@ -74,7 +76,7 @@ class Search {
   bool short_arrival() {
     const double square = speed_ * speed_ + 2 * acceleration_ * ahead_;
     if (!(square > 0 && speed_ >= 0)) return false;
-    double time = 2 * ahead_ / (speed_ + std::sqrt(square));
+    const double time = 2 * ahead_ / (speed_ + std::sqrt(square));
     const double latest = 1.25 * time;
     const double slow = speed_ + latest * (acceleration_ - latest * jerk_bound_ / 2);
     const double near = latest * (speed_ + latest * (acceleration_ / 2 - latest * jerk_bound_ / 6));
@@ -84,8 +86,9 @@ class Search {
     const double miss =
         time * (speed_ + time * (acceleration_ / 2 + time * (jerk_ / 6 + time * snap_ / 24))) -
         ahead_;
-    time -= miss / (speed_ + time * (acceleration_ + time * (jerk_ / 2 + time * snap_ / 6)));
-    advance(time);
+    const double guess =
+        time - miss / (speed_ + time * (acceleration_ + time * (jerk_ / 2 + time * snap_ / 6)));
+    advance(guess > 0 && guess < latest ? guess : time);
     arrive(0, latest, jerk_bound_);
     return true;
   }
@@ -97,7 +100,8 @@ class Search {
     if (!(latest < horizon_)) return false;
     const auto [least, mean] = there_.speeds(direction_, latest);
     if (!(least > 0 && least * latest > ahead_)) return false;
-    advance(std::min(ahead_ / mean, latest));
+    const double guess = ahead_ / mean;
+    advance(guess > 0 && guess < latest ? guess : latest / 2);
     arrive(0, latest, jerk_bound_);
     return true;
   }

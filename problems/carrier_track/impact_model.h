@@ -195,7 +195,13 @@ class ImpactModel {
     offset_ = there.position;
     velocity_ = there.velocity;
     forces_.arrive(there, time);
-    time_ += time;
+    tick(time);
+  }
+
+  /// Lets `time` pass for the clock, which ends exactly with the window.
+  void tick(const Scalar& time) {
+    const bool last = value(time) >= value(duration_) - value(time_);
+    time_ = last ? duration_ : time_ + time;
   }
 
   template <class SomeObserver>
@@ -276,7 +282,7 @@ class ImpactModel {
   }
 
   void pass(const Scalar& time) {
-    time_ += time;
+    tick(time);
     forces_.pass(time);
   }
 

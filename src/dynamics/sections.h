@@ -29,6 +29,12 @@ report::Section stability_section(const StabilityStudy& stability);
 /// Its maps, costs, and what a wall returns too much.
 std::vector<report::Figure> stability_charts(const StabilityStudy& stability);
 
+/// Which motions are chaotic, and how long an impact can be trusted.
+report::Section lyapunov_section(const LyapunovStudy& study);
+
+/// What every method does where the motion is hard to compute.
+report::Section hazards_section(const HazardStudy& study);
+
 /// What made this report.
 report::Section origin_section(const Study& study);
 

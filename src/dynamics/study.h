@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "src/dynamics/fidelity.h"
+#include "src/dynamics/hazards.h"
+#include "src/dynamics/lyapunov.h"
 #include "src/dynamics/restitution.h"
 #include "src/dynamics/stability.h"
 #include "src/dynamics/work.h"
@@ -17,6 +19,8 @@ struct StudyPlan {
   WorkPlan work;
   FidelityPlan fidelity;
   StabilityPlan stability;
+  LyapunovPlan lyapunov;
+  HazardPlan hazards;
 };
 
 /// Everything: half a minute on one processor; times are measured, so one thing at a time.
@@ -34,7 +38,9 @@ struct Study {
   StabilityStudy stability;
   std::vector<carrier_track::Integrator> penalty_integrators;
   std::vector<ArenaWork> stiff_works;  ///< by penalty_integrators
-  double seconds = 0;                  ///< elapsed
+  LyapunovStudy lyapunov;
+  HazardStudy hazards;
+  double seconds = 0;  ///< elapsed
 };
 
 /// All but the times is the same every time.

@@ -8,8 +8,13 @@ namespace ricochet::dynamics {
 namespace {
 
 const Study& tiny_study() {
-  static const Study study =
-      make_study({48, 5, {1, 1e-6, 1e2}, {{6}, {1e12}}, {{1e8, 1e12}, {1e-4, 1e-5}, {1e-4}, 4}});
+  static const Study study = make_study({48,
+                                         5,
+                                         {1, 1e-6, 1e2},
+                                         {{6}, {1e12}},
+                                         {{1e8, 1e12}, {1e-4, 1e-5}, {1e-4}, 4},
+                                         {{6}, 4, {5}, 1},
+                                         {2, 100, 2, 1}});
   return study;
 }
 
@@ -26,7 +31,7 @@ TEST(Page, DrawsChartsThatHoldTogether) {
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
     }
   }
-  EXPECT_EQ(names.size(), 1U + 2 * 5 + 13 + 2 * 2 + 1);
+  EXPECT_EQ(names.size(), 1U + 2 * 5 + 13 + 2 * 2 + 1 + 3 + 2);
 }
 
 TEST(Page, BeginsEverySectionWithWhatItFound) {

@@ -53,5 +53,25 @@ TEST(Comparison, CallsCountsThatRoundingDecidesUncertain) {
   }
 }
 
+TEST(Comparison, ComesThroughWhatIsHardForTheSearch) {
+  // In turn: a wave that cancels another to the last bit, and elastic hops that another digit in
+  // the restitution turns into millions.
+  for (const int i : {174939, 82880}) {
+    const Comparison c = compare(hostile_scene(1, i).scene);
+    EXPECT_TRUE(c.compared);
+    EXPECT_TRUE(!c.certain || c.agrees()) << "scene " << i;
+  }
+}
+
+TEST(Comparison, AgreesWhereAFlightLastsManyTurnsOfAFastPlate) {
+  // There the derivatives at its start say nothing about its end.
+  for (const int i : {15331, 21634, 26507, 36440}) {
+    const Comparison c = compare(hostile_scene(1, i).scene);
+    EXPECT_TRUE(c.compared);
+    EXPECT_EQ(c.count, c.truth) << "scene " << i;
+    EXPECT_EQ(c.missed, 0) << "scene " << i;
+  }
+}
+
 }  // namespace
 }  // namespace ricochet::carrier_track

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/level.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -50,8 +51,10 @@ class Recorder : public Observer {
 
 }  // namespace
 
-Recording record(const Scene& scene, double width, std::size_t samples) {
+Recording record(const Scene& asked, double width, std::size_t samples) {
+  const Scene scene = settled(asked);
   Recording recording;
+  recording.fidelity = scene.fidelity;
   const double spacing = samples > 0 ? duration_of(scene) / static_cast<double>(samples)
                                      : std::numeric_limits<double>::infinity();
   Recorder recorder(scene, recording, spacing);

@@ -26,6 +26,7 @@ struct Sample {
 
 /// One simulation with all that there is to say of it.
 struct Recording {
+  Fidelity fidelity = Fidelity::impact;  ///< the level simulated, for auto the one it settled on
   int count = 0;
   double surrogate = 0;
   Certainty certainty;  ///< of the count
@@ -37,7 +38,8 @@ struct Recording {
 
 /// Simulates a valid scene and keeps everything. The path is sampled at the ends of every stretch,
 /// at every step in a compliant wall, and evenly in between, about `samples` times over the window;
-/// 0 keeps no path. Costs five simulations, four of them for the certainty.
+/// 0 keeps no path. Costs five simulations, four of them for the certainty; with fidelity
+/// auto up to fifteen.
 Recording record(const Scene& scene, double width, std::size_t samples);
 
 }  // namespace ricochet::carrier_track

@@ -5,6 +5,7 @@
 
 #include "problems/carrier_track/compliant_model.h"
 #include "problems/carrier_track/impact_model.h"
+#include "problems/carrier_track/level.h"
 #include "problems/carrier_track/planar_model.h"
 
 namespace ricochet::carrier_track {
@@ -20,6 +21,7 @@ End<Scalar> simulate(const BasicScene<Scalar>& scene, SomeObserver& observer) {
     return ImpactModel<Scalar, ProfileForces<Scalar>>(scene).run(observer);
   }
   if constexpr (std::is_same_v<Scalar, double>) {
+    if (scene.fidelity == Fidelity::automatic) return simulate(settled(scene), observer);
     if (scene.fidelity == Fidelity::compliant) {
       if (steady) return CompliantModel(scene).run(observer);
       return CompliantModel<ProfileForces<double>>(scene).run(observer);

@@ -41,7 +41,7 @@ Json json_of(const std::optional<Graze>& graze) {
   return {{"time", graze->time}, {"wall", name_of(graze->wall)}, {"distance", graze->distance}};
 }
 
-Json json_of(const Scene& scene, const Recording& recording) {
+Json json_of(const Recording& recording) {
   Json impacts = Json::array();
   for (const Impact& i : recording.impacts) {
     impacts.push_back({{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}});
@@ -64,7 +64,7 @@ Json json_of(const Scene& scene, const Recording& recording) {
             {"position", recording.end.position},
             {"velocity", recording.end.velocity}}},
           {"evaluations", recording.end.evaluations},
-          {"fidelity", name_of(fidelity_choices(), scene.fidelity)}};
+          {"fidelity", name_of(fidelity_choices(), recording.fidelity)}};
 }
 
 std::string csv_of(const Recording& recording) {
@@ -89,6 +89,10 @@ void print(const ChosenScene& chosen, const Recording& recording) {
   fmt::print("{} at {}: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
              speed_of(chosen.scene), recording.count, recording.end.time,
              certainty.certain ? "certain" : "not certain", recording.surrogate);
+  if (chosen.scene.fidelity == Fidelity::automatic) {
+    fmt::print("level of the model that it needs: {}\n",
+               name_of(fidelity_choices(), recording.fidelity));
+  }
   if (!certainty.certain) fmt::print("not certain: {}\n", certainty.reason);
   if (certainty.margin) {
     fmt::print("nearest margin to zero: {:.3g}; a small change grows {:.2g}-fold\n",
@@ -132,7 +136,7 @@ int simulate(const SimulateOptions& options) {
   if (!options.csv.empty()) write_text_file(options.csv, csv_of(recording));
   if (!options.plot.empty()) write_text_file(options.plot, picture_of(chosen, recording));
   if (options.json) {
-    fmt::print("{}\n", json_of(chosen.scene, recording).dump(2));
+    fmt::print("{}\n", json_of(recording).dump(2));
   } else {
     print(chosen, recording);
   }

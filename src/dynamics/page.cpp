@@ -52,6 +52,7 @@ report::Page page_of(const Study& study) {
   page.sections.push_back(stability_section(study.stability));
   for (const ArenaWork& work : study.stiff_works) page.sections.push_back(work_section(work));
   page.sections.push_back(fidelity_section(study.fidelity));
+  page.sections.push_back(levels_section(study.levels));
   page.sections.push_back(lyapunov_section(study.lyapunov));
   page.sections.push_back(hazards_section(study.hazards));
   page.sections.push_back(origin_section(study));

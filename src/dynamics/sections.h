@@ -23,6 +23,9 @@ report::Figure work_chart(const ArenaWork& work, bool by_time);
 /// Where a compliant wall counts otherwise than a hard one.
 report::Section fidelity_section(const FidelityStudy& fidelity);
 
+/// Which level a scene needs, what the cheaper ones get wrong, and what each costs.
+report::Section levels_section(const LevelStudy& study);
+
 /// Where penalty methods count wrong, gain energy or give up.
 report::Section stability_section(const StabilityStudy& stability);
 

@@ -25,7 +25,8 @@ StudyPlan full_plan() {
           {{3, 6, 9, 12, 15, 18}, {1e10, 1e12, 1e14, 1e16, 1e18}},
           full_stability_plan(),
           {evenly(1, 18, 1), 100, evenly(1, 12, 0.1), 32},
-          {8, 10000, 30, 8}};
+          {8, 10000, 30, 8},
+          {0.05, {0, 0.25, 0.5, 0.75, 1, 1.5}, 1.5e10, 10}};
 }
 
 StudyPlan quick_plan() {
@@ -35,7 +36,8 @@ StudyPlan quick_plan() {
           {{6, 12}, {1e10, 1e14, 1e18}},
           quick_stability_plan(),
           {evenly(3, 18, 3), 20, evenly(1, 12, 0.5), 8},
-          {3, 1000, 5, 4}};
+          {3, 1000, 5, 4},
+          {1, {0, 0.5, 1}, 1.5e10, 6}};
 }
 
 Study make_study(const StudyPlan& plan) {
@@ -61,6 +63,7 @@ Study make_study(const StudyPlan& plan) {
   study.fidelity = study_fidelity(plan.fidelity);
   study.lyapunov = study_lyapunov(plan.lyapunov);
   study.hazards = study_hazards(plan.hazards, study.integrators);
+  study.levels = study_levels(plan.levels);
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return study;
 }

@@ -5,6 +5,7 @@
 
 #include "src/dynamics/fidelity.h"
 #include "src/dynamics/hazards.h"
+#include "src/dynamics/levels.h"
 #include "src/dynamics/lyapunov.h"
 #include "src/dynamics/restitution.h"
 #include "src/dynamics/stability.h"
@@ -21,6 +22,7 @@ struct StudyPlan {
   StabilityPlan stability;
   LyapunovPlan lyapunov;
   HazardPlan hazards;
+  LevelPlan levels;
 };
 
 /// Everything: half a minute on one processor; times are measured, so one thing at a time.
@@ -40,6 +42,7 @@ struct Study {
   std::vector<ArenaWork> stiff_works;  ///< by penalty_integrators
   LyapunovStudy lyapunov;
   HazardStudy hazards;
+  LevelStudy levels;
   double seconds = 0;  ///< elapsed
 };
 

@@ -14,7 +14,8 @@ const Study& tiny_study() {
                                          {{6}, {1e12}},
                                          {{1e8, 1e12}, {1e-4, 1e-5}, {1e-4}, 4},
                                          {{6}, 4, {5}, 1},
-                                         {2, 100, 2, 1}});
+                                         {2, 100, 2, 1},
+                                         {9, {0, 1}, 1e10, 1}});
   return study;
 }
 
@@ -31,7 +32,7 @@ TEST(Page, DrawsChartsThatHoldTogether) {
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
     }
   }
-  EXPECT_EQ(names.size(), 1U + 2 * 5 + 13 + 2 * 2 + 1 + 3 + 2);
+  EXPECT_EQ(names.size(), 1U + 2 * 5 + 13 + 2 * 2 + 1 + 3 + 2 + 1);
 }
 
 TEST(Page, BeginsEverySectionWithWhatItFound) {

@@ -28,7 +28,9 @@ Event next_departure(const Path& applied, double friction, bool may_rise, bool m
       if (direction > 0 ? !may_rise : !may_fall) continue;
       const double reserve = friction - direction * push;
       const double reserve_slope = -direction * slope;
-      if (reserve <= noise && reserve_slope < -slope_noise) {
+      // Out of the band already, where a knot of a speed profile makes the force jump.
+      const bool jumped = reserve < -2 * noise;
+      if (jumped || (reserve <= noise && reserve_slope < -slope_noise)) {
         return {EventKind::depart, time, direction};
       }
       step = std::min(step, safe_step(std::max(reserve, 0.0), reserve_slope, bounds.snap));

@@ -1,8 +1,7 @@
 #include <stdexcept>
 
-#include "problems/carrier_track/compliant_model.h"
-#include "problems/carrier_track/impact_model.h"
 #include "problems/carrier_track/integrators/methods.h"
+#include "problems/carrier_track/simulate.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -24,9 +23,9 @@ Outcome run(const Scene& scene, double /*control*/) {
   Outcome outcome;
   ImpactCollector collector(outcome.impacts);
   try {
-    const End<double> end = scene.fidelity == Fidelity::compliant
-                                ? CompliantModel(scene, 1e-12).run(collector)
-                                : ImpactModel<double>(scene).run(collector);
+    const bool compliant = scene.fidelity == Fidelity::compliant && scene.profile.empty();
+    const End<double> end =
+        compliant ? CompliantModel(scene, 1e-12).run(collector) : simulate(scene, collector);
     outcome.end = {end.time, end.position, end.velocity};
     outcome.force_evaluations = end.evaluations;
     outcome.finished = true;

@@ -35,6 +35,23 @@ double ProfilePlate::applied_rate(double time) const {
          slider * slope * omega * std::cos(alpha);
 }
 
+double ProfilePlate::strongest() const {
+  double bound = 0;
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    const double omega = knots[k].omega;
+    const double slope =
+        k > 0 ? (omega - knots[k - 1].omega) / (knots[k].time - knots[k - 1].time) : 0.0;
+    const double largest = std::max(omega, k > 0 ? knots[k - 1].omega : 0.0);
+    bound = std::max(bound, std::abs(steady) + std::abs(cosine) + std::abs(slider * slope) +
+                                (std::abs(square) + std::abs(square_cosine)) * largest * largest);
+  }
+  return bound;
+}
+
+double Forces::strongest() const {
+  return std::abs(steady) + std::abs(turning) + profile.strongest() + std::abs(disturbance);
+}
+
 double Forces::shortest_period() const {
   double plate = 0;
   for (const auto& knot : profile.knots) plate = std::max(plate, knot.omega);

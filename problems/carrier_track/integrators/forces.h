@@ -29,6 +29,7 @@ struct ProfilePlate {
 
   double applied(double time) const;
   double applied_rate(double time) const;
+  double strongest() const;
 
  private:
   struct Plate {
@@ -62,6 +63,9 @@ struct Forces {
            turning * omega * std::sin(omega * time + phase) -
            disturbance * disturbance_frequency * std::sin(disturbance_frequency * time);
   }
+
+  /// Bound on the magnitude of applied() [m/s^2].
+  double strongest() const;
 
   /// [s]; of the forces that act and vary, infinite if there is none.
   double shortest_period() const;

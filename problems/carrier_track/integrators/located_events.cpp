@@ -15,8 +15,7 @@ namespace {
 /// [m/s]; slowest_rebound, or more where its hop v^2 / (2 a) under the largest force would be lost
 /// in the rounding of the position: impacts would go on there for ever.
 double slowest_resolved(const Scene& scene, const Forces& forces) {
-  const double force = std::abs(forces.steady) + std::abs(forces.turning) +
-                       std::abs(forces.disturbance) + forces.friction;
+  const double force = forces.strongest() + forces.friction;
   const double farthest =
       std::max(std::abs(scene.wall_lower),
                std::isfinite(scene.wall_upper) ? std::abs(scene.wall_upper) : 0.0);

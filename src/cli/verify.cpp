@@ -194,21 +194,19 @@ int show(int seed, int index, bool json) {
   const OracleRun truth = oracle(hostile.scene);
   const Recording recording = record(hostile.scene, 0.0, 0);
   if (json) {
-    const Json shown = {{"hostility", name_of(hostile.hostility)},
-                        {"closeness", hostile.closeness},
-                        {"scene", write_scene(hostile.scene)},
-                        {"count", recording.count},
-                        {"certain", recording.certainty.certain},
-                        {"oracle_count", truth.count},
-                        {"oracle_finished", truth.finished},
-                        {"impacts", json_of(recording.impacts)},
-                        {"oracle_impacts", json_of(truth.impacts)}};
+    const Json shown = {
+        {"hostility", name_of(hostile.hostility)}, {"closeness", hostile.closeness},
+        {"scene", write_scene(hostile.scene)},     {"count", recording.count},
+        {"certain", recording.certainty.certain},  {"oracle_count", truth.count},
+        {"oracle_finished", truth.finished},       {"impacts", json_of(recording.impacts)},
+        {"oracle_impacts", json_of(truth.impacts)}};
     fmt::print("{}\n", shown.dump(2));
     return 0;
   }
   fmt::print("# {}, closeness {}: count {}, {}; oracle {}{}\n{}\n", name_of(hostile.hostility),
-             hostile.closeness, recording.count, recording.certainty.certain ? "certain" : "uncertain",
-             truth.count, truth.finished ? "" : ", broken off", write_scene(hostile.scene));
+             hostile.closeness, recording.count,
+             recording.certainty.certain ? "certain" : "uncertain", truth.count,
+             truth.finished ? "" : ", broken off", write_scene(hostile.scene));
   for (const bool of_oracle : {false, true}) {
     fmt::print("# impacts of the {}\n", of_oracle ? "oracle" : "library");
     for (const Impact& i : of_oracle ? truth.impacts : recording.impacts) {

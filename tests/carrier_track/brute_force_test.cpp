@@ -1,3 +1,5 @@
+#include "tests/carrier_track/brute_force.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,10 +8,9 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/recording.h"
-#include "tests/carrier_track/brute_force.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

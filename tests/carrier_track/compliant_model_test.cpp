@@ -11,11 +11,11 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/contact_law.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/scene_check.h"
 #include "tests/carrier_track/brute_force.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {

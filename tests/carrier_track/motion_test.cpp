@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/recording.h"
 #include "tests/carrier_track/brute_force.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/watch.h"
 
 /// What holds of every motion, shown on thousands of random scenes.

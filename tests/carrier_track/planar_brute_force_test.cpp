@@ -1,3 +1,5 @@
+#include "tests/carrier_track/planar_brute_force.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/recording.h"
-#include "tests/carrier_track/planar_brute_force.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/carrier_track/planar_brute_force.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
+#include "tests/carrier_track/planar_brute_force.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/reading.h"
 #include "src/core/error.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <numbers>
 
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/simulate.h"
 #include "src/dynamics/work.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::dynamics {
 namespace {

@@ -41,7 +41,7 @@ report::Range errors_of(const ArenaWork& work) {
 report::Figure work_chart(const ArenaWork& work, bool by_time) {
   report::Chart chart;
   chart.name = fmt::format("work-{}-{}", work.arena.id, by_time ? "time" : "evaluations");
-  chart.title = work.arena.name;
+  chart.title = work.arena.name + (by_time ? ", by time" : ", by evaluations");
   chart.x = {by_time ? "processor time per impact [s]" : "force evaluations per impact",
              Scale::logarithmic};
   const report::Range errors = errors_of(work);
@@ -68,14 +68,10 @@ report::Figure work_chart(const ArenaWork& work, bool by_time) {
   }
   chart.width = 640;
   chart.height = 400;
-  std::string caption = "The same by evaluations of the forces, which no machine changes.";
-  if (by_time) {
-    caption =
-        "Left is fast, low is accurate. A point is a control; those on the line \"failed\" missed "
-        "or invented impacts or did not finish. The vertical line is the event-driven simulator, "
-        "the reference.";
-    if (work.arena.chaotic) caption += " Errors below half an impact are drawn as that.";
-  }
+  std::string caption =
+      by_time ? "By processor time, on the machine that made this report."
+              : "The same by evaluations of the forces, which are the same on every machine.";
+  if (by_time && work.arena.chaotic) caption += " Errors below half an impact are drawn as that.";
   return {std::move(chart), std::move(caption)};
 }
 

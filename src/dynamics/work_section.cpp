@@ -43,22 +43,19 @@ bool fails(const Trial& trial, bool chaotic) {
 report::Table table_of(const ArenaWork& work) {
   report::Table table{
       work.arena.chaotic
-          ? "Every method at its tightest control against the event-driven reference, and its "
-            "processor time, over the reference's, at the loosest control from which on its rate "
-            "of impacts is as right as can be told; – where none is."
-          : "Every method at its tightest control against the event-driven reference, and its "
-            "processor time, over the reference's, at the loosest control from which on the error "
-            "is that small; – where it never is.",
+          ? "Every method at its tightest control, and its processor time over the reference's at "
+            "the loosest control from which on the rate of impacts is right; – where none is."
+          : "Every method at its tightest control, and its processor time over the reference's at "
+            "the loosest control from which on the error is that small; – where it never is.",
       {{"method", Alignment::left},
-       {"tightest control"},
+       {"tightest tolerance or step"},
        {"count difference"},
        {"missed"},
        {"spurious"},
        {work.arena.chaotic ? "relative error of the rate" : "impact-time error [s]"}},
       {}};
   const auto limits = limits_of(work);
-  for (const Limit& limit : limits)
-    table.columns.push_back({"times the reference's time, " + limit.words});
+  for (const Limit& limit : limits) table.columns.push_back({"time ratio with " + limit.words});
   for (const MethodWork& method : work.methods) {
     const Trial& tightest = method.trials.back();
     const bool matched = tightest.finished && !work.arena.chaotic;
@@ -67,8 +64,9 @@ report::Table table_of(const ArenaWork& work) {
     };
     std::vector<Cell> row = {
         {method.method},
-        {method.control == "none" ? "none"
-                                  : fmt::format("{} {:.1e}", method.control, tightest.control)},
+        {method.control == "none"
+             ? "none"
+             : fmt::format("{:.1e}{}", tightest.control, method.control == "step [s]" ? " s" : "")},
         count(tightest.finished, tightest.accuracy.count_difference, "{:+}"),
         count(matched, tightest.accuracy.missed, "{}"),
         count(matched, tightest.accuracy.spurious, "{}"),
@@ -177,7 +175,12 @@ report::Section speed_section(const std::vector<ArenaWork>& works) {
       "largest difference in time. A run that misses an impact, has one too many or does not "
       "finish has failed. The reference is the project's own: that it is right is shown by closed "
       "forms and exact arithmetic in the tests, not here. Times are of one thread, the least of "
-      "three measurements; of runs longer than 30 ms there is one."};
+      "three measurements; of runs longer than 30 ms there is one.",
+      "The sections after this one take a scene each. In their charts a point is a control: left "
+      "is "
+      "cheap, low is accurate. Points on the line \"failed\" are runs that failed. The vertical "
+      "line "
+      "is the event-driven simulator."};
   section.tables = {std::move(table)};
   return section;
 }

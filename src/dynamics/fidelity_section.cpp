@@ -16,7 +16,7 @@ std::string name_of(double stiffness) {
 report::Figure map_of(const FidelityStudy& fidelity) {
   report::Chart chart;
   chart.name = "fidelity";
-  chart.title = "Share of speeds at which hard and compliant walls count the same";
+  chart.title = "Speeds with equal counts [%]";
   chart.x.label = "stiffness [N/m^1.5]";
   chart.y.label = "case";
   report::HeatMap map{"equal [%]", {}, report::Range{0, 100}};

@@ -29,8 +29,7 @@ report::Figure map_of(const LyapunovStudy& study) {
     chart.y.categories.push_back(study.cases[c]);
     auto& row = map.rows.emplace_back();
     for (const Sensitivity& cell : study.cells[c]) {
-      row.push_back(cell.chaotic() ? std::nullopt
-                                   : std::optional(std::round(10 * cell.digits_lost) / 10));
+      row.push_back(cell.chaotic() ? std::nullopt : std::optional(cell.digits_lost));
     }
   }
   chart.heat_map = std::move(map);

@@ -32,6 +32,15 @@ std::optional<double> slowdown(const ArenaWork& work, const MethodWork& method, 
   return trial->seconds / work.methods.front().trials.front().seconds;
 }
 
+/// The same of the evaluations of the forces.
+std::optional<double> evaluations_ratio(const ArenaWork& work, const MethodWork& method,
+                                        double limit) {
+  const auto trial = loosest_within(method, limit);
+  const auto own = work.methods.front().trials.front().force_evaluations;
+  if (!trial || own == 0) return std::nullopt;
+  return static_cast<double>(trial->force_evaluations) / static_cast<double>(own);
+}
+
 std::string text_of(const std::optional<double>& ratio) {
   return report::text_or_dash(ratio, ratio && *ratio < 10 ? "{:.1f}" : "{:.0f}");
 }
@@ -132,7 +141,7 @@ report::Section work_section(const ArenaWork& work) {
         work.mean_impacts, 100 * work.rate_spread));
   }
   section.tables = {table_of(work)};
-  section.figures = {work_chart(work, true), work_chart(work, false)};
+  section.figures = {work_chart(work)};
   return section;
 }
 
@@ -144,14 +153,24 @@ report::Section speed_section(const std::vector<ArenaWork>& works) {
       "impacts is right; – where no control is tight enough.",
       {{"method", Alignment::left}},
       {}};
-  for (const ArenaWork& work : works) table.columns.push_back({work.arena.id});
+  report::Table evaluations{"The same for evaluations of the forces, which no machine changes.",
+                            {{"method", Alignment::left}},
+                            {}};
+  for (const ArenaWork& work : works) {
+    table.columns.push_back({work.arena.id});
+    evaluations.columns.push_back({work.arena.id});
+  }
   std::optional<double> least, most;
   int failed = 0, compared = 0;
   for (std::size_t m = 1; m < works.front().methods.size(); ++m) {
     auto& row = table.rows.emplace_back();
+    auto& counted = evaluations.rows.emplace_back();
     row.push_back({works.front().methods[m].method});
+    counted.push_back({works.front().methods[m].method});
     for (const ArenaWork& work : works) {
-      const auto ratio = slowdown(work, work.methods[m], limits_of(work).front().value);
+      const double limit = limits_of(work).front().value;
+      counted.push_back({text_of(evaluations_ratio(work, work.methods[m], limit))});
+      const auto ratio = slowdown(work, work.methods[m], limit);
       row.push_back({text_of(ratio)});
       if (work.arena.chaotic) continue;
       ++compared;
@@ -181,7 +200,7 @@ report::Section speed_section(const std::vector<ArenaWork>& works) {
       "cheap, low is accurate. Points on the line \"failed\" are runs that failed. The vertical "
       "line "
       "is the event-driven simulator."};
-  section.tables = {std::move(table)};
+  section.tables = {std::move(table), std::move(evaluations)};
   return section;
 }
 

@@ -25,7 +25,7 @@ report::Figure map_of(const LyapunovStudy& study) {
   for (const double speed : study.plan.speeds) {
     chart.x.categories.push_back(fmt::format("{:g}", speed));
   }
-  for (std::size_t c = 0; c < study.cases.size(); ++c) {
+  for (std::size_t c = study.cases.size(); c-- > 0;) {  // from below
     chart.y.categories.push_back(study.cases[c]);
     auto& row = map.rows.emplace_back();
     for (const Sensitivity& cell : study.cells[c]) {
@@ -188,12 +188,10 @@ std::string trust_in(const LyapunovStudy& study) {
   const auto& parted = chaotic.parted;
   const double each = chaotic.sensitivity.growth / chaotic.sensitivity.impacts / std::numbers::ln10;
   return fmt::format(
-      "That paths past some 60 impacts mean nothing in double precision holds where there is "
-      "chaos, and not exactly. In the chaotic scene an impact costs {:.2f} digits: after 30 "
-      "impacts "
-      "{:.0f} of 16 are left, after {} none; pairs of runs that part do so from impact {} on. It "
-      "does not hold for C2 and C10: of {} pairs of runs of {}, with {:.0f} impacts in {:g} turns, "
-      "{} part.",
+      "In the chaotic scene, the one by that name above, a path is worth little after some dozens "
+      "of impacts: each costs {:.2f} digits, so that after 30 impacts {:.0f} of 16 are left, after "
+      "{} none; pairs of runs that part do so from impact {} on. The paper's cases are not like "
+      "that: of {} pairs of runs of {}, with {:.0f} impacts in {:g} turns, {} part.",
       each, all_digits - 30 * each,
       report::text_or_dash(chaotic.sensitivity.impacts_foretold(), "{:.0f}"),
       parted.empty() ? "–" : std::to_string(*std::min_element(parted.begin(), parted.end())),

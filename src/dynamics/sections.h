@@ -17,8 +17,8 @@ report::Section work_section(const ArenaWork& work);
 /// The speed of every method over that of the event-driven one, all arenas.
 report::Section speed_section(const std::vector<ArenaWork>& works);
 
-/// Error against processor time, or against force evaluations, in one arena.
-report::Figure work_chart(const ArenaWork& work, bool by_time);
+/// Error against processor time, in one arena.
+report::Figure work_chart(const ArenaWork& work);
 
 /// Where a compliant wall counts otherwise than a hard one.
 report::Section fidelity_section(const FidelityStudy& fidelity);

@@ -118,39 +118,12 @@ report::Figure rest_figure(const StabilityStudy& study) {
                       rest_seconds, rest_tolerance)};
 }
 
-/// The cost of every cell.
-report::Figure cost_map(const StabilityStudy& study, const StabilityMap& map) {
-  report::Chart chart;
-  chart.name = "stability-cost-" + map.method;
-  chart.title = map.method + ": evaluations of the force per impact";
-  chart.x.label = "stiffness of the walls [N/m^1.5]";
-  chart.y.label = map.control;
-  report::HeatMap costs{"evaluations per impact", {}, {}};
-  for (const double stiffness : study.plan.stiffnesses) {
-    chart.x.categories.push_back(fmt::format("1e{:.0f}", std::log10(stiffness)));
-  }
-  for (std::size_t c = map.controls.size(); c-- > 0;) {  // from below: the tightest, as in the map
-    chart.y.categories.push_back(fmt::format("{:.0e}", map.controls[c]));
-    auto& row = costs.rows.emplace_back();
-    for (const auto& cells : map.cells) row.push_back(std::round(cells[c].evaluations));
-  }
-  chart.heat_map = std::move(costs);
-  chart.width = 640;
-  chart.height = 340;
-  return {std::move(chart), "What every one of these runs cost, be its count right or wrong."};
-}
-
 }  // namespace
 
 std::vector<report::Figure> stability_charts(const StabilityStudy& study) {
   std::vector<report::Figure> figures, adaptive;
   for (const StabilityMap& map : study.maps) {
-    if (spring_bound(map.method)) {
-      figures.push_back(map_figure(study, map));
-    } else {
-      adaptive.push_back(map_figure(study, map));
-      adaptive.push_back(cost_map(study, map));
-    }
+    (spring_bound(map.method) ? figures : adaptive).push_back(map_figure(study, map));
   }
   figures.push_back(return_figure(study));
   figures.push_back(cost_figure(study));

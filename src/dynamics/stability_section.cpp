@@ -122,7 +122,7 @@ std::string growths(const StabilityStudy& study) {
   std::string text;
   for (const StabilityMap& map : study.maps) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", map.method,
-                        report::text_or_dash(growth(map), "{:.1f}"));
+                        report::text_or_dash(growth(map), "{:.0f}"));
   }
   return fmt::format(
       "A tolerance keeps the steps small where a wall is met, and there alone. From the softest "
@@ -173,7 +173,7 @@ std::string rest(const StabilityStudy& study) {
 }  // namespace
 
 report::Section stability_section(const StabilityStudy& study) {
-  report::Section section{"stability", "Where methods fail on stiff walls"};
+  report::Section section{"stability", "Where methods fail: stiff walls"};
   section.paragraphs = {
       finding(study),
       "Simulators of contact often do not look for impacts at all: a wall is a spring with a "

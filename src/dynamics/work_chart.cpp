@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,10 +14,8 @@ double smallest_error(const ArenaWork& work) {
   return work.arena.chaotic ? 0.5 / work.impacts : 1e-16;
 }
 
-double cost_of(const ArenaWork& work, const Trial& trial, bool by_time) {
-  const double cost =
-      by_time ? trial.seconds : std::max(1.0, static_cast<double>(trial.force_evaluations));
-  return cost / work.impacts;
+double cost_of(const ArenaWork& work, const Trial& trial) {
+  return trial.seconds / work.impacts;
 }
 
 /// From the decade below the smallest error to one above the largest: where failures are drawn.
@@ -38,27 +34,26 @@ report::Range errors_of(const ArenaWork& work) {
 
 }  // namespace
 
-report::Figure work_chart(const ArenaWork& work, bool by_time) {
+report::Figure work_chart(const ArenaWork& work) {
   report::Chart chart;
-  chart.name = fmt::format("work-{}-{}", work.arena.id, by_time ? "time" : "evaluations");
+  chart.name = "work-" + work.arena.id;
   chart.title = work.arena.name;
-  chart.x = {by_time ? "processor time per impact [s]" : "force evaluations per impact",
-             Scale::logarithmic};
+  chart.x = {"processor time per impact [s]", Scale::logarithmic};
   const report::Range errors = errors_of(work);
   chart.y = {work.arena.chaotic ? "relative error of impacts per second" : "impact-time error [s]",
              Scale::logarithmic, report::Range{errors.lower, 3 * errors.upper}};
   chart.lines = {{report::Direction::horizontal, errors.upper, "failed"}};
   for (const MethodWork& method : work.methods) {
     if (method.control == "none") {
-      chart.lines.push_back({report::Direction::vertical,
-                             cost_of(work, method.trials.front(), by_time), method.method});
+      chart.lines.push_back(
+          {report::Direction::vertical, cost_of(work, method.trials.front()), method.method});
       continue;
     }
     report::Series series{method.method, report::Mark::points, {}};
     for (const Trial& trial : method.trials) {
       const double error =
           trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper;
-      series.samples.push_back({cost_of(work, trial, by_time), error});
+      series.samples.push_back({cost_of(work, trial), error});
     }
     chart.series.push_back(std::move(series));
   }
@@ -68,14 +63,8 @@ report::Figure work_chart(const ArenaWork& work, bool by_time) {
   }
   chart.width = 640;
   chart.height = 400;
-  std::string caption = "The same by evaluations of the forces, which no machine changes.";
-  if (by_time) {
-    caption =
-        "Left is fast, low is accurate. A point is a control; those on the line \"failed\" missed "
-        "or invented impacts or did not finish. The vertical line is the event-driven simulator, "
-        "the reference.";
-    if (work.arena.chaotic) caption += " Errors below half an impact are drawn as that.";
-  }
+  std::string caption = "Left is cheap, low is accurate.";
+  if (work.arena.chaotic) caption += " Errors below half an impact are drawn as that.";
   return {std::move(chart), std::move(caption)};
 }
 

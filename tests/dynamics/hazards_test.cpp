@@ -96,6 +96,13 @@ TEST(Hazards, NoMethodCreeps) {
   }
 }
 
+TEST(Hazards, NoMethodHangsWhereABriefExcessOverFrictionIsBelowItsTolerance) {
+  // The excess of 1e-4 lasts for 0.03 s, and moves the block by far less than the tolerance.
+  for (const Integrator& integrator : all_integrators()) {
+    EXPECT_FALSE(sticking_of(integrator, loose, 6).gave_up) << integrator.name;
+  }
+}
+
 TEST(Hazards, OnlyEventDrivenMotionNoticesAnyExcessOverFriction) {
   for (const Integrator& integrator : all_integrators()) {
     const Sticking sticking = sticking_of(integrator, tight, 8);

@@ -32,7 +32,7 @@ TEST(Page, DrawsChartsThatHoldTogether) {
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
     }
   }
-  EXPECT_EQ(names.size(), 1U + 2 * 5 + 13 + 2 * 2 + 1 + 3 + 2 + 1);
+  EXPECT_EQ(names.size(), 1U + 5 + 9 + 2 + 1 + 3 + 2 + 1);
 }
 
 TEST(Page, BeginsEverySectionWithWhatItFound) {

@@ -31,11 +31,18 @@ class CvodeFlight : public FlightMethod {
     require_cvode_flag(CVodeSetNoInactiveRootWarn(memory_.get()));
   }
 
-  Landing fly(const Leg& leg) override {
+  Landing fly(const Leg& leg) override { return fly(leg, 0); }
+
+  std::int64_t evaluations() const override { return evaluations_; }
+
+ private:
+  /// With a first step [s] of that length, or of one that CVODE chooses if it is 0.
+  Landing fly(const Leg& leg, double first_step) {
     start_ = leg.start;
     friction_ = leg.direction * setting_.forces.friction;
     memory_.state() = {leg.state.position, leg.state.velocity};
     require_cvode_flag(CVodeReInit(memory_.get(), 0.0, memory_.vector()));
+    require_cvode_flag(CVodeSetInitStep(memory_.get(), first_step));
     double time = 0;
     for (;;) {
       const int flag = CVode(memory_.get(), leg.longest, memory_.vector(), &time, CV_NORMAL);
@@ -54,6 +61,7 @@ class CvodeFlight : public FlightMethod {
       const bool turn = found[2] != 0 && setting_.forces.friction > 0;
       if (flag == CV_ROOT_RETURN && !wall && !turn) continue;
       steps_ += steps;
+      if (turn && !wall && steps == 1 && pushes_on(leg, time)) return fly(leg, next_first_step());
       const Finish finish = found[0] != 0   ? Finish::lower_wall
                             : found[1] != 0 ? Finish::upper_wall
                             : turn          ? Finish::turn
@@ -64,9 +72,21 @@ class CvodeFlight : public FlightMethod {
     }
   }
 
-  std::int64_t evaluations() const override { return evaluations_; }
+  /// Whether the forces exceed friction, in the direction of the leg. No turn can be there.
+  //
+  // NOTE: the first step is of first order. Where the excess over friction ends within it, it ends
+  // below zero velocity, and its straight line puts the turn at the very start, where the body
+  // would set out anew, and so for ever. A step that ends before the excess does is right.
+  bool pushes_on(const Leg& leg, double time) const {
+    return leg.direction * (setting_.forces.applied(leg.start + time) - friction_) > 0;
+  }
 
- private:
+  double next_first_step() const {
+    double step = 0;
+    require_cvode_flag(CVodeGetActualInitStep(memory_.get(), &step));
+    return 0.1 * step;
+  }
+
   static int slope(double time, N_Vector state, N_Vector rate, void* data) {
     auto& self = *static_cast<CvodeFlight*>(data);
     ++self.evaluations_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -155,8 +156,8 @@ ContactEvent CompliantModel<Forces>::step() {
   const int direction = direction_ * into;
   const double drag = direction * friction_;
   const Path path = forces_.flight(0, 0, 0);
-  ContactPush push{path.taylor(),
-                   [&](double time) { return into * path.at(time).acceleration - drag; }};
+  const auto exact = [&](double time) { return into * path.at(time).acceleration - drag; };
+  ContactPush push{path.taylor(), std::cref(exact)};  // a copy would be allocated at every step
   for (double& c : push.taylor.coefficient) c *= into;
   push.taylor.coefficient[0] -= drag;
   const ContactEvent event = motion_.step(push, direction, horizon(), evaluations_);

@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/integrators_bench.h"
+#include "bench/memory_bench.h"
 #include "bench/simulation_bench.h"
 #include "src/core/error.h"
 
@@ -16,6 +17,7 @@ int bench(std::vector<std::string> arguments, bool json) {
   auto argc = static_cast<int>(argv.size());
   bench::add_simulation_benchmarks();
   bench::add_integrator_benchmarks();
+  bench::add_memory_benchmarks();
   benchmark::Initialize(&argc, argv.data());
   if (argc > 1) {
     throw InputError(std::string("bench: unknown argument ") + argv[1] +

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ricochet::bench {
+
+/// Registers the measurements of the memory that many simulations take with Google Benchmark. They
+/// take minutes.
+void add_memory_benchmarks();
+
+}  // namespace ricochet::bench

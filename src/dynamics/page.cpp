@@ -40,10 +40,10 @@ report::Page page_of(const Study& study) {
   page.title = "How well is the motion computed?";
   page.intro = {
       "A carrier that hits its track is a small mass between two walls: it flies, it bounces, it "
-      "may stick. This report asks five things of such a motion. Does a contact law lose in an "
+      "may stick. This report asks six things of such a motion. Does a contact law lose in an "
       "impact what it is told to lose? What do numerical methods pay for accurate impact times? "
-      "Where do they fail? Is the motion chaotic, so that nobody could compute it for long? And "
-      "does it matter whether a wall is hard or gives way?",
+      "Where do they fail? Is the motion chaotic, so that nobody could compute it for long? Does "
+      "it matter whether a wall is hard or gives way? And how much of the model does a scene need?",
       "Every figure here is computed. Every section begins with what it found. Impacts count if "
       "they are faster than a scene's limit. Restitution is the speed after an impact over that "
       "before."};

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "problems/carrier_track/scalar.h"
 
@@ -269,6 +270,8 @@ struct Flight {
 
   /// The plain values, for searching events.
   Flight<double> plain() const {
+    // Taken apart, plain numbers would cost a simulation some 6 % more.
+    if constexpr (std::is_same_v<Scalar, double>) return *this;
     Flight<double> result{value(position), value(velocity), value(steady), {}, harmonics};
     for (std::size_t i = 0; i < harmonic.size(); ++i) {
       result.harmonic[i] = {value(harmonic[i].cosine), value(harmonic[i].sine),

@@ -28,8 +28,9 @@ Event next_departure(const Path& applied, double friction, bool may_rise, bool m
       if (direction > 0 ? !may_rise : !may_fall) continue;
       const double reserve = friction - direction * push;
       const double reserve_slope = -direction * slope;
-      // Out of the band already, where a knot of a speed profile makes the force jump.
-      const bool jumped = reserve < -2 * noise;
+      // Out of the band already, beyond what forces that cancel may round to: at a knot of a speed
+      // profile the force jumps.
+      const bool jumped = reserve < -1e-9 * (bounds.acceleration + friction);
       if (jumped || (reserve <= noise && reserve_slope < -slope_noise)) {
         return {EventKind::depart, time, direction};
       }

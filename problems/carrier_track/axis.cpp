@@ -1,17 +1,11 @@
 #include "problems/carrier_track/axis.h"
 
-#include <stdexcept>
-
 #include "problems/carrier_track/zeno_tail.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-int sign(double x) {
-  return (x > 0) - (x < 0);
-}
 
 }  // namespace
 
@@ -24,7 +18,7 @@ Axis<Forces>::Axis(const Forces& forces, const Clearance& clearance, const AxisF
       forces_(forces),
       origin_(clearance.start_position),
       velocity_(clearance.start_velocity),
-      direction_(sign(clearance.start_velocity)) {
+      direction_(direction_of(clearance.start_velocity)) {
   if (clearance.start_position == clearance.wall_lower) wall_ = Wall::lower;
   if (clearance.start_position == clearance.wall_upper) wall_ = Wall::upper;
 }
@@ -32,9 +26,7 @@ Axis<Forces>::Axis(const Forces& forces, const Clearance& clearance, const AxisF
 /// Puts the body on the wall that it has reached, and turns it round. Returns the approach speed.
 template <class Forces>
 double Axis<Forces>::meet_wall() {
-  if (++impacts_ > impact_limit) {
-    throw std::runtime_error("the simulation has more than 10000000 impacts in its window");
-  }
+  count_impact(impacts_);
   const double approach = direction_ * velocity_;
   wall_ = direction_ > 0 ? Wall::upper : Wall::lower;
   origin_ = at(Wall::upper) ? clearance_.wall_upper : clearance_.wall_lower;

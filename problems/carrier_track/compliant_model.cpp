@@ -13,10 +13,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-int sign(double x) {
-  return (x > 0) - (x < 0);
-}
-
 }  // namespace
 
 template <class Forces>
@@ -33,7 +29,7 @@ CompliantModel<Forces>::CompliantModel(const Scene& scene, double tolerance)
               damping_factor(scene.contact_law, scene.restitution_upper)};
   if (scene.start_position == scene.wall_lower) wall_ = Wall::lower;
   if (scene.start_position == scene.wall_upper) wall_ = Wall::upper;
-  direction_ = sign(velocity_);
+  direction_ = direction_of(velocity_);
   if (direction_ == 0) stop();
 }
 
@@ -57,9 +53,7 @@ ContactForce CompliantModel<Forces>::contact_force(double approach_speed) const 
 /// Puts the body that has arrived exactly at the wall, and returns its speed.
 template <class Forces>
 double CompliantModel<Forces>::reach_wall() {
-  if (++impacts_ > impact_limit) {
-    throw std::runtime_error("the simulation has more than 10000000 impacts in its window");
-  }
+  count_impact(impacts_);
   wall_ = direction_ > 0 ? Wall::upper : Wall::lower;
   origin_ = wall_ == Wall::upper ? scene_.wall_upper : scene_.wall_lower;
   offset_ = 0;

@@ -6,6 +6,11 @@
 
 namespace ricochet::carrier_track {
 
+/// +1 up, -1 down, 0 at rest.
+inline int direction_of(double velocity) {
+  return (velocity > 0) - (velocity < 0);
+}
+
 enum class EventKind {
   wall,    ///< the wall ahead is reached
   turn,    ///< the velocity has come down to zero

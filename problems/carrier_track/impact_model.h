@@ -93,6 +93,13 @@ inline constexpr double resting_speed = 1e-9;
 /// A simulation with more impacts than this is refused: its window holds no useful count.
 inline constexpr std::int64_t impact_limit = 10'000'000;
 
+/// Counts an impact; throws std::runtime_error past impact_limit.
+inline void count_impact(std::int64_t& impacts) {
+  if (++impacts > impact_limit) {
+    throw std::runtime_error("the simulation has more than 10000000 impacts in its window");
+  }
+}
+
 /// Hard walls, Newton restitution, exact Coulomb friction: flights in closed form between events.
 /// Scalar may be a dual number. Events are then located in plain arithmetic and moved by Newton
 /// steps in dual arithmetic, which gives event times, and all that follows, exact derivatives.
@@ -114,7 +121,7 @@ class ImpactModel {
   /// Simulates the window once. Throws std::runtime_error past impact_limit impacts.
   template <class SomeObserver>
   End<Scalar> run(SomeObserver& observer) {
-    direction_ = sign(value(velocity_));
+    direction_ = direction_of(value(velocity_));
     if (direction_ == 0) direction_ = direction_of_departure();
     while (value(time_) < value(duration_)) {
       if (direction_ == 0) {
@@ -128,8 +135,6 @@ class ImpactModel {
 
  private:
   using Path = typename Forces::Path;
-
-  static int sign(double x) { return (x > 0) - (x < 0); }
 
   bool at(Wall wall) const { return wall_ == wall; }
 
@@ -206,9 +211,7 @@ class ImpactModel {
 
   template <class SomeObserver>
   void strike(SomeObserver& observer) {
-    if (++impacts_ > impact_limit) {
-      throw std::runtime_error("the simulation has more than 10000000 impacts in its window");
-    }
+    count_impact(impacts_);
     wall_ = direction_ > 0 ? Wall::upper : Wall::lower;
     origin_ = at(Wall::upper) ? scene_.wall_upper : scene_.wall_lower;
     offset_ = constant<Scalar>(0.0);

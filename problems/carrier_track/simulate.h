@@ -10,26 +10,27 @@
 
 namespace ricochet::carrier_track {
 
+/// The same for the forces of a constant speed or of a profile, at a level that is not left open.
+template <class Forces, class Scalar, class SomeObserver>
+End<Scalar> simulate_under(const BasicScene<Scalar>& scene, SomeObserver& observer) {
+  if (scene.fidelity == Fidelity::impact) return ImpactModel<Scalar, Forces>(scene).run(observer);
+  if constexpr (std::is_same_v<Scalar, double>) {
+    if (scene.fidelity == Fidelity::compliant) return CompliantModel<Forces>(scene).run(observer);
+    return PlanarModel<Forces>(scene).run(observer);
+  }
+  throw std::invalid_argument("only hard walls in one direction carry derivatives");
+}
+
 /// Simulates `scene` (valid, see scene_check.h) at its fidelity and tells `observer` what happens.
 /// Only hard walls in one direction carry derivatives: throws std::invalid_argument for a dual
 /// scene of another fidelity.
 template <class Scalar, class SomeObserver>
 End<Scalar> simulate(const BasicScene<Scalar>& scene, SomeObserver& observer) {
-  const bool steady = scene.profile.empty();
-  if (scene.fidelity == Fidelity::impact) {
-    if (steady) return ImpactModel<Scalar>(scene).run(observer);
-    return ImpactModel<Scalar, ProfileForces<Scalar>>(scene).run(observer);
-  }
   if constexpr (std::is_same_v<Scalar, double>) {
     if (scene.fidelity == Fidelity::automatic) return simulate(settled(scene), observer);
-    if (scene.fidelity == Fidelity::compliant) {
-      if (steady) return CompliantModel(scene).run(observer);
-      return CompliantModel<ProfileForces<double>>(scene).run(observer);
-    }
-    if (steady) return PlanarModel(scene).run(observer);
-    return PlanarModel<ProfileForces<double>>(scene).run(observer);
   }
-  throw std::invalid_argument("only hard walls in one direction carry derivatives");
+  if (scene.profile.empty()) return simulate_under<AppliedForces<Scalar>>(scene, observer);
+  return simulate_under<ProfileForces<Scalar>>(scene, observer);
 }
 
 }  // namespace ricochet::carrier_track

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/oracle/comparison.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/recording.h"
@@ -15,20 +17,9 @@
 namespace ricochet::carrier_track {
 namespace {
 
-/// Impacts of at least a micrometre per second: below, hops are shorter than a step of the brute
-/// force, and each side ends a Zeno sequence at its own speed.
-std::vector<Impact> distinct(const std::vector<Impact>& impacts) {
-  std::vector<Impact> result;
-  for (const Impact& i : impacts) {
-    if (i.speed > 1e-6) result.push_back(i);
-  }
-  return result;
-}
-
-int count_of(const Scene& scene, const std::vector<Impact>& impacts) {
-  return static_cast<int>(std::count_if(impacts.begin(), impacts.end(),
-                                        [&](const Impact& i) { return i.speed > scene.slowest; }));
-}
+/// Below, hops are shorter than a step of the brute force, and each side ends a Zeno sequence at
+/// its own speed.
+constexpr double slowest_compared = 1e-6;  // [m/s]
 
 /// How far the impact model and the brute force agree over many scenes.
 struct Agreement {
@@ -49,9 +40,9 @@ struct Agreement {
 void compare(const Scene& scene, double step, Agreement& agreement) {
   const Recording model = record(scene, 0.25, 0);
   const BruteForce fine = brute_force(scene, step);
-  const std::vector<Impact> reference = distinct(fine.impacts);
-  const std::vector<Impact> coarse = distinct(brute_force(scene, 4 * step).impacts);
-  const std::vector<Impact> actual = distinct(model.impacts);
+  const std::vector<Impact> reference = faster(fine.impacts, slowest_compared);
+  const std::vector<Impact> coarse = faster(brute_force(scene, 4 * step).impacts, slowest_compared);
+  const std::vector<Impact> actual = faster(model.impacts, slowest_compared);
   // The bars' floors are what the hops too slow to be followed may take.
   double time_bar = 1e-8;
   double speed_bar = 1e-8;
@@ -76,7 +67,7 @@ void compare(const Scene& scene, double step, Agreement& agreement) {
   agreement.listed += reference.size();
   if (!model.certainty.certain) return;
   ++agreement.certain;
-  EXPECT_EQ(model.count, count_of(scene, fine.impacts));
+  EXPECT_EQ(model.count, std::ssize(faster(fine.impacts, scene.slowest)));
 }
 
 void record_property(Agreement& agreement) {

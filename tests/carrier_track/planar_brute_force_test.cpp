@@ -4,28 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/oracle/comparison.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-/// Impacts of at least a micrometre per second; see oracle_test.cpp.
-std::vector<Impact> distinct(const std::vector<Impact>& impacts) {
-  std::vector<Impact> result;
-  for (const Impact& i : impacts) {
-    if (i.speed > 1e-6) result.push_back(i);
-  }
-  return result;
-}
-
-int count_of(const Scene& scene, const std::vector<Impact>& impacts) {
-  return static_cast<int>(std::count_if(impacts.begin(), impacts.end(),
-                                        [&](const Impact& i) { return i.speed > scene.slowest; }));
-}
+constexpr double slowest_compared = 1e-6;  // [m/s]; see brute_force_test.cpp
 
 TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
   RandomScenes scenes(41);
@@ -39,9 +29,10 @@ TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
     const Recording model = record(scene, 0.25, 0);
     // The difference of two steps is by theory fifteen times the error of the finer one: the bar.
     const BruteForce fine = planar_brute_force(scene, 1e-5);
-    const std::vector<Impact> reference = distinct(fine.impacts);
-    const std::vector<Impact> coarse = distinct(planar_brute_force(scene, 4e-5).impacts);
-    const std::vector<Impact> actual = distinct(model.impacts);
+    const std::vector<Impact> reference = faster(fine.impacts, slowest_compared);
+    const std::vector<Impact> coarse =
+        faster(planar_brute_force(scene, 4e-5).impacts, slowest_compared);
+    const std::vector<Impact> actual = faster(model.impacts, slowest_compared);
     double time_bar = 1e-8;
     double speed_bar = 1e-8;
     std::size_t k = 0;
@@ -64,7 +55,7 @@ TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
     compared += k;
     if (!model.certainty.certain) continue;
     ++certain;
-    EXPECT_EQ(model.count, count_of(scene, fine.impacts));
+    EXPECT_EQ(model.count, std::ssize(faster(fine.impacts, scene.slowest)));
   }
   std::sort(errors.begin(), errors.end());
   RecordProperty("impacts", std::to_string(listed));

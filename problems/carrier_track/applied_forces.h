@@ -19,12 +19,12 @@ class AppliedForces {
   using Path = Flight<Scalar>;
 
   explicit AppliedForces(const BasicScene<Scalar>& scene)
-      : AppliedForces(scene, plate_forces(scene), scene.disturbance / scene.mass) {}
+      : AppliedForces(scene, plate_forces(scene), disturbance_of(scene)) {}
 
   /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
   /// disturbance.
   static AppliedForces across(const BasicScene<Scalar>& scene) {
-    return AppliedForces(scene, plate_forces_across(scene), constant<Scalar>(0.0));
+    return AppliedForces(scene, plate_forces_across(scene), {});
   }
 
   /// The acceleration now [m/s^2].
@@ -64,7 +64,7 @@ class AppliedForces {
 
  private:
   AppliedForces(const BasicScene<Scalar>& scene, const PlateForces<Scalar>& plate,
-                const Scalar& disturbance) {
+                const Harmonic<Scalar>& disturbance) {
     using std::cos;
     using std::sin;
     const Scalar square = scene.omega * scene.omega;
@@ -75,8 +75,8 @@ class AppliedForces {
     still_.steady = plate.steady + plate.square * square;
     // sin alpha is the cosine of an angle a quarter turn behind.
     still_.harmonic[0] = {cosine * c + sine * s, cosine * s - sine * c, scene.omega};
-    still_.harmonic[1] = {disturbance, constant<Scalar>(0.0), scene.disturbance_frequency};
-    still_.harmonics = value(disturbance) == 0.0 ? 1 : 2;
+    still_.harmonic[1] = disturbance;
+    still_.harmonics = value(scene.disturbance) == 0.0 ? 1 : 2;
   }
 
   Path still_{};  // of a body at rest at zero

@@ -40,6 +40,8 @@ class Changes {
 
   void change(double& constant) { constant *= 1 + next(); }
 
+  void change_angle(double& angle) { angle += std::max(1.0, std::abs(angle)) * next(); }
+
   void change_restitution(double& restitution) {
     restitution = std::min(1.0, restitution * (1 + next()));
   }
@@ -75,7 +77,7 @@ Scene changed(Scene scene, Changes changes) {
   changes.change(scene.pull);
   changes.change(scene.centrifugal_mass_radius);
   changes.change(scene.slider_mass_radius);
-  scene.phase += std::max(1.0, std::abs(scene.phase)) * changes.next();
+  changes.change_angle(scene.phase);
   changes.change(scene.disturbance);
   changes.change(scene.disturbance_frequency);
   changes.change(scene.start_velocity);
@@ -91,6 +93,8 @@ Scene changed(Scene scene, Changes changes) {
     changes.change_restitution(y.restitution_upper);
     changes.change(y.start_velocity);
   }
+  changes.change_angle(scene.pull_phase);
+  changes.change_angle(scene.disturbance_phase);
   return scene;
 }
 

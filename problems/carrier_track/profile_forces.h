@@ -18,12 +18,12 @@ class ProfileForces {
   using Path = RampFlight<Scalar>;
 
   explicit ProfileForces(const BasicScene<Scalar>& scene)
-      : ProfileForces(scene, plate_forces(scene), scene.disturbance / scene.mass) {}
+      : ProfileForces(scene, plate_forces(scene), disturbance_of(scene)) {}
 
   /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
   /// disturbance.
   static ProfileForces across(const BasicScene<Scalar>& scene) {
-    return ProfileForces(scene, plate_forces_across(scene), constant<Scalar>(0.0));
+    return ProfileForces(scene, plate_forces_across(scene), {});
   }
 
   /// The acceleration now [m/s^2].
@@ -81,13 +81,9 @@ class ProfileForces {
 
  private:
   ProfileForces(const BasicScene<Scalar>& scene, const PlateForces<Scalar>& plate,
-                const Scalar& disturbance)
+                const Harmonic<Scalar>& disturbance)
       : knots_(&scene.profile),
-        now_{plate,
-             {disturbance, constant<Scalar>(0.0), scene.disturbance_frequency},
-             scene.phase,
-             scene.profile.front().omega,
-             constant<Scalar>(0.0)} {
+        now_{plate, disturbance, scene.phase, scene.profile.front().omega, constant<Scalar>(0.0)} {
     begin_leg();
   }
 

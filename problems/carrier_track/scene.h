@@ -53,10 +53,10 @@ struct Across {
 /// to the upper wall. SI units. Physical constants are of type Scalar so that derivatives with
 /// respect to any of them can be carried through a simulation.
 ///
-/// mass x'' = - pull (cos alpha if pull_rotates, else 1)
+/// mass x'' = - pull (cos(alpha + pull_phase) if pull_rotates, else 1)
 ///            + centrifugal_mass_radius omega^2 (cos alpha | -1 | +1)
 ///            - slider_mass_radius (omega' sin alpha + omega^2 cos alpha)
-///            + disturbance cos(disturbance_frequency t)
+///            + disturbance cos(disturbance_frequency t + disturbance_phase)
 ///            + contact - friction normal_force sign(x'),
 /// where alpha is the integral of omega, plus phase;
 /// friction is set-valued at rest, and an impact turns x' into -restitution x'.
@@ -74,6 +74,7 @@ struct BasicScene {
       constant<Scalar>(0.0);            ///< [N], >= 0; what the friction coefficient multiplies
   Scalar pull = constant<Scalar>(0.0);  ///< [N], T_1 cos(phi), towards the lower wall
   bool pull_rotates = false;            ///< whether the pull turns with the driver plate
+  Scalar pull_phase = constant<Scalar>(0.0);  ///< [rad], of a pull that rotates, ahead of alpha
   Centrifugal centrifugal = Centrifugal::projected;
   Scalar centrifugal_mass_radius = constant<Scalar>(0.0);  ///< [kg m], m r_c, >= 0
   Scalar slider_mass_radius =
@@ -81,6 +82,7 @@ struct BasicScene {
   Scalar phase = constant<Scalar>(0.0);        ///< [rad], alpha at t = 0
   Scalar disturbance = constant<Scalar>(0.0);  ///< [N]
   Scalar disturbance_frequency = constant<Scalar>(1.0);  ///< [rad/s], >= 0
+  Scalar disturbance_phase = constant<Scalar>(0.0);      ///< [rad]
   Scalar start_position = constant<Scalar>(0.5);         ///< [m], within the walls
   Scalar start_velocity = constant<Scalar>(0.0);         ///< [m/s]
   Scalar omega = constant<Scalar>(1.0);    ///< [rad/s], speed of the driver plate, >= 0
@@ -129,12 +131,14 @@ BasicScene<Scalar> lifted(const Scene& scene) {
           lift(scene.normal_force),
           lift(scene.pull),
           scene.pull_rotates,
+          lift(scene.pull_phase),
           scene.centrifugal,
           lift(scene.centrifugal_mass_radius),
           lift(scene.slider_mass_radius),
           lift(scene.phase),
           lift(scene.disturbance),
           lift(scene.disturbance_frequency),
+          lift(scene.disturbance_phase),
           lift(scene.start_position),
           lift(scene.start_velocity),
           lift(scene.omega),

@@ -107,11 +107,13 @@ void check(const Scene& scene, const std::string& origin) {
   checker.not_negative("scene.friction", scene.friction, "1");
   checker.not_negative("scene.normal_force", scene.normal_force, "N");
   checker.finite("scene.pull", scene.pull, "N");
+  checker.finite("scene.pull_phase", scene.pull_phase, "rad");
   checker.not_negative("scene.centrifugal_mass_radius", scene.centrifugal_mass_radius, "kg m");
   checker.not_negative("scene.slider_mass_radius", scene.slider_mass_radius, "kg m");
   checker.finite("scene.phase", scene.phase, "rad");
   checker.finite("scene.disturbance", scene.disturbance, "N");
   checker.not_negative("scene.disturbance_frequency", scene.disturbance_frequency, "rad/s");
+  checker.finite("scene.disturbance_phase", scene.disturbance_phase, "rad");
   checker.finite("scene.start_velocity", scene.start_velocity, "m/s");
   check_profile(scene, checker);
   check_omega(at_speed(scene, scene.profile.empty() ? scene.omega : scene.profile.back().omega),

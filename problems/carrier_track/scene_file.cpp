@@ -46,12 +46,14 @@ void read_scene_table(TomlTable& table, Scene& scene) {
   table.number("normal_force", scene.normal_force);
   table.number("pull", scene.pull);
   table.boolean("pull_rotates", scene.pull_rotates);
+  table.number("pull_phase", scene.pull_phase);
   table.choice("centrifugal", centrifugal_choices(), scene.centrifugal);
   table.number("centrifugal_mass_radius", scene.centrifugal_mass_radius);
   table.number("slider_mass_radius", scene.slider_mass_radius);
   table.number("phase", scene.phase);
   table.number("disturbance", scene.disturbance);
   table.number("disturbance_frequency", scene.disturbance_frequency);
+  table.number("disturbance_phase", scene.disturbance_phase);
   table.required("start_position", scene.start_position);
   table.number("start_velocity", scene.start_velocity);
   table.number_or_knots("omega", scene.omega, scene.profile);
@@ -166,6 +168,7 @@ std::string write_scene(const Scene& scene) {
   line("normal_force", scene.normal_force, "N, what the friction coefficient multiplies");
   line("pull", scene.pull, "N, towards wall_lower");
   text += fmt::format("pull_rotates = {}\n", scene.pull_rotates);
+  line("pull_phase", scene.pull_phase, "rad, of a pull that rotates");
   text += fmt::format("centrifugal = \"{}\"  # projected, inward or outward\n",
                       name_of(centrifugal_choices(), scene.centrifugal));
   line("centrifugal_mass_radius", scene.centrifugal_mass_radius, "kg m");
@@ -173,6 +176,7 @@ std::string write_scene(const Scene& scene) {
   line("phase", scene.phase, "rad");
   line("disturbance", scene.disturbance, "N");
   line("disturbance_frequency", scene.disturbance_frequency, "rad/s");
+  line("disturbance_phase", scene.disturbance_phase, "rad");
   line("start_position", scene.start_position, "m");
   line("start_velocity", scene.start_velocity, "m/s");
   if (scene.profile.empty()) {

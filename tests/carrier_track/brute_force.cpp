@@ -89,13 +89,15 @@ class Stepper {
 double applied_force(const Scene& scene, double time) {
   const double omega = scene.omega;
   const double cosine = std::cos(omega * time + scene.phase);
-  double force = -scene.pull * (scene.pull_rotates ? cosine : 1);
+  const double turned = std::cos(omega * time + scene.phase + scene.pull_phase);
+  double force = -scene.pull * (scene.pull_rotates ? turned : 1);
   const double centrifugal = scene.centrifugal_mass_radius * omega * omega;
   if (scene.centrifugal == Centrifugal::projected) force += centrifugal * cosine;
   if (scene.centrifugal == Centrifugal::inward) force -= centrifugal;
   if (scene.centrifugal == Centrifugal::outward) force += centrifugal;
   force -= scene.slider_mass_radius * omega * omega * cosine;
-  force += scene.disturbance * std::cos(scene.disturbance_frequency * time);
+  force +=
+      scene.disturbance * std::cos(scene.disturbance_frequency * time + scene.disturbance_phase);
   return force;
 }
 

@@ -56,7 +56,8 @@ long double arrival(long double distance, long double speed, long double gain) {
 
 double applied_force_across(const Scene& scene, double time) {
   const double sine = std::sin(scene.omega * time + scene.phase);
-  return scene.across->pull + (scene.pull_rotates ? scene.pull * sine : 0.0) +
+  const double turned = std::sin(scene.omega * time + scene.phase + scene.pull_phase);
+  return scene.across->pull + (scene.pull_rotates ? scene.pull * turned : 0.0) +
          scene.slider_mass_radius * scene.omega * scene.omega * sine;
 }
 

@@ -68,6 +68,8 @@ TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
            Wrong{&Scene::friction, "scene.friction", ">= 0", {-tiny, infinity, nan}},
            Wrong{&Scene::normal_force, "scene.normal_force", ">= 0", {-tiny, infinity, nan}},
            Wrong{&Scene::pull, "scene.pull", "finite", {infinity, -infinity, nan}},
+           Wrong{&Scene::pull_phase, "scene.pull_phase", "finite", {infinity, nan}},
+           Wrong{&Scene::disturbance_phase, "scene.disturbance_phase", "finite", {infinity, nan}},
            Wrong{&Scene::centrifugal_mass_radius,
                  "scene.centrifugal_mass_radius",
                  ">= 0",

@@ -32,12 +32,14 @@ const std::vector<std::string>& lines() {
                                                 "normal_force = 4.2",
                                                 "pull = 0.86",
                                                 "pull_rotates = false",
+                                                "pull_phase = 0.5",
                                                 "centrifugal = \"projected\"",
                                                 "centrifugal_mass_radius = 0.078",
                                                 "slider_mass_radius = 3.2566e-4",
                                                 "phase = 0.0",
                                                 "disturbance = 0.0",
                                                 "disturbance_frequency = 1.0",
+                                                "disturbance_phase = 0.25",
                                                 "start_position = 1e-3",
                                                 "start_velocity = 0.0",
                                                 "omega = 3.0",
@@ -207,6 +209,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"normal_force", "normal_force = -2", "scene.normal_force = -2", ">= 0"},
         Wrong{"pull", "pull = inf", "scene.pull = inf", "finite"},
         Wrong{"pull_rotates", "pull_rotates = 1", "scene.pull_rotates = 1", "true or false"},
+        Wrong{"pull_phase", "pull_phase = nan", "scene.pull_phase = nan", "finite"},
         Wrong{"centrifugal", "centrifugal = \"sideways\"", "sideways", "\"inward\""},
         Wrong{"centrifugal", "centrifugal = 3", "scene.centrifugal = 3", "\"projected\""},
         Wrong{"centrifugal_mass_radius", "centrifugal_mass_radius = -1",
@@ -217,6 +220,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"disturbance", "disturbance = -inf", "scene.disturbance = -inf", "finite"},
         Wrong{"disturbance_frequency", "disturbance_frequency = -1",
               "scene.disturbance_frequency = -1", ">= 0"},
+        Wrong{"disturbance_phase", "disturbance_phase = inf", "scene.disturbance_phase = inf",
+              "finite"},
         Wrong{"start_position", "start_position = 3e-3", "scene.start_position = 0.003",
               "within the walls, 0..0.002"},
         Wrong{"start_position", "start_position = -1e-9", "scene.start_position",
@@ -306,6 +311,8 @@ TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
   for (const Case& a_case : all_cases()) {
     Scene scene = scene_of(a_case, default_reading().scene);
     scene.phase = 1.0 / 3.0;
+    scene.pull_phase = 1.0 / 11.0;
+    scene.disturbance_phase = 1.0 / 13.0;
     scene.restitution_upper = 0.7;
     scene.wall_upper = a_case.id == "C1" ? std::numeric_limits<double>::infinity() : 2e-3;
     scene.centrifugal = Centrifugal::outward;
@@ -334,6 +341,8 @@ TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
       EXPECT_EQ(read_scene(file_with(text)).across->start_position, 1.0 / 7.0);
     }
     EXPECT_EQ(read_scene(file_with(text)).phase, scene.phase);
+    EXPECT_EQ(read_scene(file_with(text)).pull_phase, scene.pull_phase);
+    EXPECT_EQ(read_scene(file_with(text)).disturbance_phase, scene.disturbance_phase);
     EXPECT_EQ(read_scene(file_with(text)).stiffness, scene.stiffness);
     EXPECT_EQ(read_scene(file_with(text)).contact_speed, scene.contact_speed);
   }

@@ -99,6 +99,8 @@ TEST(Surrogate, HasTheSlopeOfDifferencesWithRespectToEveryConstant) {
         {"phase", &Scene::phase, &Dual::phase},
         {"disturbance", &Scene::disturbance, &Dual::disturbance},
         {"disturbance_frequency", &Scene::disturbance_frequency, &Dual::disturbance_frequency},
+        {"pull_phase", &Scene::pull_phase, &Dual::pull_phase},
+        {"disturbance_phase", &Scene::disturbance_phase, &Dual::disturbance_phase},
         {"start_position", &Scene::start_position, &Dual::start_position},
         {"start_velocity", &Scene::start_velocity, &Dual::start_velocity},
         {"omega", &Scene::omega, &Dual::omega},
@@ -107,6 +109,9 @@ TEST(Surrogate, HasTheSlopeOfDifferencesWithRespectToEveryConstant) {
       Scene scene = scene_of(find_case(id), default_reading().scene);
       scene.restitution_upper *= 0.9;
       scene.slider_mass_radius = 0.01;
+      scene.disturbance_phase = 0.7;
+      scene.pull_rotates = std::string(field.name) == "pull_phase";
+      scene.pull_phase = 0.3;
       scene.disturbance_frequency = 3.0;
       scene.omega = 4.3;
       Dual dual = lifted<Jet>(scene);

@@ -24,15 +24,15 @@ ProfilePlate::Plate ProfilePlate::plate(double time) const {
 double ProfilePlate::applied(double time) const {
   const auto [alpha, omega, slope] = plate(time);
   return steady + square * omega * omega +
-         (cosine + square_cosine * omega * omega) * std::cos(alpha) -
-         slider * slope * std::sin(alpha);
+         (cosine + square_cosine * omega * omega) * std::cos(alpha) +
+         (sine - slider * slope) * std::sin(alpha);
 }
 
 double ProfilePlate::applied_rate(double time) const {
   const auto [alpha, omega, slope] = plate(time);
   return 2 * square * omega * slope + 2 * square_cosine * omega * slope * std::cos(alpha) -
-         (cosine + square_cosine * omega * omega) * omega * std::sin(alpha) -
-         slider * slope * omega * std::cos(alpha);
+         (cosine + square_cosine * omega * omega) * omega * std::sin(alpha) +
+         (sine - slider * slope) * omega * std::cos(alpha);
 }
 
 double ProfilePlate::strongest() const {
@@ -42,7 +42,7 @@ double ProfilePlate::strongest() const {
     const double slope =
         k > 0 ? (omega - knots[k - 1].omega) / (knots[k].time - knots[k - 1].time) : 0.0;
     const double largest = std::max(omega, k > 0 ? knots[k - 1].omega : 0.0);
-    bound = std::max(bound, std::abs(steady) + std::abs(cosine) + std::abs(slider * slope) +
+    bound = std::max(bound, std::abs(steady) + std::abs(cosine) + std::abs(sine - slider * slope) +
                                 (std::abs(square) + std::abs(square_cosine)) * largest * largest);
   }
   return bound;
@@ -67,7 +67,12 @@ ProfilePlate profile_of(const Scene& scene) {
   const double centrifugal = scene.centrifugal_mass_radius / scene.mass;
   plate.slider = scene.slider_mass_radius / scene.mass;
   plate.square_cosine = -plate.slider;
-  (scene.pull_rotates ? plate.cosine : plate.steady) = -scene.pull / scene.mass;
+  if (scene.pull_rotates) {
+    plate.cosine = -scene.pull / scene.mass * std::cos(scene.pull_phase);
+    plate.sine = scene.pull / scene.mass * std::sin(scene.pull_phase);
+  } else {
+    plate.steady = -scene.pull / scene.mass;
+  }
   if (scene.centrifugal == Centrifugal::projected) plate.square_cosine += centrifugal;
   if (scene.centrifugal == Centrifugal::inward) plate.square = -centrifugal;
   if (scene.centrifugal == Centrifugal::outward) plate.square = centrifugal;
@@ -89,19 +94,27 @@ Forces forces_of(const Scene& scene) {
   const double square = scene.omega * scene.omega;
   const double centrifugal = scene.centrifugal_mass_radius * square / scene.mass;
   const double pull = scene.pull / scene.mass;
-  forces.turning = -scene.slider_mass_radius * square / scene.mass;
-  (scene.pull_rotates ? forces.turning : forces.steady) -= pull;
-  if (scene.centrifugal == Centrifugal::projected) forces.turning += centrifugal;
+  double cosine = -scene.slider_mass_radius * square / scene.mass;
+  double sine = 0;
+  if (scene.pull_rotates) {
+    cosine -= pull * std::cos(scene.pull_phase);
+    sine = pull * std::sin(scene.pull_phase);
+  } else {
+    forces.steady = -pull;
+  }
+  if (scene.centrifugal == Centrifugal::projected) cosine += centrifugal;
   if (scene.centrifugal == Centrifugal::inward) forces.steady -= centrifugal;
   if (scene.centrifugal == Centrifugal::outward) forces.steady += centrifugal;
+  forces.turning = std::hypot(cosine, sine);
   if (!scene.profile.empty()) {
     forces.profile = profile_of(scene);
     forces.steady = forces.turning = 0;
   }
   forces.omega = scene.omega;
-  forces.phase = scene.phase;
+  forces.phase = scene.phase - std::atan2(sine, cosine);
   forces.disturbance = scene.disturbance / scene.mass;
   forces.disturbance_frequency = scene.disturbance_frequency;
+  forces.disturbance_phase = scene.disturbance_phase;
   forces.friction = scene.friction * scene.normal_force / scene.mass;
   return forces;
 }

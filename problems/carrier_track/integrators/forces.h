@@ -25,6 +25,7 @@ struct ProfilePlate {
   double square = 0;         // [m], times omega^2
   double cosine = 0;         // [m/s^2], times cos(alpha)
   double square_cosine = 0;  // [m], times omega^2 cos(alpha)
+  double sine = 0;           // [m/s^2], times sin(alpha)
   double slider = 0;         // [m], times -omega' sin(alpha)
 
   double applied(double time) const;
@@ -46,6 +47,7 @@ struct Forces {
   double phase = 0;    ///< [rad]
   double disturbance = 0;
   double disturbance_frequency = 0;  ///< [rad/s]
+  double disturbance_phase = 0;      ///< [rad]
   double friction = 0;               ///< >= 0, set-valued at rest
   ProfilePlate profile;              ///< in place of steady and turning where it has knots
 
@@ -53,7 +55,8 @@ struct Forces {
   double applied(double time) const {
     double sum = profile.knots.empty() ? steady : profile.applied(time);
     if (turning != 0) sum += turning * std::cos(omega * time + phase);
-    if (disturbance != 0) sum += disturbance * std::cos(disturbance_frequency * time);
+    if (disturbance != 0)
+      sum += disturbance * std::cos(disturbance_frequency * time + disturbance_phase);
     return sum;
   }
 
@@ -61,7 +64,8 @@ struct Forces {
   double applied_rate(double time) const {
     return (profile.knots.empty() ? 0.0 : profile.applied_rate(time)) -
            turning * omega * std::sin(omega * time + phase) -
-           disturbance * disturbance_frequency * std::sin(disturbance_frequency * time);
+           disturbance * disturbance_frequency *
+               std::sin(disturbance_frequency * time + disturbance_phase);
   }
 
   /// Bound on the magnitude of applied() [m/s^2].

@@ -32,15 +32,24 @@ Push::Push(const Scene& scene) {
   const long double mass = scene.mass;
   const long double square = static_cast<long double>(scene.omega) * scene.omega;
   const long double centrifugal = scene.centrifugal_mass_radius * square;
-  waves[0].amplitude = -(scene.slider_mass_radius * square) / mass;
-  (scene.pull_rotates ? waves[0].amplitude : steady) -= scene.pull / mass;
-  if (scene.centrifugal == Centrifugal::projected) waves[0].amplitude += centrifugal / mass;
+  // Of the plate: along cos alpha and along sin alpha.
+  long double cosine = -(scene.slider_mass_radius * square) / mass;
+  long double sine = 0;
+  if (scene.pull_rotates) {
+    cosine -= scene.pull / mass * std::cos(static_cast<long double>(scene.pull_phase));
+    sine += scene.pull / mass * std::sin(static_cast<long double>(scene.pull_phase));
+  } else {
+    steady -= scene.pull / mass;
+  }
+  if (scene.centrifugal == Centrifugal::projected) cosine += centrifugal / mass;
   if (scene.centrifugal == Centrifugal::inward) steady -= centrifugal / mass;
   if (scene.centrifugal == Centrifugal::outward) steady += centrifugal / mass;
   waves[0].frequency = scene.omega;
-  waves[0].phase = scene.phase;
+  waves[0].amplitude = std::copysign(std::hypot(cosine, sine), cosine);
+  waves[0].phase = scene.phase - (cosine == 0 && sine == 0 ? 0.0L : std::atan(sine / cosine));
   waves[1].amplitude = scene.disturbance / mass;
   waves[1].frequency = scene.disturbance_frequency;
+  waves[1].phase = scene.disturbance_phase;
   for (Wave& wave : waves) {
     if (wave.frequency > 0) continue;
     steady += wave.amplitude * std::cos(wave.phase);

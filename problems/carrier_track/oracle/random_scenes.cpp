@@ -34,6 +34,8 @@ Scene RandomScenes::next() {
   }
   if (chance(0.1)) scene.wall_upper = std::numeric_limits<double>::infinity();
   scene.slowest = log_within(1e-3, 2e-2);
+  if (chance(0.5)) scene.pull_phase = within(-4.0, 4.0);
+  if (chance(0.5)) scene.disturbance_phase = within(-4.0, 4.0);
   return scene;
 }
 

@@ -25,8 +25,8 @@ CompliantModel<Forces>::CompliantModel(const Scene& scene, double tolerance)
       origin_(scene.start_position),
       velocity_(scene.start_velocity),
       motion_(tolerance) {
-  damping_ = {damping_factor(scene.contact_law, scene.restitution_lower),
-              damping_factor(scene.contact_law, scene.restitution_upper)};
+  damping_ = {damping_factor(scene.contact_law, lower_restitution(scene)),
+              damping_factor(scene.contact_law, upper_restitution(scene))};
   if (scene.start_position == scene.wall_lower) wall_ = Wall::lower;
   if (scene.start_position == scene.wall_upper) wall_ = Wall::upper;
   direction_ = direction_of(velocity_);

@@ -111,6 +111,8 @@ class ImpactModel {
       : scene_(scene),
         duration_(duration_of(scene)),
         friction_(scene.friction * scene.normal_force / scene.mass),
+        lower_restitution_(lower_restitution(scene)),
+        upper_restitution_(upper_restitution(scene)),
         forces_(scene),
         origin_(scene.start_position),
         velocity_(scene.start_velocity) {
@@ -219,8 +221,7 @@ class ImpactModel {
     if (value(speed) < 0) speed = constant<Scalar>(0.0);  // a touch, but for rounding
     observer.impact(time_, *wall_, speed);
     peaks_.stops(time_, origin_ + offset_);
-    const Scalar restitution =
-        at(Wall::upper) ? scene_.restitution_upper : scene_.restitution_lower;
+    const Scalar restitution = at(Wall::upper) ? upper_restitution_ : lower_restitution_;
     direction_ = -direction_;
     rebound(observer, restitution * speed, restitution);
   }
@@ -298,6 +299,7 @@ class ImpactModel {
   const BasicScene<Scalar>& scene_;
   Scalar duration_;
   Scalar friction_;  // deceleration [m/s^2]
+  Scalar lower_restitution_, upper_restitution_;
   Forces forces_;
 
   Scalar time_ = constant<Scalar>(0.0);

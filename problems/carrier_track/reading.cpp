@@ -1,41 +1,147 @@
 #include "problems/carrier_track/reading.h"
 
+#include <fmt/format.h>
+
+#include "src/core/error.h"
+
 namespace ricochet::carrier_track {
 namespace {
 
-/// Fitted to the paper's thresholds and quiet counts with differential evolution in an exploratory
-/// study (80 to 400 generations, one start, an earlier score); three to four digits each. Only the
-/// mass, 1.2 kg, is the paper's.
-Reading starting_reading() {
-  Scene scene;
-  scene.mass = 1.2;
-  scene.wall_lower = 0.0;
-  scene.wall_upper = 1.04e-3;
-  scene.normal_force = 1.670;
-  scene.pull = 0.888;
-  scene.centrifugal = Centrifugal::projected;
-  scene.centrifugal_mass_radius = 0.2043;
-  scene.slider_mass_radius = 0.0;
-  scene.phase = 3.12;
-  scene.start_position = 0.54 * 1.04e-3;
-  scene.start_velocity = -0.090;
-  scene.omega = 3.0;  // the quiet speed of the paper's Figure 5
-  scene.window = Revolutions{1.314};
-  scene.slowest = 9.65e-3;
-  return {"starting",
-          "centrifugal force projected on x, constant tension, a fixed number of revolutions; "
-          "impacts faster than a limit count",
-          scene};
+const Choices<Tension> tensions = {{"constant", Tension::constant},
+                                   {"rotating", Tension::rotating},
+                                   {"phased", Tension::phased}};
+const Choices<WindowUnit> units = {{"revolutions", WindowUnit::revolutions},
+                                   {"seconds", WindowUnit::seconds}};
+const Choices<DisturbanceKind> disturbances = {
+    {"force", DisturbanceKind::force},
+    {"acceleration", DisturbanceKind::acceleration},
+    {"disturbance-frequency", DisturbanceKind::frequency},
+    {"disturbance-phase", DisturbanceKind::phase}};
+const Choices<NormalForce> normal_forces = {{"constant-normal-force", NormalForce::constant},
+                                            {"weight", NormalForce::weight},
+                                            {"contact-friction", NormalForce::contact}};
+const Choices<Transition> transitions = {{"plain", Transition::plain},
+                                         {"crossing", Transition::crossing}};
+const Choices<Recovery> recoveries = {{"restitution", Recovery::restitution},
+                                      {"hunt-crossley", Recovery::hunt_crossley},
+                                      {"contact-speed", Recovery::contact_speed}};
+const Choices<Rule> rules = {{"impacts", Rule::impacts},
+                             {"peaks-1mm", Rule::peaks_1mm},
+                             {"peaks-0.1mm", Rule::peaks_100um}};
+const Choices<Base> bases = {{"base-0.6kg", Base::remainder}, {"base-1.2kg", Base::spindle}};
+
+/// Calls `use(choices, member)` for every question after forcing, tension and window.
+template <class Use>
+void for_each_further_question(Use use) {
+  use(disturbances, &Reading::disturbance);
+  use(normal_forces, &Reading::normal_force);
+  use(transitions, &Reading::transition);
+  use(recoveries, &Reading::recovery);
+  use(rules, &Reading::rule);
+  use(bases, &Reading::base);
 }
 
 }  // namespace
 
-std::vector<Reading> all_readings() {
-  return {starting_reading()};
+std::string name_of(const Reading& reading) {
+  std::string name = fmt::format("{}-{}-{}", name_of(centrifugal_choices(), reading.forcing),
+                                 name_of(tensions, reading.tension), name_of(units, reading.window));
+  for_each_further_question([&](const auto& choices, auto member) {
+    if (reading.*member != choices.front().second) {
+      name += fmt::format("-{}", name_of(choices, reading.*member));
+    }
+  });
+  return name;
 }
 
-Reading default_reading() {
-  return starting_reading();
+std::string description_of(const Reading& reading) {
+  std::string text = reading.forcing == Centrifugal::projected
+                         ? "centrifugal force projected on x"
+                         : fmt::format("centrifugal force always {}",
+                                       name_of(centrifugal_choices(), reading.forcing));
+  switch (reading.tension) {
+    case Tension::constant:
+      text += ", constant tension";
+      break;
+    case Tension::rotating:
+      text += ", tension that turns with the plate";
+      break;
+    case Tension::phased:
+      text += ", tension that turns ahead of the plate";
+      break;
+  }
+  text += fmt::format(", a fixed number of {}", name_of(units, reading.window));
+  switch (reading.disturbance) {
+    case DisturbanceKind::force:
+      break;
+    case DisturbanceKind::acceleration:
+      text += ", disturbance an acceleration";
+      break;
+    case DisturbanceKind::frequency:
+      text += ", disturbance of another frequency";
+      break;
+    case DisturbanceKind::phase:
+      text += ", disturbance of another phase";
+      break;
+  }
+  if (reading.normal_force == NormalForce::weight) text += ", friction on the weight";
+  if (reading.normal_force == NormalForce::contact) text += ", friction on a wall's own force too";
+  if (reading.transition == Transition::crossing) text += ", straight crossings";
+  if (reading.recovery == Recovery::hunt_crossley) text += ", Hunt-Crossley's c";
+  if (reading.recovery == Recovery::contact_speed) {
+    text += ", Hunt-Crossley's c with one contact speed";
+  }
+  if (reading.rule == Rule::peaks_1mm) text += ", peaks from 3 mm on or up to 1 mm count";
+  if (reading.rule == Rule::peaks_100um) text += ", peaks from 3 mm on or up to 0.1 mm count";
+  if (reading.base == Base::spindle) text += ", a base of 1.2 kg";
+  return text;
+}
+
+std::vector<Reading> core_readings() {
+  std::vector<Reading> readings;
+  for (const auto& [window_name, window] : units) {
+    for (const auto& [forcing_name, forcing] : centrifugal_choices()) {
+      for (const auto& [tension_name, tension] : tensions) {
+        Reading& reading = readings.emplace_back();
+        reading.forcing = forcing;
+        reading.tension = tension;
+        reading.window = window;
+      }
+    }
+  }
+  return readings;
+}
+
+std::vector<Reading> variations(const Reading& reading) {
+  std::vector<Reading> readings;
+  for_each_further_question([&](const auto& choices, auto member) {
+    for (const auto& [name, answer] : choices) {
+      if (answer == reading.*member) continue;
+      readings.push_back(reading);
+      readings.back().*member = answer;
+    }
+  });
+  return readings;
+}
+
+Reading find_reading(const std::string& name) {
+  std::string known;
+  for (const Reading& core : core_readings()) {
+    if (name_of(core) == name) return core;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", name_of(core));
+    for (const Reading& reading : variations(core)) {
+      if (name_of(reading) == name) return reading;
+    }
+  }
+  std::string answers;
+  for_each_further_question([&](const auto& choices, auto member) {
+    for (const auto& choice : choices) {
+      if (choice.second != Reading{}.*member) answers += fmt::format(" -{}", choice.first);
+    }
+  });
+  throw InputError(fmt::format("--reading {}: there is no such reading; allowed: {}; and each with "
+                               "one of{}",
+                               name, known, answers));
 }
 
 }  // namespace ricochet::carrier_track

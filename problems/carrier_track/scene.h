@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -59,7 +60,9 @@ struct Across {
 ///            + disturbance cos(disturbance_frequency t + disturbance_phase)
 ///            + contact - friction normal_force sign(x'),
 /// where alpha is the integral of omega, plus phase;
-/// friction is set-valued at rest, and an impact turns x' into -restitution x'.
+/// friction is set-valued at rest, and an impact turns x' into -restitution x'. With
+/// contact_friction a wall's force F has friction F to overcome on the way in, and so much less is
+/// left on the way out: the wall returns sqrt((1 - friction) / (1 + friction)) of its restitution.
 ///
 /// The defaults are a body at rest between two elastic walls with no force on it.
 template <class Scalar>
@@ -72,6 +75,7 @@ struct BasicScene {
   Scalar friction = constant<Scalar>(0.0);           ///< Coulomb coefficient, >= 0
   Scalar normal_force =
       constant<Scalar>(0.0);            ///< [N], >= 0; what the friction coefficient multiplies
+  bool contact_friction = false;        ///< whether it multiplies a wall's own force too
   Scalar pull = constant<Scalar>(0.0);  ///< [N], T_1 cos(phi), towards the lower wall
   bool pull_rotates = false;            ///< whether the pull turns with the driver plate
   Scalar pull_phase = constant<Scalar>(0.0);  ///< [rad], of a pull that rotates, ahead of alpha
@@ -105,6 +109,25 @@ struct BasicScene {
 
 using Scene = BasicScene<double>;
 
+/// The part of its restitution that a wall returns in spite of friction, see BasicScene.
+template <class Scalar>
+Scalar returned_share(const BasicScene<Scalar>& scene) {
+  using std::sqrt;
+  const Scalar one = constant<Scalar>(1.0);
+  if (!scene.contact_friction) return one;
+  return sqrt((one - scene.friction) / (one + scene.friction));
+}
+
+template <class Scalar>
+Scalar lower_restitution(const BasicScene<Scalar>& scene) {
+  return scene.restitution_lower * returned_share(scene);
+}
+
+template <class Scalar>
+Scalar upper_restitution(const BasicScene<Scalar>& scene) {
+  return scene.restitution_upper * returned_share(scene);
+}
+
 /// The same scene with every constant as a Scalar, for instance a dual number.
 template <class Scalar>
 BasicScene<Scalar> lifted(const Scene& scene) {
@@ -129,6 +152,7 @@ BasicScene<Scalar> lifted(const Scene& scene) {
           lift(scene.restitution_upper),
           lift(scene.friction),
           lift(scene.normal_force),
+          scene.contact_friction,
           lift(scene.pull),
           scene.pull_rotates,
           lift(scene.pull_phase),

@@ -54,6 +54,8 @@ void check_across(const Scene& scene, const Checker& checker) {
                      ": model.fidelity = planar: must have the table [across], for y");
   }
   const Across<double>& y = *scene.across;
+  checker.require(!scene.contact_friction, "scene.contact_friction", 1,
+                  "false, because [across] has friction in contact of its own");
   checker.finite("across.pull", y.pull, "N");
   checker.require(y.pull == 0 || !scene.pull_rotates, "across.pull", y.pull,
                   "0, because scene.pull_rotates turns scene.pull into this direction");
@@ -105,6 +107,8 @@ void check(const Scene& scene, const std::string& origin) {
   checker.fraction("scene.restitution", scene.restitution_lower);
   checker.fraction("scene.restitution", scene.restitution_upper);
   checker.not_negative("scene.friction", scene.friction, "1");
+  checker.require(!scene.contact_friction || scene.friction <= 1, "scene.friction", scene.friction,
+                  "within 0..1, because scene.contact_friction");
   checker.not_negative("scene.normal_force", scene.normal_force, "N");
   checker.finite("scene.pull", scene.pull, "N");
   checker.finite("scene.pull_phase", scene.pull_phase, "rad");

@@ -44,6 +44,7 @@ void read_scene_table(TomlTable& table, Scene& scene) {
   table.pair("restitution", scene.restitution_lower, scene.restitution_upper);
   table.number("friction", scene.friction);
   table.number("normal_force", scene.normal_force);
+  table.boolean("contact_friction", scene.contact_friction);
   table.number("pull", scene.pull);
   table.boolean("pull_rotates", scene.pull_rotates);
   table.number("pull_phase", scene.pull_phase);
@@ -166,6 +167,8 @@ std::string write_scene(const Scene& scene) {
                       text_of(scene.restitution_lower), text_of(scene.restitution_upper));
   line("friction", scene.friction, "Coulomb coefficient");
   line("normal_force", scene.normal_force, "N, what the friction coefficient multiplies");
+  text += fmt::format("contact_friction = {}  # true: and a wall's own force\n",
+                      scene.contact_friction);
   line("pull", scene.pull, "N, towards wall_lower");
   text += fmt::format("pull_rotates = {}\n", scene.pull_rotates);
   line("pull_phase", scene.pull_phase, "rad, of a pull that rotates");

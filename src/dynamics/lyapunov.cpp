@@ -60,7 +60,7 @@ class Tangent : public Observer {
   void impact(double /*time*/, Wall wall, double speed) {
     ++impacts_;
     struck_ = true;
-    restitution_ = wall == Wall::upper ? scene_.restitution_upper : scene_.restitution_lower;
+    restitution_ = wall == Wall::upper ? upper_restitution(scene_) : lower_restitution(scene_);
     velocity_ = wall == Wall::upper ? speed : -speed;
   }
 

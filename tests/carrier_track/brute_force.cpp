@@ -73,8 +73,11 @@ class Stepper {
     const Wall wall = direction > 0 ? Wall::upper : Wall::lower;
     impacts_.push_back({static_cast<double>(time), wall, static_cast<double>(speed)});
     body_.position = direction > 0 ? scene_.wall_upper : scene_.wall_lower;
-    const long double rebound =
+    long double rebound =
         speed * (direction > 0 ? scene_.restitution_upper : scene_.restitution_lower);
+    if (scene_.contact_friction) {
+      rebound *= std::sqrt((1.0L - scene_.friction) / (1.0L + scene_.friction));
+    }
     body_.velocity = rebound > standstill ? -direction * rebound : 0;
   }
 

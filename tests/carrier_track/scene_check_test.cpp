@@ -50,6 +50,18 @@ TEST(SceneCheck, AcceptsTheEdgesOfEveryRange) {
   EXPECT_EQ(complaint_about(scene), "accepted");
 }
 
+TEST(SceneCheck, AllowsFrictionInContactWhereItLeavesSomething) {
+  Scene scene;
+  scene.friction = 1.5;
+  EXPECT_EQ(complaint_about(scene), "accepted");
+  scene.contact_friction = true;
+  EXPECT_THAT(complaint_about(scene), HasSubstr("scene.friction = 1.5: must be within 0..1"));
+  scene.friction = 1;
+  EXPECT_EQ(complaint_about(scene), "accepted");
+  scene.across.emplace();
+  EXPECT_THAT(complaint_about(scene), HasSubstr("scene.contact_friction = 1: must be false"));
+}
+
 struct Wrong {
   double Scene::*field;
   std::string key;

@@ -30,6 +30,7 @@ const std::vector<std::string>& lines() {
                                                 "restitution = 0.1",
                                                 "friction = 0.1",
                                                 "normal_force = 4.2",
+                                                "contact_friction = false",
                                                 "pull = 0.86",
                                                 "pull_rotates = false",
                                                 "pull_phase = 0.5",
@@ -207,6 +208,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"restitution", "restitution = [0.1, \"a\"]", "scene.restitution", "[lower, upper]"},
         Wrong{"friction", "friction = -0.1", "scene.friction = -0.1", ">= 0"},
         Wrong{"normal_force", "normal_force = -2", "scene.normal_force = -2", ">= 0"},
+        Wrong{"contact_friction", "contact_friction = 0", "scene.contact_friction = 0",
+              "true or false"},
         Wrong{"pull", "pull = inf", "scene.pull = inf", "finite"},
         Wrong{"pull_rotates", "pull_rotates = 1", "scene.pull_rotates = 1", "true or false"},
         Wrong{"pull_phase", "pull_phase = nan", "scene.pull_phase = nan", "finite"},
@@ -312,6 +315,7 @@ TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
     Scene scene = scene_of(a_case, default_reading().scene);
     scene.phase = 1.0 / 3.0;
     scene.pull_phase = 1.0 / 11.0;
+    scene.contact_friction = a_case.id == "C2";
     scene.disturbance_phase = 1.0 / 13.0;
     scene.restitution_upper = 0.7;
     scene.wall_upper = a_case.id == "C1" ? std::numeric_limits<double>::infinity() : 2e-3;
@@ -342,6 +346,7 @@ TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
     }
     EXPECT_EQ(read_scene(file_with(text)).phase, scene.phase);
     EXPECT_EQ(read_scene(file_with(text)).pull_phase, scene.pull_phase);
+    EXPECT_EQ(read_scene(file_with(text)).contact_friction, scene.contact_friction);
     EXPECT_EQ(read_scene(file_with(text)).disturbance_phase, scene.disturbance_phase);
     EXPECT_EQ(read_scene(file_with(text)).stiffness, scene.stiffness);
     EXPECT_EQ(read_scene(file_with(text)).contact_speed, scene.contact_speed);

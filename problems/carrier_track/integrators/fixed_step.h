@@ -73,7 +73,7 @@ Outcome run_with_reflection(const Scene& scene, double longest, std::int64_t eva
       break;
     }
     outcome.impacts.push_back({time, behind > 0 ? Wall::upper : Wall::lower, speed});
-    const double e = behind > 0 ? scene.restitution_upper : scene.restitution_lower;
+    const double e = behind > 0 ? upper_restitution(scene) : lower_restitution(scene);
     const double press = behind * forces.applied(time);
     ++outcome.force_evaluations;
     const bool rests = press >= -forces.friction &&

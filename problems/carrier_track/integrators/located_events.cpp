@@ -96,7 +96,7 @@ class HybridMotion {
     const double speed = std::max(0.0, direction_ * state_.velocity);
     outcome_.impacts.push_back({time_, *wall_, speed});
     const double rebound =
-        speed * (direction_ > 0 ? scene_.restitution_upper : scene_.restitution_lower);
+        speed * (direction_ > 0 ? upper_restitution(scene_) : lower_restitution(scene_));
     const int into = direction_;
     state_.position = direction_ > 0 ? scene_.wall_upper : scene_.wall_lower;
     direction_ = -direction_;

@@ -44,7 +44,7 @@ class MoreauJean {
  private:
   double after_contact(int wall, double free, double time, std::vector<Impact>& impacts) const {
     const double approach = wall * state_.velocity;
-    const double restitution = wall > 0 ? scene_.restitution_upper : scene_.restitution_lower;
+    const double restitution = wall > 0 ? upper_restitution(scene_) : lower_restitution(scene_);
     double rebound = restitution * approach;
     if (std::abs(rebound) <= slowest_rebound) rebound = 0;
     if (wall * free <= -rebound) return free;  // no impulse

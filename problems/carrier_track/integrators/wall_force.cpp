@@ -12,8 +12,8 @@ WallForce wall_force_of(const Scene& scene) {
   wall.viscous = scene.contact_law == ContactLaw::kelvin_voigt;
   wall.exponent = wall.viscous ? 1 : scene.contact_exponent;
   const double unit = wall.viscous ? 2 * std::sqrt(wall.stiffness) : 1;
-  wall.lower_damping = unit * damping_factor(scene.contact_law, scene.restitution_lower);
-  wall.upper_damping = unit * damping_factor(scene.contact_law, scene.restitution_upper);
+  wall.lower_damping = unit * damping_factor(scene.contact_law, lower_restitution(scene));
+  wall.upper_damping = unit * damping_factor(scene.contact_law, upper_restitution(scene));
   wall.speed = scene.contact_speed.value_or(1);
   return wall;
 }

@@ -164,7 +164,11 @@ class Body {
     if (speed > scene_.slowest) ++run_.count;
     below_ = upper ? gap_ : 0;
     above_ = upper ? 0 : gap_;
-    const Real restitution = upper ? scene_.restitution_upper : scene_.restitution_lower;
+    Real restitution = upper ? scene_.restitution_upper : scene_.restitution_lower;
+    if (scene_.contact_friction) {
+      const Real mu = scene_.friction;
+      restitution *= std::sqrt((1 - mu) / (1 + mu));
+    }
     velocity_ = -direction * restitution * speed;
     if (comes_to_rest(direction, restitution * speed, restitution)) velocity_ = 0;
   }

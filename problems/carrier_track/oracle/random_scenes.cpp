@@ -36,12 +36,14 @@ Scene RandomScenes::next() {
   scene.slowest = log_within(1e-3, 2e-2);
   if (chance(0.5)) scene.pull_phase = within(-4.0, 4.0);
   if (chance(0.5)) scene.disturbance_phase = within(-4.0, 4.0);
+  scene.contact_friction = chance(0.2);
   return scene;
 }
 
 Scene RandomScenes::next_planar() {
   Scene scene = next();
   scene.fidelity = Fidelity::planar;
+  scene.contact_friction = false;
   Across<double>& y = scene.across.emplace();
   y.pull = scene.pull_rotates || chance(0.2) ? 0.0 : within(-1.5, 1.5);
   y.wall_lower = chance(0.5) ? 0.0 : within(-2e-3, 1e-3);

@@ -1,0 +1,218 @@
+#include "problems/carrier_track/misfit.h"
+
+#include <ceres/jet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/threshold.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+constexpr double highest = 18.0;  // [rad/s]
+
+void add_cells(std::vector<SpeedCell>& cells, double from, double to, double width) {
+  const auto size = std::max(1L, std::lround((to - from) / width));
+  const double exact = (to - from) / static_cast<double>(size);
+  for (long k = 0; k < size; ++k) {
+    cells.push_back({from + (static_cast<double>(k) + 0.5) * exact, exact});
+  }
+}
+
+/// The distance over its tolerance, and beyond 3 a logarithm.
+double tamed(double distance) {
+  return distance < 3 ? distance : 3 + std::log(distance - 2);
+}
+
+double below_claim(double count, int quiet) {
+  return std::log((count + 0.5) / (quiet + 0.5));
+}
+
+double above_claim(double count, int quiet) {
+  return std::max(0.0, std::log(1.6 * quiet / (count + 0.5)));
+}
+
+struct Cell {
+  double omega, width;
+  int count;
+};
+
+double total_width(const std::vector<Cell>& cells) {
+  double sum = 0;
+  for (const Cell& c : cells) sum += c.width;
+  return sum;
+}
+
+/// The count that holds over the most speeds.
+int widest_count(const std::vector<Cell>& cells) {
+  std::map<int, double> widths;
+  for (const Cell& c : cells) widths[c.count] += c.width;
+  return std::max_element(widths.begin(), widths.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+double median_count(std::vector<Cell> cells) {
+  std::sort(cells.begin(), cells.end(),
+            [](const Cell& a, const Cell& b) { return a.count < b.count; });
+  const double half = total_width(cells) / 2;
+  double passed = 0;
+  for (const Cell& c : cells) {
+    passed += c.width;
+    if (passed >= half) return c.count;
+  }
+  return 0;
+}
+
+struct CoarseSplit {
+  double speed, misclassified;
+};
+
+CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
+  double wrong = 0;  // with everything called loud
+  for (const Cell& c : cells) wrong += c.count <= limit ? c.width : 0;
+  CoarseSplit best{0, wrong};
+  double edge = 0;
+  for (const Cell& c : cells) {
+    edge += c.width;
+    wrong += c.count > limit ? c.width : -c.width;
+    if (wrong < best.misclassified - 1e-9) best = {edge, wrong};
+  }
+  best.misclassified /= edge;
+  best.speed = std::clamp(best.speed, cells.front().width / 2, highest - cells.back().width / 2);
+  return best;
+}
+
+int count_of(const Scene& scene, const Reading& reading, const Constants& constants, double omega) {
+  return static_cast<int>(objective(scene_at(scene, reading, constants, omega), 0.0));
+}
+
+/// The share of 0..18 rad/s at which C11 would be quiet in C4.
+double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
+  const Scene scene = scene_of(find_case("C11"), reading, constants);
+  std::vector<SpeedCell> cells = speed_cells(highest / 1.3 / 2);
+  double share = 0;
+  for (const SpeedCell& cell : cells) {
+    const int count = count_of(scene, reading, constants, cell.omega);
+    if (count <= quiet_limit(quiet)) share += cell.width / highest;
+  }
+  return share;
+}
+
+}  // namespace
+
+std::vector<SpeedCell> speed_cells(double threshold) {
+  std::vector<SpeedCell> cells;
+  add_cells(cells, 0, 1.3 * threshold, 0.05 * threshold);
+  add_cells(cells, 1.3 * threshold, highest, 0.4);
+  return cells;
+}
+
+double misfit_of(const CoarseScore& s, const Claim& claim) {
+  const double quiet = *claim.quiet_count;
+  return tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15) +
+         tamed(std::max(0.0, 0.9 - s.purity) / 0.15) +
+         tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05) +
+         tamed(std::max(0.0, s.misclassified - 0.02) / 0.05) +
+         tamed(std::max(0.0, std::log(1.5 / std::max(s.loudness, 0.3))) / 0.2) +
+         2.0 * s.wrong_examples + 3 * s.shape;
+}
+
+CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case) {
+  const double threshold = a_case.claim.threshold.value();
+  const int claimed = a_case.claim.quiet_count.value();
+  const Scene scene = scene_of(a_case, reading, constants);
+  std::vector<Cell> cells, below, above;
+  double below_shape = 0;
+  double above_shape = 0;
+  for (const SpeedCell& c : speed_cells(threshold)) {
+    const Cell cell{c.omega, c.width, count_of(scene, reading, constants, c.omega)};
+    cells.push_back(cell);
+    if (c.omega < threshold) {
+      below.push_back(cell);
+      below_shape += c.width * std::min(1.5, std::abs(below_claim(cell.count, claimed)));
+    } else {
+      above.push_back(cell);
+      above_shape += c.width * std::min(1.5, above_claim(cell.count, claimed));
+    }
+  }
+  const int quiet = widest_count(below);
+  const double limit = quiet_limit(quiet);
+  const CoarseSplit split = coarse_split(cells, limit);
+  double pure = 0;
+  for (const Cell& c : below) pure += std::abs(c.count - quiet) <= 1 ? c.width : 0;
+  int wrong = 0;
+  if (const auto& figure = a_case.claim.figure) {
+    wrong += count_of(scene, reading, constants, figure->quiet) > limit ? 1 : 0;
+    wrong += count_of(scene, reading, constants, figure->loud) > limit ? 0 : 1;
+  }
+  return {quiet,
+          pure / total_width(below),
+          split.speed,
+          split.misclassified,
+          median_count(above) / std::max(quiet, 1),
+          wrong,
+          below_shape / total_width(below) + above_shape / total_width(above)};
+}
+
+double misfit(const Reading& reading, const Constants& constants, const std::string& left_out) {
+  double sum = 0;
+  int quiet_of_c4 = 1;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold) continue;
+    if (a_case.id == left_out && a_case.id != "C4") continue;
+    const CoarseScore s = coarse_score(reading, constants, a_case);
+    if (a_case.id != left_out) sum += misfit_of(s, a_case.claim);
+    if (a_case.id == "C4") quiet_of_c4 = std::max(s.quiet_count, 1);
+  }
+  return sum + 4 * quiet_share_of_c11(reading, constants, quiet_of_c4);
+}
+
+SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
+                           const std::vector<Open>& freed, double width) {
+  using Jet = ceres::Jet<double, static_cast<int>(open_size)>;
+  BasicConstants<Jet> dual;
+  for (std::size_t i = 0; i < open_size; ++i) dual[i] = Jet(constants[i], static_cast<int>(i));
+  const bool differentiable =
+      reading.recovery != Recovery::contact_speed && reading.transition == Transition::plain;
+  std::vector<double> residuals;
+  std::vector<Eigen::Matrix<double, static_cast<int>(open_size), 1>> slopes;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold) continue;
+    const double threshold = *a_case.claim.threshold;
+    const int quiet = *a_case.claim.quiet_count;
+    const Scene plain = scene_of(a_case, reading, constants);
+    const BasicScene<Jet> scene = scene_of(a_case, reading, dual);
+    for (const SpeedCell& cell : speed_cells(threshold)) {
+      Jet count;
+      if (differentiable) {
+        count = objective(at_speed(scene, Jet(cell.omega)), width);
+      } else {
+        count = Jet(objective(scene_at(plain, reading, constants, cell.omega), width));
+      }
+      const bool below = cell.omega < threshold;
+      const double side = below ? threshold : highest - threshold;
+      const double weight = std::sqrt(3 * cell.width / side);
+      const double distance =
+          below ? below_claim(count.a, quiet) : -above_claim(count.a, quiet);
+      residuals.push_back(weight * distance);
+      const double slope = distance == 0 && !below ? 0 : weight / (count.a + 0.5);
+      slopes.push_back(slope * count.v);
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(residuals.size());
+  SmoothMisfit result{Eigen::Map<Vector>(residuals.data(), size),
+                      Matrix(size, static_cast<Eigen::Index>(freed.size()))};
+  for (Eigen::Index r = 0; r < size; ++r) {
+    for (std::size_t c = 0; c < freed.size(); ++c) {
+      result.slopes(r, static_cast<Eigen::Index>(c)) =
+          slopes[static_cast<std::size_t>(r)][static_cast<Eigen::Index>(freed[c])];
+    }
+  }
+  return result;
+}
+
+}  // namespace ricochet::carrier_track

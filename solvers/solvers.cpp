@@ -1,6 +1,7 @@
 #include "solvers/solvers.h"
 
 #include "solvers/ceres.h"
+#include "solvers/ceres_least_squares.h"
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/ipopt.h"
 #include "solvers/nlopt.h"
@@ -17,6 +18,7 @@ std::vector<Solver> all_solvers() {
       fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
       ipopt(),
       ceres_lbfgs(),
+      ceres_least_squares(),
   };
   for (Solver& solver : nlopt_solvers()) solvers.push_back(std::move(solver));
   return solvers;

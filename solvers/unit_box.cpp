@@ -38,6 +38,13 @@ std::optional<Derivatives> UnitBox::derivatives(const Vector& u) {
   return shown;
 }
 
+std::optional<Residuals> UnitBox::residuals(const Vector& u) {
+  if (!u.allFinite()) return std::nullopt;
+  auto shown = evaluator_.residuals(from_unit(u));
+  if (shown) shown->jacobian *= width_.asDiagonal();
+  return shown;
+}
+
 bool finite(const Values& values) {
   return std::isfinite(values.objective) && values.constraints.allFinite();
 }
@@ -45,6 +52,10 @@ bool finite(const Values& values) {
 bool finite(const Derivatives& derivatives) {
   return finite(derivatives.values) && derivatives.gradient.allFinite() &&
          derivatives.jacobian.allFinite();
+}
+
+bool finite(const Residuals& residuals) {
+  return residuals.values.allFinite() && residuals.jacobian.allFinite();
 }
 
 }  // namespace ricochet

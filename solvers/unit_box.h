@@ -39,6 +39,9 @@ class UnitBox {
   /// The same with the derivatives with respect to u.
   std::optional<Derivatives> derivatives(const Vector& u);
 
+  /// The residuals with their derivatives with respect to u.
+  std::optional<Residuals> residuals(const Vector& u);
+
   bool over() const { return evaluator_.over(); }
 
  private:
@@ -51,5 +54,8 @@ bool finite(const Values& values);
 
 /// Whether the derivatives are, too.
 bool finite(const Derivatives& derivatives);
+
+/// Whether the residuals and their derivatives are.
+bool finite(const Residuals& residuals);
 
 }  // namespace ricochet

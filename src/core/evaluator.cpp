@@ -40,11 +40,14 @@ void Evaluator::charge(std::int64_t price) {
   ledger_.seconds = processor_seconds() - started_;
 }
 
-void Evaluator::score(const Vector& x) {
+/// `known`: the values at x, or null where nobody has asked for them.
+void Evaluator::score(const Vector& x, const Values* known) {
   const double before = processor_seconds();
-  const Truth truth = problem_.truth ? problem_.truth(x) : truth_of(*values_);
-  const bool known = !std::isnan(truth.objective) && !std::isnan(truth.violation);
-  if (known && (trace_.empty() || better(truth, trace_.back().truth))) {
+  const Truth truth = problem_.truth ? problem_.truth(x)
+                      : known        ? truth_of(*known)
+                                     : truth_of(problem_.evaluate(x));
+  const bool is_number = !std::isnan(truth.objective) && !std::isnan(truth.violation);
+  if (is_number && (trace_.empty() || better(truth, trace_.back().truth))) {
     trace_.push_back({ledger_.charged, ledger_.seconds, truth, x});
   }
   started_ += processor_seconds() - before;
@@ -59,7 +62,7 @@ std::optional<Values> Evaluator::values(const Vector& x) {
     values_point_ = x;
     ++ledger_.values;
     charge(1);
-    score(inside);
+    score(inside, &*values_);
   });
   return done ? values_ : std::nullopt;
 }
@@ -83,9 +86,30 @@ std::optional<Derivatives> Evaluator::derivatives(const Vector& x) {
     values_point_ = x;
     ++ledger_.derivatives;
     charge(price);
-    score(inside);
+    score(inside, &*values_);
   });
   return done ? derivatives_ : std::nullopt;
+}
+
+std::optional<Residuals> Evaluator::residuals(const Vector& x) {
+  if (residuals_ && residuals_point_ == x) return over() ? std::nullopt : residuals_;
+  const std::int64_t price = 1 + problem_.dimension();
+  if (!admits(x, price)) return std::nullopt;
+  const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+  const bool done = guarded([&] {
+    if (!problem_.residuals) throw std::logic_error(problem_.name + " has no residuals");
+    residuals_ = problem_.residuals(inside);
+    residuals_point_ = x;
+    const Eigen::Index count = residuals_->values.size();
+    if (count == 0 || residuals_->jacobian.rows() != count ||
+        residuals_->jacobian.cols() != x.size()) {
+      throw std::logic_error(problem_.name + " has no residuals, or a jacobian that does not fit");
+    }
+    ++ledger_.derivatives;
+    charge(price);
+    score(inside, values_ && values_point_ == x ? &*values_ : nullptr);
+  });
+  return done ? residuals_ : std::nullopt;
 }
 
 }  // namespace ricochet

@@ -29,8 +29,8 @@ enum class Refusal {
 /// What was asked of the problem.
 struct Ledger {
   std::int64_t values = 0;       ///< calls of evaluate
-  std::int64_t derivatives = 0;  ///< calls of differentiate
-  std::int64_t charged = 0;      ///< evaluations: 1 for values, 1 + n for derivatives
+  std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
+  std::int64_t charged = 0;      ///< evaluations: 1 for values, 1 + n for derivatives or residuals
   double seconds = 0;            ///< processor time since the start, scoring left out
 };
 
@@ -66,6 +66,11 @@ class Evaluator {
   /// them.
   std::optional<Derivatives> derivatives(const Vector& x);
 
+  /// Residuals and their first derivatives at x, or nothing once the run is over. The problem must
+  /// have them. What is known of x otherwise makes them no cheaper: they may be of another
+  /// function.
+  std::optional<Residuals> residuals(const Vector& x);
+
   /// Evaluations left before the budget refuses.
   std::int64_t remaining() const;
 
@@ -80,7 +85,7 @@ class Evaluator {
 
  private:
   bool admits(const Vector& x, std::int64_t price);
-  void score(const Vector& x);
+  void score(const Vector& x, const Values* known);
   void charge(std::int64_t price);
 
   template <class Work>
@@ -97,6 +102,8 @@ class Evaluator {
   std::optional<Values> values_;
   Vector derivatives_point_;
   std::optional<Derivatives> derivatives_;
+  Vector residuals_point_;
+  std::optional<Residuals> residuals_;
 };
 
 }  // namespace ricochet

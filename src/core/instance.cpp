@@ -60,6 +60,13 @@ Problem instance(const Problem& problem, int number) {
       return d;
     };
   }
+  if (problem.residuals) {
+    result.residuals = [original, inside, frame](const Vector& x) {
+      Residuals r = original->residuals(inside(x));
+      r.jacobian = r.jacobian * frame.direction.asDiagonal();
+      return r;
+    };
+  }
   if (problem.truth) {
     result.truth = [original, inside](const Vector& x) { return original->truth(inside(x)); };
   }

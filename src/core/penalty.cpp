@@ -25,6 +25,7 @@ Problem penalised(const Problem& problem, double weight) {
                          Matrix(0, d.gradient.size())};
     };
   }
+  result.residuals = nullptr;
   if (!problem.truth) {
     result.truth = [evaluate = problem.evaluate](const Vector& x) { return truth_of(evaluate(x)); };
   }

@@ -21,6 +21,12 @@ struct Derivatives {
   Matrix jacobian;  ///< of the constraints, Problem::constraints x n
 };
 
+/// The objective as a solver for least squares sees it: half the sum of the squares of `values`.
+struct Residuals {
+  Vector values;    ///< at least one, as many at every point
+  Matrix jacobian;  ///< residuals x n
+};
+
 /// What a point is really worth, whatever the solver was shown.
 struct Truth {
   double objective = 0;
@@ -40,6 +46,9 @@ struct Problem {
   std::function<Values(const Vector&)> evaluate;
   /// Values and first derivatives in one call; empty where the problem has none.
   std::function<Derivatives(const Vector&)> differentiate;
+  /// Residuals and first derivatives in one call; empty where the problem is no sum of squares.
+  /// Theirs may be a smooth stand-in for the objective.
+  std::function<Residuals(const Vector&)> residuals;
   /// What the suite judges by; empty where `evaluate` is the truth.
   std::function<Truth(const Vector&)> truth;
   /// The best true objective of a feasible point, where it is known.

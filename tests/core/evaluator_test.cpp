@@ -34,6 +34,77 @@ TEST(Evaluator, RemembersTheLastPoint) {
   EXPECT_EQ(evaluator.ledger().charged, 3 + 1 + 2) << "values at this point were already paid";
 }
 
+TEST(Evaluator, ChargesOnePlusNForResidualsAndRemembersThem) {
+  const Problem problem = parabola(3);
+  Evaluator evaluator(problem, {100});
+  const Vector x = Vector::Constant(3, 0.5);
+  ASSERT_TRUE(evaluator.values(x));
+  const auto first = evaluator.residuals(x);
+  EXPECT_EQ(evaluator.ledger().charged, 1 + 4) << "values at this point make them no cheaper";
+  EXPECT_EQ(evaluator.residuals(x)->values, first->values);
+  EXPECT_EQ(evaluator.ledger().charged, 1 + 4);
+  EXPECT_EQ(evaluator.ledger().derivatives, 1);
+  EXPECT_EQ(evaluator.ledger().values, 1);
+  ASSERT_TRUE(evaluator.residuals(Vector::Constant(3, 0.25)));
+  EXPECT_EQ(evaluator.ledger().charged, 1 + 4 + 4);
+}
+
+TEST(Evaluator, ScoresResidualsByTheTruthAndNotByTheirSquares) {
+  Problem problem = parabola(1);
+  problem.residuals = [](const Vector& x) {
+    return Residuals{x.array() - 0.75, Matrix::Identity(1, 1)};
+  };
+  Evaluator evaluator(problem, {100});
+  for (const double x : {0.75, 0.5}) ASSERT_TRUE(evaluator.residuals(Vector::Constant(1, x)));
+  ASSERT_EQ(evaluator.trace().size(), 2U);
+  EXPECT_EQ(evaluator.trace()[0].truth.objective, 0.25);
+  EXPECT_EQ(evaluator.trace()[1].truth.objective, 0.0625);
+  EXPECT_EQ(evaluator.ledger().values, 0) << "the solver has asked for none";
+
+  problem.truth = [](const Vector& x) { return Truth{-x[0], 0.0}; };
+  Evaluator judged(problem, {100});
+  ASSERT_TRUE(judged.residuals(Vector::Constant(1, 0.5)));
+  EXPECT_EQ(judged.best()->truth.objective, -0.5);
+  EXPECT_EQ(judged.best()->evaluations, 2);
+}
+
+TEST(Evaluator, EvaluatesResidualsOutsideTheBoxAtTheProjection) {
+  const Problem problem = parabola(1);
+  Evaluator evaluator(problem, {10});
+  EXPECT_EQ(evaluator.residuals(Vector::Constant(1, 7.0))->values,
+            problem.residuals(problem.upper).values);
+  EXPECT_EQ(evaluator.best()->x, problem.upper);
+}
+
+TEST(Evaluator, RefusesResidualsThatTheBudgetDoesNotCover) {
+  const Problem problem = parabola(3);
+  Evaluator evaluator(problem, {7});
+  const Vector x = Vector::Constant(3, 0.5);
+  ASSERT_TRUE(evaluator.residuals(x));
+  EXPECT_FALSE(evaluator.residuals(Vector::Constant(3, 0.25)));
+  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
+  EXPECT_EQ(evaluator.ledger().charged, 4);
+  EXPECT_FALSE(evaluator.residuals(x)) << "not even what it remembers";
+}
+
+TEST(Evaluator, TakesResidualsThatDoNotFitForAFailure) {
+  for (const Residuals& misfit :
+       {Residuals{Vector(0), Matrix(0, 2)}, Residuals{Vector::Ones(2), Matrix::Ones(3, 2)},
+        Residuals{Vector::Ones(2), Matrix::Ones(2, 3)}}) {
+    Problem problem = parabola(2);
+    problem.residuals = [&misfit](const Vector&) { return misfit; };
+    Evaluator evaluator(problem, {10});
+    EXPECT_FALSE(evaluator.residuals(problem.start));
+    EXPECT_EQ(evaluator.refusal(), Refusal::failure);
+    EXPECT_THROW(std::rethrow_exception(evaluator.failure()), std::logic_error);
+  }
+  Problem problem = parabola(2);
+  problem.residuals = nullptr;
+  Evaluator evaluator(problem, {10});
+  EXPECT_FALSE(evaluator.residuals(problem.start));
+  EXPECT_EQ(evaluator.refusal(), Refusal::failure);
+}
+
 TEST(Evaluator, RefusesOnceTheBudgetIsSpent) {
   const Problem problem = parabola(1);
   Evaluator evaluator(problem, {2});
@@ -68,6 +139,9 @@ TEST(Evaluator, RefusesPointsThatAreNotFiniteOrOfTheWrongLength) {
     Evaluator evaluator(problem, {10});
     EXPECT_FALSE(evaluator.values(x));
     EXPECT_EQ(evaluator.refusal(), Refusal::bad_point);
+    Evaluator other(problem, {10});
+    EXPECT_FALSE(other.residuals(x));
+    EXPECT_EQ(other.refusal(), Refusal::bad_point);
   }
 }
 

@@ -55,6 +55,16 @@ TEST(Instance, KeepsTheDerivativesConsistent) {
   }
 }
 
+TEST(Instance, KeepsTheResidualsConsistent) {
+  for (int number = 1; number <= 10; ++number) {
+    const Problem moved = instance(parabola(3), number);
+    const Residuals r = moved.residuals(moved.start);
+    const Derivatives d = moved.differentiate(moved.start);
+    EXPECT_NEAR(r.values.squaredNorm() / 2, d.values.objective, 1e-12);
+    EXPECT_LT((r.jacobian.transpose() * r.values - d.gradient).norm(), 1e-12);
+  }
+}
+
 TEST(Instance, DependsOnNameAndNumberOnly) {
   EXPECT_EQ(instance(parabola(2), 3).lower, instance(parabola(2), 3).lower);
   EXPECT_NE(instance(parabola(2), 3).lower, instance(parabola(2), 4).lower);

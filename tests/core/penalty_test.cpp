@@ -51,6 +51,12 @@ TEST(Penalty, HasTheGradientOfItsValues) {
   }
 }
 
+TEST(Penalty, HasNoResiduals) {
+  Problem original = constrained();
+  original.residuals = [](const Vector&) { return Residuals{Vector::Ones(1), Matrix::Ones(1, 2)}; };
+  EXPECT_FALSE(penalised(original, 10).residuals);
+}
+
 TEST(Penalty, IsJudgedByTheTruthOfTheConstraints) {
   const Truth truth = penalised(constrained(), 10).truth(Vector{{-1.0, 4.0}});
   EXPECT_EQ(truth.objective, 5.0);

@@ -6,7 +6,7 @@
 
 namespace ricochet {
 
-/// Sum of (x_i - 0.25)^2 on [0, 1]^n, with derivatives; the optimum value is 0.
+/// Sum of (x_i - 0.25)^2 on [0, 1]^n, with derivatives and residuals; the optimum value is 0.
 inline Problem parabola(Eigen::Index n) {
   Problem problem;
   problem.name = "parabola";
@@ -19,6 +19,9 @@ inline Problem parabola(Eigen::Index n) {
   problem.differentiate = [n](const Vector& x) {
     return Derivatives{
         {(x.array() - 0.25).square().sum(), {}}, 2 * (x.array() - 0.25), Matrix(0, n)};
+  };
+  problem.residuals = [n](const Vector& x) {
+    return Residuals{std::sqrt(2.0) * (x.array() - 0.25), std::sqrt(2.0) * Matrix::Identity(n, n)};
   };
   return problem;
 }

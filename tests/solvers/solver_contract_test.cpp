@@ -59,6 +59,11 @@ std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, s
     asked.push_back(x);
     return problem.differentiate(x);
   };
+  recorded.residuals = [&](const Vector& x) {
+    asked.push_back(x);
+    return problem.residuals(x);
+  };
+  recorded.truth = [&](const Vector& x) { return truth_of(problem.evaluate(x)); };
   Evaluator evaluator(recorded, {100});
   Random random(seed);
   solver.solve(evaluator, problem.start, random);

@@ -16,11 +16,12 @@ TEST(AllSolvers, HaveNamesOfTheirOwn) {
   for (const Solver& solver : all_solvers()) {
     EXPECT_TRUE(names.insert(solver.name).second) << solver.name;
   }
-  EXPECT_THAT(names, testing::IsSupersetOf(
-                         {"fireworks", "fireworks-as-printed", "random-search", "scan", "ipopt",
-                          "ceres-lbfgs", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
-                          "nlopt-esch", "nlopt-cobyla", "nlopt-bobyqa", "nlopt-nelder-mead",
-                          "nlopt-sbplx", "nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"}));
+  EXPECT_THAT(names,
+              testing::IsSupersetOf({"fireworks", "fireworks-as-printed", "random-search", "scan",
+                                     "ipopt", "ceres-lbfgs", "ceres-trust-region", "nlopt-direct-l",
+                                     "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-cobyla",
+                                     "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
+                                     "nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"}));
 }
 
 TEST(AllSolvers, NameTheLibraryBehindThemAndItsVersion) {

@@ -42,7 +42,13 @@ void differentiate_by(Problem& problem, Gradient gradient) {
   };
 }
 
-/// Sum of (x_i - centre)^2 on [-100, 100]^n from 40; optimum 0 at x_i = centre.
+/// sqrt(2) (x_i - centre): half the sum of their squares is the sum of (x_i - centre)^2.
+inline Residuals distances(const Vector& x, double centre) {
+  return {std::sqrt(2.0) * (x.array() - centre),
+          std::sqrt(2.0) * Matrix::Identity(x.size(), x.size())};
+}
+
+/// Sum of (x_i - centre)^2 on [-100, 100]^n from 40; optimum 0 at x_i = centre. With residuals.
 inline Problem sphere(Eigen::Index n, double centre) {
   Problem problem = box_problem("sphere", n, -100, 100, 40, [centre](const Vector& x) {
     return (x.array() - centre).square().sum();
@@ -50,6 +56,7 @@ inline Problem sphere(Eigen::Index n, double centre) {
   problem.best_known = 0.0;
   differentiate_by(problem,
                    [centre](const Vector& x) -> Vector { return 2 * (x.array() - centre); });
+  problem.residuals = [centre](const Vector& x) { return distances(x, centre); };
   return problem;
 }
 
@@ -81,6 +88,9 @@ inline Problem disc() {
 inline Problem plateau(Eigen::Index n) {
   Problem problem = box_problem("plateau", n, 0, 18, 9, [](const Vector&) { return 7.0; });
   differentiate_by(problem, [](const Vector& x) -> Vector { return Vector::Zero(x.size()); });
+  problem.residuals = [n](const Vector&) {
+    return Residuals{Vector::Constant(1, std::sqrt(14.0)), Matrix::Zero(1, n)};
+  };
   return problem;
 }
 
@@ -92,6 +102,9 @@ inline Problem never_a_number(Eigen::Index n) {
       box_problem("never-a-number", n, 0, 18, 9, [](const Vector&) { return not_a_number; });
   differentiate_by(
       problem, [](const Vector& x) -> Vector { return Vector::Constant(x.size(), not_a_number); });
+  problem.residuals = [n](const Vector&) {
+    return Residuals{Vector::Constant(1, not_a_number), Matrix::Constant(1, n, not_a_number)};
+  };
   return problem;
 }
 
@@ -102,6 +115,7 @@ inline Problem half_a_number() {
     return x.sum() > 60 ? not_a_number : (x.array() - 3).square().sum();
   });
   differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 3); });
+  problem.residuals = [](const Vector& x) { return distances(x, x.sum() > 60 ? not_a_number : 3); };
   return problem;
 }
 
@@ -113,6 +127,7 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
   const auto step = [left] {
     if (left->fetch_sub(1) <= 0) throw std::runtime_error("broken scene");
   };
+  problem.truth = [evaluate = problem.evaluate](const Vector& x) { return truth_of(evaluate(x)); };
   problem.evaluate = [step, evaluate = problem.evaluate](const Vector& x) {
     step();
     return evaluate(x);
@@ -120,6 +135,10 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
   problem.differentiate = [step, differentiate = problem.differentiate](const Vector& x) {
     step();
     return differentiate(x);
+  };
+  problem.residuals = [step, residuals = problem.residuals](const Vector& x) {
+    step();
+    return residuals(x);
   };
   return problem;
 }

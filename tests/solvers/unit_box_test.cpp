@@ -38,6 +38,16 @@ TEST(UnitBox, ScalesDerivativesByTheWidth) {
   EXPECT_EQ(seen->jacobian.row(0).transpose(), (Vector{{8, -8}}));
 }
 
+TEST(UnitBox, ScalesTheDerivativesOfResidualsByTheWidth) {
+  const Problem problem = sphere(2, 3);  // on [-100, 100]^2
+  Evaluator evaluator(problem, {10});
+  UnitBox box(evaluator);
+  const auto seen = box.residuals(Vector{{0.75, 0.25}});  // x = (50, -50)
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->values, std::sqrt(2.0) * Vector({{47, -53}}));
+  EXPECT_EQ(seen->jacobian, 200 * std::sqrt(2.0) * Matrix::Identity(2, 2));
+}
+
 TEST(UnitBox, RaisesTheConstraintsByTheMargin) {
   const Problem problem = disc();
   Evaluator evaluator(problem, {10});
@@ -52,6 +62,7 @@ TEST(UnitBox, DoesNotAskTheEvaluatorWhereThePointIsNotFinite) {
   UnitBox box(evaluator);
   EXPECT_FALSE(box.values(Vector::Constant(1, not_a_number)));
   EXPECT_FALSE(box.derivatives(Vector::Constant(1, not_a_number)));
+  EXPECT_FALSE(box.residuals(Vector::Constant(1, not_a_number)));
   EXPECT_FALSE(box.over()) << "the run goes on from another start";
 }
 
@@ -62,6 +73,9 @@ TEST(Finite, LooksAtEveryNumber) {
   EXPECT_FALSE(finite(Values{1.0, Vector::Constant(1, not_a_number)}));
   EXPECT_FALSE(finite(Derivatives{good, Vector::Constant(2, not_a_number), Matrix::Ones(1, 2)}));
   EXPECT_FALSE(finite(Derivatives{good, Vector::Ones(2), Matrix::Constant(1, 2, not_a_number)}));
+  EXPECT_TRUE(finite(Residuals{Vector::Ones(1), Matrix::Ones(1, 2)}));
+  EXPECT_FALSE(finite(Residuals{Vector::Constant(1, not_a_number), Matrix::Ones(1, 2)}));
+  EXPECT_FALSE(finite(Residuals{Vector::Ones(1), Matrix::Constant(1, 2, not_a_number)}));
 }
 
 }  // namespace

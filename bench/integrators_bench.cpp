@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/integrators/integrator.h"
-#include "problems/carrier_track/reading.h"
 
 namespace ricochet::bench {
 namespace {

@@ -20,7 +20,7 @@ Freedom full_freedom(const Reading& reading);
 
 /// The problem of finding the open constants: minimise the misfit over the freed ones, each as its
 /// place within its bounds, in [0, 1]. Its residuals are those of the smooth misfit of
-/// `default_width`; it is judged by the true misfit. It starts from the held constants.
+/// `default_width`; it is judged by the misfit. It starts from the held constants.
 Problem calibration_problem(const Freedom& freedom, const std::string& left_out = "");
 
 /// The constants of a point of that problem.

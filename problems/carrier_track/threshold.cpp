@@ -52,14 +52,19 @@ int most_common_below(const SpeedScan& scan, double reference) {
   return most_common(below).value_or(scan.counts.front());
 }
 
-std::vector<Example> judge_examples(const Scene& scene, const Figure& figure, double limit) {
+std::vector<Example> judge_examples(const CountAt& count_at, const Figure& figure, double limit) {
   std::vector<Example> examples;
   for (const bool loud : {false, true}) {
     const double omega = loud ? figure.loud : figure.quiet;
-    const int count = count_at(scene, omega);
+    const int count = count_at(omega);
     examples.push_back({omega, loud, count, (count > limit) == loud});
   }
   return examples;
+}
+
+/// Refers to the scene.
+CountAt counts_of(const Scene& scene) {
+  return [&scene](double omega) { return count_at(scene, omega); };
 }
 
 }  // namespace
@@ -68,15 +73,19 @@ int count_at(const Scene& scene, double omega) {
   return static_cast<int>(objective(at_speed(scene, omega), 0.0));
 }
 
-SpeedScan scan_speeds(const Scene& scene, double step, double highest) {
+SpeedScan scan_speeds(const CountAt& count, double step, double highest) {
   SpeedScan scan{step, std::vector<int>(static_cast<std::size_t>(std::llround(highest / step)))};
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scan.counts.size(), 32),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t k = range.begin(); k != range.end(); ++k) {
-                        scan.counts[k] = count_at(scene, scan.omega(k));
+                        scan.counts[k] = count(scan.omega(k));
                       }
                     });
   return scan;
+}
+
+SpeedScan scan_speeds(const Scene& scene, double step, double highest) {
+  return scan_speeds(counts_of(scene), step, highest);
 }
 
 SpeedScan thinned(const SpeedScan& scan, std::size_t stride) {
@@ -120,7 +129,7 @@ std::optional<int> most_common(const std::vector<int>& counts) {
       ->first;
 }
 
-Score score(const Scene& scene, const Claim& claim, const SpeedScan& fine, std::size_t stride) {
+Score score(const CountAt& count, const Claim& claim, const SpeedScan& fine, std::size_t stride) {
   const SpeedScan scan = thinned(fine, stride);
   const double highest = fine.omega(fine.counts.size() - 1);
   Score result;
@@ -147,10 +156,14 @@ Score score(const Scene& scene, const Claim& claim, const SpeedScan& fine, std::
     }
   }
   if (claim.figure) {
-    result.examples = judge_examples(scene, *claim.figure, limit);
+    result.examples = judge_examples(count, *claim.figure, limit);
     result.evaluations += static_cast<std::int64_t>(result.examples.size());
   }
   return result;
+}
+
+Score score(const Scene& scene, const Claim& claim, const SpeedScan& fine, std::size_t stride) {
+  return score(counts_of(scene), claim, fine, stride);
 }
 
 int quiet_count(const Scene& scene, const Claim& claim, const ScanOptions& options) {

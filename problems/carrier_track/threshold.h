@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,13 @@ struct SpeedScan {
   double omega(std::size_t k) const { return static_cast<double>(k + 1) * step; }
 };
 
-/// Simulates every speed of the grid, in parallel. `scene` must be valid, its omega is not used.
+/// The collision count at a speed [rad/s]. May be called from several threads at once.
+using CountAt = std::function<int(double omega)>;
+
+/// Counts at every speed of the grid, in parallel.
+SpeedScan scan_speeds(const CountAt& count, double step, double highest);
+
+/// The same for a valid scene, whose omega is not used.
 SpeedScan scan_speeds(const Scene& scene, double step, double highest);
 
 /// Every `stride`-th speed of a scan.
@@ -78,6 +85,7 @@ Score score(const Scene& scene, const Claim& claim, const ScanOptions& options);
 
 /// The same from a scan already made.
 Score score(const Scene& scene, const Claim& claim, const SpeedScan& scan, std::size_t stride);
+Score score(const CountAt& count, const Claim& claim, const SpeedScan& scan, std::size_t stride);
 
 /// Part 1 of the score alone: only the speeds below the reference are simulated.
 int quiet_count(const Scene& scene, const Claim& claim, const ScanOptions& options);

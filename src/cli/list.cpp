@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/problems.h"
-#include "problems/carrier_track/reading.h"
 #include "solvers/solvers.h"
 #include "src/cli/format.h"
 
@@ -53,8 +53,15 @@ Json solvers() {
 
 Json readings() {
   Json rows = Json::array();
-  for (const Reading& r : all_readings()) {
-    rows.push_back({{"reading", r.name}, {"description", r.description}});
+  const auto add = [&rows](const Reading& r) {
+    rows.push_back({{"reading", name_of(r)},
+                    {"constants", open_of(r).size()},
+                    {"default", r == default_reading().reading},
+                    {"description", description_of(r)}});
+  };
+  for (const Reading& core : core_readings()) {
+    add(core);
+    for (const Reading& r : variations(core)) add(r);
   }
   return rows;
 }

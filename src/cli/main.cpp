@@ -6,6 +6,7 @@
 #include "problems/carrier_track/choices.h"
 #include "problems/carrier_track/scene_file.h"
 #include "src/cli/bench.h"
+#include "src/cli/calibrate.h"
 #include "src/cli/dynamics.h"
 #include "src/cli/list.h"
 #include "src/cli/reproduce.h"
@@ -39,6 +40,7 @@ class Program {
     add_reproduce();
     add_simulate();
     add_threshold();
+    add_calibrate();
     add_dynamics();
     add_verify();
     add_scene();
@@ -105,6 +107,21 @@ class Program {
     command->callback([this] { work_ = [this] { return threshold(threshold_); }; });
   }
 
+  void add_calibrate() {
+    CLI::App* command = app_.add_subcommand(
+        "calibrate", "Which reading of the paper, and which constants, give its thresholds");
+    command->add_option("--reading", calibrate_.reading,
+                        "One of ricochet list readings, for the default one");
+    command->add_flag("--all-readings", calibrate_.all_readings, "Every reading, compared");
+    command->add_flag("--quick", calibrate_.quick, "A first look, in half a minute");
+    command->add_option("--seed", calibrate_.seed, "Of the searches")->capture_default_str();
+    command->add_option("--solver", calibrate_.solver, "That searches the whole of the bounds")
+        ->capture_default_str();
+    command->add_option("--out", calibrate_.out, "Folder for fits and report")
+        ->capture_default_str();
+    command->callback([this] { work_ = [this] { return calibrate(calibrate_); }; });
+  }
+
   void add_dynamics() {
     CLI::App* command = app_.add_subcommand(
         "dynamics", "Contact laws, numerical methods, hard and compliant walls, as a report");
@@ -160,6 +177,7 @@ class Program {
   ReproduceOptions reproduce_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
+  CalibrateOptions calibrate_;
   DynamicsOptions dynamics_;
   VerifyOptions verify_;
   SceneChoice scene_;

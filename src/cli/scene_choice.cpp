@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/scene_file.h"
 #include "src/core/error.h"
 
@@ -12,7 +12,7 @@ namespace {
 using namespace carrier_track;
 
 ChosenScene in_default_reading(const Case& a_case) {
-  const Reading reading = default_reading();
+  const FittedReading& reading = default_reading();
   return {a_case.id, reading.name, scene_of(a_case, reading.scene), a_case.claim};
 }
 

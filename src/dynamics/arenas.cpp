@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "src/dynamics/work.h"
 
 namespace ricochet::dynamics {

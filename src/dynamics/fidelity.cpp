@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/threshold.h"
 #include "src/campaign/progress.h"
 #include "src/core/processor_time.h"

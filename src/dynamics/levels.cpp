@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/level.h"
-#include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/surrogate.h"
 #include "problems/carrier_track/threshold.h"

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/simulate.h"
 #include "src/campaign/progress.h"

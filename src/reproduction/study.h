@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/threshold.h"
 #include "src/core/solver.h"
@@ -49,7 +49,7 @@ struct CaseStudy {
 /// All that the report shows.
 struct Study {
   StudyPlan plan;
-  carrier_track::Reading reading;
+  carrier_track::FittedReading reading;
   std::vector<CaseStudy> cases;
   CountGrid grid;
   std::vector<Trend> trends;

@@ -4,7 +4,7 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/surrogate.h"
 #include "tests/allocation/allocations.h"
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/comparison.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/recording.h"
 
 namespace ricochet::carrier_track {

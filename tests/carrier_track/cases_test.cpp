@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "src/core/error.h"
 
 namespace ricochet::carrier_track {

@@ -11,8 +11,8 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/contact_law.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/scene_check.h"
 #include "tests/carrier_track/brute_force.h"

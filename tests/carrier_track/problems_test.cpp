@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "src/core/instance.h"
 
 namespace ricochet::carrier_track {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "src/core/error.h"
 
 namespace ricochet::carrier_track {

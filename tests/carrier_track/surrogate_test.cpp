@@ -12,8 +12,8 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/reading.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 
 namespace ricochet::carrier_track {
 namespace {

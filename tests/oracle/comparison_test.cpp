@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/hostile_scenes.h"
-#include "problems/carrier_track/reading.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/reading.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/threshold.h"
 
 namespace ricochet::reproduction {

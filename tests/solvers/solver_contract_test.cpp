@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/problems.h"
-#include "problems/carrier_track/reading.h"
 #include "problems/carrier_track/surrogate.h"
 #include "solvers/solvers.h"
 #include "src/core/run.h"

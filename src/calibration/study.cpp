@@ -1,0 +1,199 @@
+#include "src/calibration/study.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+#include "src/campaign/progress.h"
+
+namespace ricochet::calibration {
+namespace {
+
+using namespace carrier_track;
+
+/// A compliant contact costs about a hundred times an impact.
+constexpr std::int64_t compliant_price = 60;
+
+/// Frontiers end here: fewer constants are no model of ten thresholds.
+constexpr std::size_t fewest_constants = 2;
+
+using Make = std::function<Fit(const Freedom&, const Search&, const std::string&)>;
+
+struct Task {
+  std::string kind;
+  Make make;
+  Freedom freedom;
+  Search search;
+  std::string left_out = {};
+};
+
+/// Fetches or makes all fits, in parallel.
+std::vector<Fit> done(const std::string& what, const std::vector<Task>& tasks, FitStore& store) {
+  std::vector<Fit> fits(tasks.size());
+  double work = 0;
+  for (const Task& task : tasks) work += static_cast<double>(task.search.evaluations);
+  Progress progress(what, work);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          const Task& task = tasks[i];
+          const std::string key = key_of(task.kind, task.freedom, task.search, task.left_out);
+          if (const auto known = store.find(key)) {
+            fits[i] = *known;
+          } else {
+            fits[i] = task.make(task.freedom, task.search, task.left_out);
+            store.add(key, fits[i]);
+          }
+          progress.advance(static_cast<double>(task.search.evaluations));
+        }
+      },
+      tbb::simple_partitioner());
+  return fits;
+}
+
+Search with_evaluations(Search search, std::int64_t evaluations) {
+  search.evaluations = evaluations;
+  return search;
+}
+
+Task reading_task(const Reading& reading, const Search& search, const Constants& start) {
+  Freedom freedom{reading, open_of(reading), start};
+  const bool dear = reading.recovery == Recovery::contact_speed;
+  return {"fit", fit, std::move(freedom),
+          with_evaluations(search, search.evaluations / (dear ? compliant_price : 1))};
+}
+
+std::vector<RankedFit> appraised(std::vector<Fit> fits, double step) {
+  std::vector<RankedFit> ranked;
+  for (Fit& f : fits) {
+    Appraisal appraisal = appraise(f, step);
+    ranked.push_back({std::move(f), std::move(appraisal)});
+  }
+  return ranked;
+}
+
+void sort_by_misfit(std::vector<RankedFit>& fits) {
+  std::stable_sort(fits.begin(), fits.end(), [](const RankedFit& a, const RankedFit& b) {
+    return a.fit.misfit < b.fit.misfit;
+  });
+}
+
+std::vector<RankedFit> compared_readings(const Plan& plan, FitStore& store) {
+  std::vector<Task> tasks;
+  for (const Reading& r : plan.readings) {
+    tasks.push_back(reading_task(r, plan.search, natural_constants()));
+  }
+  std::vector<Fit> fits = done("fitting readings", tasks, store);
+  if (fits.size() > 1) {
+    const Fit best = *std::min_element(
+        fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+    tasks.clear();
+    for (const Reading& r : variations(best.reading)) {
+      tasks.push_back(reading_task(r, plan.search, best.constants));
+    }
+    for (Fit& f : done("fitting variations", tasks, store)) fits.push_back(std::move(f));
+  }
+  std::vector<RankedFit> ranked = appraised(std::move(fits), 5 * plan.step);
+  sort_by_misfit(ranked);
+  return ranked;
+}
+
+/// The fit with one constant more held at its natural value, the one that costs least.
+std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, FitStore& store) {
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < from.freed.size(); ++i) {
+    const auto which = static_cast<std::size_t>(from.freed[i]);
+    if (!open_constants()[which].natural) continue;
+    Freedom freedom{from.reading, from.freed, from.constants};
+    freedom.freed.erase(freedom.freed.begin() + static_cast<std::ptrdiff_t>(i));
+    freedom.held[which] = *open_constants()[which].natural;
+    tasks.push_back(
+        {"pin", fit, std::move(freedom), with_evaluations(plan.search, plan.pin_evaluations)});
+  }
+  if (tasks.empty()) return std::nullopt;
+  const std::vector<Fit> fits = done("holding one more constant", tasks, store);
+  return *std::min_element(fits.begin(), fits.end(),
+                           [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+}
+
+std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& store) {
+  const Task full{"fit",
+                  fit,
+                  {best.reading, best.freed, best.constants},
+                  with_evaluations(plan.search, plan.chosen_evaluations)};
+  std::vector<Fit> fits = done("fitting the best reading closely", {full}, store);
+  while (fits.back().freed.size() > fewest_constants) {
+    auto next = with_one_held(fits.back(), plan, store);
+    if (!next) break;
+    fits.push_back(std::move(*next));
+  }
+  return appraised(std::move(fits), plan.step);
+}
+
+/// A fit as free as the choice that has not seen a case, from the natural constants on.
+std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitStore& store) {
+  std::vector<Task> tasks;
+  std::vector<Prediction> predictions;
+  Freedom freedom{choice.reading, choice.freed, choice.constants};
+  for (const Open open : choice.freed) {
+    freedom.held[static_cast<std::size_t>(open)] =
+        natural_constants()[static_cast<std::size_t>(open)];
+  }
+  for (const Case& c : all_cases()) {
+    if (!c.claim.threshold) continue;
+    tasks.push_back(
+        {"left out", fit, freedom, with_evaluations(plan.search, plan.left_out_evaluations), c.id});
+    predictions.push_back({c.id, *c.claim.threshold, std::nullopt});
+  }
+  const std::vector<Fit> fits = done("leaving one case out", tasks, store);
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const Appraisal appraisal = appraise(fits[i], plan.step);
+    for (const CaseAppraisal& c : appraisal.cases) {
+      if (c.the_case.id == predictions[i].case_id) predictions[i].predicted = c.score.threshold;
+    }
+  }
+  return predictions;
+}
+
+}  // namespace
+
+Plan full_plan(const Search& search) {
+  return {with_evaluations(search, 2400), 12000, 1200, 3000, 120, 0.01, core_readings()};
+}
+
+Plan quick_plan(const Search& search) {
+  return {with_evaluations(search, 30), 60, 12, 12, 6, 0.1, core_readings()};
+}
+
+Study make_study(const Plan& plan, FitStore& store) {
+  const auto start = std::chrono::steady_clock::now();
+  Study study;
+  study.plan = plan;
+  study.readings = compared_readings(plan, store);
+  study.frontier = frontier_of(study.readings.front().fit, plan, store);
+  const auto lowest = std::min_element(study.frontier.begin(), study.frontier.end(),
+                                       [](const RankedFit& a, const RankedFit& b) {
+                                         return a.appraisal.criterion < b.appraisal.criterion;
+                                       });
+  study.chosen = static_cast<std::size_t>(lowest - study.frontier.begin());
+  const Fit& choice = study.choice().fit;
+  study.predictions = predictions_of(choice, plan, store);
+  study.sensitivities = sensitivities(choice);
+  study.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
+  study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return study;
+}
+
+double prediction_error(const std::vector<Prediction>& predictions) {
+  double squares = 0;
+  for (const Prediction& p : predictions) {
+    squares += std::pow(p.predicted ? std::log(*p.predicted / p.paper) : std::log(2.0), 2);
+  }
+  return std::sqrt(squares / static_cast<double>(predictions.size()));
+}
+
+}  // namespace ricochet::calibration

@@ -17,7 +17,7 @@ const Choices<DisturbanceKind> disturbances = {
     {"acceleration", DisturbanceKind::acceleration},
     {"disturbance-frequency", DisturbanceKind::frequency},
     {"disturbance-phase", DisturbanceKind::phase}};
-const Choices<NormalForce> normal_forces = {{"constant-normal-force", NormalForce::constant},
+const Choices<NormalForce> normal_forces = {{"constant", NormalForce::constant},
                                             {"weight", NormalForce::weight},
                                             {"contact-friction", NormalForce::contact}};
 const Choices<Transition> transitions = {{"plain", Transition::plain},
@@ -30,15 +30,15 @@ const Choices<Rule> rules = {{"impacts", Rule::impacts},
                              {"peaks-0.1mm", Rule::peaks_100um}};
 const Choices<Base> bases = {{"base-0.6kg", Base::remainder}, {"base-1.2kg", Base::spindle}};
 
-/// Calls `use(choices, member)` for every question after forcing, tension and window.
+/// Calls `use(question, choices, member)` for every question after forcing, tension and window.
 template <class Use>
 void for_each_further_question(Use use) {
-  use(disturbances, &Reading::disturbance);
-  use(normal_forces, &Reading::normal_force);
-  use(transitions, &Reading::transition);
-  use(recoveries, &Reading::recovery);
-  use(rules, &Reading::rule);
-  use(bases, &Reading::base);
+  use("the disturbance is", disturbances, &Reading::disturbance);
+  use("friction multiplies", normal_forces, &Reading::normal_force);
+  use("the path is", transitions, &Reading::transition);
+  use("the recovery coefficient is", recoveries, &Reading::recovery);
+  use("what counts", rules, &Reading::rule);
+  use("the mass of the base", bases, &Reading::base);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void for_each_further_question(Use use) {
 std::string name_of(const Reading& reading) {
   std::string name = fmt::format("{}-{}-{}", name_of(centrifugal_choices(), reading.forcing),
                                  name_of(tensions, reading.tension), name_of(units, reading.window));
-  for_each_further_question([&](const auto& choices, auto member) {
+  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
     if (reading.*member != choices.front().second) {
       name += fmt::format("-{}", name_of(choices, reading.*member));
     }
@@ -97,6 +97,17 @@ std::string description_of(const Reading& reading) {
   return text;
 }
 
+std::vector<Answer> answers_of(const Reading& reading) {
+  std::vector<Answer> answers = {
+      {"the centrifugal force is", std::string(name_of(centrifugal_choices(), reading.forcing))},
+      {"the tension is", std::string(name_of(tensions, reading.tension))},
+      {"the window is a number of", std::string(name_of(units, reading.window))}};
+  for_each_further_question([&](const char* question, const auto& choices, auto member) {
+    answers.push_back({question, std::string(name_of(choices, reading.*member))});
+  });
+  return answers;
+}
+
 std::vector<Reading> core_readings() {
   std::vector<Reading> readings;
   for (const auto& [window_name, window] : units) {
@@ -114,7 +125,7 @@ std::vector<Reading> core_readings() {
 
 std::vector<Reading> variations(const Reading& reading) {
   std::vector<Reading> readings;
-  for_each_further_question([&](const auto& choices, auto member) {
+  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
     for (const auto& [name, answer] : choices) {
       if (answer == reading.*member) continue;
       readings.push_back(reading);
@@ -134,7 +145,7 @@ Reading find_reading(const std::string& name) {
     }
   }
   std::string answers;
-  for_each_further_question([&](const auto& choices, auto member) {
+  for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
     for (const auto& choice : choices) {
       if (choice.second != Reading{}.*member) answers += fmt::format(" -{}", choice.first);
     }

@@ -83,6 +83,15 @@ std::string name_of(const Reading& reading);
 /// In a sentence.
 std::string description_of(const Reading& reading);
 
+/// What a reading answers to one of the questions.
+struct Answer {
+  std::string question;
+  std::string answer;
+};
+
+/// To all nine, in the order of the members.
+std::vector<Answer> answers_of(const Reading& reading);
+
 /// Every combination of forcing, tension and window with the first answers to the others: 18.
 std::vector<Reading> core_readings();
 

@@ -6,6 +6,7 @@ find_package(Ceres 2.1 REQUIRED)
 find_package(NLopt 2.7 CONFIG REQUIRED NO_DEFAULT_PATH
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx)
 find_package(Boost 1.74 REQUIRED)  # headers: Odeint, Math
+find_package(Pagmo 2.18 REQUIRED)
 find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial)
 pkg_check_modules(Ipopt REQUIRED IMPORTED_TARGET ipopt)
 find_package(TBB REQUIRED)

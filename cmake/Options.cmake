@@ -15,4 +15,7 @@ if(RICOCHET_SANITIZE)
     -fno-sanitize-recover=all -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)  # GCC cannot tell through the sanitizers' checks
   target_link_options(ricochet_options INTERFACE -fsanitize=address,undefined)
+  # Under the address sanitizer Eigen allocates in another way, but what pagmo's library allocates is
+  # freed here, by its headers.
+  target_compile_definitions(ricochet_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()

@@ -5,6 +5,7 @@
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/ipopt.h"
 #include "solvers/nlopt.h"
+#include "solvers/pagmo.h"
 #include "solvers/random_search.h"
 #include "solvers/scan.h"
 
@@ -19,6 +20,8 @@ std::vector<Solver> all_solvers() {
       ipopt(),
       ceres_lbfgs(),
       ceres_least_squares(),
+      pagmo_cmaes(),
+      pagmo_sade(),
   };
   for (Solver& solver : nlopt_solvers()) solvers.push_back(std::move(solver));
   return solvers;

@@ -136,7 +136,7 @@ bool is_nlopt(const Standing& standing) {
 }
 
 const std::array<Group, 3> groups{
-    {{"fireworks", "fireworks and chance",
+    {{"fireworks", "fireworks, evolution and chance",
       [](const Standing& s) { return !is_smooth(s) && !is_nlopt(s); }},
      {"count", "NLopt, shown the count",
       [](const Standing& s) { return !is_smooth(s) && is_nlopt(s); }},

@@ -17,17 +17,18 @@ TEST(AllSolvers, HaveNamesOfTheirOwn) {
     EXPECT_TRUE(names.insert(solver.name).second) << solver.name;
   }
   EXPECT_THAT(names,
-              testing::IsSupersetOf({"fireworks", "fireworks-as-printed", "random-search", "scan",
-                                     "ipopt", "ceres-lbfgs", "ceres-trust-region", "nlopt-direct-l",
-                                     "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-cobyla",
-                                     "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
-                                     "nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"}));
+              testing::IsSupersetOf(
+                  {"fireworks",   "fireworks-as-printed", "random-search",      "scan",
+                   "ipopt",       "ceres-lbfgs",          "ceres-trust-region", "pagmo-cmaes",
+                   "pagmo-sade",  "nlopt-direct-l",       "nlopt-crs2",         "nlopt-isres",
+                   "nlopt-esch",  "nlopt-cobyla",         "nlopt-bobyqa",       "nlopt-nelder-mead",
+                   "nlopt-sbplx", "nlopt-slsqp",          "nlopt-mma",          "nlopt-lbfgs"}));
 }
 
 TEST(AllSolvers, NameTheLibraryBehindThemAndItsVersion) {
   for (const Solver& solver : all_solvers()) {
-    EXPECT_THAT(solver.version,
-                testing::MatchesRegex("(ricochet|NLopt|Ipopt|Ceres) [0-9]+\\.[0-9]+\\.[0-9]+"))
+    EXPECT_THAT(solver.version, testing::MatchesRegex(
+                                    "(ricochet|NLopt|Ipopt|Ceres|pagmo) [0-9]+\\.[0-9]+\\.[0-9]+"))
         << solver.name;
   }
 }

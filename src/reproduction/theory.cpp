@@ -147,6 +147,7 @@ std::optional<double> left_out_error(const Formula& formula, const Points& point
     const Constants constants = formula.fit(others);
     if (!constants) return std::nullopt;
     const double predicted = formula.threshold(*constants, points[i]);
+    if (!std::isfinite(predicted)) return std::nullopt;
     squares += std::pow(std::log(predicted / points[i].threshold), 2);
   }
   return std::sqrt(squares / static_cast<double>(points.size()));

@@ -59,7 +59,7 @@ struct FormulaFit {
   std::vector<double> constants;
   PredictionErrors errors;
   /// Root mean square of the errors at points that the fit did not see, each left out in turn;
-  /// nothing where the others do not determine the constants.
+  /// nothing where the others do not determine the constants, or give it no threshold.
   std::optional<double> left_out;
 };
 

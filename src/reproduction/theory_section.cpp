@@ -179,8 +179,8 @@ report::Figure chart_of(const std::vector<Thresholds>& both) {
   chart.width = 780;
   chart.height = 460;
   return {chart,
-          "A power law is a straight line here, and its exponent the slope. Left: restitution 0.9, "
-          "right: 0.1; the paper has no other."};
+          "On these axes every power law is a straight line; both lines have the slope of the "
+          "formula. Left: restitution 0.9, right: 0.1; the paper has no other."};
 }
 
 /// Two cases that differ in one property only.
@@ -254,7 +254,7 @@ std::string words_on_restitution(const std::vector<Thresholds>& both) {
     }
     text += fmt::format(" In the {} it is {} times as high", name_in_text(one), range_text(ratios));
     const auto free = fitted(power_formula(), one.points);
-    text += free ? fmt::format(", and the exponent, left free, comes out at {:.3f}.",
+    text += free ? fmt::format(", and the exponent, here 0.5, comes out at {:.3f} if left free.",
                                free->constants[1])
                  : std::string(".");
   }

@@ -129,6 +129,14 @@ TEST(Theory, FitsNothingThatThePointsDoNotDetermine) {
   const auto fit = fitted(formula_of("w = c R^p"), points);
   ASSERT_TRUE(fit);
   EXPECT_FALSE(fit->left_out) << "without C there is one restitution";
+  points = made_by([](const auto& p) {
+    return std::sqrt(carrier_track::sustained_bouncing(1.0, 2 * p.friction, p.restitution)->force);
+  });
+  for (ThresholdPoint& point : points) point.friction /= 4;  // up to 0.1: the ratio is 8
+  points.push_back({"X", 0.5, 0.4, 0.0, 1.0});
+  EXPECT_TRUE(fitted(formula_of("w = c sqrt(S(r mu))"), points));
+  EXPECT_FALSE(fitted(formula_of("w = c sqrt(S(r mu))"), points)->left_out)
+      << "without X its friction is beyond the pull";
   for (ThresholdPoint& point : points) point.friction = 0;
   EXPECT_FALSE(fitted(formula_of("w = c sqrt(S(r mu))"), points));
 }
@@ -194,7 +202,7 @@ TEST(TheorySection, SetsThePredictedRatioBesideThePapers) {
   EXPECT_THAT(words, HasSubstr("3.94 times"));
   EXPECT_THAT(words, HasSubstr("In the paper it is 3.65 to 4.50 times"));
   EXPECT_THAT(words, HasSubstr("In the computed thresholds it is 3.94 times"));
-  EXPECT_THAT(words, HasSubstr("comes out at 0.500."));
+  EXPECT_THAT(words, HasSubstr("comes out at 0.500 if left free."));
   const std::string& friction = section.paragraphs.at(3);
   EXPECT_THAT(friction, HasSubstr("1.44 to 1.49 and 1.55 to 1.58 (paper)"));
   EXPECT_THAT(friction, HasSubstr("1.35 and 1.35 (computed)"));  // exp(0.3)
@@ -235,6 +243,11 @@ TEST(TheorySection, DrawsWhatThereIs) {
   ASSERT_EQ(chart.series.size(), 6U);
   EXPECT_NEAR(chart.series[0].samples[0].position, std::sqrt(0.9 / 1.1), 1e-12);
   EXPECT_EQ(chart.series[0].samples[0].value, 9.0);
+  EXPECT_EQ(chart.series[0].samples.size(), 6U);
+  EXPECT_EQ(chart.series[1].samples.size(), 4U);
+  const auto& line = chart.series[5].samples;  // 2 exp(the mean friction)
+  EXPECT_NEAR(line[1].value.value(), 2 * std::exp(0.22), 1e-12);
+  EXPECT_NEAR(*line[1].value / *line[0].value, line[1].position / line[0].position, 1e-12);
   for (CaseStudy& c : cases) c.score.threshold.reset();
   const auto section = theory_section(cases);
   report::check(section.figures.at(0).chart);

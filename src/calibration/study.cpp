@@ -82,24 +82,69 @@ void sort_by_misfit(std::vector<RankedFit>& fits) {
   });
 }
 
-std::vector<RankedFit> compared_readings(const Plan& plan, FitStore& store) {
+/// Fits of the plan's readings and, where there are several, of the variations of `varied`, or of
+/// the best of them.
+std::vector<Fit> fits_of_readings(const Plan& plan, const Search& search,
+                                  std::optional<Reading> varied, FitStore& store) {
   std::vector<Task> tasks;
   for (const Reading& r : plan.readings) {
-    tasks.push_back(reading_task(r, plan.search, natural_constants()));
+    tasks.push_back(reading_task(r, search, natural_constants()));
   }
   std::vector<Fit> fits = done("fitting readings", tasks, store);
-  if (fits.size() > 1) {
-    const Fit best = *std::min_element(
-        fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
-    tasks.clear();
-    for (const Reading& r : variations(best.reading)) {
-      tasks.push_back(reading_task(r, plan.search, best.constants));
-    }
-    for (Fit& f : done("fitting variations", tasks, store)) fits.push_back(std::move(f));
+  if (fits.size() == 1) return fits;
+  const auto better = [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; };
+  const Fit best = *std::min_element(fits.begin(), fits.end(), better);
+  if (!varied) varied = best.reading;
+  tasks.clear();
+  for (const Reading& r : variations(*varied)) {
+    tasks.push_back(reading_task(r, search, best.constants));
   }
-  std::vector<RankedFit> ranked = appraised(std::move(fits), 5 * plan.step);
+  for (Fit& f : done("fitting variations", tasks, store)) fits.push_back(std::move(f));
+  return fits;
+}
+
+std::vector<RankedFit> compared_readings(const Plan& plan, FitStore& store) {
+  auto ranked = appraised(fits_of_readings(plan, plan.search, std::nullopt, store), 5 * plan.step);
   sort_by_misfit(ranked);
   return ranked;
+}
+
+/// The core reading that the readings' variations vary.
+Reading varied_reading(const std::vector<RankedFit>& readings) {
+  const auto cores = core_readings();
+  for (const RankedFit& r : readings) {
+    if (std::find(cores.begin(), cores.end(), r.fit.reading) != cores.end()) return r.fit.reading;
+  }
+  return cores.front();
+}
+
+std::vector<Ranking> rankings_of(const Study& study, const Plan& plan, FitStore& store) {
+  std::vector<double> own;
+  for (const RankedFit& r : study.readings) own.push_back(r.fit.misfit);
+  std::vector<Ranking> rankings;
+  for (const Search& check : plan.checks) {
+    const Search search = with_evaluations(check, plan.search.evaluations);
+    const auto fits = fits_of_readings(plan, search, varied_reading(study.readings), store);
+    Ranking& ranking = rankings.emplace_back();
+    ranking.search = search;
+    for (const RankedFit& r : study.readings) {
+      for (const Fit& f : fits) {
+        if (f.reading == r.fit.reading) ranking.misfits.push_back(f.misfit);
+      }
+    }
+    ranking.rank_correlation = rank_correlation(own, ranking.misfits);
+  }
+  return rankings;
+}
+
+std::vector<double> ranks_of(const std::vector<double>& sample) {
+  std::vector<double> ranks;
+  for (const double x : sample) {
+    const auto below = std::count_if(sample.begin(), sample.end(), [&](double y) { return y < x; });
+    const auto equal = std::count(sample.begin(), sample.end(), x);
+    ranks.push_back(static_cast<double>(below) + (static_cast<double>(equal) + 1) / 2);
+  }
+  return ranks;
 }
 
 /// The fit with one constant more held at its natural value, the one that costs least.
@@ -162,11 +207,11 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1200, 3000, 120, 0.01, core_readings()};
+  return {with_evaluations(search, 2400), 12000, 1200, 3000, 120, {}, 0.01, core_readings()};
 }
 
 Plan quick_plan(const Search& search) {
-  return {with_evaluations(search, 30), 60, 12, 12, 6, 0.1, core_readings()};
+  return {with_evaluations(search, 30), 60, 12, 12, 6, {}, 0.1, core_readings()};
 }
 
 Study make_study(const Plan& plan, FitStore& store) {
@@ -174,6 +219,7 @@ Study make_study(const Plan& plan, FitStore& store) {
   Study study;
   study.plan = plan;
   study.readings = compared_readings(plan, store);
+  if (study.readings.size() > 1) study.rankings = rankings_of(study, plan, store);
   study.frontier = frontier_of(study.readings.front().fit, plan, store);
   const auto lowest = std::min_element(study.frontier.begin(), study.frontier.end(),
                                        [](const RankedFit& a, const RankedFit& b) {
@@ -186,6 +232,21 @@ Study make_study(const Plan& plan, FitStore& store) {
   study.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return study;
+}
+
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto ranks_a = ranks_of(a);
+  const auto ranks_b = ranks_of(b);
+  const double mean = (static_cast<double>(a.size()) + 1) / 2;
+  double products = 0;
+  double squares_a = 0;
+  double squares_b = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    products += (ranks_a[i] - mean) * (ranks_b[i] - mean);
+    squares_a += (ranks_a[i] - mean) * (ranks_a[i] - mean);
+    squares_b += (ranks_b[i] - mean) * (ranks_b[i] - mean);
+  }
+  return squares_a > 0 && squares_b > 0 ? products / std::sqrt(squares_a * squares_b) : 0;
 }
 
 double prediction_error(const std::vector<Prediction>& predictions) {

@@ -16,6 +16,7 @@ struct Plan {
   std::int64_t pin_evaluations = 0;              ///< for each try to hold one constant more
   std::int64_t left_out_evaluations = 0;         ///< for each fit without one case
   std::int64_t profile_evaluations = 0;          ///< at each point of a profile
+  std::vector<Search> checks = {};               ///< that rank the readings once more
   double step = 0;                               ///< [rad/s] between the speeds of a judgement
   std::vector<carrier_track::Reading> readings;  ///< to be compared; of the best one the variations
                                                  ///< are compared too, if there are several
@@ -39,9 +40,17 @@ struct Prediction {
   std::optional<double> predicted;  ///< [rad/s]
 };
 
+/// The misfits that another search finds for the same readings.
+struct Ranking {
+  Search search;
+  std::vector<double> misfits;  ///< in the order of Study::readings
+  double rank_correlation;      ///< Spearman's, with the misfits of the study
+};
+
 struct Study {
   Plan plan;
   std::vector<RankedFit> readings;  ///< by rising misfit
+  std::vector<Ranking> rankings;
   /// Of the best reading, by falling number of fitted constants: each holds one more of them at its
   /// natural value, the one that costs least.
   std::vector<RankedFit> frontier;
@@ -57,6 +66,10 @@ struct Study {
 /// Computes everything that the store does not hold yet. The same plan gives the same study, in
 /// whatever order the fits are made.
 Study make_study(const Plan& plan, FitStore& store);
+
+/// Spearman's rank correlation of two samples of one length >= 2, equal values sharing their mean
+/// rank; 0 where all of one are equal.
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Root mean square of ln(predicted / paper); a missing prediction counts as ln 2.
 double prediction_error(const std::vector<Prediction>& predictions);

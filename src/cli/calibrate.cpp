@@ -7,8 +7,9 @@
 
 #include "problems/carrier_track/fitted_reading.h"
 #include "solvers/solvers.h"
-#include "src/calibration/study.h"
+#include "src/calibration/page.h"
 #include "src/core/error.h"
+#include "src/core/text_file.h"
 #include "src/report/file_set.h"
 
 namespace ricochet::cli {
@@ -66,11 +67,35 @@ int calibrate(const CalibrateOptions& options) {
     plan.readings = {options.reading.empty() ? carrier_track::default_reading().reading
                                              : carrier_track::find_reading(options.reading)};
   }
+  if (options.check) {
+    Search reseeded = search;
+    ++reseeded.seed;
+    Search other = search;
+    other.global = solver_named(options.solver == "nlopt-crs2" ? "pagmo-sade" : "nlopt-crs2");
+    plan.checks = {std::move(reseeded), std::move(other)};
+  }
   report::require_writable(options.out);
   std::filesystem::create_directories(options.out);
   FitStore store(std::filesystem::path(options.out) / "fits.toml");
   const Study study = make_study(plan, store);
+  report::write_page(page_of(study), options.out);
+  const Fit& choice = study.choice().fit;
   print(study);
+  if (carrier_track::is_one_scene(choice.reading)) {
+    const auto fitted = carrier_track::fitted_reading(
+        choice.reading, choice.constants, choice.freed,
+        fmt::format("ricochet calibrate{}{} --seed {} --solver {}",
+                    options.all_readings ? " --all-readings" : " --reading ",
+                    options.all_readings ? "" : name_of(choice.reading), options.seed,
+                    options.solver),
+        "the choice");
+    write_text_file(std::filesystem::path(options.out) / "reading.toml",
+                    write_fitted_reading(fitted));
+  }
+  fmt::print("\nThresholds that a fit has not seen are {:.1f} % off; {:.0f} s\n",
+             100 * prediction_error(study.predictions), study.seconds);
+  fmt::print("The report: {}\n",
+             (std::filesystem::absolute(options.out) / "index.html").lexically_normal().string());
   return 0;
 }
 

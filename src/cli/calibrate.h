@@ -9,6 +9,7 @@ struct CalibrateOptions {
   std::string reading;  ///< empty: the default one
   bool all_readings = false;
   bool quick = false;
+  bool check = false;
   int seed = 1;
   std::string solver = "pagmo-sade";
   std::string out = "reports/calibration";

@@ -114,6 +114,8 @@ class Program {
                         "One of ricochet list readings, for the default one");
     command->add_flag("--all-readings", calibrate_.all_readings, "Every reading, compared");
     command->add_flag("--quick", calibrate_.quick, "A first look, in half a minute");
+    command->add_flag("--check", calibrate_.check,
+                      "Rank the readings by another seed and by another solver too");
     command->add_option("--seed", calibrate_.seed, "Of the searches")->capture_default_str();
     command->add_option("--solver", calibrate_.solver, "That searches the whole of the bounds")
         ->capture_default_str();

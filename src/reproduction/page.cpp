@@ -32,13 +32,10 @@ report::Page page_of(const Study& study) {
       "wrong side, quiet below and loud above. First loud is the lowest speed that is loud at all, "
       "which a machine should not exceed. Every figure here is computed; what the paper says is "
       "marked as the paper's."};
-  page.sections = {threshold_section(study.cases),
-                   curve_section(study.cases),
-                   conclusion_section(study.grid, study.trends),
-                   path_section(study.cases),
-                   crossing_section(),
-                   comparison_section(study),
-                   contradiction_section(),
+  page.sections = {threshold_section(study.cases), theory_section(study.cases),
+                   curve_section(study.cases),     conclusion_section(study.grid, study.trends),
+                   path_section(study.cases),      crossing_section(),
+                   comparison_section(study),      contradiction_section(),
                    provenance_section(study)};
   return page;
 }

@@ -12,6 +12,9 @@ namespace ricochet::reproduction {
 /// the speeds that the paper's figures show.
 report::Section threshold_section(const std::vector<CaseStudy>& cases);
 
+/// How much of the thresholds, the paper's and those computed, formulas of one line explain.
+report::Section theory_section(const std::vector<CaseStudy>& cases);
+
 /// Collision count against speed, one chart a case.
 report::Section curve_section(const std::vector<CaseStudy>& cases);
 

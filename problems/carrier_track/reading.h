@@ -95,7 +95,7 @@ std::vector<Answer> answers_of(const Reading& reading);
 /// Every combination of forcing, tension and window with the first answers to the others: 18.
 std::vector<Reading> core_readings();
 
-/// The reading with one other answer to one of the other questions: 13.
+/// The reading with one other answer to one of the other questions: 11 for a core reading.
 std::vector<Reading> variations(const Reading& reading);
 
 /// Every reading that variations() of a core reading can name. Throws InputError for another name.

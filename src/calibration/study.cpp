@@ -207,7 +207,7 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1200, 3000, 120, {}, 0.01, core_readings()};
+  return {with_evaluations(search, 2400), 8000, 1200, 2400, 80, {}, 0.01, core_readings()};
 }
 
 Plan quick_plan(const Search& search) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace ricochet::carrier_track {
 namespace {
@@ -47,6 +48,22 @@ TEST(Transition, GivesEquation5FromEquation4WithTheAngleReadAsNinetyDegreesMore)
       EXPECT_GT(std::abs(composed(std::cos(angle)) - a), 1e-3 * a) << "the extraction's cosine";
     }
   }
+}
+
+TEST(Transition, MakesACrossingOfEveryHalfTurn) {
+  const double angle = 0.5;
+  const auto knots = crossing_profile(omega, angle, 1.7);
+  ASSERT_EQ(knots.size(), 20U);  // four half turns, five knots each
+  for (std::size_t k = 0; k < knots.size(); ++k) {
+    EXPECT_GT(knots[k].time, k > 0 ? knots[k - 1].time : 0.0);
+    // Each knot lies on equation (3), over the plate's angle from the nearer tangent.
+    const double plate = omega * knots[k].time;
+    const double half_turn = std::numbers::pi;
+    const double from_middle = std::remainder(plate - half_turn / 2, half_turn);
+    const double driven = angle - std::abs(from_middle);
+    EXPECT_NEAR(knots[k].omega, on_crossing(1.0, omega, driven).speed, 1e-9);
+  }
+  EXPECT_NEAR(knots.front().omega, omega, 1e-12);
 }
 
 }  // namespace

@@ -106,9 +106,11 @@ inline void count_impact(std::int64_t& impacts) {
 template <class Scalar, class Forces = AppliedForces<Scalar>>
 class ImpactModel {
  public:
-  /// `scene` must be valid (scene_check.h).
-  explicit ImpactModel(const BasicScene<Scalar>& scene)
+  /// `scene` must be valid (scene_check.h). A search may let a body rest below a faster speed than
+  /// a judgement does [m/s].
+  explicit ImpactModel(const BasicScene<Scalar>& scene, double resting = resting_speed)
       : scene_(scene),
+        resting_speed_(resting),
         duration_(duration_of(scene)),
         friction_(scene.friction * scene.normal_force / scene.mass),
         lower_restitution_(lower_restitution(scene)),
@@ -230,7 +232,7 @@ class ImpactModel {
   template <class SomeObserver>
   void rebound(SomeObserver& observer, const Scalar& speed, const Scalar& restitution) {
     velocity_ = constant<Scalar>(direction_) * speed;
-    if (value(speed) > resting_speed) return;
+    if (value(speed) > resting_speed_) return;
     const Scalar press = -constant<Scalar>(direction_) * forces_.sum();  // into the wall
     if (value(press) < -value(friction_)) {  // the force leads away from the wall
       if (value(speed) == 0) velocity_ = constant<Scalar>(0.0);
@@ -297,6 +299,7 @@ class ImpactModel {
   }
 
   const BasicScene<Scalar>& scene_;
+  double resting_speed_;
   Scalar duration_;
   Scalar friction_;  // deceleration [m/s^2]
   Scalar lower_restitution_, upper_restitution_;

@@ -16,9 +16,12 @@ struct SpeedCell {
   double width;  ///< [rad/s]
 };
 
-/// The whole of 0..18 rad/s, in cells of a twentieth of a threshold [rad/s] up to 1.3 times it and
-/// of about 0.4 rad/s beyond.
+/// The whole of 0..18 rad/s, in cells of a sixteenth of a threshold [rad/s] up to 1.3 times it
+/// and of about 0.6 rad/s beyond.
 std::vector<SpeedCell> speed_cells(double threshold);
+
+/// Counts beyond this are taken for one more than this.
+inline constexpr int most_counted = 100;
 
 /// The six parts for one case, from coarse cells.
 struct CoarseScore {
@@ -44,8 +47,7 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
 
 /// The sum over C1..C10, and 4 times the share of speeds at which C11, of which the paper says that
 /// it is never quiet, has a count that is quiet in C4. A case may be left out.
-double misfit(const Reading& reading, const Constants& constants,
-              const std::string& left_out = "");
+double misfit(const Reading& reading, const Constants& constants, const std::string& left_out = "");
 
 /// The smooth stand-in, for least squares: with surrogate counts s of `width` in place of counts,
 /// ln((s + 0.5) / (quiet + 0.5)) at every cell below the paper's threshold and

@@ -18,8 +18,8 @@ const std::vector<OpenConstant>& open_constants() {
       {"start_velocity", "m/s", -0.6, 0.6, false, 0.0,
        "no faster than the carrier goes round at 9 rad/s; at rest is natural"},
       {"phase", "rad", 0, turn, false, 0.0, "any angle; (31) starts at 0"},
-      {"revolutions", "turns", 0.3, 8, true, 1.0, "from a part of a turn to some; one is natural"},
-      {"seconds", "s", 0.3, 20, true, turn, "as long as a turn at 0.3 to 20 rad/s; at 1 rad/s"},
+      {"revolutions", "turns", 0.3, 4, true, 1.0, "from a part of a turn to some; one is natural"},
+      {"seconds", "s", 0.3, 8, true, turn, "as long as a turn at 0.8 to 20 rad/s; at 1 rad/s"},
       {"slowest", "m/s", 1e-7, 0.2, true, std::nullopt,
        "from what a computation resolves to what is heard"},
       {"pull_phase", "rad", 0, turn, false, 0.0, "any angle"},
@@ -81,8 +81,8 @@ Scene scene_at(const Scene& scene, const Reading& reading, const Constants& cons
     const double turns = reading.window == WindowUnit::revolutions
                              ? std::get<Revolutions>(scene.window).count
                              : omega * std::get<Seconds>(scene.window).count / 6.0;
-    result.profile = crossing_profile(
-        omega, constants[static_cast<std::size_t>(Open::crossing_angle)], turns);
+    result.profile =
+        crossing_profile(omega, constants[static_cast<std::size_t>(Open::crossing_angle)], turns);
   }
   return result;
 }

@@ -7,9 +7,8 @@
 namespace ricochet::carrier_track {
 namespace {
 
-const Choices<Tension> tensions = {{"constant", Tension::constant},
-                                   {"rotating", Tension::rotating},
-                                   {"phased", Tension::phased}};
+const Choices<Tension> tensions = {
+    {"constant", Tension::constant}, {"rotating", Tension::rotating}, {"phased", Tension::phased}};
 const Choices<WindowUnit> units = {{"revolutions", WindowUnit::revolutions},
                                    {"seconds", WindowUnit::seconds}};
 const Choices<DisturbanceKind> disturbances = {
@@ -25,9 +24,8 @@ const Choices<Transition> transitions = {{"plain", Transition::plain},
 const Choices<Recovery> recoveries = {{"restitution", Recovery::restitution},
                                       {"hunt-crossley", Recovery::hunt_crossley},
                                       {"contact-speed", Recovery::contact_speed}};
-const Choices<Rule> rules = {{"impacts", Rule::impacts},
-                             {"peaks-1mm", Rule::peaks_1mm},
-                             {"peaks-0.1mm", Rule::peaks_100um}};
+const Choices<Rule> rules = {
+    {"impacts", Rule::impacts}, {"peaks-1mm", Rule::peaks_1mm}, {"peaks-0.1mm", Rule::peaks_100um}};
 const Choices<Base> bases = {{"base-0.6kg", Base::remainder}, {"base-1.2kg", Base::spindle}};
 
 /// Calls `use(question, choices, member)` for every question after forcing, tension and window.
@@ -44,8 +42,9 @@ void for_each_further_question(Use use) {
 }  // namespace
 
 std::string name_of(const Reading& reading) {
-  std::string name = fmt::format("{}-{}-{}", name_of(centrifugal_choices(), reading.forcing),
-                                 name_of(tensions, reading.tension), name_of(units, reading.window));
+  std::string name =
+      fmt::format("{}-{}-{}", name_of(centrifugal_choices(), reading.forcing),
+                  name_of(tensions, reading.tension), name_of(units, reading.window));
   for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
     if (reading.*member != choices.front().second) {
       name += fmt::format("-{}", name_of(choices, reading.*member));
@@ -150,9 +149,10 @@ Reading find_reading(const std::string& name) {
       if (choice.second != Reading{}.*member) answers += fmt::format(" -{}", choice.first);
     }
   });
-  throw InputError(fmt::format("--reading {}: there is no such reading; allowed: {}; and each with "
-                               "one of{}",
-                               name, known, answers));
+  throw InputError(
+      fmt::format("--reading {}: there is no such reading; allowed: {}; and each with "
+                  "one of{}",
+                  name, known, answers));
 }
 
 }  // namespace ricochet::carrier_track

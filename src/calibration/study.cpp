@@ -17,9 +17,6 @@ using namespace carrier_track;
 /// A compliant contact costs about a hundred times an impact.
 constexpr std::int64_t compliant_price = 60;
 
-/// Frontiers end here: fewer constants are no model of ten thresholds.
-constexpr std::size_t fewest_constants = 2;
-
 using Make = std::function<Fit(const Freedom&, const Search&, const std::string&)>;
 
 struct Task {
@@ -171,7 +168,7 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
                   {best.reading, best.freed, best.constants},
                   with_evaluations(plan.search, plan.chosen_evaluations)};
   std::vector<Fit> fits = done("fitting the best reading closely", {full}, store);
-  while (fits.back().freed.size() > fewest_constants) {
+  while (fits.back().freed.size() > plan.fewest_constants) {
     auto next = with_one_held(fits.back(), plan, store);
     if (!next) break;
     fits.push_back(std::move(*next));
@@ -207,11 +204,11 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 8000, 1200, 2400, 80, {}, 0.01, core_readings()};
+  return {with_evaluations(search, 2400), 8000, 1000, 2000, 60, 2, {}, 0.01, core_readings()};
 }
 
 Plan quick_plan(const Search& search) {
-  return {with_evaluations(search, 30), 60, 12, 12, 6, {}, 0.1, core_readings()};
+  return {with_evaluations(search, 30), 60, 12, 12, 6, 2, {}, 0.1, core_readings()};
 }
 
 Study make_study(const Plan& plan, FitStore& store) {

@@ -16,6 +16,7 @@ struct Plan {
   std::int64_t pin_evaluations = 0;              ///< for each try to hold one constant more
   std::int64_t left_out_evaluations = 0;         ///< for each fit without one case
   std::int64_t profile_evaluations = 0;          ///< at each point of a profile
+  std::size_t fewest_constants = 2;              ///< where the frontier ends
   std::vector<Search> checks = {};               ///< that rank the readings once more
   double step = 0;                               ///< [rad/s] between the speeds of a judgement
   std::vector<carrier_track::Reading> readings;  ///< to be compared; of the best one the variations

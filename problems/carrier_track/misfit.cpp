@@ -123,6 +123,62 @@ double quiet_share_of_c11(const Reading& reading, const Constants& constants, in
   return share;
 }
 
+struct ClaimedCell {
+  Case the_case;
+  SpeedCell cell;
+};
+
+std::vector<ClaimedCell> claimed_cells() {
+  std::vector<ClaimedCell> cells;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold) continue;
+    for (const SpeedCell& cell : speed_cells(*a_case.claim.threshold)) {
+      cells.push_back({a_case, cell});
+    }
+  }
+  return cells;
+}
+
+struct Slopes {
+  double count;   ///< of the surrogate
+  Vector slopes;  ///< one a freed constant
+};
+
+/// Surrogate counts and their derivatives, some constants at a time: a dual number costs as much as
+/// it has room for.
+std::vector<Slopes> slopes_of_counts(const Reading& reading, const Constants& constants,
+                                     const std::vector<Open>& freed, double width,
+                                     const std::vector<ClaimedCell>& cells) {
+  constexpr std::size_t room = 5;
+  using Jet = ceres::Jet<double, static_cast<int>(room)>;
+  const bool differentiable =
+      reading.recovery != Recovery::contact_speed && reading.transition == Transition::plain;
+  std::vector<Slopes> result;
+  for (const auto& [the_case, cell] : cells) {
+    Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(freed.size()))};
+    if (!differentiable || freed.empty()) {
+      const Scene scene = scene_of(the_case, reading, constants);
+      slopes.count = objective(scene_at(scene, reading, constants, cell.omega), width);
+    }
+    for (std::size_t first = 0; differentiable && first < freed.size(); first += room) {
+      const std::size_t last = std::min(first + room, freed.size());
+      BasicConstants<Jet> dual;
+      for (std::size_t i = 0; i < open_size; ++i) dual[i] = Jet(constants[i]);
+      for (std::size_t i = first; i < last; ++i) {
+        dual[static_cast<std::size_t>(freed[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
+      }
+      const BasicScene<Jet> scene = scene_of(the_case, reading, dual);
+      const Jet count = objective(at_speed(scene, Jet(cell.omega)), width);
+      slopes.count = count.a;
+      for (std::size_t i = first; i < last; ++i) {
+        slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
+      }
+    }
+    result.push_back(std::move(slopes));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<SpeedCell> speed_cells(double threshold) {
@@ -194,43 +250,23 @@ double misfit(const Reading& reading, const Constants& constants, const std::str
 
 SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
                            const std::vector<Open>& freed, double width) {
-  using Jet = ceres::Jet<double, static_cast<int>(open_size)>;
-  BasicConstants<Jet> dual;
-  for (std::size_t i = 0; i < open_size; ++i) dual[i] = Jet(constants[i], static_cast<int>(i));
-  const bool differentiable =
-      reading.recovery != Recovery::contact_speed && reading.transition == Transition::plain;
-  std::vector<double> residuals;
-  std::vector<Eigen::Matrix<double, static_cast<int>(open_size), 1>> slopes;
-  for (const Case& a_case : all_cases()) {
-    if (!a_case.claim.threshold) continue;
-    const double threshold = *a_case.claim.threshold;
-    const int quiet = *a_case.claim.quiet_count;
-    const Scene plain = scene_of(a_case, reading, constants);
-    const BasicScene<Jet> scene = scene_of(a_case, reading, dual);
-    for (const SpeedCell& cell : speed_cells(threshold)) {
-      Jet count;
-      if (differentiable) {
-        count = objective(at_speed(scene, Jet(cell.omega)), width);
-      } else {
-        count = Jet(objective(scene_at(plain, reading, constants, cell.omega), width));
-      }
-      const bool below = cell.omega < threshold;
-      const double side = below ? threshold : highest - threshold;
-      const double weight = std::sqrt(3 * cell.width / side);
-      const double distance = below ? below_claim(count.a, quiet) : -above_claim(count.a, quiet);
-      residuals.push_back(weight * distance);
-      const double slope = distance == 0 && !below ? 0 : weight / (count.a + 0.5);
-      slopes.push_back(slope * count.v);
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(residuals.size());
-  SmoothMisfit result{Eigen::Map<Vector>(residuals.data(), size),
-                      Matrix(size, static_cast<Eigen::Index>(freed.size()))};
-  for (Eigen::Index r = 0; r < size; ++r) {
-    for (std::size_t c = 0; c < freed.size(); ++c) {
-      result.slopes(r, static_cast<Eigen::Index>(c)) =
-          slopes[static_cast<std::size_t>(r)][static_cast<Eigen::Index>(freed[c])];
-    }
+  const std::vector<ClaimedCell> cells = claimed_cells();
+  const std::vector<Slopes> slopes = slopes_of_counts(reading, constants, freed, width, cells);
+  SmoothMisfit result{
+      Vector(static_cast<Eigen::Index>(cells.size())),
+      Matrix(static_cast<Eigen::Index>(cells.size()), static_cast<Eigen::Index>(freed.size()))};
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto& [the_case, cell] = cells[k];
+    const double threshold = *the_case.claim.threshold;
+    const int quiet = *the_case.claim.quiet_count;
+    const double count = slopes[k].count;
+    const bool below = cell.omega < threshold;
+    const double weight = std::sqrt(3 * cell.width / (below ? threshold : highest - threshold));
+    const double distance = below ? below_claim(count, quiet) : -above_claim(count, quiet);
+    const bool flat = !below && distance == 0;
+    const auto row = static_cast<Eigen::Index>(k);
+    result.residuals[row] = weight * distance;
+    result.slopes.row(row) = (flat ? 0 : weight / (count + 0.5)) * slopes[k].slopes.transpose();
   }
   return result;
 }

@@ -137,11 +137,21 @@ std::vector<Reading> variations(const Reading& reading) {
 Reading find_reading(const std::string& name) {
   std::string known;
   for (const Reading& core : core_readings()) {
-    if (name_of(core) == name) return core;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", name_of(core));
-    for (const Reading& reading : variations(core)) {
-      if (name_of(reading) == name) return reading;
-    }
+    const std::string core_name = name_of(core);
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", core_name);
+    if (!name.starts_with(core_name)) continue;
+    Reading reading = core;
+    std::string rest = name.substr(core_name.size());
+    for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {
+      for (const auto& [answer_name, answer] : choices) {
+        const std::string suffix = fmt::format("-{}", answer_name);
+        if (!rest.starts_with(suffix) || answer == choices.front().second) continue;
+        reading.*member = answer;
+        rest.erase(0, suffix.size());
+        break;
+      }
+    });
+    if (rest.empty()) return reading;
   }
   std::string answers;
   for_each_further_question([&](const char* /*question*/, const auto& choices, auto member) {

@@ -98,7 +98,7 @@ std::vector<Reading> core_readings();
 /// The reading with one other answer to one of the other questions: 11 for a core reading.
 std::vector<Reading> variations(const Reading& reading);
 
-/// Every reading that variations() of a core reading can name. Throws InputError for another name.
+/// The reading of a name that name_of() gives. Throws InputError for any other.
 Reading find_reading(const std::string& name);
 
 }  // namespace ricochet::carrier_track

@@ -36,14 +36,13 @@ report::Section answer_section(const Study& study) {
   for (const std::string& question : questions) {
     for (const auto& [answer, r] : best[question]) {
       const bool is_best = r == &study.readings.front();
-      table.rows.push_back(
-          {{question},
-           {answer},
-           {fmt::format("{:.1f}", r->fit.misfit),
-            is_best ? report::State::good : report::State::neutral},
-           {fmt::format("{:.1f}", 100 * r->appraisal.threshold_error)},
-           {fmt::format("{} of 10", r->appraisal.exact_counts)},
-           {fmt::format("{} of 20", r->appraisal.right_examples)}});
+      table.rows.push_back({{question},
+                            {answer},
+                            {fmt::format("{:.1f}", r->fit.misfit),
+                             is_best ? report::State::good : report::State::neutral},
+                            {fmt::format("{:.1f}", 100 * r->appraisal.threshold_error)},
+                            {fmt::format("{} of 10", r->appraisal.exact_counts)},
+                            {fmt::format("{} of 20", r->appraisal.right_examples)}});
     }
   }
   section.tables = {std::move(table)};

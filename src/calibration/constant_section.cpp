@@ -67,14 +67,14 @@ report::Table interval_table(const std::vector<Profile>& profiles) {
       {}};
   for (const Profile& p : profiles) {
     const OpenConstant& c = open_constants()[static_cast<std::size_t>(p.constant)];
-    table.rows.push_back({{words_of(p.constant)},
-                          {fmt::format("{:.4g}", p.value)},
-                          {fmt::format("{}{:.4g}", p.lower_open ? "open, " : "", p.lower)},
-                          {fmt::format("{}{:.4g}", p.upper_open ? "open, " : "", p.upper)},
-                          {std::string(c.unit)},
-                          {p.lower_open || p.upper_open ? "no" : "yes",
-                           p.lower_open || p.upper_open ? report::State::bad
-                                                        : report::State::good}});
+    table.rows.push_back(
+        {{words_of(p.constant)},
+         {fmt::format("{:.4g}", p.value)},
+         {fmt::format("{}{:.4g}", p.lower_open ? "open, " : "", p.lower)},
+         {fmt::format("{}{:.4g}", p.upper_open ? "open, " : "", p.upper)},
+         {std::string(c.unit)},
+         {p.lower_open || p.upper_open ? "no" : "yes",
+          p.lower_open || p.upper_open ? report::State::bad : report::State::good}});
   }
   return table;
 }
@@ -83,9 +83,9 @@ report::Table interval_table(const std::vector<Profile>& profiles) {
 
 report::Section constant_section(const Study& study) {
   report::Section section{"constants", "What the thresholds depend on"};
-  const auto determined = std::count_if(
-      study.profiles.begin(), study.profiles.end(),
-      [](const Profile& p) { return !p.lower_open && !p.upper_open; });
+  const auto determined =
+      std::count_if(study.profiles.begin(), study.profiles.end(),
+                    [](const Profile& p) { return !p.lower_open && !p.upper_open; });
   section.paragraphs = {fmt::format(
       "{} of the {} fitted constants are determined on both sides by the paper's claims.",
       determined, study.profiles.size())};

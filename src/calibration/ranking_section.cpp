@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/calibration/sections.h"
 
 namespace ricochet::calibration {
@@ -22,10 +24,15 @@ report::Section ranking_section(const Study& study) {
     correlations.push_back({fmt::format("{:.2f}", r.rank_correlation)});
   }
   table.rows.push_back(std::move(correlations));
-  for (std::size_t i = 0; i < study.readings.size(); ++i) {
-    std::vector<report::Cell> row = {{name_of(study.readings[i].fit.reading)},
-                                     {fmt::format("{:.1f}", study.readings[i].fit.misfit)}};
-    for (const Ranking& r : study.rankings) row.push_back({fmt::format("{:.1f}", r.misfits[i])});
+  for (const RankedFit& own_fit : study.readings) {
+    const auto& reading = own_fit.fit.reading;
+    std::vector<report::Cell> row = {{name_of(reading)},
+                                     {fmt::format("{:.1f}", own_fit.fit.misfit)}};
+    for (const Ranking& r : study.rankings) {
+      const auto found = std::find(r.readings.begin(), r.readings.end(), reading);
+      const auto i = static_cast<std::size_t>(found - r.readings.begin());
+      row.push_back({i < r.misfits.size() ? fmt::format("{:.1f}", r.misfits[i]) : "–"});
+    }
     table.rows.push_back(std::move(row));
   }
   section.tables = {std::move(table)};

@@ -7,12 +7,16 @@
 #include <cmath>
 #include <functional>
 
+#include "problems/carrier_track/fitted_reading.h"
 #include "src/campaign/progress.h"
 
 namespace ricochet::calibration {
 namespace {
 
 using namespace carrier_track;
+
+/// So many of the best readings are fitted closely.
+constexpr std::size_t finalists = 4;
 
 /// A compliant contact costs about a hundred times an impact.
 constexpr std::int64_t compliant_price = 60;
@@ -73,61 +77,82 @@ std::vector<RankedFit> appraised(std::vector<Fit> fits, double step) {
   return ranked;
 }
 
-void sort_by_misfit(std::vector<RankedFit>& fits) {
-  std::stable_sort(fits.begin(), fits.end(), [](const RankedFit& a, const RankedFit& b) {
-    return a.fit.misfit < b.fit.misfit;
-  });
+bool better(const Fit& a, const Fit& b) {
+  return a.misfit < b.misfit;
 }
 
-/// Fits of the plan's readings and, where there are several, of the variations of `varied`, or of
-/// the best of them.
-std::vector<Fit> fits_of_readings(const Plan& plan, const Search& search,
-                                  std::optional<Reading> varied, FitStore& store) {
-  std::vector<Task> tasks;
-  for (const Reading& r : plan.readings) {
-    tasks.push_back(reading_task(r, search, natural_constants()));
+/// The best of the fits whose cases share a scene: others are dearer, and no machine of a user's.
+Fit best_scene(const std::vector<Fit>& fits) {
+  const Fit* best = &fits.front();
+  for (const Fit& f : fits) {
+    if (!is_one_scene(f.reading)) continue;
+    if (!is_one_scene(best->reading) || better(f, *best)) best = &f;
   }
-  std::vector<Fit> fits = done("fitting readings", tasks, store);
-  if (fits.size() == 1) return fits;
-  const auto better = [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; };
-  const Fit best = *std::min_element(fits.begin(), fits.end(), better);
-  if (!varied) varied = best.reading;
-  tasks.clear();
-  for (const Reading& r : variations(*varied)) {
-    tasks.push_back(reading_task(r, search, best.constants));
+  return *best;
+}
+
+/// Fits the variations of a reading that the fits do not hold yet, from given constants on.
+void add_variations(std::vector<Fit>& fits, const Reading& varied, const Constants& start,
+                    const Search& search, FitStore& store) {
+  std::vector<Task> tasks;
+  for (const Reading& r : variations(varied)) {
+    const bool known =
+        std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return fit.reading == r; });
+    if (!known) tasks.push_back(reading_task(r, search, start));
   }
   for (Fit& f : done("fitting variations", tasks, store)) fits.push_back(std::move(f));
-  return fits;
+}
+
+std::vector<Fit> fits_of(const std::vector<Reading>& readings, const Search& search,
+                         FitStore& store) {
+  std::vector<Task> tasks;
+  for (const Reading& r : readings) tasks.push_back(reading_task(r, search, natural_constants()));
+  return done("fitting readings", tasks, store);
+}
+
+/// Fits the best few once more and more closely, from where they are.
+void refine_finalists(std::vector<Fit>& fits, const Plan& plan, FitStore& store) {
+  std::stable_sort(fits.begin(), fits.end(), better);
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < std::min(finalists, fits.size()); ++i) {
+    tasks.push_back({"final",
+                     fit,
+                     {fits[i].reading, fits[i].freed, fits[i].constants},
+                     with_evaluations(plan.search, plan.finalist_evaluations)});
+  }
+  const auto refined = done("fitting the best readings closely", tasks, store);
+  std::copy(refined.begin(), refined.end(), fits.begin());
+  std::stable_sort(fits.begin(), fits.end(), better);
 }
 
 std::vector<RankedFit> compared_readings(const Plan& plan, FitStore& store) {
-  auto ranked = appraised(fits_of_readings(plan, plan.search, std::nullopt, store), 5 * plan.step);
-  sort_by_misfit(ranked);
-  return ranked;
-}
-
-/// The core reading that the readings' variations vary.
-Reading varied_reading(const std::vector<RankedFit>& readings) {
-  const auto cores = core_readings();
-  for (const RankedFit& r : readings) {
-    if (std::find(cores.begin(), cores.end(), r.fit.reading) != cores.end()) return r.fit.reading;
+  std::vector<Fit> fits = fits_of(plan.readings, plan.search, store);
+  if (fits.size() > 1) {
+    for (int round = 0; round < 2; ++round) {
+      const Fit best = best_scene(fits);
+      add_variations(fits, best.reading, best.constants, plan.search, store);
+    }
   }
-  return cores.front();
+  refine_finalists(fits, plan, store);
+  return appraised(std::move(fits), 5 * plan.step);
 }
 
+/// The same readings by each of the other searches, from the natural constants on.
 std::vector<Ranking> rankings_of(const Study& study, const Plan& plan, FitStore& store) {
   std::vector<double> own;
-  for (const RankedFit& r : study.readings) own.push_back(r.fit.misfit);
+  std::vector<Reading> readings;
+  for (const RankedFit& r : study.readings) {
+    if (r.fit.reading.recovery == Recovery::contact_speed) continue;
+    own.push_back(r.fit.misfit);
+    readings.push_back(r.fit.reading);
+  }
   std::vector<Ranking> rankings;
   for (const Search& check : plan.checks) {
-    const Search search = with_evaluations(check, plan.search.evaluations);
-    const auto fits = fits_of_readings(plan, search, varied_reading(study.readings), store);
     Ranking& ranking = rankings.emplace_back();
-    ranking.search = search;
-    for (const RankedFit& r : study.readings) {
-      for (const Fit& f : fits) {
-        if (f.reading == r.fit.reading) ranking.misfits.push_back(f.misfit);
-      }
+    ranking.search = with_evaluations(check, plan.search.evaluations);
+    for (const Fit& f : fits_of(readings, ranking.search, store)) {
+      ranking.readings.push_back(f.reading);
+      ranking.misfits.push_back(f.misfit);
     }
     ranking.rank_correlation = rank_correlation(own, ranking.misfits);
   }
@@ -163,11 +188,7 @@ std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, FitStore& st
 }
 
 std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& store) {
-  const Task full{"fit",
-                  fit,
-                  {best.reading, best.freed, best.constants},
-                  with_evaluations(plan.search, plan.chosen_evaluations)};
-  std::vector<Fit> fits = done("fitting the best reading closely", {full}, store);
+  std::vector<Fit> fits = {best};
   while (fits.back().freed.size() > plan.fewest_constants) {
     auto next = with_one_held(fits.back(), plan, store);
     if (!next) break;
@@ -204,7 +225,7 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 8000, 1000, 2000, 60, 2, {}, 0.01, core_readings()};
+  return {with_evaluations(search, 2400), 7200, 1000, 2000, 60, 2, {}, 0.01, core_readings()};
 }
 
 Plan quick_plan(const Search& search) {
@@ -217,7 +238,9 @@ Study make_study(const Plan& plan, FitStore& store) {
   study.plan = plan;
   study.readings = compared_readings(plan, store);
   if (study.readings.size() > 1) study.rankings = rankings_of(study, plan, store);
-  study.frontier = frontier_of(study.readings.front().fit, plan, store);
+  std::vector<Fit> fits;
+  for (const RankedFit& r : study.readings) fits.push_back(r.fit);
+  study.frontier = frontier_of(best_scene(fits), plan, store);
   const auto lowest = std::min_element(study.frontier.begin(), study.frontier.end(),
                                        [](const RankedFit& a, const RankedFit& b) {
                                          return a.appraisal.criterion < b.appraisal.criterion;

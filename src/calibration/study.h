@@ -12,7 +12,7 @@ namespace ricochet::calibration {
 /// How long to search, and how closely to judge.
 struct Plan {
   Search search;                                 ///< of each reading
-  std::int64_t chosen_evaluations = 0;           ///< for the full fit of the best reading
+  std::int64_t finalist_evaluations = 0;         ///< for each of the best readings, once more
   std::int64_t pin_evaluations = 0;              ///< for each try to hold one constant more
   std::int64_t left_out_evaluations = 0;         ///< for each fit without one case
   std::int64_t profile_evaluations = 0;          ///< at each point of a profile
@@ -20,7 +20,8 @@ struct Plan {
   std::vector<Search> checks = {};               ///< that rank the readings once more
   double step = 0;                               ///< [rad/s] between the speeds of a judgement
   std::vector<carrier_track::Reading> readings;  ///< to be compared; of the best one the variations
-                                                 ///< are compared too, if there are several
+                                                 ///< are compared too, if there are several, and
+                                                 ///< then those of the best of these
 };
 
 /// All readings in under a quarter of an hour on two cores.
@@ -44,16 +45,17 @@ struct Prediction {
 /// The misfits that another search finds for the same readings.
 struct Ranking {
   Search search;
-  std::vector<double> misfits;  ///< in the order of Study::readings
-  double rank_correlation;      ///< Spearman's, with the misfits of the study
+  std::vector<carrier_track::Reading> readings;  ///< of Study::readings, but the dearest
+  std::vector<double> misfits;                   ///< one a reading
+  double rank_correlation;                       ///< Spearman's, with the misfits of the study
 };
 
 struct Study {
   Plan plan;
-  std::vector<RankedFit> readings;  ///< by rising misfit
+  std::vector<RankedFit> readings;  ///< by rising misfit; the best by their closer fits
   std::vector<Ranking> rankings;
-  /// Of the best reading, by falling number of fitted constants: each holds one more of them at its
-  /// natural value, the one that costs least.
+  /// Of the best reading whose cases share a scene, by falling number of fitted constants: each
+  /// holds one more of them at its natural value, the one that costs least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
   std::vector<Prediction> predictions;

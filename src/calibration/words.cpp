@@ -5,8 +5,7 @@
 namespace ricochet::calibration {
 
 std::string words_of(carrier_track::Open constant) {
-  std::string words(
-      carrier_track::open_constants()[static_cast<std::size_t>(constant)].name);
+  std::string words(carrier_track::open_constants()[static_cast<std::size_t>(constant)].name);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
 }

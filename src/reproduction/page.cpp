@@ -35,7 +35,7 @@ report::Page page_of(const Study& study) {
   page.sections = {threshold_section(study.cases), theory_section(study.cases),
                    curve_section(study.cases),     conclusion_section(study.grid, study.trends),
                    path_section(study.cases),      crossing_section(),
-                   comparison_section(study),      contradiction_section(),
+                   comparison_section(study),      contradiction_section(study),
                    provenance_section(study)};
   return page;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "problems/carrier_track/scene_file.h"
@@ -26,29 +27,26 @@ report::Section provenance_section(const Study& study) {
       "Every number but the times comes out the same, bit for bit, on any number of threads: a "
       "run's "
       "seed is a hash of problem, solver, instance and number.",
-      fmt::format("Reading \"{}\": {}. Its constants:", study.reading.name,
-                  study.reading.description)};
-  const carrier_track::Scene& s = study.reading.scene;
+      fmt::format("Reading \"{}\": {}. Made by {}.", study.reading.name, study.reading.description,
+                  study.reading.provenance)};
   report::Table constants{
-      "Constants of the reading; restitution, friction and disturbance are the "
-      "case's. Only the mass is the paper's.",
-      {{"constant", report::Alignment::left}, {"value"}},
+      "Constants of the reading; restitution, friction and disturbance are the case's.",
+      {{"constant", report::Alignment::left},
+       {"value"},
+       {"unit", report::Alignment::left},
+       {"", report::Alignment::left}},
       {}};
-  const auto row = [&constants](const char* name, double value, const char* unit) {
-    constants.rows.push_back({{name}, {fmt::format("{:.4g} {}", value, unit)}});
-  };
-  row("mass", s.mass, "kg");
-  row("clearance between the walls", 1e3 * (s.wall_upper - s.wall_lower), "mm");
-  row("normal force", s.normal_force, "N");
-  row("pull towards the lower wall", s.pull, "N");
-  row("centrifugal mass times radius", s.centrifugal_mass_radius, "kg m");
-  row("slider mass times radius", s.slider_mass_radius, "kg m");
-  row("phase", s.phase, "rad");
-  row("frequency of the disturbance", s.disturbance_frequency, "rad/s");
-  row("start position", 1e3 * s.start_position, "mm");
-  row("start velocity", s.start_velocity, "m/s");
-  row("window", std::get<carrier_track::Revolutions>(s.window).count, "turns");
-  row("slowest impact that counts", 1e3 * s.slowest, "mm/s");
+  const auto& fitted = study.reading;
+  for (const carrier_track::Open open : open_of(fitted.reading)) {
+    const auto i = static_cast<std::size_t>(open);
+    const auto& constant = carrier_track::open_constants()[i];
+    const bool freed =
+        std::find(fitted.freed.begin(), fitted.freed.end(), open) != fitted.freed.end();
+    constants.rows.push_back({{std::string(constant.name)},
+                              {fmt::format("{:.4g}", fitted.constants[i])},
+                              {std::string(constant.unit)},
+                              {freed ? "fitted" : "held"}});
+  }
   report::Table versions{
       "Solvers, and the libraries behind them.",
       {{"solver", report::Alignment::left}, {"version", report::Alignment::left}},

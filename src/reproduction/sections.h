@@ -31,7 +31,7 @@ report::Section crossing_section();
 report::Section comparison_section(const Study& study);
 
 /// Where the paper contradicts itself or is silent, and what is done about it.
-report::Section contradiction_section();
+report::Section contradiction_section(const Study& study);
 
 /// What made this report.
 report::Section provenance_section(const Study& study);

@@ -4,9 +4,9 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/surrogate.h"
 #include "tests/allocation/allocations.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -37,7 +37,7 @@ void expect_no_allocation_in_cases(const Change& change) {
     double counts = 0;
     for (const double omega : speeds) {
       SCOPED_TRACE(a_case.id + " at " + std::to_string(omega));
-      Scene scene = scene_of(a_case, default_reading().scene);
+      Scene scene = scene_of(a_case, exploratory_scene());
       scene.omega = omega;
       change(scene);
       counts += expect_no_allocation(scene);
@@ -120,7 +120,7 @@ TEST(SurrogateSlope, AllocatesForACopyOfTheProfileAlone) {
   for (const Case& a_case : all_cases()) {
     for (const double omega : speeds) {
       SCOPED_TRACE(a_case.id + " at " + std::to_string(omega));
-      Scene scene = scene_of(a_case, default_reading().scene);
+      Scene scene = scene_of(a_case, exploratory_scene());
       scene.omega = omega;
       EXPECT_EQ(allocations_of([&] { surrogate_slope(scene, 0.25); }), 0);
       run_up(scene);

@@ -23,12 +23,13 @@ TEST(Study, RanksReadingsHoldsConstantsAndPredicts) {
   const auto file = fresh_file("a.toml");
   FitStore store(file);
   const Study study = make_study(tiny_plan(), store);
-  ASSERT_EQ(study.readings.size(), 2U + 11);
+  ASSERT_GE(study.readings.size(), 2U + 11 + 5);
   for (std::size_t i = 1; i < study.readings.size(); ++i) {
     EXPECT_GE(study.readings[i].fit.misfit, study.readings[i - 1].fit.misfit);
   }
   ASSERT_EQ(study.rankings.size(), 1U);
-  EXPECT_EQ(study.rankings[0].misfits.size(), study.readings.size());
+  EXPECT_GT(study.rankings[0].misfits.size(), 10U);
+  EXPECT_EQ(study.rankings[0].misfits.size(), study.rankings[0].readings.size());
   for (std::size_t i = 1; i < study.frontier.size(); ++i) {
     EXPECT_EQ(study.frontier[i].fit.freed.size(), study.frontier[i - 1].fit.freed.size() - 1);
   }

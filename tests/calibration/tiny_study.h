@@ -9,7 +9,7 @@ namespace ricochet::calibration {
 inline Plan tiny_plan() {
   Plan plan;
   plan.search = some_search(1);
-  plan.chosen_evaluations = plan.pin_evaluations = 1;
+  plan.finalist_evaluations = plan.pin_evaluations = 1;
   plan.left_out_evaluations = plan.profile_evaluations = 1;
   plan.fewest_constants = 8;
   plan.step = 0.2;

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/comparison.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/recording.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -98,7 +98,7 @@ TEST(BruteForce, FindsTheImpactsOfEveryCase) {
   Agreement agreement;
   RandomScenes draws(2);
   for (const Case& a_case : all_cases()) {
-    Scene scene = scene_of(a_case, default_reading().scene);
+    Scene scene = scene_of(a_case, exploratory_scene());
     for (int i = 0; i < 8; ++i) {
       scene.omega = draws.within(1.5, 18.0);
       SCOPED_TRACE(a_case.id + " at " + std::to_string(scene.omega));

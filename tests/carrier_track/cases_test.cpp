@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "problems/carrier_track/fitted_reading.h"
 #include "src/core/error.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -66,7 +66,7 @@ TEST(Cases, AreFoundByTheirId) {
 }
 
 TEST(Cases, PutTheirConstantsIntoAReading) {
-  const Scene reading = default_reading().scene;
+  const Scene reading = exploratory_scene();
   const Scene scene = scene_of(find_case("C8"), reading);
   EXPECT_EQ(scene.restitution_lower, 0.9);
   EXPECT_EQ(scene.restitution_upper, 0.9);

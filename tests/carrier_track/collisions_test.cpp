@@ -9,8 +9,8 @@
 #include <string>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
+#include "tests/carrier_track/exploratory_scene.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {
@@ -48,7 +48,7 @@ TEST(Collisions, CountsWhatTheExploratoryStudyCounted) {
   };
   for (const Row& row : {Row{"C1", {1, 1, 3, 4, 4, 7, 7}}, Row{"C2", {13, 14, 24, 40, 55, 66, 73}},
                          Row{"C3", {1, 1, 3, 4, 4, 7, 7}}, Row{"C4", {5, 6, 11, 23, 47, 62, 69}}}) {
-    Scene scene = scene_of(find_case(row.id), default_reading().scene);
+    Scene scene = scene_of(find_case(row.id), exploratory_scene());
     for (std::size_t i = 0; i < speeds.size(); ++i) {
       scene.omega = speeds[i];
       EXPECT_EQ(objective(scene, 0.0), row.counts[i]) << row.id << " at " << speeds[i];
@@ -152,7 +152,7 @@ TEST(Collisions, CallsAPlateauAPeakOnceItFallsAtTheTimeItWasReached) {
 TEST(Collisions, SurrogateTendsToTheCountAsItsWidthShrinks) {
   RandomScenes draws(21);
   for (const Case& a_case : all_cases()) {
-    Scene scene = scene_of(a_case, default_reading().scene);
+    Scene scene = scene_of(a_case, exploratory_scene());
     for (int i = 0; i < 10; ++i) {
       scene.omega = draws.within(1.0, 18.0);
       double nearest = std::numeric_limits<double>::infinity();
@@ -197,7 +197,7 @@ TEST(Collisions, SurrogateJumpsOnlyWhereAnImpactLeavesTheWindow) {
   int births = 0;
   double worst = 0;
   for (const char* id : {"C1", "C2", "C7", "C11"}) {
-    Scene scene = scene_of(find_case(id), default_reading().scene);
+    Scene scene = scene_of(find_case(id), exploratory_scene());
     const auto at = [&](double omega) {
       scene.omega = omega;
       return watch(scene);

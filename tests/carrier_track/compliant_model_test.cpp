@@ -11,11 +11,11 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/contact_law.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/scene_check.h"
 #include "tests/carrier_track/brute_force.h"
+#include "tests/carrier_track/exploratory_scene.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {
@@ -447,7 +447,7 @@ TEST(CompliantModel, CountsAsTheImpactModelWhereWallsAreVeryStiff) {
   int compared = 0;
   for (const Case& a_case : all_cases()) {
     for (const bool loud : {false, true}) {
-      Scene scene = scene_of(a_case, default_reading().scene);
+      Scene scene = scene_of(a_case, exploratory_scene());
       scene.contact_law = ContactLaw::exact_restitution;
       scene.stiffness = 1e18;
       if (a_case.claim.figure) {

@@ -4,14 +4,14 @@
 
 #include <set>
 
-#include "problems/carrier_track/fitted_reading.h"
 #include "src/core/instance.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 const Scene& reading() {
-  static const Scene scene = default_reading().scene;
+  static const Scene scene = exploratory_scene();
   return scene;
 }
 

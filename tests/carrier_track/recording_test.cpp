@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/fitted_reading.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 TEST(Recording, CountsAsTheObjectiveDoes) {
   for (const CountRule rule : {CountRule::impacts, CountRule::peaks}) {
-    Scene scene = default_reading().scene;
+    Scene scene = exploratory_scene();
     scene.restitution_lower = scene.restitution_upper = 0.9;
     scene.rule = rule;
     scene.peak_high = 0.9e-3;
@@ -26,7 +26,7 @@ TEST(Recording, CountsAsTheObjectiveDoes) {
 }
 
 TEST(Recording, KeepsAPathWithinTheWallsThatTouchesThemAtTheImpacts) {
-  Scene scene = default_reading().scene;
+  Scene scene = exploratory_scene();
   scene.omega = 10.0;
   const Recording recording = record(scene, 0.25, 1000);
   ASSERT_GE(recording.path.size(), 1000U);
@@ -45,7 +45,7 @@ TEST(Recording, KeepsAPathWithinTheWallsThatTouchesThemAtTheImpacts) {
 }
 
 TEST(Recording, IsCertainAwayFromEveryLimitAndUncertainAtOne) {
-  Scene scene = default_reading().scene;
+  Scene scene = exploratory_scene();
   const Recording plain = record(scene, 0.25, 0);
   EXPECT_TRUE(plain.certainty.certain);
   EXPECT_GT(*plain.certainty.margin, 1e-3);
@@ -57,7 +57,7 @@ TEST(Recording, IsCertainAwayFromEveryLimitAndUncertainAtOne) {
 }
 
 TEST(Recording, HasNoMarginWithoutFeatures) {
-  Scene scene = default_reading().scene;
+  Scene scene = exploratory_scene();
   scene.window = Seconds{1e-4};  // ends before the first wall
   const Recording recording = record(scene, 0.25, 0);
   EXPECT_FALSE(recording.certainty.margin);

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "src/core/error.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -312,7 +312,7 @@ TEST(SceneFile, RefusesAFileThatCannotBeRead) {
 
 TEST(SceneFile, WritesWhatItReadsBackBitForBit) {
   for (const Case& a_case : all_cases()) {
-    Scene scene = scene_of(a_case, default_reading().scene);
+    Scene scene = scene_of(a_case, exploratory_scene());
     scene.phase = 1.0 / 3.0;
     scene.pull_phase = 1.0 / 11.0;
     scene.contact_friction = a_case.id == "C2";

@@ -4,15 +4,15 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/recording.h"
 #include "problems/carrier_track/surrogate.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 Scene compliant(double stiffness) {
-  Scene scene = scene_of(find_case("C4"), default_reading().scene);
+  Scene scene = scene_of(find_case("C4"), exploratory_scene());
   scene.omega = 5;
   scene.fidelity = Fidelity::compliant;
   scene.contact_law = ContactLaw::exact_restitution;

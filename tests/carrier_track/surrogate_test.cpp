@@ -12,8 +12,8 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
+#include "tests/carrier_track/exploratory_scene.h"
 #include "tests/carrier_track/watch.h"
 
 namespace ricochet::carrier_track {
@@ -56,7 +56,7 @@ TEST(Surrogate, HasTheSlopeOfDifferencesAtAThousandRandomSpeeds) {
   std::vector<double> errors;
   const auto cases = all_cases();
   for (std::size_t i = 0; i < 1000; ++i) {
-    Scene scene = scene_of(cases[i % cases.size()], default_reading().scene);
+    Scene scene = scene_of(cases[i % cases.size()], exploratory_scene());
     scene.omega = draws.within(0.5, 18.0);
     const Slope exact = surrogate_slope(scene, default_width);
     EXPECT_NEAR(exact.value, objective(scene, default_width), 1e-9 * exact.value);
@@ -106,7 +106,7 @@ TEST(Surrogate, HasTheSlopeOfDifferencesWithRespectToEveryConstant) {
         {"omega", &Scene::omega, &Dual::omega},
         {"slowest", &Scene::slowest, &Dual::slowest}}) {
     for (const char* id : {"C5", "C10", "C11"}) {
-      Scene scene = scene_of(find_case(id), default_reading().scene);
+      Scene scene = scene_of(find_case(id), exploratory_scene());
       scene.restitution_upper *= 0.9;
       scene.slider_mass_radius = 0.01;
       scene.disturbance_phase = 0.7;
@@ -133,7 +133,7 @@ TEST(Surrogate, HasTheSlopeOfDifferencesUnderTheRuleOfPeaks) {
   RandomScenes draws(6);
   std::vector<double> errors;
   for (int i = 0; i < 100; ++i) {
-    Scene scene = scene_of(find_case(i % 2 == 0 ? "C2" : "C9"), default_reading().scene);
+    Scene scene = scene_of(find_case(i % 2 == 0 ? "C2" : "C9"), exploratory_scene());
     scene.rule = CountRule::peaks;
     scene.peak_high = 0.8e-3;
     scene.peak_low = 0.2e-3;
@@ -155,7 +155,7 @@ TEST(Surrogate, HasTheSlopeOfDifferencesUnderTheRuleOfPeaks) {
 TEST(Surrogate, HasTheSecondDerivativeOfDifferencesThroughDualsOfDuals) {
   using Second = ceres::Jet<Jet, 1>;
   for (const char* id : {"C1", "C4", "C6", "C12"}) {
-    Scene scene = scene_of(find_case(id), default_reading().scene);
+    Scene scene = scene_of(find_case(id), exploratory_scene());
     scene.omega = 3.7;
     auto dual = lifted<Second>(scene);
     dual.omega.a.v[0] = 1.0;
@@ -202,7 +202,7 @@ TEST(Surrogate, DualsOfDualsGiveTheClosedFormCurvatureOfAnImpactTime) {
 TEST(Surrogate, HasASlopeForABodyThatStartsAtRestAtAWall) {
   for (const bool upper : {false, true}) {
     for (Case a_case : all_cases()) {
-      Scene scene = scene_of(a_case, default_reading().scene);
+      Scene scene = scene_of(a_case, exploratory_scene());
       scene.omega = 7.0;
       scene.start_position = upper ? scene.wall_upper : scene.wall_lower;
       scene.start_velocity = 0.0;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/fitted_reading.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -88,7 +88,7 @@ TEST(Threshold, KeepsEveryTenthSpeedOfAScanWhenThinned) {
 }
 
 TEST(Threshold, ScansTheSpeedsItNames) {
-  const Scene scene = default_reading().scene;
+  const Scene scene = exploratory_scene();
   const SpeedScan scan = scan_speeds(scene, 0.5, 6.0);
   ASSERT_EQ(scan.counts.size(), 12U);
   for (std::size_t k = 0; k < scan.counts.size(); ++k) {
@@ -98,7 +98,7 @@ TEST(Threshold, ScansTheSpeedsItNames) {
 
 /// Scores a staircase made by hand through the function that scores simulations.
 Score score_of(const SpeedScan& scan, const Claim& claim) {
-  return score(default_reading().scene, claim, scan, 1);
+  return score(exploratory_scene(), claim, scan, 1);
 }
 
 TEST(Threshold, ScoresEveryPartAsThePaperClaimsIt) {
@@ -127,7 +127,7 @@ TEST(Threshold, TakesTheQuietCountFromTheLowestTenthWhereNothingIsClaimed) {
 
 TEST(Threshold, FindsTheQuietCountWithoutTheSpeedsAboveTheReference) {
   const Case a_case = find_case("C2");
-  const Scene scene = scene_of(a_case, default_reading().scene);
+  const Scene scene = scene_of(a_case, exploratory_scene());
   const ScanOptions options{.step = 0.01, .stride = 1, .highest = 4.0};
   EXPECT_EQ(quiet_count(scene, a_case.claim, options),
             score(scene, a_case.claim, options).quiet_count);
@@ -135,7 +135,7 @@ TEST(Threshold, FindsTheQuietCountWithoutTheSpeedsAboveTheReference) {
 
 TEST(Threshold, PutsTheExamplesOfAFigureOnTheirSides) {
   const Case a_case = find_case("C2");
-  const Score result = score(scene_of(a_case, default_reading().scene), a_case.claim,
+  const Score result = score(scene_of(a_case, exploratory_scene()), a_case.claim,
                              {.step = 0.05, .stride = 1, .highest = 18.0});
   ASSERT_EQ(result.examples.size(), 2U);
   EXPECT_FALSE(result.examples[0].loud);
@@ -149,7 +149,7 @@ class EveryCase : public testing::TestWithParam<Case> {};
 
 TEST_P(EveryCase, HasTheThresholdOfAnExhaustiveScan) {
   const Case& a_case = GetParam();
-  const Scene scene = scene_of(a_case, default_reading().scene);
+  const Scene scene = scene_of(a_case, exploratory_scene());
   const Score result = score(scene, a_case.claim, ScanOptions{});
   ASSERT_TRUE(result.threshold.has_value());
   const double limit = quiet_limit(result.quiet_count);

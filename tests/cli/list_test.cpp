@@ -40,7 +40,7 @@ TEST(List, PrintsATableForPeople) {
   const Outcome outcome = call("list readings");
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out.find("reading"), 0U);
-  EXPECT_NE(outcome.out.find("starting"), std::string::npos);
+  EXPECT_NE(outcome.out.find("projected-constant-revolutions-weight"), std::string::npos);
 }
 
 TEST(List, RefusesWhatThereIsNot) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/integrators/integrator.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 
@@ -45,7 +45,7 @@ inline Outcome reference(const Scene& scene) {
 }
 
 inline Scene paper_scene(const std::string& id, double omega) {
-  Scene scene = scene_of(find_case(id), default_reading().scene);
+  Scene scene = scene_of(find_case(id), exploratory_scene());
   scene.omega = omega;
   return scene;
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/oracle/hostile_scenes.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -29,7 +29,7 @@ TEST(Comparison, FindsNoWrongCountAmongThoseCalledCertain) {
 TEST(Comparison, AgreesOnEveryCaseToTheLastDigits) {
   for (const Case& a_case : all_cases()) {
     for (const double omega : {0.5, 2.0, 9.0}) {
-      const Comparison c = compare(at_speed(scene_of(a_case, default_reading().scene), omega));
+      const Comparison c = compare(at_speed(scene_of(a_case, exploratory_scene()), omega));
       EXPECT_TRUE(c.compared);
       EXPECT_EQ(c.count, c.truth) << a_case.id;
       EXPECT_EQ(c.matched, c.count) << a_case.id;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/threshold.h"
+#include "tests/carrier_track/exploratory_scene.h"
 
 namespace ricochet::reproduction {
 namespace {
@@ -55,7 +55,7 @@ TEST(Conclusions, CountNoChangeForNeitherSide) {
 
 TEST(Conclusions, RestOnTheMeanOfTheCountsOverTheSpeeds) {
   using namespace carrier_track;
-  const Scene reading = default_reading().scene;
+  const Scene reading = exploratory_scene();
   const CountGrid grid = count_grid(reading, 3.0, true);
   ASSERT_EQ(grid.means.size(),
             grid.restitutions.size() * grid.frictions.size() * grid.disturbances.size());

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/problems.h"
 #include "problems/carrier_track/surrogate.h"
 #include "solvers/solvers.h"
 #include "src/core/run.h"
+#include "tests/carrier_track/exploratory_scene.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {
@@ -211,7 +211,7 @@ TEST_P(SolverContract, GivesTheSameTracesInTwoThreads) {
 
 TEST_P(SolverContract, RunsOnTheCarrierTrack) {
   using namespace carrier_track;
-  const Scene scene = default_reading().scene;
+  const Scene scene = exploratory_scene();
   for (const Problem& problem : {count_problem(find_case("C1"), scene),
                                  surrogate_problem(find_case("C1"), scene, default_width)}) {
     if (!solver().accepts(problem)) continue;

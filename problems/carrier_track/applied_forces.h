@@ -24,7 +24,9 @@ class AppliedForces {
   /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
   /// disturbance.
   static AppliedForces across(const BasicScene<Scalar>& scene) {
-    return AppliedForces(scene, plate_forces_across(scene), {});
+    const Scalar zero = constant<Scalar>(0.0);
+    return AppliedForces(scene, plate_forces_across(scene),
+                         {zero, zero, scene.disturbance_frequency});
   }
 
   /// The acceleration now [m/s^2].
@@ -76,7 +78,7 @@ class AppliedForces {
     // sin alpha is the cosine of an angle a quarter turn behind.
     still_.harmonic[0] = {cosine * c + sine * s, cosine * s - sine * c, scene.omega};
     still_.harmonic[1] = disturbance;
-    still_.harmonics = value(scene.disturbance) == 0.0 ? 1 : 2;
+    still_.harmonics = value(disturbance.cosine) == 0.0 && value(disturbance.sine) == 0.0 ? 1 : 2;
   }
 
   Path still_{};  // of a body at rest at zero

@@ -21,9 +21,9 @@ struct OpenConstant {
   std::string_view name;
   std::string_view unit;
   double lower, upper;
-  bool logarithmic;                ///< whether its size is unknown, rather than its value
-  std::optional<double> natural;   ///< what the paper or the scene suggests
-  std::string_view why;            ///< these bounds, and this natural value
+  bool logarithmic;               ///< whether its size is unknown, rather than its value
+  std::optional<double> natural;  ///< what the paper or the scene suggests
+  std::string_view why;           ///< these bounds, and this natural value
 };
 
 /// All of them, in the order in which constants are kept everywhere.
@@ -60,7 +60,7 @@ using Constants = BasicConstants<double>;
 /// The natural values, and in the middle of their bounds those that have none.
 Constants natural_constants();
 
-inline constexpr double gravity = 9.81;               ///< [m/s^2]
+inline constexpr double gravity = 9.81;                  ///< [m/s^2]
 inline constexpr double slider_mass_radius = 3.2566e-4;  ///< [kg m], (m_s1 + m_s2) L sin(theta/2)
 
 /// Of fidelity compliant, for Recovery::contact_speed [N/m^1.5]: so stiff that the carrier's weight
@@ -95,8 +95,7 @@ BasicScene<Scalar> scene_of(const Case& a_case, const Reading& reading,
 
   double restitution = a_case.restitution;
   if (reading.recovery == Recovery::hunt_crossley) {
-    restitution =
-        returned_restitution(dissipation(ContactLaw::hunt_crossley, a_case.restitution));
+    restitution = returned_restitution(dissipation(ContactLaw::hunt_crossley, a_case.restitution));
   }
   scene.friction = number(a_case.friction);
   scene.normal_force = the(Open::normal_force);

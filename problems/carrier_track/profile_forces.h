@@ -23,7 +23,9 @@ class ProfileForces {
   /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
   /// disturbance.
   static ProfileForces across(const BasicScene<Scalar>& scene) {
-    return ProfileForces(scene, plate_forces_across(scene), {});
+    const Scalar zero = constant<Scalar>(0.0);
+    return ProfileForces(scene, plate_forces_across(scene),
+                         {zero, zero, scene.disturbance_frequency});
   }
 
   /// The acceleration now [m/s^2].

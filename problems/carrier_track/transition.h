@@ -30,10 +30,10 @@ struct CrossingParts {
 CrossingParts crossing_parts(double radius, double omega, double angle);
 
 /// The speed [rad/s] of a carrier about its plate's axis, V / r of equations (1) and (3), while the
-/// plate turns steadily at `omega` [rad/s] > 0: in the middle of every half turn of the plate lies a
-/// crossing, from where the plate has turned by -`angle` to +`angle` in (0, pi/4) [rad]; there the
-/// speed rises to omega / cos^2(angle) half way. Five knots a crossing stand for that curve. Long
-/// enough for `turns`.
+/// plate turns steadily at `omega` [rad/s] > 0: in the middle of every half turn of the plate lies
+/// a crossing, from where the plate has turned by -`angle` to +`angle` in (0, pi/4) [rad]; there
+/// the speed rises to omega / cos^2(angle) half way. Five knots a crossing stand for that curve.
+/// Long enough for `turns`.
 std::vector<SpeedKnot<double>> crossing_profile(double omega, double angle, double turns);
 
 }  // namespace ricochet::carrier_track

@@ -12,8 +12,8 @@ report::Section prediction_section(const Study& study) {
   const double seen = study.choice().appraisal.threshold_error;
   const double unseen = prediction_error(study.predictions);
   section.paragraphs = {fmt::format(
-      "Each case is left out in turn, the constants are fitted anew to the other nine from "
-      "scratch, and the threshold of the case is computed. These thresholds are {:.1f} % off in "
+      "Each case is left out in turn, the constants are fitted anew to the other nine, "
+      "and the threshold of the case is computed. These thresholds are {:.1f} % off in "
       "the root mean square; those that the fit has seen, {:.1f} %. {}",
       100 * unseen, 100 * seen,
       unseen <= 0.1 ? "A reading that only memorised would do far worse on what it has not seen."

@@ -110,18 +110,21 @@ std::vector<Fit> fits_of(const std::vector<Reading>& readings, const Search& sea
   return done("fitting readings", tasks, store);
 }
 
-/// Fits the best few once more and more closely, from where they are.
+/// Fits the best few whose cases share a scene once more and more closely, from where they are.
 void refine_finalists(std::vector<Fit>& fits, const Plan& plan, FitStore& store) {
   std::stable_sort(fits.begin(), fits.end(), better);
   std::vector<Task> tasks;
-  for (std::size_t i = 0; i < std::min(finalists, fits.size()); ++i) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < fits.size() && places.size() < finalists; ++i) {
+    if (!is_one_scene(fits[i].reading)) continue;
     tasks.push_back({"final",
                      fit,
                      {fits[i].reading, fits[i].freed, fits[i].constants},
                      with_evaluations(plan.search, plan.finalist_evaluations)});
+    places.push_back(i);
   }
   const auto refined = done("fitting the best readings closely", tasks, store);
-  std::copy(refined.begin(), refined.end(), fits.begin());
+  for (std::size_t k = 0; k < places.size(); ++k) fits[places[k]] = refined[k];
   std::stable_sort(fits.begin(), fits.end(), better);
 }
 
@@ -169,6 +172,20 @@ std::vector<double> ranks_of(const std::vector<double>& sample) {
   return ranks;
 }
 
+/// The fit with the lowest criterion among the best few whose cases share a scene.
+Fit most_sparing(const std::vector<RankedFit>& readings) {
+  std::vector<const RankedFit*> candidates;
+  for (const RankedFit& r : readings) {
+    if (is_one_scene(r.fit.reading) && candidates.size() < finalists) candidates.push_back(&r);
+  }
+  if (candidates.empty()) return readings.front().fit;
+  return (*std::min_element(candidates.begin(), candidates.end(),
+                            [](const RankedFit* a, const RankedFit* b) {
+                              return a->appraisal.criterion < b->appraisal.criterion;
+                            }))
+      ->fit;
+}
+
 /// The fit with one constant more held at its natural value, the one that costs least.
 std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, FitStore& store) {
   std::vector<Task> tasks;
@@ -197,15 +214,12 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
   return appraised(std::move(fits), plan.step);
 }
 
-/// A fit as free as the choice that has not seen a case, from the natural constants on.
+/// A fit as free as the choice that has not seen a case. The search begins at the choice, so that
+/// it does not fail for want of time, and is over the whole of the bounds.
 std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitStore& store) {
   std::vector<Task> tasks;
   std::vector<Prediction> predictions;
-  Freedom freedom{choice.reading, choice.freed, choice.constants};
-  for (const Open open : choice.freed) {
-    freedom.held[static_cast<std::size_t>(open)] =
-        natural_constants()[static_cast<std::size_t>(open)];
-  }
+  const Freedom freedom{choice.reading, choice.freed, choice.constants};
   for (const Case& c : all_cases()) {
     if (!c.claim.threshold) continue;
     tasks.push_back(
@@ -225,7 +239,7 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 7200, 1000, 2000, 60, 2, {}, 0.01, core_readings()};
+  return {with_evaluations(search, 2400), 12000, 1600, 2400, 60, 2, {}, 0.01, core_readings()};
 }
 
 Plan quick_plan(const Search& search) {
@@ -238,9 +252,7 @@ Study make_study(const Plan& plan, FitStore& store) {
   study.plan = plan;
   study.readings = compared_readings(plan, store);
   if (study.readings.size() > 1) study.rankings = rankings_of(study, plan, store);
-  std::vector<Fit> fits;
-  for (const RankedFit& r : study.readings) fits.push_back(r.fit);
-  study.frontier = frontier_of(best_scene(fits), plan, store);
+  study.frontier = frontier_of(most_sparing(study.readings), plan, store);
   const auto lowest = std::min_element(study.frontier.begin(), study.frontier.end(),
                                        [](const RankedFit& a, const RankedFit& b) {
                                          return a.appraisal.criterion < b.appraisal.criterion;

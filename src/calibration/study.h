@@ -54,8 +54,9 @@ struct Study {
   Plan plan;
   std::vector<RankedFit> readings;  ///< by rising misfit; the best by their closer fits
   std::vector<Ranking> rankings;
-  /// Of the best reading whose cases share a scene, by falling number of fitted constants: each
-  /// holds one more of them at its natural value, the one that costs least.
+  /// Of the best readings whose cases share a scene the one with the lowest criterion, by falling
+  /// number of fitted constants: each holds one more of them at its natural value, the one that
+  /// costs least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
   std::vector<Prediction> predictions;

@@ -71,7 +71,7 @@ TEST(Motion, IsContinuousButForTheImpactsItTells) {
         const auto& hit = watched.hits[hits++];
         const bool upper = hit.wall == Wall::upper;
         const double rebound =
-            (upper ? scene.restitution_upper : scene.restitution_lower) * hit.speed;
+            (upper ? upper_restitution(scene) : lower_restitution(scene)) * hit.speed;
         ASSERT_EQ(hit.time, s.time);
         ASSERT_NEAR(position, upper ? scene.wall_upper : scene.wall_lower, 2e-17);
         ASSERT_NEAR(velocity, upper ? hit.speed : -hit.speed, 1e-15);
@@ -115,7 +115,7 @@ TEST(Motion, BalancesItsEnergy) {
       }
     }
     for (const auto& hit : watched.hits) {
-      const double e = hit.wall == Wall::upper ? scene.restitution_upper : scene.restitution_lower;
+      const double e = hit.wall == Wall::upper ? upper_restitution(scene) : lower_restitution(scene);
       energy -= 0.5 * scene.mass * (1 - e * e) * hit.speed * hit.speed;
     }
     const double left = 0.5 * scene.mass * watched.end.velocity * watched.end.velocity;

@@ -34,9 +34,10 @@ Scene RandomScenes::next() {
   }
   if (chance(0.1)) scene.wall_upper = std::numeric_limits<double>::infinity();
   scene.slowest = log_within(1e-3, 2e-2);
-  if (chance(0.5)) scene.pull_phase = within(-4.0, 4.0);
-  if (chance(0.5)) scene.disturbance_phase = within(-4.0, 4.0);
-  scene.contact_friction = chance(0.2);
+  const std::uint64_t draw = phases_();
+  if (draw % 2 == 0) scene.pull_phase = angle();
+  if (draw / 2 % 2 == 0) scene.disturbance_phase = angle();
+  scene.contact_friction = draw / 4 % 5 == 0;
   return scene;
 }
 
@@ -59,6 +60,10 @@ Scene RandomScenes::next_planar() {
 
 double RandomScenes::within(double a, double b) {
   return a + (b - a) * static_cast<double>(random_() >> 11) * 0x1p-53;
+}
+
+double RandomScenes::angle() {
+  return -4 + 8 * static_cast<double>(phases_() >> 11) * 0x1p-53;
 }
 
 double RandomScenes::log_within(double a, double b) {

@@ -12,7 +12,7 @@ namespace ricochet::carrier_track {
 /// only the generator's bits, whose sequence the standard fixes.
 class RandomScenes {
  public:
-  explicit RandomScenes(std::uint64_t seed) : random_(seed) {}
+  explicit RandomScenes(std::uint64_t seed) : random_(seed), phases_(seed + 1) {}
 
   Scene next();
 
@@ -30,8 +30,10 @@ class RandomScenes {
  private:
   double restitution();
   double share_of_gap();
+  double angle();
 
   std::mt19937_64 random_;
+  std::mt19937_64 phases_;  // apart, so that two scenes that differ in them alone can be compared
 };
 
 }  // namespace ricochet::carrier_track

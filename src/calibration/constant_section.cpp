@@ -55,9 +55,9 @@ report::Figure sensitivity_map(const Study& study) {
 
 report::Table interval_table(const std::vector<Profile>& profiles) {
   report::Table table{
-      "How well each constant is determined: the interval over which the misfit, with all other "
-      "constants fitted anew, rises by less than one tolerance of one part of one case. An open "
-      "end: nothing seen ends it.",
+      "How well each constant is determined: between these values the misfit, with all other "
+      "constants fitted anew, rises by less than one tolerance of one part of one case. Open: "
+      "nothing seen ends it.",
       {{"constant", report::Alignment::left},
        {"value"},
        {"from"},
@@ -70,8 +70,8 @@ report::Table interval_table(const std::vector<Profile>& profiles) {
     table.rows.push_back(
         {{words_of(p.constant)},
          {fmt::format("{:.4g}", p.value)},
-         {fmt::format("{}{:.4g}", p.lower_open ? "open, " : "", p.lower)},
-         {fmt::format("{}{:.4g}", p.upper_open ? "open, " : "", p.upper)},
+         {fmt::format("{}{:.3g}", p.lower_open ? "open, " : "", p.lower)},
+         {fmt::format("{}{:.3g}", p.upper_open ? "open, " : "", p.upper)},
          {std::string(c.unit)},
          {p.lower_open || p.upper_open ? "no" : "yes",
           p.lower_open || p.upper_open ? report::State::bad : report::State::good}});

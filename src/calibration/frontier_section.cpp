@@ -9,13 +9,19 @@ namespace {
 
 using namespace carrier_track;
 
-std::string held_by(const Fit& fit) {
-  std::string held;
-  for (const Open open : open_of(fit.reading)) {
-    if (std::find(fit.freed.begin(), fit.freed.end(), open) != fit.freed.end()) continue;
-    held += (held.empty() ? "" : ", ") + words_of(open);
+bool frees(const Fit& fit, Open open) {
+  return std::find(fit.freed.begin(), fit.freed.end(), open) != fit.freed.end();
+}
+
+/// What a fit holds that the one before it fitted.
+std::string newly_held(const Fit& fit, const std::vector<Open>& fitted_before) {
+  for (const Open open : fitted_before) {
+    if (frees(fit, open)) continue;
+    const auto i = static_cast<std::size_t>(open);
+    return fmt::format("{} = {:.4g} {}", words_of(open), fit.constants[i],
+                       open_constants()[i].unit);
   }
-  return held.empty() ? "nothing" : held;
+  return "none";
 }
 
 report::Cell against(double value, const char* form, bool reached) {
@@ -23,10 +29,10 @@ report::Cell against(double value, const char* form, bool reached) {
           reached ? report::State::good : report::State::bad};
 }
 
-std::vector<report::Cell> row_of(const RankedFit& r) {
+std::vector<report::Cell> row_of(const RankedFit& r, const std::vector<Open>& fitted_before) {
   const Appraisal& a = r.appraisal;
   return {{fmt::format("{}", r.fit.freed.size())},
-          {held_by(r.fit)},
+          {newly_held(r.fit, fitted_before)},
           {fmt::format("{:.1f}", r.fit.misfit)},
           {fmt::format("{:.1f}", 100 * a.threshold_error)},
           against(a.within, "{} of 10", a.within == 10),
@@ -51,7 +57,7 @@ report::Table constants_of(const Fit& fit) {
   for (const Open open : open_of(fit.reading)) {
     const auto i = static_cast<std::size_t>(open);
     const OpenConstant& c = open_constants()[i];
-    const bool freed = std::find(fit.freed.begin(), fit.freed.end(), open) != fit.freed.end();
+    const bool freed = frees(fit, open);
     table.rows.push_back({{words_of(open)},
                           {fmt::format("{:.4g}", fit.constants[i])},
                           {std::string(c.unit)},
@@ -79,7 +85,7 @@ report::Section frontier_section(const Study& study) {
       "(every threshold within 5 %, every count exact, purity 90 %, 2 % misclassified, loudness "
       "1.5, all examples right, and C11 never quiet).",
       {{"constants"},
-       {"held", report::Alignment::left},
+       {"held from here on", report::Alignment::left},
        {"misfit"},
        {"error [%]"},
        {"within 5 %"},
@@ -91,7 +97,11 @@ report::Section frontier_section(const Study& study) {
        {"C11 quiet [%]"},
        {"AICc"}},
       {}};
-  for (const RankedFit& r : study.frontier) table.rows.push_back(row_of(r));
+  std::vector<Open> fitted_before = study.frontier.front().fit.freed;
+  for (const RankedFit& r : study.frontier) {
+    table.rows.push_back(row_of(r, fitted_before));
+    fitted_before = r.fit.freed;
+  }
   section.tables = {std::move(table), constants_of(choice.fit)};
   return section;
 }

@@ -81,6 +81,10 @@ report::Section reading_section(const Study& study) {
                   "example speeds lie on the side where the paper shows them.",
                   name_of(fit.reading), description_of(fit.reading), fit.freed.size(),
                   100 * a.threshold_error, a.exact_counts, a.right_examples),
+      fmt::format("Readings whose misfits differ by less than two or three cannot be told apart by "
+                  "searches of this length. So of the best four whose cases share one scene the "
+                  "one with the lowest AICc is looked into below: {}.",
+                  name_of(study.choice().fit.reading)),
       "The misfit is what the searches minimise: for each case the distances of the six parts of "
       "its score from the claim, each over a tolerance, and a share for the shape of the counts. "
       "0 would be the paper, word for word."};

@@ -71,20 +71,17 @@ Profile profile_of(const Fit& fit, const Search& search, std::size_t which) {
   Profile profile{open, value_at(centre[column]), 0, 0, true, true, {}};
   profile.points.emplace_back(profile.value, fit.misfit);
   for (const double sign : {-1.0, 1.0}) {
-    double inside = centre[column];
+    double reached = centre[column];
     bool ended = false;
-    for (const double distance : {0.01, 0.02, 0.04, 0.08, 0.16, 0.32}) {
+    for (double distance = 1.0 / 512; distance <= 0.5 && !ended; distance *= 2) {
       const double share = std::clamp(centre[column] + sign * distance, 0.0, 1.0);
-      if (share == inside) break;
+      if (share == reached) break;
+      reached = share;
       const double found = misfit_with(fit, search, which, share);
       profile.points.emplace_back(value_at(share), found);
-      if (found > fit.misfit + 1) {
-        ended = true;
-        break;
-      }
-      inside = share;
+      ended = found > fit.misfit + 1;
     }
-    (sign < 0 ? profile.lower : profile.upper) = value_at(inside);
+    (sign < 0 ? profile.lower : profile.upper) = value_at(reached);
     (sign < 0 ? profile.lower_open : profile.upper_open) = !ended;
   }
   std::sort(profile.points.begin(), profile.points.end());

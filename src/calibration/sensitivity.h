@@ -21,13 +21,13 @@ struct CaseSensitivity {
 /// from speeds 0.01 rad/s apart. C1..C10.
 std::vector<CaseSensitivity> sensitivities(const Fit& fit);
 
-/// How far a constant may go before the misfit, with the other freed constants fitted anew, has
-/// risen by one: by one tolerance of one part of one case.
+/// How far a constant may go, in steps that double, before the misfit, with the other freed
+/// constants fitted anew, has risen by one: by one tolerance of one part of one case.
 struct Profile {
   carrier_track::Open constant;
   double value;
-  double lower, upper;                            ///< of that interval
-  bool lower_open, upper_open;                    ///< the bounds of the constant end it
+  double lower, upper;          ///< the nearest values tried at which it has
+  bool lower_open, upper_open;  ///< nothing tried on that side has: the bounds end it
   std::vector<std::pair<double, double>> points;  ///< value and misfit, by rising value
 };
 

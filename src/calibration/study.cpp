@@ -239,7 +239,7 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1600, 2400, 60, 2, {}, 0.01, core_readings()};
+  return {with_evaluations(search, 2400), 12000, 1600, 2400, 100, 2, {}, 0.01, core_readings()};
 }
 
 Plan quick_plan(const Search& search) {

@@ -31,8 +31,8 @@ void print_row(const std::string& name, const RankedFit& r) {
   fmt::print(
       "{:<58} {:>2} {:>8.2f} {:>6.1f} %  {:>2}/10  {:>2}/10 {:>6.2f} {:>6.1f} %  {:>5.2f}  "
       "{:>2}/20 {:>7.1f}\n",
-      name, r.fit.freed.size(), r.fit.misfit, 100 * std::expm1(a.threshold_error), a.within,
-      a.exact_counts, a.purity, 100 * a.misclassified, a.loudness, a.right_examples, a.criterion);
+      name, r.fit.freed.size(), r.fit.misfit, 100 * a.threshold_error, a.within, a.exact_counts,
+      a.purity, 100 * a.misclassified, a.loudness, a.right_examples, a.criterion);
 }
 
 void print(const Study& study) {

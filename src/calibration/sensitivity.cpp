@@ -16,16 +16,17 @@ using namespace carrier_track;
 
 constexpr double change = 0.02;
 
-std::optional<double> threshold_of(const Fit& fit, const Constants& constants, const Case& c) {
+std::optional<double> threshold_of(const Fit& fit, const Constants& constants, const Case& c,
+                                   double step) {
   const Scene scene = scene_of(c, fit.reading, constants);
   const CountAt count = [&](double omega) {
     return static_cast<int>(objective(scene_at(scene, fit.reading, constants, omega), 0.0));
   };
-  return score(count, c.claim, scan_speeds(count, 0.01, 18.0), 1).threshold;
+  return score(count, c.claim, scan_speeds(count, step, 18.0), 1).threshold;
 }
 
 /// The slope of ln(threshold); see CaseSensitivity.
-std::optional<double> slope_of(const Fit& fit, const Case& c, Open open) {
+std::optional<double> slope_of(const Fit& fit, const Case& c, Open open, double step) {
   const auto i = static_cast<std::size_t>(open);
   const OpenConstant& bounds = open_constants()[i];
   std::array<double, 2> at{};
@@ -41,7 +42,7 @@ std::optional<double> slope_of(const Fit& fit, const Case& c, Open open) {
       constants[i] = std::clamp(constants[i] + at[side] * (bounds.upper - bounds.lower),
                                 bounds.lower, bounds.upper);
     }
-    const auto threshold = threshold_of(fit, constants, c);
+    const auto threshold = threshold_of(fit, constants, c, step);
     if (!threshold) return std::nullopt;
     thresholds[side] = *threshold;
   }
@@ -90,13 +91,13 @@ Profile profile_of(const Fit& fit, const Search& search, std::size_t which) {
 
 }  // namespace
 
-std::vector<CaseSensitivity> sensitivities(const Fit& fit) {
+std::vector<CaseSensitivity> sensitivities(const Fit& fit, double step) {
   std::vector<CaseSensitivity> result;
   for (const Case& c : all_cases()) {
     if (!c.claim.threshold) continue;
     CaseSensitivity& row = result.emplace_back();
     row.case_id = c.id;
-    for (const Open open : fit.freed) row.slopes.push_back(slope_of(fit, c, open));
+    for (const Open open : fit.freed) row.slopes.push_back(slope_of(fit, c, open, step));
   }
   return result;
 }

@@ -18,8 +18,8 @@ struct CaseSensitivity {
 };
 
 /// Central differences over 2 % of the constant, or of the width of its bounds, with thresholds
-/// from speeds 0.01 rad/s apart. C1..C10.
-std::vector<CaseSensitivity> sensitivities(const Fit& fit);
+/// from speeds `step` [rad/s] apart. C1..C10.
+std::vector<CaseSensitivity> sensitivities(const Fit& fit, double step);
 
 /// How far a constant may go, in steps that double, before the misfit, with the other freed
 /// constants fitted anew, has risen by one: by one tolerance of one part of one case.

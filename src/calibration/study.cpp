@@ -260,7 +260,7 @@ Study make_study(const Plan& plan, FitStore& store) {
   study.chosen = static_cast<std::size_t>(lowest - study.frontier.begin());
   const Fit& choice = study.choice().fit;
   study.predictions = predictions_of(choice, plan, store);
-  study.sensitivities = sensitivities(choice);
+  study.sensitivities = sensitivities(choice, plan.step);
   study.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return study;

@@ -13,7 +13,7 @@ using namespace carrier_track;
 TEST(Fit, IsNoWorseThanItsStartAndTellsItsMisfit) {
   Freedom freedom = some_freedom();
   freedom.held[static_cast<std::size_t>(Open::slowest)] *= 3;
-  const Fit found = fit(freedom, some_search(24));
+  const Fit found = fit(freedom, some_search(18));
   EXPECT_LT(found.misfit, misfit(freedom.reading, freedom.held));
   EXPECT_DOUBLE_EQ(found.misfit, misfit(found.reading, found.constants));
   for (std::size_t i = 0; i < open_size; ++i) {
@@ -27,18 +27,17 @@ TEST(Fit, IsNoWorseThanItsStartAndTellsItsMisfit) {
 }
 
 TEST(Fit, IsTheSameAgainAndAnotherFromAnotherSeed) {
-  Search search = some_search(18);
-  const Fit once = fit(some_freedom(), search);
-  EXPECT_EQ(fit(some_freedom(), search).constants, once.constants);
+  Search search = some_search(6);
   Freedom far = some_freedom();
   far.held[static_cast<std::size_t>(Open::slowest)] = 0.1;
-  const Fit first = fit(far, search);
+  const Fit once = fit(far, search);
+  EXPECT_EQ(fit(far, search).constants, once.constants);
   search.seed = 2;
-  EXPECT_NE(fit(far, search).constants, first.constants);
+  EXPECT_NE(fit(far, search).constants, once.constants);
 }
 
 TEST(Fit, PolishesWithoutSearching) {
-  const Fit polished = polish(some_freedom(), some_search(12));
+  const Fit polished = polish(some_freedom(), some_search(6));
   EXPECT_LE(polished.misfit, misfit(some_freedom().reading, some_freedom().held));
 }
 

@@ -24,6 +24,7 @@ Scene scene_with(const Case& the_case, double direction, double stiffness) {
   Scene scene = scene_of(the_case, default_reading().scene);
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = stiffness;
+  scene.contact_friction = false;  // y has its own, of the wall's force
   scene.across = Across<double>{direction * scene.pull,
                                 scene.wall_lower,
                                 scene.wall_upper,

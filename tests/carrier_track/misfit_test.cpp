@@ -94,7 +94,7 @@ TEST(Misfit, HasASmoothStandInWithTheSlopesOfDifferences) {
   int close = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto i = static_cast<std::size_t>(freed[k]);
-    const double h = 1e-7 * fitted.constants[i];
+    const double h = 1e-7 * (freed[k] == Open::phase ? 1.0 : fitted.constants[i]);
     Constants more = fitted.constants;
     Constants less = fitted.constants;
     more[i] += h;

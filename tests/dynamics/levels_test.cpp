@@ -4,13 +4,16 @@
 
 #include <numeric>
 
+#include "problems/carrier_track/fitted_reading.h"
+
 namespace ricochet::dynamics {
 namespace {
 
 TEST(Levels, AddUpAndNeedTheSecondDirectionWhereFrictionCannotHold) {
-  // In the default reading the yarn pulls with 0.888 N along x, and friction holds 0.167 N with the
-  // coefficient 0.1 of C1 and 0.668 N with 0.4 of C3.
-  const LevelStudy study = study_levels({2, {0, 0.3, 1}, 1.5e10, 3});
+  // In the default reading friction on the weight, 11.8 N, holds 1.2 N with the coefficient 0.1 of
+  // C1 and 4.7 N with 0.4 of C3. The yarn pulls across with these shares of its pull along x.
+  const double pull = carrier_track::default_reading().scene.pull;
+  const LevelStudy study = study_levels({2, {0, 3 / pull, 6 / pull}, 1.5e10, 3});
   ASSERT_EQ(study.rows.size(), 12U);
   for (const LevelRow& row : study.rows) {
     EXPECT_EQ(row.speeds, 9);

@@ -56,15 +56,18 @@ report::Section path_section(const std::vector<CaseStudy>& cases) {
       "The position between the two walls at the speed that the paper shows as quiet, and at the "
       "one that it shows as loud. The paper does not give the length of its window; here it is a "
       "fixed number of turns of the driver plate.",
-      "What the carrier does, and why: its start throws it against a wall, and what it then hits "
-      "before restitution and friction have stopped it hardly depends on the plate's speed. After "
-      "that it rests on a wall until the centrifugal force, which turns over twice a turn, beats "
-      "friction and throws it across: one impact, whose speed grows with the plate's, and after it "
-      "rebounds, which count only as long as they are faster than the slowest impact that counts. "
-      "So there is a plateau, and a speed at which a further rebound of each throw begins to "
-      "count. "
-      "A hard wall (restitution 0.1) must be hit ten times as fast for that as the slowest impact "
-      "that counts; a lively one (0.9) makes rebounds count as soon as there are throws at all."};
+      "What the carrier does, and why: its start throws it against a wall, and as long as the "
+      "plate "
+      "turns slowly it hits the walls as often as restitution and friction let it, whatever the "
+      "plate's speed. After that it rests on a wall until the centrifugal force, which turns over "
+      "twice a turn, beats friction and throws it across: one impact, whose speed grows with the "
+      "plate's, and after it rebounds, which count only as long as they are faster than the "
+      "slowest "
+      "impact that counts. So there is a plateau, and a speed at which a further rebound of each "
+      "throw begins to count. With restitution 0.1 a wall must be hit ten times as fast for that "
+      "as "
+      "the slowest impact that counts; with 0.9 rebounds count as soon as there are throws at all. "
+      "A disturbance of 1 N hardly matters beside a centrifugal force of some tens of newtons."};
   for (const CaseStudy& c : cases) {
     const auto& id = c.the_case.id;
     if (c.paths && (id == "C1" || id == "C2" || id == "C4")) {

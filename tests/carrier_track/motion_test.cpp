@@ -115,7 +115,8 @@ TEST(Motion, BalancesItsEnergy) {
       }
     }
     for (const auto& hit : watched.hits) {
-      const double e = hit.wall == Wall::upper ? upper_restitution(scene) : lower_restitution(scene);
+      const double e =
+          hit.wall == Wall::upper ? upper_restitution(scene) : lower_restitution(scene);
       energy -= 0.5 * scene.mass * (1 - e * e) * hit.speed * hit.speed;
     }
     const double left = 0.5 * scene.mass * watched.end.velocity * watched.end.velocity;

@@ -7,7 +7,9 @@ namespace ricochet::carrier_track {
 const std::vector<OpenConstant>& open_constants() {
   constexpr double turn = 2 * std::numbers::pi;
   static const std::vector<OpenConstant> constants = {
-      {"pull", "N", 0.01, 40, true, std::nullopt, "a yarn is braided under some newtons"},
+      {"pull", "N", 0.01, 40, true, 0.01,
+       "a yarn is braided under some newtons; drawn straight across the track, it has none along "
+       "x"},
       {"normal_force", "N", 0.01, 60, true, 1.2 * gravity,
        "to five times the weight m g, which is natural"},
       {"centrifugal_mass_radius", "kg m", 0.01, 2.4, true, 0.078,
@@ -69,7 +71,8 @@ Constants natural_constants() {
   Constants constants{};
   for (std::size_t i = 0; i < open_size; ++i) {
     const OpenConstant& c = open_constants()[i];
-    constants[i] = c.natural.value_or(std::sqrt(c.lower * c.upper));
+    const bool searched = !c.natural || (c.logarithmic && *c.natural == c.lower);
+    constants[i] = searched ? std::sqrt(c.lower * c.upper) : *c.natural;
   }
   return constants;
 }

@@ -57,7 +57,8 @@ template <class Scalar>
 using BasicConstants = std::array<Scalar, open_size>;
 using Constants = BasicConstants<double>;
 
-/// The natural values, and in the middle of their bounds those that have none.
+/// Where a search begins: the natural values, and in the middle of their bounds those that have
+/// none or whose natural value is as good as none at all.
 Constants natural_constants();
 
 inline constexpr double gravity = 9.81;                  ///< [m/s^2]

@@ -61,7 +61,7 @@ TEST(Simulate, WritesThePathAndItsPicture) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string csv = read(folder / "path.csv");
   EXPECT_THAT(csv,
-              testing::StartsWith("time_s,position_m,velocity_m_per_s\n0,0.00017065684289730836,"));
+              testing::StartsWith("time_s,position_m,velocity_m_per_s\n0,0.000176984414));
   EXPECT_GT(std::count(csv.begin(), csv.end(), '\n'), 2000);
   EXPECT_THAT(read(folder / "path.svg"), HasSubstr("<svg"));
   EXPECT_THAT(read(folder / "path.svg"), HasSubstr("5 collisions"));

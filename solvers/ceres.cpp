@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/ceres_exit.h"
 #include "solvers/unit_box.h"
 
 namespace ricochet {
@@ -52,17 +53,6 @@ class Waves : public ceres::FirstOrderFunction {
   Evaluator& evaluator_;
   Vector middle_, half_;
 };
-
-SolverExit in_words(ceres::TerminationType type) {
-  switch (type) {
-    case ceres::CONVERGENCE:
-      return "converged";
-    case ceres::NO_CONVERGENCE:
-      return "iterations spent";
-    default:
-      return "failure";
-  }
-}
 
 SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   auto* waves = new Waves(evaluator);  // `problem` owns it

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "solvers/ceres_exit.h"
 #include "solvers/unit_box.h"
 
 namespace ricochet {
@@ -37,17 +38,6 @@ class UnitResiduals : public ceres::CostFunction {
  private:
   UnitBox& box_;
 };
-
-SolverExit in_words(ceres::TerminationType type) {
-  switch (type) {
-    case ceres::CONVERGENCE:
-      return "converged";
-    case ceres::NO_CONVERGENCE:
-      return "iterations spent";
-    default:
-      return "failure";
-  }
-}
 
 SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   UnitBox box(evaluator);

@@ -1,9 +1,6 @@
 #include "problems/carrier_track/fitted_reading.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include <algorithm>
 
 #include "embedded/default_reading_text.h"
 #include "problems/carrier_track/toml_table.h"
@@ -14,15 +11,6 @@ namespace {
 
 /// The speed of a scene whose speed nobody has set: the quiet one of the paper's Figure 5 [rad/s].
 constexpr double usual_speed = 3.0;
-
-toml::table parse(const std::string& text, const std::string& origin) {
-  try {
-    return toml::parse(text, origin);
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not valid TOML: {}", origin, error.source().begin.line,
-                                 error.description()));
-  }
-}
 
 }  // namespace
 
@@ -52,7 +40,7 @@ FittedReading fitted_reading(const Reading& reading, const Constants& constants,
 }
 
 FittedReading parse_fitted_reading(const std::string& text, const std::string& origin) {
-  const toml::table file = parse(text, origin);
+  const toml::table file = parse_toml(text, origin);
   const auto name = file["reading"].value<std::string>();
   const auto provenance = file["provenance"].value<std::string>();
   if (!name || !provenance) {
@@ -88,9 +76,7 @@ std::string write_fitted_reading(const FittedReading& fitted) {
   for (const bool wanted : {true, false}) {
     text += wanted ? "\n[fitted]\n" : "\n[held]\n";
     for (const Open open : open_of(fitted.reading)) {
-      const bool is_fitted =
-          std::find(fitted.freed.begin(), fitted.freed.end(), open) != fitted.freed.end();
-      if (is_fitted != wanted) continue;
+      if (contains(fitted.freed, open) != wanted) continue;
       const auto i = static_cast<std::size_t>(open);
       text += fmt::format("{} = {:#}  # {}\n", open_constants()[i].name, fitted.constants[i],
                           open_constants()[i].unit);

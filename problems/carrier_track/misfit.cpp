@@ -7,12 +7,10 @@
 #include <map>
 
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/threshold.h"
+#include "problems/carrier_track/problems.h"
 
 namespace ricochet::carrier_track {
 namespace {
-
-constexpr double highest = 18.0;  // [rad/s]
 
 /// Of the slowest impact that counts: a body that bounces less may rest.
 constexpr double resting_share = 0.01;
@@ -85,7 +83,8 @@ CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
     if (wrong < best.misclassified - 1e-9) best = {edge, wrong};
   }
   best.misclassified /= edge;
-  best.speed = std::clamp(best.speed, cells.front().width / 2, highest - cells.back().width / 2);
+  best.speed =
+      std::clamp(best.speed, cells.front().width / 2, fastest_speed - cells.back().width / 2);
   return best;
 }
 
@@ -114,11 +113,11 @@ int count_of(const Scene& scene, const Reading& reading, const Constants& consta
 /// The share of 0..18 rad/s at which C11 would be quiet in C4.
 double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
   const Scene scene = scene_of(find_case("C11"), reading, constants);
-  std::vector<SpeedCell> cells = speed_cells(highest / 1.3 / 2);
+  std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
   double share = 0;
   for (const SpeedCell& cell : cells) {
     const int count = count_of(scene, reading, constants, cell.omega);
-    if (count <= quiet_limit(quiet)) share += cell.width / highest;
+    if (count <= quiet_limit(quiet)) share += cell.width / fastest_speed;
   }
   return share;
 }
@@ -184,7 +183,7 @@ std::vector<Slopes> slopes_of_counts(const Reading& reading, const Constants& co
 std::vector<SpeedCell> speed_cells(double threshold) {
   std::vector<SpeedCell> cells;
   add_cells(cells, 0, 1.3 * threshold, threshold / 16);
-  add_cells(cells, 1.3 * threshold, highest, 0.6);
+  add_cells(cells, 1.3 * threshold, fastest_speed, 0.6);
   return cells;
 }
 
@@ -261,7 +260,8 @@ SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
     const int quiet = *the_case.claim.quiet_count;
     const double count = slopes[k].count;
     const bool below = cell.omega < threshold;
-    const double weight = std::sqrt(3 * cell.width / (below ? threshold : highest - threshold));
+    const double weight =
+        std::sqrt(3 * cell.width / (below ? threshold : fastest_speed - threshold));
     const double distance = below ? below_claim(count, quiet) : -above_claim(count, quiet);
     const bool flat = !below && distance == 0;
     const auto row = static_cast<Eigen::Index>(k);

@@ -1,5 +1,7 @@
 #include "problems/carrier_track/open_constants.h"
 
+#include <algorithm>
+
 #include "problems/carrier_track/transition.h"
 
 namespace ricochet::carrier_track {
@@ -65,6 +67,10 @@ std::vector<Open> open_of(const Reading& reading) {
     if (used(static_cast<Open>(i))) open.push_back(static_cast<Open>(i));
   }
   return open;
+}
+
+bool contains(const std::vector<Open>& constants, Open constant) {
+  return std::find(constants.begin(), constants.end(), constant) != constants.end();
 }
 
 Constants natural_constants() {

@@ -52,6 +52,8 @@ inline constexpr std::size_t open_size = 15;
 /// Of those that a reading has a use for.
 std::vector<Open> open_of(const Reading& reading);
 
+bool contains(const std::vector<Open>& constants, Open constant);
+
 /// A value for every open constant; those that the reading has no use for do not matter.
 template <class Scalar>
 using BasicConstants = std::array<Scalar, open_size>;

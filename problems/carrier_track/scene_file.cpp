@@ -28,13 +28,7 @@ toml::table parse(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path) || !stream) {
     throw InputError(fmt::format("{}: cannot be read: it must be a TOML file", path.string()));
   }
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  try {
-    return toml::parse(text, path.string());
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not valid TOML: {}", path.string(),
-                                 error.source().begin.line, error.description()));
-  }
+  return parse_toml(std::string(std::istreambuf_iterator<char>(stream), {}), path.string());
 }
 
 void read_scene_table(TomlTable& table, Scene& scene) {

@@ -6,6 +6,15 @@
 
 namespace ricochet::carrier_track {
 
+toml::table parse_toml(const std::string& text, const std::string& origin) {
+  try {
+    return toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid TOML: {}", origin, error.source().begin.line,
+                                 error.description()));
+  }
+}
+
 TomlTable::TomlTable(const toml::table& file, std::string name, std::string origin)
     : name_(std::move(name)), origin_(std::move(origin)), table_(file[name_].as_table()) {}
 

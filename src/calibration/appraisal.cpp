@@ -7,20 +7,16 @@
 #include <limits>
 
 #include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/problems.h"
 
 namespace ricochet::calibration {
 namespace {
 
 using namespace carrier_track;
 
-constexpr double highest = 18.0;  // [rad/s]
-
 CaseAppraisal appraise_case(const Case& the_case, const Fit& fit, double step) {
-  const Scene scene = scene_of(the_case, fit.reading, fit.constants);
-  const CountAt count = [&](double omega) {
-    return static_cast<int>(objective(scene_at(scene, fit.reading, fit.constants, omega), 0.0));
-  };
-  SpeedScan scan = scan_speeds(count, step, highest);
+  const CountAt count = counts_of(the_case, fit.reading, fit.constants);
+  SpeedScan scan = scan_speeds(count, step, fastest_speed);
   Score result = score(count, the_case.claim, scan, 1);
   return {the_case, std::move(scan), std::move(result)};
 }
@@ -30,6 +26,12 @@ double square(double x) {
 }
 
 }  // namespace
+
+CountAt counts_of(const Case& a_case, const Reading& reading, const Constants& constants) {
+  return [&, scene = scene_of(a_case, reading, constants)](double omega) {
+    return static_cast<int>(objective(scene_at(scene, reading, constants, omega), 0.0));
+  };
+}
 
 double selection_criterion(double sum_of_squares, int errors, int constants) {
   const int p = constants + 1;  // and the variance
@@ -62,7 +64,8 @@ Appraisal appraise(const Fit& fit, double step) {
     if (!claim.threshold) continue;
     ++thresholds;
     // A case without a threshold errs by as much as one at the end of the range that it prefers.
-    const double end = c.scan.counts.front() > quiet_limit(s.quiet_count) ? c.scan.step : highest;
+    const double end =
+        c.scan.counts.front() > quiet_limit(s.quiet_count) ? c.scan.step : fastest_speed;
     const double error = std::log(s.threshold.value_or(end) / *claim.threshold);
     squares += square(error);
     result.worst_threshold = std::max(result.worst_threshold, std::abs(error));

@@ -9,6 +9,11 @@
 
 namespace ricochet::calibration {
 
+/// The collision count of a case at a speed, by a reading and its constants. Refers to both.
+carrier_track::CountAt counts_of(const carrier_track::Case& a_case,
+                                 const carrier_track::Reading& reading,
+                                 const carrier_track::Constants& constants);
+
 /// A case, judged: the six parts of its score over evenly spaced speeds.
 struct CaseAppraisal {
   carrier_track::Case the_case;

@@ -9,14 +9,10 @@ namespace {
 
 using namespace carrier_track;
 
-bool frees(const Fit& fit, Open open) {
-  return std::find(fit.freed.begin(), fit.freed.end(), open) != fit.freed.end();
-}
-
 /// What a fit holds that the one before it fitted.
 std::string newly_held(const Fit& fit, const std::vector<Open>& fitted_before) {
   for (const Open open : fitted_before) {
-    if (frees(fit, open)) continue;
+    if (contains(fit.freed, open)) continue;
     const auto i = static_cast<std::size_t>(open);
     return fmt::format("{} = {:.4g} {}", words_of(open), fit.constants[i],
                        open_constants()[i].unit);
@@ -57,7 +53,7 @@ report::Table constants_of(const Fit& fit) {
   for (const Open open : open_of(fit.reading)) {
     const auto i = static_cast<std::size_t>(open);
     const OpenConstant& c = open_constants()[i];
-    const bool freed = frees(fit, open);
+    const bool freed = contains(fit.freed, open);
     table.rows.push_back({{words_of(open)},
                           {fmt::format("{:.4g}", fit.constants[i])},
                           {std::string(c.unit)},

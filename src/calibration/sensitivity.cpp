@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/threshold.h"
+#include "problems/carrier_track/problems.h"
+#include "src/calibration/appraisal.h"
 
 namespace ricochet::calibration {
 namespace {
@@ -18,11 +18,8 @@ constexpr double change = 0.02;
 
 std::optional<double> threshold_of(const Fit& fit, const Constants& constants, const Case& c,
                                    double step) {
-  const Scene scene = scene_of(c, fit.reading, constants);
-  const CountAt count = [&](double omega) {
-    return static_cast<int>(objective(scene_at(scene, fit.reading, constants, omega), 0.0));
-  };
-  return score(count, c.claim, scan_speeds(count, step, 18.0), 1).threshold;
+  const CountAt count = counts_of(c, fit.reading, constants);
+  return score(count, c.claim, scan_speeds(count, step, fastest_speed), 1).threshold;
 }
 
 /// The slope of ln(threshold); see CaseSensitivity.

@@ -43,7 +43,7 @@ void print(const Study& study) {
   for (const RankedFit& r : study.frontier) {
     std::string held;
     for (const auto open : open_of(r.fit.reading)) {
-      if (std::find(r.fit.freed.begin(), r.fit.freed.end(), open) != r.fit.freed.end()) continue;
+      if (contains(r.fit.freed, open)) continue;
       held +=
           fmt::format(" {}", carrier_track::open_constants()[static_cast<std::size_t>(open)].name);
     }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <thread>
 
 #include "problems/carrier_track/scene_file.h"
@@ -40,8 +39,7 @@ report::Section provenance_section(const Study& study) {
   for (const carrier_track::Open open : open_of(fitted.reading)) {
     const auto i = static_cast<std::size_t>(open);
     const auto& constant = carrier_track::open_constants()[i];
-    const bool freed =
-        std::find(fitted.freed.begin(), fitted.freed.end(), open) != fitted.freed.end();
+    const bool freed = contains(fitted.freed, open);
     constants.rows.push_back({{std::string(constant.name)},
                               {fmt::format("{:.4g}", fitted.constants[i])},
                               {std::string(constant.unit)},

@@ -40,12 +40,26 @@ void Evaluator::charge(std::int64_t price) {
   ledger_.seconds = processor_seconds() - started_;
 }
 
+void Evaluator::look(const Vector& x, const Values& values) {
+  const Truth taken_for = truth_of(values);
+  if (!best_shown_ || better(taken_for, best_shown_->taken_for)) best_shown_ = {taken_for, x};
+}
+
+void Evaluator::smooth(double width) {
+  if (!problem_.smoothed) throw std::logic_error(problem_.name + " has no smoothing width");
+  smoothed_ = problem_.smoothed(width);
+  best_shown_.reset();
+  values_.reset();
+  derivatives_.reset();
+  residuals_.reset();
+}
+
 /// `known`: the values at x, or null where nobody has asked for them.
 void Evaluator::score(const Vector& x, const Values* known) {
   const double before = processor_seconds();
-  const Truth truth = problem_.truth ? problem_.truth(x)
-                      : known        ? truth_of(*known)
-                                     : truth_of(problem_.evaluate(x));
+  const Truth truth = problem_.truth        ? problem_.truth(x)
+                      : known && !smoothed_ ? truth_of(*known)
+                                            : truth_of(problem_.evaluate(x));
   const bool is_number = !std::isnan(truth.objective) && !std::isnan(truth.violation);
   if (is_number && (trace_.empty() || better(truth, trace_.back().truth))) {
     trace_.push_back({ledger_.charged, ledger_.seconds, truth, x});
@@ -58,10 +72,11 @@ std::optional<Values> Evaluator::values(const Vector& x) {
   if (!admits(x, 1)) return std::nullopt;
   const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
   const bool done = guarded([&] {
-    values_ = problem_.evaluate(inside);
+    values_ = shown().evaluate(inside);
     values_point_ = x;
     ++ledger_.values;
     charge(1);
+    look(inside, *values_);
     score(inside, &*values_);
   });
   return done ? values_ : std::nullopt;
@@ -79,13 +94,14 @@ std::optional<Derivatives> Evaluator::derivatives(const Vector& x) {
   if (!admits(x, price)) return std::nullopt;
   const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
   const bool done = guarded([&] {
-    if (!problem_.differentiate) throw std::logic_error(problem_.name + " has no derivatives");
-    derivatives_ = problem_.differentiate(inside);
+    if (!shown().differentiate) throw std::logic_error(problem_.name + " has no derivatives");
+    derivatives_ = shown().differentiate(inside);
     derivatives_point_ = x;
     values_ = derivatives_->values;
     values_point_ = x;
     ++ledger_.derivatives;
     charge(price);
+    look(inside, *values_);
     score(inside, &*values_);
   });
   return done ? derivatives_ : std::nullopt;
@@ -97,8 +113,8 @@ std::optional<Residuals> Evaluator::residuals(const Vector& x) {
   if (!admits(x, price)) return std::nullopt;
   const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
   const bool done = guarded([&] {
-    if (!problem_.residuals) throw std::logic_error(problem_.name + " has no residuals");
-    residuals_ = problem_.residuals(inside);
+    if (!shown().residuals) throw std::logic_error(problem_.name + " has no residuals");
+    residuals_ = shown().residuals(inside);
     residuals_point_ = x;
     const Eigen::Index count = residuals_->values.size();
     if (count == 0 || residuals_->jacobian.rows() != count ||

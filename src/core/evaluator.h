@@ -71,6 +71,14 @@ class Evaluator {
   /// function.
   std::optional<Residuals> residuals(const Vector& x);
 
+  /// Shows the problem at this smoothing width from here on; it is judged as before. The problem
+  /// must have the knob.
+  void smooth(double width);
+
+  /// The best point as shown since the start, or since the last call of smooth: all that a solver
+  /// may know. Nothing before the first evaluation.
+  const Vector* best_shown() const { return best_shown_ ? &best_shown_->x : nullptr; }
+
   /// Evaluations left before the budget refuses.
   std::int64_t remaining() const;
 
@@ -87,11 +95,20 @@ class Evaluator {
   bool admits(const Vector& x, std::int64_t price);
   void score(const Vector& x, const Values* known);
   void charge(std::int64_t price);
+  void look(const Vector& x, const Values& values);
+  const Problem& shown() const { return smoothed_ ? *smoothed_ : problem_; }
 
   template <class Work>
   bool guarded(Work work);
 
+  struct Shown {
+    Truth taken_for;
+    Vector x;
+  };
+
   const Problem& problem_;
+  std::optional<Problem> smoothed_;
+  std::optional<Shown> best_shown_;
   Budget budget_;
   Ledger ledger_;
   Refusal refusal_ = Refusal::none;

@@ -1,5 +1,6 @@
 #include "src/core/instance.h"
 
+#include <Eigen/QR>
 #include <memory>
 #include <stdexcept>
 
@@ -9,13 +10,32 @@ namespace ricochet {
 namespace {
 
 /// solver's x = offset + direction * natural x, coordinate by coordinate; direction is +1 or -1.
+/// Before that the natural x may be turned about a centre.
 struct Frame {
   Vector offset;
   Vector direction;
+  bool turns;
+  Matrix turn;  // orthogonal
+  Vector centre;
 
-  Vector natural(const Vector& x) const { return direction.cwiseProduct(x - offset); }
+  Vector natural(const Vector& x) const {
+    const Vector straight = direction.cwiseProduct(x - offset);
+    return turns ? Vector(centre + turn * (straight - centre)) : straight;
+  }
   Vector shown(const Vector& x) const { return offset + direction.cwiseProduct(x); }
+
+  /// d natural / d x.
+  Matrix slope() const {
+    return turns ? Matrix(turn * direction.asDiagonal()) : Matrix(direction.asDiagonal());
+  }
 };
+
+/// A random orthogonal matrix, of the uniform (Haar) distribution but for the signs of its columns.
+Matrix random_turn(Eigen::Index n, Random& random) {
+  std::normal_distribution<double> normal;
+  const Matrix drawn = Matrix::NullaryExpr(n, n, [&] { return normal(random); });
+  return drawn.householderQr().householderQ();
+}
 
 }  // namespace
 
@@ -32,12 +52,17 @@ Problem instance(const Problem& problem, int number) {
   if (number == 0) return problem;
   Random random(seed_of(problem.name, "instance", number, 0));
   const Vector width = problem.upper - problem.lower;
-  Frame frame{Vector(problem.dimension()), Vector(problem.dimension())};
+  const Eigen::Index n = problem.dimension();
+  Frame frame{Vector(n), Vector(n), problem.rotates && n > 1, Matrix(), Vector()};
   for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
     const bool reflected = std::bernoulli_distribution(0.5)(random);
     const double shift = width[i] * std::uniform_real_distribution<double>(-1.0, 1.0)(random);
     frame.direction[i] = reflected ? -1.0 : 1.0;
     frame.offset[i] = (reflected ? problem.lower[i] + problem.upper[i] : 0.0) + shift;
+  }
+  if (frame.turns) {
+    frame.turn = random_turn(n, random);
+    frame.centre = problem.best_point.value();
   }
   const auto original = std::make_shared<const Problem>(problem);
   Problem result = problem;
@@ -47,28 +72,37 @@ Problem instance(const Problem& problem, int number) {
   result.lower = a.cwiseMin(b);
   result.upper = a.cwiseMax(b);
   result.start = uniform_point(result, random);
+  if (problem.best_point) result.best_point = frame.shown(*problem.best_point);
   // NOTE: rounding in the frame can lead a hair outside the box; the original is asked inside it.
+  // One that is turned is defined outside, too.
   const auto inside = [original, frame](const Vector& x) -> Vector {
-    return frame.natural(x).cwiseMax(original->lower).cwiseMin(original->upper);
+    const Vector natural = frame.natural(x);
+    return frame.turns ? natural : natural.cwiseMax(original->lower).cwiseMin(original->upper);
   };
+  const Matrix slope = frame.slope();
   result.evaluate = [original, inside](const Vector& x) { return original->evaluate(inside(x)); };
   if (problem.differentiate) {
-    result.differentiate = [original, inside, frame](const Vector& x) {
+    result.differentiate = [original, inside, slope](const Vector& x) {
       Derivatives d = original->differentiate(inside(x));
-      d.gradient = d.gradient.cwiseProduct(frame.direction);
-      d.jacobian = d.jacobian * frame.direction.asDiagonal();
+      d.gradient = slope.transpose() * d.gradient;
+      d.jacobian = d.jacobian * slope;
       return d;
     };
   }
   if (problem.residuals) {
-    result.residuals = [original, inside, frame](const Vector& x) {
+    result.residuals = [original, inside, slope](const Vector& x) {
       Residuals r = original->residuals(inside(x));
-      r.jacobian = r.jacobian * frame.direction.asDiagonal();
+      r.jacobian = r.jacobian * slope;
       return r;
     };
   }
   if (problem.truth) {
     result.truth = [original, inside](const Vector& x) { return original->truth(inside(x)); };
+  }
+  if (problem.smoothed) {
+    result.smoothed = [original, number](double smoothing) {
+      return instance(original->smoothed(smoothing), number);
+    };
   }
   return result;
 }

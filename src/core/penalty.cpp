@@ -22,10 +22,15 @@ Problem penalised(const Problem& problem, double weight) {
       const Vector violated = (d.values.constraints.array() > 0).cast<double>();
       return Derivatives{penalise(d.values, weight),
                          d.gradient + weight * d.jacobian.transpose() * violated,
-                         Matrix(0, d.gradient.size())};
+                         Matrix(0, d.gradient.size()), d.trust};
     };
   }
   result.residuals = nullptr;
+  if (problem.smoothed) {
+    result.smoothed = [smoothed = problem.smoothed, weight](double width) {
+      return penalised(smoothed(width), weight);
+    };
+  }
   if (!problem.truth) {
     result.truth = [evaluate = problem.evaluate](const Vector& x) { return truth_of(evaluate(x)); };
   }

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "src/core/vector.h"
 
@@ -15,10 +17,28 @@ struct Values {
   Vector constraints;  ///< length Problem::constraints
 };
 
+/// Why an exact gradient tells less than it seems to.
+enum class GradientDoubt {
+  none,       ///< no reason known
+  flat,       ///< it is zero, or would change the function by next to nothing across the box
+  kink,       ///< the function has a corner, or an infinite slope, next to the point
+  jump,       ///< the function jumps next to the point
+  sensitive,  ///< the point's digits are lost on the way to the value
+};
+
+/// How far a gradient can be believed. Problems that know nothing of it leave it as it is.
+struct Trust {
+  /// How far from the point the function stays smooth, to first order, in the box's own measure: a
+  /// box has width 1 in every coordinate.
+  double reach = std::numeric_limits<double>::infinity();
+  GradientDoubt doubt = GradientDoubt::none;
+};
+
 struct Derivatives {
   Values values;
   Vector gradient;  ///< of the objective, length n
   Matrix jacobian;  ///< of the constraints, Problem::constraints x n
+  Trust trust = {};
 };
 
 /// The objective as a solver for least squares sees it: half the sum of the squares of `values`.
@@ -33,12 +53,19 @@ struct Truth {
   double violation = 0;  ///< largest true constraint value, 0 where feasible
 };
 
+/// What a coordinate is.
+struct Variable {
+  std::string name;  ///< e.g. "omega"
+  std::string unit;  ///< empty where it has none
+};
+
 /// A minimisation problem within a box. Immutable once built; runs own all state. The functions may
 /// be called from several threads at once. They throw what went wrong; the evaluator catches it.
 struct Problem {
-  std::string name;    ///< e.g. "count-C1"
-  std::string source;  ///< what it is, and where it comes from
-  int instance = 0;    ///< 0 is the problem as stated; see instance.h
+  std::string name;                 ///< e.g. "count-C1"
+  std::string source;               ///< what it is, and where it comes from
+  int instance = 0;                 ///< 0 is the problem as stated; see instance.h
+  std::vector<Variable> variables;  ///< one a coordinate, or none where they have no names
   Vector lower, upper, start;
   Eigen::Index constraints = 0;
 
@@ -51,8 +78,17 @@ struct Problem {
   std::function<Residuals(const Vector&)> residuals;
   /// What the suite judges by; empty where `evaluate` is the truth.
   std::function<Truth(const Vector&)> truth;
-  /// The best true objective of a feasible point, where it is known.
+  /// The same problem, of the same name, box and truth, shown at a smoothing width > 0: the wider,
+  /// the smoother. Empty where there is no such knob.
+  std::function<Problem(double width)> smoothed;
+  /// The best true objective of a feasible point, where it is known, a point that attains it, and
+  /// how it was found.
   std::optional<double> best_known;
+  std::optional<Vector> best_point;
+  std::string provenance;
+  /// Whether the problem is defined on all of R^n and best_point, which is then known, is best
+  /// there too, so that its instances may be turned about it.
+  bool rotates = false;
 
   Eigen::Index dimension() const { return lower.size(); }
 };

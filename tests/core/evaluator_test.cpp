@@ -186,6 +186,49 @@ TEST(Evaluator, NeverTracesATruthThatIsNotANumber) {
   EXPECT_EQ(evaluator.trace()[0].truth.objective, 3.0);
 }
 
+/// parabola(1), whose smoothed form has its best point at 0.25 + width.
+Problem smoothed_parabola() {
+  Problem problem = parabola(1);
+  problem.smoothed = [problem](double width) {
+    Problem smooth = problem;
+    smooth.evaluate = [problem, width](const Vector& x) {
+      return problem.evaluate((x.array() - width).matrix());
+    };
+    return smooth;
+  };
+  return problem;
+}
+
+TEST(Evaluator, ShowsASmootherProblemButJudgesByTheTruth) {
+  const Problem problem = smoothed_parabola();
+  Evaluator evaluator(problem, {100});
+  evaluator.smooth(0.5);
+  EXPECT_EQ(evaluator.objective(Vector::Constant(1, 0.75)), 0.0);
+  EXPECT_EQ(evaluator.best()->truth.objective, 0.25);
+  evaluator.smooth(0.25);
+  EXPECT_EQ(evaluator.objective(Vector::Constant(1, 0.75)), 0.0625) << "not remembered";
+  EXPECT_EQ(evaluator.ledger().charged, 2);
+}
+
+TEST(Evaluator, TellsTheBestPointShownAtTheWidthOfNow) {
+  const Problem problem = smoothed_parabola();
+  Evaluator evaluator(problem, {100});
+  EXPECT_EQ(evaluator.best_shown(), nullptr);
+  evaluator.smooth(0.5);
+  for (const double x : {0.25, 0.75, 1.0}) evaluator.values(Vector::Constant(1, x));
+  EXPECT_EQ((*evaluator.best_shown())[0], 0.75);
+  evaluator.smooth(0.25);
+  EXPECT_EQ(evaluator.best_shown(), nullptr);
+  for (const double x : {0.75, 0.5}) evaluator.values(Vector::Constant(1, x));
+  EXPECT_EQ((*evaluator.best_shown())[0], 0.5);
+}
+
+TEST(Evaluator, RefusesAWidthWhereThereIsNone) {
+  const Problem problem = parabola(1);
+  Evaluator evaluator(problem, {100});
+  EXPECT_THROW(evaluator.smooth(0.5), std::logic_error);
+}
+
 TEST(Evaluator, PrefersAFeasiblePointToALowerObjective) {
   Problem problem = parabola(1);
   problem.constraints = 1;

@@ -65,6 +65,63 @@ TEST(Instance, KeepsTheResidualsConsistent) {
   }
 }
 
+/// A valley that no axis follows, with a bump outside the box on the side away from its best point.
+Problem valley() {
+  Problem problem = parabola(3);
+  problem.name = "valley";
+  problem.rotates = true;
+  const Vector steepness = (Vector(3) << 1, 10, 100).finished();
+  problem.evaluate = [steepness](const Vector& x) {
+    return Values{(steepness.array() * (x.array() - 0.25).square()).sum(), {}};
+  };
+  problem.differentiate = [steepness, evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), 2 * steepness.array() * (x.array() - 0.25), Matrix(0, 3)};
+  };
+  problem.residuals = [steepness](const Vector& x) {
+    const Vector root = (2 * steepness).cwiseSqrt();
+    return Residuals{root.array() * (x.array() - 0.25), root.asDiagonal()};
+  };
+  return problem;
+}
+
+TEST(Instance, TurnsAProblemAboutItsBestPoint) {
+  for (int number = 1; number <= 10; ++number) {
+    const Problem moved = instance(valley(), number);
+    EXPECT_LT(moved.evaluate(*moved.best_point).objective, 1e-12);
+    // The second derivatives: their trace stays, but no axis has one of its own.
+    const double h = 1e-3;
+    double trace = 0;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      Vector up = *moved.best_point;
+      up[i] += h;
+      const double curvature = 2 * moved.evaluate(up).objective / (h * h);
+      for (const double own : {2.0, 20.0, 200.0}) EXPECT_GT(std::abs(curvature - own), 1e-3 * own);
+      trace += curvature;
+    }
+    EXPECT_NEAR(trace, 222, 1e-6);
+    const Derivatives d = moved.differentiate(moved.start);
+    const Residuals r = moved.residuals(moved.start);
+    EXPECT_LT((r.jacobian.transpose() * r.values - d.gradient).norm(), 1e-11);
+    EXPECT_NEAR(r.values.squaredNorm() / 2, d.values.objective, 1e-11);
+  }
+}
+
+TEST(Instance, KeepsTheSmoothingWidth) {
+  Problem problem = parabola(2);
+  problem.smoothed = [problem](double width) {
+    Problem smooth = problem;
+    smooth.evaluate = [width](const Vector& x) {
+      return Values{(x.array() - 0.25).square().sum() + width, {}};
+    };
+    return smooth;
+  };
+  const Problem moved = instance(problem, 3);
+  const Problem smooth = moved.smoothed(0.5);
+  EXPECT_EQ(smooth.lower, moved.lower);
+  EXPECT_NEAR(smooth.evaluate(moved.start).objective, moved.evaluate(moved.start).objective + 0.5,
+              1e-12);
+}
+
 TEST(Instance, DependsOnNameAndNumberOnly) {
   EXPECT_EQ(instance(parabola(2), 3).lower, instance(parabola(2), 3).lower);
   EXPECT_NE(instance(parabola(2), 3).lower, instance(parabola(2), 4).lower);

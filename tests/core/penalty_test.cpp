@@ -63,6 +63,17 @@ TEST(Penalty, IsJudgedByTheTruthOfTheConstraints) {
   EXPECT_EQ(truth.violation, 2.0);
 }
 
+TEST(Penalty, KeepsTheSmoothingWidth) {
+  Problem original = constrained();
+  original.smoothed = [original](double width) {
+    Problem smooth = original;
+    smooth.evaluate = [width](const Vector&) { return Values{1.0, Vector::Constant(1, width)}; };
+    return smooth;
+  };
+  const Problem smooth = penalised(original, 10).smoothed(0.5);
+  EXPECT_EQ(smooth.evaluate(Vector::Zero(2)).objective, 6.0);
+}
+
 TEST(Penalty, KeepsATruthOfTheProblemsOwn) {
   Problem original = constrained();
   original.truth = [](const Vector&) { return Truth{7.0, 3.0}; };

@@ -15,6 +15,7 @@ inline Problem parabola(Eigen::Index n) {
   problem.upper = Vector::Ones(n);
   problem.start = Vector::Constant(n, 0.5);
   problem.best_known = 0.0;
+  problem.best_point = Vector::Constant(n, 0.25);
   problem.evaluate = [](const Vector& x) { return Values{(x.array() - 0.25).square().sum(), {}}; };
   problem.differentiate = [n](const Vector& x) {
     return Derivatives{

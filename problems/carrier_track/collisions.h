@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "problems/carrier_track/both.h"
 #include "problems/carrier_track/simulate.h"
 
 /// The objective of the paper, equations (31)-(33), defined once. A simulation yields features,
@@ -49,14 +50,22 @@ class Features : public Observer {
   Use use_;
 };
 
-/// objective_s of a valid scene: the collision count for width s = 0, its surrogate for s > 0.
-template <class Scalar>
-Scalar objective(const BasicScene<Scalar>& scene, double width) {
+/// objective_s of a valid scene: the collision count for width s = 0, its surrogate for s > 0. The
+/// simulation is shown to `also`, too.
+template <class Scalar, class Also>
+Scalar objective(const BasicScene<Scalar>& scene, double width, Also& also) {
   Scalar sum = constant<Scalar>(0.0);
   auto add = [&](const Scalar& z) { sum += step(z, width); };
   Features<Scalar, decltype(add)> features(scene, add);
-  simulate(scene, features);
+  Both both(features, also);
+  simulate(scene, both);
   return sum;
+}
+
+template <class Scalar>
+Scalar objective(const BasicScene<Scalar>& scene, double width) {
+  Observer nobody;
+  return objective(scene, width, nobody);
 }
 
 }  // namespace ricochet::carrier_track

@@ -274,14 +274,14 @@ void Testimony::impact(double time, Wall wall, double speed) {
   now_ = time;
   const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
   impacts_[kind].push_back(time);
-  const auto keep = [&](double z) { tell(kind, z); };
+  const auto keep = [&](double z, double /*left*/) { tell(kind, z); };
   Features<double, decltype(keep)>(scene_, keep).impact(time, wall, speed);
 }
 
 void Testimony::peak(double time, double position) {
   // It is told when the body moves down from it, which is now.
   std::size_t kind = high_peak;
-  const auto keep = [&](double z) { tell(kind++, z); };
+  const auto keep = [&](double z, double /*left*/) { tell(kind++, z); };
   Features<double, decltype(keep)>(scene_, keep).peak(time, position);
 }
 

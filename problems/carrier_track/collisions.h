@@ -10,10 +10,11 @@
 /// each with a margin z that is positive when it counts:
 ///   rule impacts: every impact, z = ln(approach_speed / slowest);
 ///   rule peaks: every local maximum A of x, z = (A - high) / high and z = (low - A) / low.
-/// objective_s = sum over features of step(z, s). s = 0 gives the collision count, s > 0 its smooth
-/// surrogate. An impact is born with speed 0, so z = -infinity and weight 0: the surrogate is
-/// continuous where the count jumps. It jumps only where an impact at speed leaves or enters by the
-/// end of the window, as the count does.
+/// objective_s = sum over features of weight(z, share of the window left after it, s). s = 0 gives
+/// the collision count, s > 0 its smooth surrogate. An impact is born with speed 0, so z =
+/// -infinity and weight 0, or enters at the end of the window, where the weight fades: under the
+/// rule of impacts the surrogate is continuous where the count jumps. Under the rule of peaks it is
+/// not: a maximum is born at any height.
 namespace ricochet::carrier_track {
 
 /// Weight of a feature of margin z at smoothing width s: the Heaviside step (1 where z > 0) for
@@ -27,26 +28,52 @@ Scalar step(const Scalar& z, double width) {
   return constant<Scalar>(1.0) / (constant<Scalar>(1.0) + exp(-scaled));
 }
 
-/// Calls `use(z)` with the margin of every feature that the rule of `scene` makes of the motion.
+/// How much of the window, for each unit of smoothing width, a surrogate fades at the end.
+inline constexpr double fading_share = 0.1;
+
+/// Part of its weight that a feature keeps with the share `left` >= 0 of the window after it: 1 for
+/// width 0, else 1 - exp(-(left / (fading_share width))^2), which has no corner.
+template <class Scalar>
+Scalar fading(const Scalar& left, double width) {
+  using std::exp;
+  const double faded = fading_share * width;
+  if (width == 0 || value(left) >= 6.5 * faded)
+    return constant<Scalar>(1.0);  // exp is below half a rounding
+  const Scalar scaled = left / constant<Scalar>(faded);
+  return constant<Scalar>(1.0) - exp(-(scaled * scaled));
+}
+
+/// Weight of a feature at a smoothing width.
+template <class Scalar>
+Scalar weight(const Scalar& z, const Scalar& left, double width) {
+  return step(z, width) * fading(left, width);
+}
+
+/// Calls `use(z, left)` for every feature that the rule of `scene` makes of the motion, with its
+/// margin and the share of the window after it.
 template <class Scalar, class Use>
 class Features : public Observer {
  public:
-  Features(const BasicScene<Scalar>& scene, Use use) : scene_(scene), use_(use) {}
+  Features(const BasicScene<Scalar>& scene, Use use)
+      : scene_(scene), duration_(duration_of(scene)), use_(use) {}
 
-  void impact(const Scalar& /*time*/, Wall /*wall*/, const Scalar& speed) {
+  void impact(const Scalar& time, Wall /*wall*/, const Scalar& speed) {
     using std::log;
     if (scene_.rule != CountRule::impacts || value(speed) <= 0) return;
-    use_(Scalar(log(speed / scene_.slowest)));
+    use_(Scalar(log(speed / scene_.slowest)), left_after(time));
   }
 
-  void peak(const Scalar& /*time*/, const Scalar& position) {
+  void peak(const Scalar& time, const Scalar& position) {
     if (scene_.rule != CountRule::peaks) return;
-    use_(Scalar((position - scene_.peak_high) / scene_.peak_high));
-    use_(Scalar((scene_.peak_low - position) / scene_.peak_low));
+    use_(Scalar((position - scene_.peak_high) / scene_.peak_high), left_after(time));
+    use_(Scalar((scene_.peak_low - position) / scene_.peak_low), left_after(time));
   }
 
  private:
+  Scalar left_after(const Scalar& time) const { return constant<Scalar>(1.0) - time / duration_; }
+
   const BasicScene<Scalar>& scene_;
+  Scalar duration_;
   Use use_;
 };
 
@@ -55,7 +82,7 @@ class Features : public Observer {
 template <class Scalar, class Also>
 Scalar objective(const BasicScene<Scalar>& scene, double width, Also& also) {
   Scalar sum = constant<Scalar>(0.0);
-  auto add = [&](const Scalar& z) { sum += step(z, width); };
+  auto add = [&](const Scalar& z, const Scalar& left) { sum += weight(z, left, width); };
   Features<Scalar, decltype(add)> features(scene, add);
   Both both(features, also);
   simulate(scene, both);

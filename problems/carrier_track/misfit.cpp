@@ -93,7 +93,7 @@ CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
 int count_of(const Scene& scene, const Reading& reading, const Constants& constants, double omega) {
   struct Enough {};
   int count = 0;
-  auto add = [&count](double margin) {
+  auto add = [&count](double margin, double /*left*/) {
     if (step(margin, 0.0) > 0 && ++count > most_counted) throw Enough();
   };
   const Scene at = scene_at(scene, reading, constants, omega);

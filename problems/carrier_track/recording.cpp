@@ -59,9 +59,9 @@ Recording record(const Scene& asked, double width, std::size_t samples) {
                                      : std::numeric_limits<double>::infinity();
   Recorder recorder(scene, recording, spacing);
   recording.end = simulate(scene, recorder);
-  const auto weigh = [&](double z) {
-    recording.count += static_cast<int>(step(z, 0.0));
-    recording.surrogate += step(z, width);
+  const auto weigh = [&](double z, double left) {
+    recording.count += static_cast<int>(weight(z, left, 0.0));
+    recording.surrogate += weight(z, left, width);
   };
   Features<double, decltype(weigh)> features(scene, weigh);
   for (const Impact& i : recording.impacts) features.impact(i.time, i.wall, i.speed);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "problems/carrier_track/cases.h"
@@ -36,6 +37,18 @@ TEST(Collisions, StepIsALogisticAtAnyOtherWidth) {
     EXPECT_EQ(step(1e6, width), 1.0);
     EXPECT_EQ(step(-1e6, width), 0.0);
     EXPECT_EQ(step(-std::numeric_limits<double>::infinity(), width), 0.0);
+  }
+}
+
+TEST(Collisions, FadesToTheEndOfTheWindowWithoutACorner) {
+  EXPECT_EQ(fading(0.0, 0.0), 1.0);
+  for (const double width : {0.01, 0.25, 1.0}) {
+    EXPECT_EQ(fading(0.0, width), 0.0);
+    EXPECT_NEAR(fading(0.1 * width, width), 1 - 1 / std::numbers::e, 1e-15);
+    EXPECT_EQ(fading(0.65 * width, width), 1.0);
+    EXPECT_NEAR(fading(std::nextafter(0.65 * width, 0.0), width), 1.0, 1e-15);
+    EXPECT_LT(fading(1e-6 * width, width), 1e-9) << "its slope at the end is 0";
+    EXPECT_EQ(weight(0.7, 0.1 * width, width), step(0.7, width) * fading(0.1 * width, width));
   }
 }
 
@@ -93,10 +106,13 @@ TEST(Collisions, CountsHighAndLowPeaks) {
   scene.peak_high = 5.0;
   scene.peak_low = 0.5;
   EXPECT_EQ(objective(scene, 0.0), 1.0 + 1.0);  // 16 is high, 1/4 is low
-  const auto weight = [](double z) { return 1 / (1 + std::exp(-z / 0.5)); };
-  double sum = 0;
-  for (const double a : {16.0, 4.0, 1.0, 0.25})
-    sum += weight((a - 5) / 5) + weight((0.5 - a) / 0.5);
+  const auto steps = [](double a) {
+    return 1 / (1 + std::exp(-(a - 5) / 5 / 0.5)) + 1 / (1 + std::exp(-(0.5 - a) / 0.5 / 0.5));
+  };
+  // The apexes are 11, 5, 2 and 1/2 s from the end of the window of 15 s.
+  const auto faded = [](double left) { return 1 - std::exp(-std::pow(left / 15 / 0.05, 2)); };
+  const double sum =
+      steps(16) * faded(11) + steps(4) * faded(5) + steps(1) * faded(2) + steps(0.25) * faded(0.5);
   EXPECT_NEAR(objective(scene, 0.5), sum, 1e-12);
 }
 
@@ -156,12 +172,17 @@ TEST(Collisions, SurrogateTendsToTheCountAsItsWidthShrinks) {
     for (int i = 0; i < 10; ++i) {
       scene.omega = draws.within(1.0, 18.0);
       double nearest = std::numeric_limits<double>::infinity();
-      auto margin = [&](double z) { nearest = std::min(nearest, std::abs(z)); };
+      double last = 1;  // share of the window after the last impact that counts
+      auto margin = [&](double z, double left) {
+        nearest = std::min(nearest, std::abs(z));
+        if (z > 0) last = std::min(last, left);
+      };
       Features<double, decltype(margin)> features(scene, margin);
       const auto hits = watch(scene).hits;
       for (const auto& hit : hits) features.impact(hit.time, hit.wall, hit.speed);
       // Every weight is off by less than exp(-nearest / width).
-      for (const double width : {nearest / 5, nearest / 20, nearest / 40}) {
+      for (const double share : {5.0, 20.0, 40.0}) {
+        const double width = std::min(nearest / share, last / 0.65);
         const double bound = static_cast<double>(hits.size()) * std::exp(-nearest / width);
         EXPECT_NEAR(objective(scene, width), objective(scene, 0.0), bound + 1e-12);
       }
@@ -193,41 +214,66 @@ TEST(Collisions, SurrogateIsContinuousWhereAnImpactIsBorn) {
   }
 }
 
-TEST(Collisions, SurrogateJumpsOnlyWhereAnImpactLeavesTheWindow) {
-  int births = 0;
-  double worst = 0;
-  for (const char* id : {"C1", "C2", "C7", "C11"}) {
-    Scene scene = scene_of(find_case(id), exploratory_scene());
-    const auto at = [&](double omega) {
-      scene.omega = omega;
-      return watch(scene);
-    };
-    const auto value_at = [&](double omega) {
-      scene.omega = omega;
-      return objective(scene, 0.25);
-    };
-    for (double omega = 2.0; omega < 18.0; omega += 0.2) {
-      double lower = omega;
-      double upper = omega + 0.1;
-      const std::size_t before = at(lower).hits.size();
-      if (at(upper).hits.size() == before) continue;
-      for (int i = 0; i < 60; ++i) {
-        const double middle = lower + (upper - lower) / 2;
-        (at(middle).hits.size() == before ? lower : upper) = middle;
-      }
-      const auto ends = {at(lower), at(upper)};
-      const bool at_the_end = std::any_of(ends.begin(), ends.end(), [](const auto& watched) {
-        return watched.end.time - watched.hits.back().time < 1e-9;
-      });
-      if (at_the_end) continue;
-      ++births;
-      worst = std::max(worst, std::abs(value_at(upper) - value_at(lower)));
+/// How much a function of [0, 1] changes between two neighbouring numbers, where the largest of its
+/// changes between a few points leads to.
+template <class Function>
+double largest_jump(const Function& f) {
+  constexpr int pieces = 16;
+  double lower = 0;
+  double upper = 1;
+  double at_lower = f(0);
+  double at_upper = at_lower;
+  double before = at_lower;
+  for (int k = 1; k <= pieces; ++k) {
+    const double t = static_cast<double>(k) / pieces;
+    const double now = f(t);
+    if (std::abs(now - before) > std::abs(at_upper - at_lower)) {
+      lower = t - 1.0 / pieces;
+      at_lower = before;
+      upper = t;
+      at_upper = now;
     }
+    before = now;
   }
-  EXPECT_GT(births, 100);
-  EXPECT_LT(worst, 1e-5);
-  testing::Test::RecordProperty("births", births);
-  testing::Test::RecordProperty("largest_jump", std::to_string(worst * 1e9) + "e-9");
+  for (;;) {
+    const double middle = lower + (upper - lower) / 2;
+    if (!(middle > lower && middle < upper)) return std::abs(at_upper - at_lower);
+    const double now = f(middle);
+    const bool first = std::abs(now - at_lower) > std::abs(at_upper - now);
+    (first ? upper : lower) = middle;
+    (first ? at_upper : at_lower) = now;
+  }
+}
+
+TEST(Collisions, SurrogateIsContinuousAlongRandomSegmentsWhereTheCountJumps) {
+  RandomScenes draws(22);
+  const auto cases = all_cases();
+  int jumps = 0;
+  double worst = 0;
+  for (std::size_t i = 0; i < 600; ++i) {
+    Scene start = scene_of(cases[i % cases.size()], exploratory_scene());
+    start.omega = draws.within(1.0, 17.0);
+    start.friction = draws.within(0.05, 0.45);
+    start.restitution_lower = draws.within(0.05, 0.9);
+    const double faster = draws.within(-0.5, 0.5);
+    const double rougher = draws.within(-0.02, 0.02);
+    const double livelier = draws.within(-0.05, 0.05);
+    const double wider = draws.within(-0.05, 0.05) * start.wall_upper;
+    const auto value_at = [&](double t, double width) {
+      Scene scene = start;
+      scene.omega += t * faster;
+      scene.friction += t * rougher;
+      scene.restitution_lower += t * livelier;
+      scene.wall_upper += t * wider;
+      return objective(scene, width);
+    };
+    jumps += largest_jump([&](double t) { return value_at(t, 0.0); }) >= 1;
+    worst = std::max(worst, largest_jump([&](double t) { return value_at(t, 0.25); }));
+  }
+  EXPECT_GT(jumps, 300);
+  EXPECT_LT(worst, 1e-7);
+  testing::Test::RecordProperty("segments_where_the_count_jumps", jumps);
+  testing::Test::RecordProperty("largest_jump", std::to_string(worst * 1e12) + "e-12");
 }
 
 }  // namespace

@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/carrier_track/impact_model.h"
-#include "src/core/problem.h"
+#include "problems/carrier_track/trust.h"
 
 /// Exact derivatives, by dual numbers, of anything that is computed from simulations and depends on
 /// some variables. A Function is called with the variables and with somebody who watches every
@@ -61,29 +60,28 @@ std::vector<Jet> seeded(const Vector& x, Eigen::Index first) {
   return duals;
 }
 
-template <int Room, class Function>
-Gradient gradient_in_blocks(const Function& f, const Vector& x) {
-  using Jet = ceres::Jet<double, Room>;
-  Gradient result{0, Vector(x.size()), {}};
-  Unwatched nobody;
-  for (Eigen::Index first = 0; first < x.size(); first += Room) {
-    const std::vector<Jet> duals = seeded<Jet>(x, first);
-    const Jet y = f(std::span<const Jet>(duals), nobody);
-    result.value = y.a;
-    const Eigen::Index size = std::min<Eigen::Index>(Room, x.size() - first);
-    result.gradient.segment(first, size) = y.v.head(size);
-  }
-  return result;
-}
-
 }  // namespace detail
 
-/// Value and gradient at x, and how far to trust them in a box of these `widths` (length n).
-template <class Function>
-Gradient gradient_of(const Function& f, const Vector& x, const Vector& /*widths*/) {
-  if (x.size() == 1) return detail::gradient_in_blocks<1>(f, x);
-  if (x.size() <= 4) return detail::gradient_in_blocks<4>(f, x);
-  return detail::gradient_in_blocks<16>(f, x);
+/// Value and gradient at x, and how far to trust them in a box of these `widths` (length n). Works
+/// on `Room` directions at a time: as many as there are variables, but no more than 16, is best.
+template <int Room = 16, class Function>
+Gradient gradient_of(const Function& f, const Vector& x, const Vector& widths) {
+  using Jet = ceres::Jet<double, Room>;
+  Gradient result{0, Vector(x.size()), {}};
+  double steepest = 0;
+  double growth = 0;
+  for (Eigen::Index first = 0; first < x.size(); first += Room) {
+    const std::vector<Jet> duals = detail::seeded<Jet>(x, first);
+    TrustGauge<Jet> gauge(widths, first);
+    const Jet y = f(std::span<const Jet>(duals), gauge);
+    result.value = y.a;
+    const Eigen::Index size = std::min<Eigen::Index>(Room, x.size() - first);
+    for (Eigen::Index i = 0; i < size; ++i) result.gradient[first + i] = y.v[i];
+    steepest += gauge.steepest() * gauge.steepest();
+    growth += gauge.growth() * gauge.growth();
+  }
+  result.trust = trust_of(steepest, growth, result.gradient.cwiseProduct(widths).norm());
+  return result;
 }
 
 }  // namespace ricochet::carrier_track

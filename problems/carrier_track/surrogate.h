@@ -1,6 +1,9 @@
 #pragma once
 
-#include "problems/carrier_track/scene.h"
+#include <span>
+
+#include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/derivatives.h"
 
 namespace ricochet::carrier_track {
 
@@ -8,12 +11,27 @@ namespace ricochet::carrier_track {
 /// times its speed.
 inline constexpr double default_width = 0.25;
 
+/// The surrogate of a valid scene as a function of its constant speed [rad/s], for derivatives.h.
+struct SurrogateOfSpeed {
+  Scene scene;
+  double width;  ///< > 0
+
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
+    const BasicScene<Scalar> now = at_speed(lifted<Scalar>(scene), x[0]);
+    auto watcher = watch.of(now);
+    return objective(now, width, watcher);
+  }
+};
+
 struct Slope {
   double value;
   double slope;  ///< per rad/s
+  Trust trust;   ///< in a box of the width given
 };
 
-/// The surrogate of a valid scene, width > 0, and its exact derivative with respect to omega.
-Slope surrogate_slope(const Scene& scene, double width);
+/// The surrogate of a valid scene, width > 0, and its exact derivative with respect to omega, which
+/// may vary over a range [rad/s].
+Slope surrogate_slope(const Scene& scene, double width, double range = 18.0);
 
 }  // namespace ricochet::carrier_track

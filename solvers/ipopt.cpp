@@ -141,6 +141,10 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   const auto options = application->Options();
   options->SetStringValue("hessian_approximation", "limited-memory");
+  // Without second derivatives Ipopt would adapt its barrier freely, and often loses the way in a
+  // constraint that bends as sharply as a surrogate; a start may be near the optimum, too.
+  options->SetStringValue("mu_strategy", "monotone");
+  options->SetNumericValue("mu_init", 1e-3);
   // The verdict grants no violation, so neither may the solver widen the bounds.
   options->SetNumericValue("bound_relax_factor", 0.0);
   // "": no options file, not even one that happens to lie in the working directory.

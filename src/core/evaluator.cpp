@@ -1,5 +1,6 @@
 #include "src/core/evaluator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,12 +12,18 @@ Evaluator::Evaluator(const Problem& problem, const Budget& budget)
     : problem_(problem), budget_(budget), started_(processor_seconds()) {}
 
 std::int64_t Evaluator::remaining() const {
-  return over() ? 0 : budget_.evaluations - ledger_.charged;
+  return over() ? 0 : std::min(budget_.evaluations, pause_) - ledger_.charged;
+}
+
+void Evaluator::allow(std::int64_t evaluations) {
+  pause_ = ledger_.charged + evaluations;
+  if (refusal_ == Refusal::paused) refusal_ = Refusal::none;
 }
 
 bool Evaluator::admits(const Vector& x, std::int64_t price) {
   if (over()) return false;
   ledger_.seconds = processor_seconds() - started_;
+  if (ledger_.charged + price > pause_) refusal_ = Refusal::paused;
   if (ledger_.charged + price > budget_.evaluations) refusal_ = Refusal::evaluations;
   if (ledger_.seconds >= budget_.seconds) refusal_ = Refusal::seconds;
   if (x.size() != problem_.dimension() || !x.allFinite()) refusal_ = Refusal::bad_point;

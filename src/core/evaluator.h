@@ -24,6 +24,7 @@ enum class Refusal {
   seconds,      ///< the time is spent
   bad_point,    ///< the solver asked for a point that is not finite or has the wrong length
   failure,      ///< the problem threw; see Evaluator::failure
+  paused,       ///< so many evaluations as were allowed for now are spent; see Evaluator::allow
 };
 
 /// What was asked of the problem.
@@ -79,7 +80,11 @@ class Evaluator {
   /// may know. Nothing before the first evaluation.
   const Vector* best_shown() const { return best_shown_ ? &best_shown_->x : nullptr; }
 
-  /// Evaluations left before the budget refuses.
+  /// Refuses, as if the budget were spent, after so many evaluations more; the next call begins
+  /// anew. For solvers that put another solver to work several times.
+  void allow(std::int64_t evaluations);
+
+  /// Evaluations left before the evaluator refuses.
   std::int64_t remaining() const;
 
   /// The best point so far in truth, or nothing before the first evaluation.
@@ -110,6 +115,7 @@ class Evaluator {
   std::optional<Problem> smoothed_;
   std::optional<Shown> best_shown_;
   Budget budget_;
+  std::int64_t pause_ = std::numeric_limits<std::int64_t>::max();  // evaluations, charged till then
   Ledger ledger_;
   Refusal refusal_ = Refusal::none;
   std::exception_ptr failure_;

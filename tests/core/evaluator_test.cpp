@@ -223,6 +223,30 @@ TEST(Evaluator, TellsTheBestPointShownAtTheWidthOfNow) {
   EXPECT_EQ((*evaluator.best_shown())[0], 0.5);
 }
 
+TEST(Evaluator, RefusesWhatIsNotAllowedForNow) {
+  const Problem problem = parabola(1);
+  Evaluator evaluator(problem, {10});
+  double x = 0;
+  const auto spend = [&] {
+    int asked = 0;
+    while (evaluator.values(Vector::Constant(1, x += 0.01))) ++asked;
+    return asked;
+  };
+  evaluator.allow(3);
+  EXPECT_EQ(evaluator.remaining(), 3);
+  EXPECT_EQ(spend(), 3);
+  EXPECT_EQ(evaluator.refusal(), Refusal::paused);
+  EXPECT_TRUE(evaluator.over());
+  evaluator.allow(4);
+  EXPECT_FALSE(evaluator.over());
+  EXPECT_EQ(spend(), 4);
+  evaluator.allow(100);
+  EXPECT_EQ(spend(), 3);
+  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
+  evaluator.allow(100);
+  EXPECT_TRUE(evaluator.over()) << "the budget is spent all the same";
+}
+
 TEST(Evaluator, RefusesAWidthWhereThereIsNone) {
   const Problem problem = parabola(1);
   Evaluator evaluator(problem, {100});

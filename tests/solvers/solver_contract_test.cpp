@@ -64,6 +64,8 @@ std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, s
     return problem.residuals(x);
   };
   recorded.truth = [&](const Vector& x) { return truth_of(problem.evaluate(x)); };
+  recorded.smoothed = nullptr;
+  if (problem.smoothed) recorded.smoothed = [recorded](double) { return recorded; };
   Evaluator evaluator(recorded, {100});
   Random random(seed);
   solver.solve(evaluator, problem.start, random);

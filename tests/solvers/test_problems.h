@@ -42,6 +42,12 @@ void differentiate_by(Problem& problem, Gradient gradient) {
   };
 }
 
+/// Gives a problem a smoothing width that changes nothing.
+inline Problem with_idle_knob(Problem problem) {
+  problem.smoothed = [problem](double) { return problem; };
+  return problem;
+}
+
 /// sqrt(2) (x_i - centre): half the sum of their squares is the sum of (x_i - centre)^2.
 inline Residuals distances(const Vector& x, double centre) {
   return {std::sqrt(2.0) * (x.array() - centre),
@@ -57,7 +63,7 @@ inline Problem sphere(Eigen::Index n, double centre) {
   differentiate_by(problem,
                    [centre](const Vector& x) -> Vector { return 2 * (x.array() - centre); });
   problem.residuals = [centre](const Vector& x) { return distances(x, centre); };
-  return problem;
+  return with_idle_knob(problem);
 }
 
 /// floor(|x - 7|) on [0, 18] from 15: optimum 0 for 6 < x < 8. Its derivative is 0, as is true
@@ -81,7 +87,7 @@ inline Problem disc() {
   problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
     return Derivatives{evaluate(x), Vector::Ones(2), 2 * x.transpose()};
   };
-  return problem;
+  return with_idle_knob(problem);
 }
 
 /// The same value everywhere.
@@ -91,7 +97,7 @@ inline Problem plateau(Eigen::Index n) {
   problem.residuals = [n](const Vector&) {
     return Residuals{Vector::Constant(1, std::sqrt(14.0)), Matrix::Zero(1, n)};
   };
-  return problem;
+  return with_idle_knob(problem);
 }
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -105,7 +111,7 @@ inline Problem never_a_number(Eigen::Index n) {
   problem.residuals = [n](const Vector&) {
     return Residuals{Vector::Constant(1, not_a_number), Matrix::Constant(1, n, not_a_number)};
   };
-  return problem;
+  return with_idle_knob(problem);
 }
 
 /// sphere(2, 3), but no number in the half where the coordinates' sum is above 60, the start
@@ -116,7 +122,7 @@ inline Problem half_a_number() {
   });
   differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 3); });
   problem.residuals = [](const Vector& x) { return distances(x, x.sum() > 60 ? not_a_number : 3); };
-  return problem;
+  return with_idle_knob(problem);
 }
 
 /// sphere(n, 3) that throws "broken scene" after `calls` calls; for one run.
@@ -140,7 +146,7 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
     step();
     return residuals(x);
   };
-  return problem;
+  return with_idle_knob(problem);
 }
 
 }  // namespace ricochet

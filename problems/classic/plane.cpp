@@ -98,7 +98,7 @@ Problem six_hump_camel() {
       statement("classic-six-hump-camel",
                 "six-hump camel back: Dixon and Szegoe (1978), Towards Global Optimisation 2, 1-15",
                 Vector{{-3, -2}}, Vector{{3, 2}}, Vector{{2, -1.5}}, -1.0316284534898774,
-                Vector{{0.08984201368301331, -0.7126564032704135}});
+                Vector{{0.089842013100318058, -0.71265640302073963}});
   camel.provenance = "published: -1.0316285; digits by Newton's method";
   return from_formula(camel, []<class Scalar>(const Point<Scalar>& x) {
     const Scalar a = x[0] * x[0];

@@ -68,6 +68,54 @@ TEST(HockSchittkowski, HasThePublishedValues) {
   EXPECT_EQ(count, static_cast<std::ptrdiff_t>(published.size()));
 }
 
+// The KKT conditions say nothing of constraints that are inactive at the optimum.
+TEST(HockSchittkowski, HasConstraintsWorkedByHand) {
+  struct Worked {
+    const char* name;
+    Vector x;
+    Vector slack;  // as in the source, >= 0 where feasible
+  };
+  const Vector two{{2, 3}};
+  const Vector three{{1, 2, 3}};
+  const Vector four{{1, 2, 3, 4}};
+  const double root = std::sqrt(3.0);
+  const std::vector<Worked> all = {
+      {"hs-10", two, Vector{{-12 + 12 - 9 + 1}}},
+      {"hs-11", two, Vector{{-1}}},
+      {"hs-12", two, Vector{{0}}},
+      {"hs-15", two, Vector{{5, 11}}},
+      {"hs-18", two, Vector{{-19, -12}}},
+      {"hs-21", two, Vector{{7}}},
+      {"hs-22", two, Vector{{-3, -1}}},
+      {"hs-23", two, Vector{{4, 12, 36, 1, 7}}},
+      {"hs-24", Vector{{3, 0}}, Vector{{root, 3, 3}}},
+      {"hs-24", Vector{{3, root}}, Vector{{0, 6, 0}}},
+      {"hs-29", three, Vector{{48 - 1 - 8 - 36}}},
+      {"hs-30", three, Vector{{4}}},
+      {"hs-31", three, Vector{{1}}},
+      {"hs-33", three, Vector{{4, 10}}},
+      {"hs-34", Vector{{0, 2, 9}}, Vector{{1, 9 - std::exp(2.0)}}},
+      {"hs-35", three, Vector{{-6}}},
+      {"hs-36", three, Vector{{61}}},
+      {"hs-37", three, Vector{{61, 11}}},
+      {"hs-43", four, Vector{{-20, -35, -6}}},
+      {"hs-44", four, Vector{{3, 6, 1, -2, -3, -2}}},
+      {"hs-64", Vector{{4, 32, 120}}, Vector{{-2}}},
+      {"hs-65", three, Vector{{34}}},
+      {"hs-66", Vector{{0, 2, 9}}, Vector{{1, 9 - std::exp(2.0)}}},
+      {"hs-76", four, Vector{{-7, -3, 12.5}}},
+      {"hs-100", Vector{{1, 2, 0, 4, 0, 1, 1}}, Vector{{13, 265, 171, 4}}},
+      {"hs-100", Vector{{1, 1, 1, 1, 1, 1, 1}}, Vector{{112, 262, 174, 2}}},
+      {"hs-113", Vector{{2, 3, 5, 5, 1, 2, 7, 3, 6, 10}}, Vector{{76, 117, 12, 105, 5, 9, 4, 10}}},
+  };
+  const std::vector<Problem> problems = classic_problems();
+  for (const Worked& worked : all) {
+    const Vector constraints = named(problems, worked.name).evaluate(worked.x).constraints;
+    ASSERT_EQ(constraints.size(), worked.slack.size()) << worked.name;
+    EXPECT_LT((constraints + worked.slack).norm(), 1e-12) << worked.name;
+  }
+}
+
 TEST(HockSchittkowski, HasStartsWithinTheirBoundsButForThree) {
   const std::vector<Problem> problems = classic_problems();
   EXPECT_EQ(named(problems, "hs-2").start, (Vector{{-2, 1.5}}));

@@ -25,8 +25,8 @@ TEST(Multimodal, HasTheValuesWorkedByHand) {
   const double wave = std::sin(1.0);
   EXPECT_NEAR(at(levy(2), Vector{{5, 1}}), 1 + 10 * wave * wave, 1e-12);  // w = (2, 1)
   EXPECT_NEAR(at(levy(2), Vector{{1, 2}}), 2.0 / 16, 1e-12);              // w = (1, 5/4)
-  EXPECT_NEAR(at(levy(2), Vector{{3, 1}}), 1 + (1 + 10 * std::pow(std::sin(1.5 * pi + 1), 2)) / 4,
-              1e-12);  // w = (3/2, 1)
+  EXPECT_NEAR(at(levy(2), Vector{{2, 1}}),
+              0.5 + (1 + 10 * std::pow(std::sin(1.25 * pi + 1), 2)) / 16, 1e-12);  // w = (5/4, 1)
   EXPECT_EQ(at(styblinski_tang(2), Vector{{1, -1}}), -5 - 10);
   EXPECT_NEAR(at(schwefel_2_26(2), Vector{{pi * pi / 4, 0}}), -pi * pi / 4, 1e-12);
 }

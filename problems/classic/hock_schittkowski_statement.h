@@ -11,8 +11,7 @@ struct Optimum {
   double value;
   Vector point;
   std::string provenance;
-  bool everywhere =
-      false;  ///< interior to the box, and best on all of R^n: the problem may be turned
+  bool everywhere = false;  ///< inside the box, and best on all of R^n; see Problem::rotates
 };
 
 /// The statement of problem `number`; `author` as the source names it.

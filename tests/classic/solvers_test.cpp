@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,17 @@ Solver solver_named(const std::string& name) {
   throw std::invalid_argument("no solver " + name);
 }
 
+/// How a problem is shown to a solver.
+using Showing = Problem (*)(Problem);
+
+Problem as_stated(Problem problem) {
+  return problem;
+}
+
 /// How near an objective that the solver asked for from the start given comes to the best known
-/// one, relative to it or to 1, at points that violate nothing by more than 1e-6.
-double nearest(Problem problem, const Solver& solver) {
+/// one, relative to it or to 1, at points that violate nothing by more than 1e-6. Whatever the
+/// solver is shown, the problem as stated counts.
+double nearest(Problem problem, const Solver& solver, Showing showing) {
   double nearest = std::numeric_limits<double>::infinity();
   const double best = *problem.best_known;
   const auto see = [&nearest, best](const Values& values) {
@@ -43,18 +53,20 @@ double nearest(Problem problem, const Solver& solver) {
     see(derivatives.values);
     return derivatives;
   };
-  Evaluator evaluator(problem, {20'000});
+  const Problem shown = showing(problem);
+  Evaluator evaluator(shown, {20'000});
   Random random(1);
-  solver.solve(evaluator, problem.start, random);
+  solver.solve(evaluator, shown.start, random);
   return nearest;
 }
 
 /// The names of the problems whose best value the solver does not come to within 1e-6.
-std::vector<std::string> missed(const std::vector<Problem>& problems, const std::string& name) {
+std::vector<std::string> missed(const std::vector<Problem>& problems, const std::string& name,
+                                Showing showing = as_stated) {
   const Solver solver = solver_named(name);
   std::vector<std::string> names;
   for (const Problem& problem : problems) {
-    if (nearest(problem, solver) > 1e-6) names.push_back(problem.name);
+    if (nearest(problem, solver, showing) > 1e-6) names.push_back(problem.name);
   }
   return names;
 }
@@ -74,7 +86,6 @@ Problem in_fitting_unit(Problem problem) {
   const Vector slopes =
       problem.differentiate(problem.start).gradient.cwiseProduct(problem.upper - problem.lower);
   const double unit = 5 * std::max(1.0, slopes.cwiseAbs().maxCoeff());
-  problem.best_known = *problem.best_known / unit;
   problem.evaluate = [unit, evaluate = problem.evaluate](const Vector& x) {
     Values values = evaluate(x);
     values.objective /= unit;
@@ -90,25 +101,20 @@ Problem in_fitting_unit(Problem problem) {
 }
 
 TEST(Solvers, SlsqpSolvesHockAndSchittkowskisProblems) {
-  std::vector<Problem> problems;
-  for (const Problem& problem : classic_problems()) {
-    if (problem.name.starts_with("hs-")) problems.push_back(in_fitting_unit(problem));
-  }
-  EXPECT_THAT(missed(problems, "nlopt-slsqp"),
+  std::vector<Problem> problems = classic_problems();
+  std::erase_if(problems, [](const Problem& p) { return !p.name.starts_with("hs-"); });
+  EXPECT_THAT(missed(problems, "nlopt-slsqp", in_fitting_unit),
               testing::ElementsAre("hs-2",     // ends in the published local minimum of 4.94
                                    "hs-33"));  // ends in the one of -4 at (0, 0, 2)
 }
 
 TEST(Solvers, SlsqpSolvesSmoothFunctionsOfOneValley) {
-  std::vector<Problem> problems;
-  for (const Problem& problem :
-       chosen({"classic-sphere-5", "classic-ellipsoid-5", "classic-ellipsoid-20",
-               "classic-rosenbrock-2", "classic-rosenbrock-5", "classic-rosenbrock-20",
-               "classic-zakharov-5", "classic-dixon-price-5", "classic-schwefel-1.2-5",
-               "classic-powell-singular-4", "classic-beale", "classic-booth"})) {
-    problems.push_back(in_fitting_unit(problem));
-  }
-  EXPECT_THAT(missed(problems, "nlopt-slsqp"), testing::IsEmpty());
+  const std::vector<Problem> problems =
+      chosen({"classic-sphere-5", "classic-ellipsoid-5", "classic-ellipsoid-20",
+              "classic-rosenbrock-2", "classic-rosenbrock-5", "classic-rosenbrock-20",
+              "classic-zakharov-5", "classic-dixon-price-5", "classic-schwefel-1.2-5",
+              "classic-powell-singular-4", "classic-beale", "classic-booth"});
+  EXPECT_THAT(missed(problems, "nlopt-slsqp", in_fitting_unit), testing::IsEmpty());
 }
 
 TEST(Solvers, IpoptSolvesTheHarderOfHockAndSchittkowskisProblems) {

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <ceres/jet.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "src/core/problem.h"
+
+/// Problems from formulas. A formula is written once, for every scalar type:
+///
+///   []<class Scalar>(const Point<Scalar>& x) { return x[0] * x[0] + sin(x[1]); }
+///
+/// and yields one Scalar, or several as a std::array or a Point of them. Its exact derivatives come
+/// from dual numbers.
+namespace ricochet::classic {
+
+template <class Scalar>
+using Point = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// All of a problem but its formulas; see Problem.
+struct Statement {
+  std::string name = {};
+  std::string source = {};
+  Vector lower = {}, upper = {};
+  Vector start = {};  ///< one outside the box is moved to the nearest point of it
+  double best_known = 0;
+  Vector best_point = {};
+  std::string provenance = {};
+  bool rotates = false;
+};
+
+/// The problem without its functions.
+Problem without_functions(Statement statement);
+
+namespace detail {
+
+template <class Scalar>
+Point<Scalar> listed(const Scalar& value) {
+  return Point<Scalar>::Constant(1, value);
+}
+
+template <class Scalar>
+Point<Scalar> listed(const Point<Scalar>& values) {
+  return values;
+}
+
+template <class Scalar, std::size_t count>
+Point<Scalar> listed(const std::array<Scalar, count>& values) {
+  return Eigen::Map<const Point<Scalar>>(values.data(), static_cast<Eigen::Index>(count));
+}
+
+/// What `formula` yields at x, one after the other.
+template <class Formula>
+Vector values_of(const Formula& formula, const Vector& x) {
+  return listed(formula(x));
+}
+
+/// The derivatives of what `formula` yields at x: values x n.
+template <class Formula>
+Matrix jacobian_of(const Formula& formula, const Vector& x) {
+  constexpr int block = 4;  // so many directions at a time
+  using Jet = ceres::Jet<double, block>;
+  const Eigen::Index n = x.size();
+  Matrix jacobian;
+  for (Eigen::Index first = 0; first < n; first += block) {
+    const Eigen::Index size = std::min<Eigen::Index>(block, n - first);
+    Point<Jet> duals(n);
+    for (Eigen::Index i = 0; i < n; ++i) duals[i] = Jet(x[i]);
+    for (Eigen::Index i = 0; i < size; ++i) duals[first + i].v[i] = 1.0;
+    const Point<Jet> y = listed(formula(duals));
+    if (first == 0) jacobian.resize(y.size(), n);
+    for (Eigen::Index row = 0; row < y.size(); ++row) {
+      jacobian.block(row, first, 1, size) = y[row].v.head(size).transpose();
+    }
+  }
+  return jacobian;
+}
+
+}  // namespace detail
+
+/// Minimise `objective` where every one of `constraints` is <= 0.
+template <class Objective, class Constraints>
+Problem from_formulas(Statement statement, const Objective& objective,
+                      const Constraints& constraints) {
+  Problem problem = without_functions(std::move(statement));
+  problem.constraints = detail::values_of(constraints, problem.start).size();
+  problem.evaluate = [objective, constraints](const Vector& x) {
+    return Values{objective(x), detail::values_of(constraints, x)};
+  };
+  problem.differentiate = [objective, constraints](const Vector& x) {
+    return Derivatives{{objective(x), detail::values_of(constraints, x)},
+                       detail::jacobian_of(objective, x).row(0).transpose(),
+                       detail::jacobian_of(constraints, x)};
+  };
+  return problem;
+}
+
+/// Minimise `objective`.
+template <class Objective>
+Problem from_formula(Statement statement, const Objective& objective) {
+  Problem problem = without_functions(std::move(statement));
+  problem.evaluate = [objective](const Vector& x) { return Values{objective(x), {}}; };
+  problem.differentiate = [objective](const Vector& x) {
+    return Derivatives{{objective(x), {}},
+                       detail::jacobian_of(objective, x).row(0).transpose(),
+                       Matrix(0, x.size())};
+  };
+  return problem;
+}
+
+/// Minimise half the sum of the squares of `residuals`.
+template <class Formula>
+Problem from_residuals(Statement statement, const Formula& residuals) {
+  Problem problem = without_functions(std::move(statement));
+  problem.evaluate = [residuals](const Vector& x) {
+    return Values{detail::values_of(residuals, x).squaredNorm() / 2, {}};
+  };
+  problem.residuals = [residuals](const Vector& x) {
+    return Residuals{detail::values_of(residuals, x), detail::jacobian_of(residuals, x)};
+  };
+  problem.differentiate = [both = problem.residuals](const Vector& x) {
+    const Residuals r = both(x);
+    return Derivatives{
+        {r.values.squaredNorm() / 2, {}}, r.jacobian.transpose() * r.values, Matrix(0, x.size())};
+  };
+  return problem;
+}
+
+}  // namespace ricochet::classic

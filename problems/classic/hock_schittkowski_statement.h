@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "problems/classic/formula.h"
+
+namespace ricochet::classic {
+
+/// What is known of the optimum of a problem of Hock and Schittkowski.
+struct Optimum {
+  double value;
+  Vector point;
+  std::string provenance;
+  bool everywhere = false;  ///< inside the box, and best on all of R^n; see Problem::rotates
+};
+
+/// The statement of problem `number`; `author` as the source names it.
+Statement hock_schittkowski(int number, const std::string& author, Vector lower, Vector upper,
+                            Vector start, Optimum optimum);
+
+inline constexpr const char* in_closed_form = "closed form, published";
+
+}  // namespace ricochet::classic

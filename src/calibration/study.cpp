@@ -9,6 +9,7 @@
 
 #include "problems/carrier_track/fitted_reading.h"
 #include "src/campaign/progress.h"
+#include "src/statistics/rank_correlation.h"
 
 namespace ricochet::calibration {
 namespace {
@@ -157,19 +158,9 @@ std::vector<Ranking> rankings_of(const Study& study, const Plan& plan, FitStore&
       ranking.readings.push_back(f.reading);
       ranking.misfits.push_back(f.misfit);
     }
-    ranking.rank_correlation = rank_correlation(own, ranking.misfits);
+    ranking.rank_correlation = rank_correlation(own, ranking.misfits).value_or(0.0);
   }
   return rankings;
-}
-
-std::vector<double> ranks_of(const std::vector<double>& sample) {
-  std::vector<double> ranks;
-  for (const double x : sample) {
-    const auto below = std::count_if(sample.begin(), sample.end(), [&](double y) { return y < x; });
-    const auto equal = std::count(sample.begin(), sample.end(), x);
-    ranks.push_back(static_cast<double>(below) + (static_cast<double>(equal) + 1) / 2);
-  }
-  return ranks;
 }
 
 /// The fit with the lowest criterion among the best few whose cases share a scene.
@@ -264,21 +255,6 @@ Study make_study(const Plan& plan, FitStore& store) {
   study.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return study;
-}
-
-double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto ranks_a = ranks_of(a);
-  const auto ranks_b = ranks_of(b);
-  const double mean = (static_cast<double>(a.size()) + 1) / 2;
-  double products = 0;
-  double squares_a = 0;
-  double squares_b = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    products += (ranks_a[i] - mean) * (ranks_b[i] - mean);
-    squares_a += (ranks_a[i] - mean) * (ranks_a[i] - mean);
-    squares_b += (ranks_b[i] - mean) * (ranks_b[i] - mean);
-  }
-  return squares_a > 0 && squares_b > 0 ? products / std::sqrt(squares_a * squares_b) : 0;
 }
 
 double prediction_error(const std::vector<Prediction>& predictions) {

@@ -71,10 +71,6 @@ struct Study {
 /// whatever order the fits are made.
 Study make_study(const Plan& plan, FitStore& store);
 
-/// Spearman's rank correlation of two samples of one length >= 2, equal values sharing their mean
-/// rank; 0 where all of one are equal.
-double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
-
 /// Root mean square of ln(predicted / paper); a missing prediction counts as ln 2.
 double prediction_error(const std::vector<Prediction>& predictions);
 

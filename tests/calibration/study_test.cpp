@@ -51,14 +51,6 @@ TEST(Study, RanksReadingsHoldsConstantsAndPredicts) {
   EXPECT_EQ(resumed.predictions[3].predicted, study.predictions[3].predicted);
 }
 
-TEST(Study, CorrelatesRanksAsSpearmanDid) {
-  EXPECT_DOUBLE_EQ(rank_correlation({1, 2, 3}, {10, 20, 1000}), 1);
-  EXPECT_DOUBLE_EQ(rank_correlation({1, 2, 3}, {3, 2, 1}), -1);
-  // Ranks 1 2 3 4 5 and 2 1 4 3 5: 1 - 6 * 4 / (5 * 24).
-  EXPECT_NEAR(rank_correlation({1, 2, 3, 4, 5}, {2, 1, 4, 3, 5}), 0.8, 1e-12);
-  EXPECT_EQ(rank_correlation({1, 2}, {5, 5}), 0);
-}
-
 TEST(Study, CountsAMissingPredictionAsAFactorOfTwo) {
   EXPECT_DOUBLE_EQ(prediction_error({{"C1", 9, 9}, {"C2", 2, std::nullopt}}),
                    std::log(2.0) / std::sqrt(2.0));

@@ -161,8 +161,9 @@ class Program {
     command->add_option("what", list_, "cases, problems, solvers or readings")
         ->required()
         ->check(CLI::IsMember({"cases", "problems", "solvers", "readings"}));
+    command->add_option("--scene", list_scene_, "Of problems: a machine of your own, a TOML file");
     add_format(*command, list_json_);
-    command->callback([this] { work_ = [this] { return list(list_, list_json_); }; });
+    command->callback([this] { work_ = [this] { return list(list_, list_scene_, list_json_); }; });
   }
 
   void add_bench() {
@@ -183,7 +184,7 @@ class Program {
   DynamicsOptions dynamics_;
   VerifyOptions verify_;
   SceneChoice scene_;
-  std::string list_;
+  std::string list_, list_scene_;
   bool list_json_ = false;
   bool bench_json_ = false;
   std::function<int()> work_;

@@ -105,9 +105,15 @@ Family calibration_family(const FittedReading& fitted) {
   family.users =
       "Whoever compares solvers on a parameter fit: costly, jagged, of variables that matter very "
       "differently.";
-  Problem problem = calibration_problem({fitted.reading, fitted.freed, natural_constants()});
+  const Freedom freedom{fitted.reading, fitted.freed, natural_constants()};
+  Problem problem = calibration_problem(freedom);
   problem.name = "calibration-default";
   know_best(problem, fitted.name);
+  if (!problem.best_known) {
+    problem.best_point = point_of(freedom, fitted.constants);
+    problem.best_known = problem.evaluate(*problem.best_point).objective;
+    problem.provenance = fitted.provenance;
+  }
   family.problems = {std::move(problem)};
   return family;
 }

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <mutex>
+#include <optional>
 
 #include "problems/carrier_track/fitted_reading.h"
 #include "src/campaign/progress.h"
@@ -39,15 +40,19 @@ double worth(const Problem& problem, const BestKnown& best) {
 /// The values known so far, each as it is worth today.
 BestValues known_values(const std::vector<Question>& questions, const std::filesystem::path& file) {
   BestValues known{default_reading().name, {}};
-  for (const BestValues& source : {best_values(), read_if_there(file)}) {
-    for (const Question& question : questions) {
-      const auto found = source.of.find(question.name);
-      if (found == source.of.end()) continue;
-      BestKnown best = found->second;
-      best.value = worth(question.forms.front(), best);
-      if (!std::isfinite(best.value)) continue;
-      const auto [place, is_new] = known.of.emplace(question.name, best);
-      if (!is_new && best.value < place->second.value) place->second = best;
+  const BestValues in_file = read_if_there(file);
+  for (const Question& question : questions) {
+    const Problem& problem = question.forms.front();
+    std::vector<BestKnown> candidates;
+    if (problem.best_point) candidates.push_back({0, *problem.best_point, problem.provenance});
+    const auto found = in_file.of.find(question.name);
+    if (found != in_file.of.end()) candidates.push_back(found->second);
+    for (BestKnown& best : candidates) {
+      best.value = worth(problem, best);
+      const auto before = known.of.find(question.name);
+      const double so_far =
+          before == known.of.end() ? std::numeric_limits<double>::infinity() : before->second.value;
+      if (best.value < so_far) known.of.insert_or_assign(question.name, best);
     }
   }
   return known;
@@ -79,16 +84,15 @@ Outcome certify(const std::vector<Question>& questions, const Plan& plan,
     work += work_of(question);
   }
   if (wanted.empty()) {
-    throw InputError(fmt::format("--problems {}: nothing matches; see ricochet list problems",
-                                 plan.problems));
+    throw InputError(
+        fmt::format("--problems {}: nothing matches; see ricochet list problems", plan.problems));
   }
   const std::filesystem::path part = file.string() + ".part";
   BestValues known = known_values(questions, file);
   BestValues finished = read_if_there(part);
   // The longest first, so that no core waits for another at the end.
-  std::stable_sort(wanted.begin(), wanted.end(), [](const Question* a, const Question* b) {
-    return work_of(*a) > work_of(*b);
-  });
+  std::stable_sort(wanted.begin(), wanted.end(),
+                   [](const Question* a, const Question* b) { return work_of(*a) > work_of(*b); });
   std::mutex mutex;
   {
     Progress progress("looking for best values", work);
@@ -104,8 +108,8 @@ Outcome certify(const std::vector<Question>& questions, const Plan& plan,
       }
       // Alone: a thread that waits within a run must not begin another, which would disturb what
       // the solvers' libraries keep for each thread.
-      BestKnown best = tbb::this_task_arena::isolate(
-          [&] { return best_of(question, plan.effort); });
+      BestKnown best =
+          tbb::this_task_arena::isolate([&] { return best_of(question, plan.effort); });
       const std::lock_guard lock(mutex);
       finished.of.insert_or_assign(question.name, std::move(best));
       write_text_file(part, write_best_values(finished));

@@ -21,7 +21,7 @@ constexpr double penalty_weight = 10.0;
 constexpr double bisected_to = 1e-7;
 
 /// Smoothing widths at which solvers with derivatives are shown a smooth form.
-constexpr double widths[] = {0.25, 0.1, 0.04};
+constexpr double widths[] = {0.25, 0.1};
 
 /// The best point so far, and who found it.
 struct Best {
@@ -77,8 +77,7 @@ BestKnown scan_for_best(const Problem& problem, double step) {
   double best = problem.start[0];
   Truth best_truth = truth(best);
   for (auto k = first; k <= last; ++k) {
-    const double x =
-        std::clamp(static_cast<double>(k) * step, problem.lower[0], problem.upper[0]);
+    const double x = std::clamp(static_cast<double>(k) * step, problem.lower[0], problem.upper[0]);
     const Truth found = truth(x);
     // The start must not win over the first of equals.
     if (k == first || better(found, best_truth)) {

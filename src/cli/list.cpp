@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/families.h"
 #include "problems/carrier_track/fitted_reading.h"
-#include "problems/carrier_track/scene_file.h"
-#include "problems/families.h"
 #include "solvers/solvers.h"
+#include "src/cli/families_choice.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"
 
@@ -31,14 +29,9 @@ Json cases() {
   return rows;
 }
 
-std::vector<Family> families(const std::string& scene_file) {
-  if (scene_file.empty()) return all_families();
-  return families_of({machine_of(read_scene(scene_file))});
-}
-
 Json problems(const std::string& scene_file) {
   Json rows = Json::array();
-  for (const Family& family : families(scene_file)) {
+  for (const Family& family : choose_families(scene_file)) {
     for (const Problem& p : family.problems) {
       rows.push_back({{"problem", p.name},
                       {"dimension", p.dimension()},

@@ -58,9 +58,10 @@ Family family_named(std::string name) {
       "that is still quiet?";
   family.formula =
       "Minimise a cost without dimension. Speed earns, -speed / nominal. A small clearance costs "
-      "precision, 0.2 nominal / clearance. Strong damping costs 0.05 ln(1 / restitution): layers "
-      "that each keep the same share of the speed. Friction costs heat, 0.5 friction speed / "
-      "nominal. A pull that departs from its nominal value costs the braid's quality, the square "
+      "precision, 0.5 nominal / clearance. Strong damping costs 0.25 ln(1 / restitution): layers "
+      "that each keep the same share of the speed. Friction costs heat, 0.5 friction (speed / "
+      "nominal)^3: its power, under a press that grows as centrifugal force does. A pull that "
+      "departs from its nominal value costs the braid's quality, the square "
       "of the departure over the span of the bounds. Nominal are the machine's own pull and "
       "clearance, and the speed of the profiles.";
   family.instances =

@@ -49,11 +49,12 @@ BasicScene<Scalar> designed(const Scene& machine, std::span<const Scalar> x) {
 template <class Scalar>
 struct DesignCost {
   Scalar production;  ///< -speed / nominal: yarn is braided, and sold, in proportion to the speed
-  Scalar precision;   ///< 0.2 nominal clearance / clearance: what a tolerance costs grows with its
+  Scalar precision;   ///< 0.5 nominal clearance / clearance: what a tolerance costs grows with its
                       ///< reciprocal (Chase and Greenwood, Manuf. Rev. 1 (1988) 49)
-  Scalar damping;     ///< 0.05 ln(1 / restitution): layers that each keep the same share of the
+  Scalar damping;     ///< 0.25 ln(1 / restitution): layers that each keep the same share of the
                       ///< speed are needed in proportion to it
-  Scalar heat;        ///< 0.5 friction speed / nominal: friction's power, under a given force
+  Scalar heat;        ///< 0.5 friction (speed / nominal)^3: friction's power, under a press that
+                      ///< grows, as centrifugal force does, with the square of the speed
   Scalar tension;  ///< ((pull - nominal) / span of its bounds)^2: a braid is made for one tension,
                    ///< and its quality lost grows with the square of the departure (Taguchi)
 
@@ -67,9 +68,9 @@ DesignCost<Scalar> design_cost(const DesignScale& scale, std::span<const Scalar>
   const auto number = [](double y) { return constant<Scalar>(y); };
   const Scalar speed = x[design_speed] / number(scale.speed);
   const Scalar departure = (x[design_pull] - number(scale.pull)) / number(scale.pull_span);
-  return {-speed, number(0.2 * scale.clearance) / x[design_clearance],
-          number(-0.05) * log(x[design_restitution]), number(0.5) * x[design_friction] * speed,
-          departure * departure};
+  return {-speed, number(0.5 * scale.clearance) / x[design_clearance],
+          number(-0.25) * log(x[design_restitution]),
+          number(0.5) * x[design_friction] * speed * speed * speed, departure * departure};
 }
 
 /// Minimise the cost subject to count <= quiet limit. No derivatives. The machine must have two

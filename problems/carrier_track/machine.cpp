@@ -12,10 +12,11 @@ Machine machine_of(const Case& a_case, const Scene& reading) {
           a_case.claim.threshold, ""};
 }
 
-Machine machine_of(const Scene& scene) {
+Machine machine_of(const Scene& scene, const std::string& origin) {
   if (!scene.profile.empty()) {
     throw InputError(
-        "scene.omega is a profile: must be a number, because a threshold is of constant speeds");
+        origin +
+        ": scene.omega is a profile: must be a number, because a threshold is of constant speeds");
   }
   const Score found = score(scene, Claim{}, ScanOptions{});
   return {"scene", scene, quiet_limit(found.quiet_count), found.threshold, ""};

@@ -23,8 +23,9 @@ struct Machine {
 Machine machine_of(const Case& a_case, const Scene& reading);
 
 /// A machine of the user's own, "scene"; limit and threshold as `ricochet threshold` finds them,
-/// without a claim. Throws InputError for a speed profile: a threshold is of constant speeds.
-Machine machine_of(const Scene& scene);
+/// without a claim. `origin` names the scene, for instance its file. Throws InputError for a speed
+/// profile: a threshold is of constant speeds.
+Machine machine_of(const Scene& scene, const std::string& origin);
 
 /// The cases in the default reading.
 std::vector<Machine> all_machines();

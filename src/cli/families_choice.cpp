@@ -9,7 +9,7 @@ namespace ricochet::cli {
 std::vector<Family> choose_families(const std::string& scene_file) {
   using namespace carrier_track;
   if (scene_file.empty()) return all_families();
-  return families_of({machine_of(read_scene(scene_file))});
+  return families_of({machine_of(read_scene(scene_file), scene_file)});
 }
 
 }  // namespace ricochet::cli

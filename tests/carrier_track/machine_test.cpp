@@ -23,7 +23,7 @@ TEST(Machine, OfACaseHasItsSceneAndTheLimitOfItsClaim) {
 
 TEST(Machine, OfASceneHasTheLimitAndTheThresholdThatAreFoundWithoutAClaim) {
   const Scene scene = scene_of(find_case("C1"), exploratory_scene());
-  const Machine machine = machine_of(scene);
+  const Machine machine = machine_of(scene, "a scene");
   const Score found = score(scene, Claim{}, ScanOptions{});
   EXPECT_EQ(machine.id, "scene");
   EXPECT_EQ(machine.quiet_limit, quiet_limit(found.quiet_count));
@@ -33,7 +33,7 @@ TEST(Machine, OfASceneHasTheLimitAndTheThresholdThatAreFoundWithoutAClaim) {
 TEST(Machine, OfASpeedProfileIsRefused) {
   Scene scene = exploratory_scene();
   scene.profile = {{0.0, 3.0}};
-  EXPECT_THROW(machine_of(scene), InputError);
+  EXPECT_THROW(machine_of(scene, "a scene"), InputError);
 }
 
 TEST(Machine, TheCasesAreInTheDefaultReading) {

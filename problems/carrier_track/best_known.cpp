@@ -47,10 +47,10 @@ std::string write_best_values(const BestValues& values) {
   for (const auto& [name, best] : values.of) {
     std::string point;
     for (const double x : best.point) {
-      point += fmt::format("{}{:#}", point.empty() ? "" : ", ", x);
+      point += fmt::format("{}{}", point.empty() ? "" : ", ", toml_float(x));
     }
-    text += fmt::format("\n[{}]\nvalue = {:#}\npoint = [{}]\nprovenance = \"{}\"\n", name,
-                        best.value, point, best.provenance);
+    text += fmt::format("\n[{}]\nvalue = {}\npoint = [{}]\nprovenance = \"{}\"\n", name,
+                        toml_float(best.value), point, best.provenance);
   }
   return text;
 }

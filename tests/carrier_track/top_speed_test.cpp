@@ -54,7 +54,9 @@ TEST(TopSpeed, HasASurrogateThatPassesItsLevelWhereTheCountLeavesTheLimit) {
       const bool quiet = count.evaluate(at(omega)).constraints[0] <= 0;
       const double shown = sharp.evaluate(at(omega)).constraints[0];
       // Half a collision away from the level, it is on the same side as the count.
-      if (std::abs(shown) > 0.01) EXPECT_EQ(shown < 0, quiet) << omega;
+      if (std::abs(shown) > 0.01) {
+        EXPECT_EQ(shown < 0, quiet) << omega;
+      }
       crossings += quiet != (count.evaluate(at(omega + 0.01)).constraints[0] <= 0);
     }
     EXPECT_GT(crossings, 0);

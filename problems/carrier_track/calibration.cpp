@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/best_known.h"
 #include "problems/carrier_track/misfit.h"
 #include "problems/carrier_track/surrogate.h"
 
@@ -63,6 +64,9 @@ Problem calibration_problem(const Freedom& freedom, const std::string& left_out)
   Problem problem;
   problem.name = fmt::format("calibration-{}", name_of(freedom.reading));
   for (const Open open : freedom.freed) problem.name += fmt::format("-{}", bounds_of(open).name);
+  for (const Open open : freedom.freed) {
+    problem.variables.push_back({std::string(bounds_of(open).name), ""});
+  }
   problem.source = "distance from the paper's claims, section 3.3, over the open constants";
   problem.lower = Vector::Zero(n);
   problem.upper = Vector::Ones(n);
@@ -80,6 +84,38 @@ Problem calibration_problem(const Freedom& freedom, const std::string& left_out)
     return Residuals{std::move(smooth.residuals), std::move(smooth.slopes)};
   };
   return problem;
+}
+
+Family calibration_family(const FittedReading& fitted) {
+  Family family;
+  family.name = family.judged_as = "calibration";
+  family.title = "The paper's open constants";
+  family.question =
+      "Which values of the constants that the paper leaves open give the thresholds and counts "
+      "that it reports?";
+  family.formula =
+      "Minimise the misfit: for each of C1 to C10 how far its quiet count, threshold, share of "
+      "loud speeds and example speeds are from what the paper says, each over a tolerance. A "
+      "variable is the place of a constant within its bounds, from 0 to 1, on a logarithmic scale "
+      "where its size is unknown.";
+  family.derivatives =
+      "None of the misfit. As a sum of squares it has residuals of a smooth stand-in, with exact "
+      "derivatives.";
+  family.instances = "One, of the reading that every command uses.";
+  family.users =
+      "Whoever compares solvers on a parameter fit: costly, jagged, of variables that matter very "
+      "differently.";
+  const Freedom freedom{fitted.reading, fitted.freed, natural_constants()};
+  Problem problem = calibration_problem(freedom);
+  problem.name = "calibration-default";
+  know_best(problem, fitted.name);
+  if (!problem.best_known) {
+    problem.best_point = point_of(freedom, fitted.constants);
+    problem.best_known = problem.evaluate(*problem.best_point).objective;
+    problem.provenance = fitted.provenance;
+  }
+  family.problems = {std::move(problem)};
+  return family;
 }
 
 }  // namespace ricochet::carrier_track

@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/fitted_reading.h"
 #include "problems/carrier_track/open_constants.h"
+#include "problems/family.h"
 #include "src/core/problem.h"
 
 namespace ricochet::carrier_track {
@@ -22,6 +24,9 @@ Freedom full_freedom(const Reading& reading);
 /// place within its bounds, in [0, 1]. Its residuals are those of the smooth misfit of
 /// `default_width`; it is judged by the misfit. It starts from the held constants.
 Problem calibration_problem(const Freedom& freedom, const std::string& left_out = "");
+
+/// The calibration of a reading: the constants that were fitted, from their natural values on.
+Family calibration_family(const FittedReading& fitted);
 
 /// The constants of a point of that problem.
 Constants constants_at(const Freedom& freedom, const Vector& x);

@@ -16,7 +16,9 @@
 ///   template <class Scalar, class Watch>
 ///   Scalar operator()(std::span<const Scalar> x, Watch& watch) const;
 ///
-/// It lets `watch.of(scene)`, an observer, see every simulation that the value depends on.
+/// It lets `watch.of(scene)`, an observer, see every simulation that the value depends on. One that
+/// a problem shows says in `static constexpr int room` how many directions are best differentiated
+/// at a time: as many as there are variables, but no more than 16.
 namespace ricochet::carrier_track {
 
 /// Watches nothing.
@@ -63,8 +65,8 @@ std::vector<Jet> seeded(const Vector& x, Eigen::Index first) {
 }  // namespace detail
 
 /// Value and gradient at x, and how far to trust them in a box of these `widths` (length n). Works
-/// on `Room` directions at a time: as many as there are variables, but no more than 16, is best.
-template <int Room = 16, class Function>
+/// on `Room` directions at a time.
+template <int Room, class Function>
 Gradient gradient_of(const Function& f, const Vector& x, const Vector& widths) {
   using Jet = ceres::Jet<double, Room>;
   Gradient result{0, Vector(x.size()), {}};

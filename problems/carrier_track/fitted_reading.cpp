@@ -78,8 +78,8 @@ std::string write_fitted_reading(const FittedReading& fitted) {
     for (const Open open : open_of(fitted.reading)) {
       if (contains(fitted.freed, open) != wanted) continue;
       const auto i = static_cast<std::size_t>(open);
-      text += fmt::format("{} = {:#}  # {}\n", open_constants()[i].name, fitted.constants[i],
-                          open_constants()[i].unit);
+      text += fmt::format("{} = {}  # {}\n", open_constants()[i].name,
+                          toml_float(fitted.constants[i]), open_constants()[i].unit);
     }
   }
   return text;

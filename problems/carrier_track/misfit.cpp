@@ -7,7 +7,8 @@
 #include <map>
 
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/problems.h"
+#include "problems/carrier_track/speed_range.h"
+#include "problems/carrier_track/threshold.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -94,14 +94,8 @@ void read_model(TomlTable& table, Scene& scene) {
   table.finish();
 }
 
-/// The shortest text that reads back to the same number, as a TOML float.
-std::string text_of(double x) {
-  const std::string text = fmt::format("{}", x);
-  return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;
-}
-
 std::string line_of(std::string_view key, double value, std::string_view unit) {
-  return fmt::format("{} = {}  # {}\n", key, text_of(value), unit);
+  return fmt::format("{} = {}  # {}\n", key, toml_float(value), unit);
 }
 
 std::string lines_of(const Across<double>& y) {
@@ -110,7 +104,7 @@ std::string lines_of(const Across<double>& y) {
          line_of("wall_lower", y.wall_lower, "m") +
          line_of("wall_upper", y.wall_upper, "m; may be inf") +
          fmt::format("restitution = [{}, {}]  # lower wall, upper wall\n",
-                     text_of(y.restitution_lower), text_of(y.restitution_upper)) +
+                     toml_float(y.restitution_lower), toml_float(y.restitution_upper)) +
          line_of("start_position", y.start_position, "m") +
          line_of("start_velocity", y.start_velocity, "m/s");
 }
@@ -158,7 +152,7 @@ std::string write_scene(const Scene& scene) {
   line("wall_lower", scene.wall_lower, "m");
   line("wall_upper", scene.wall_upper, "m; may be inf");
   text += fmt::format("restitution = [{}, {}]  # lower wall, upper wall\n",
-                      text_of(scene.restitution_lower), text_of(scene.restitution_upper));
+                      toml_float(scene.restitution_lower), toml_float(scene.restitution_upper));
   line("friction", scene.friction, "Coulomb coefficient");
   line("normal_force", scene.normal_force, "N, what the friction coefficient multiplies");
   text += fmt::format("contact_friction = {}  # true: and a wall's own force\n",
@@ -181,17 +175,17 @@ std::string write_scene(const Scene& scene) {
   } else {
     std::string knots;
     for (const auto& knot : scene.profile) {
-      knots += fmt::format("{}[{}, {}]", knots.empty() ? "" : ", ", text_of(knot.time),
-                           text_of(knot.omega));
+      knots += fmt::format("{}[{}, {}]", knots.empty() ? "" : ", ", toml_float(knot.time),
+                           toml_float(knot.omega));
     }
     text += fmt::format("omega = [{}]  # s, rad/s\n", knots);
   }
   if (scene.across) text += lines_of(*scene.across);
   text += "\n[window]  # revolutions or seconds\n";
   if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
-    text += fmt::format("revolutions = {}\n", text_of(turns->count));
+    text += fmt::format("revolutions = {}\n", toml_float(turns->count));
   } else {
-    text += fmt::format("seconds = {}\n", text_of(std::get<Seconds>(scene.window).count));
+    text += fmt::format("seconds = {}\n", toml_float(std::get<Seconds>(scene.window).count));
   }
   text += fmt::format("\n[count]\nrule = \"{}\"  # impacts or peaks\n",
                       name_of(rule_choices(), scene.rule));
@@ -204,7 +198,7 @@ std::string write_scene(const Scene& scene) {
   line("stiffness", scene.stiffness, "N/m^contact_exponent");
   line("contact_exponent", scene.contact_exponent, "1 for kelvin-voigt");
   text += scene.contact_speed
-              ? fmt::format("contact_speed = {}  # m/s\n", text_of(*scene.contact_speed))
+              ? fmt::format("contact_speed = {}  # m/s\n", toml_float(*scene.contact_speed))
               : "contact_speed = \"each\"\n";
   return text;
 }

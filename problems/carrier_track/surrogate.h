@@ -11,16 +11,18 @@ namespace ricochet::carrier_track {
 /// times its speed.
 inline constexpr double default_width = 0.25;
 
-/// The surrogate of a valid scene as a function of its constant speed [rad/s], for derivatives.h.
-struct SurrogateOfSpeed {
+/// The objective of collisions.h at a constant speed, x[0] [rad/s]; a Function of derivatives.h.
+struct ObjectiveAtSpeed {
+  static constexpr int room = 1;
+
   Scene scene;
-  double width;  ///< > 0
+  double width;
 
   template <class Scalar, class Watch>
   Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
-    const BasicScene<Scalar> now = at_speed(lifted<Scalar>(scene), x[0]);
-    auto watcher = watch.of(now);
-    return objective(now, width, watcher);
+    const BasicScene<Scalar> at = at_speed(lifted<Scalar>(scene), x[0]);
+    auto watching = watch.of(at);
+    return objective(at, width, watching);
   }
 };
 

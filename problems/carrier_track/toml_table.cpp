@@ -15,6 +15,11 @@ toml::table parse_toml(const std::string& text, const std::string& origin) {
   }
 }
 
+std::string toml_float(double x) {
+  const std::string text = fmt::format("{}", x);
+  return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;
+}
+
 TomlTable::TomlTable(const toml::table& file, std::string name, std::string origin)
     : name_(std::move(name)), origin_(std::move(origin)), table_(file[name_].as_table()) {}
 

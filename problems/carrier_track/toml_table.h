@@ -16,6 +16,9 @@ namespace ricochet::carrier_track {
 /// The tables of a TOML text. Throws InputError, with origin and line, for a text that is none.
 toml::table parse_toml(const std::string& text, const std::string& origin);
 
+/// The shortest text that reads back to the same number, as a TOML float.
+std::string toml_float(double x);
+
 /// One table of a TOML file. Every key asked for is known; finish() refuses the others. What is not
 /// as it must be throws InputError, with origin (the file), table, key, value and what is allowed.
 class TomlTable {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/problems.h"
+#include "problems/carrier_track/speed_range.h"
 
 namespace ricochet::calibration {
 namespace {

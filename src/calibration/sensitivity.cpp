@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "problems/carrier_track/problems.h"
+#include "problems/carrier_track/speed_range.h"
 #include "src/calibration/appraisal.h"
 
 namespace ricochet::calibration {

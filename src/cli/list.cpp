@@ -6,9 +6,10 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/fitted_reading.h"
-#include "problems/carrier_track/problems.h"
 #include "solvers/solvers.h"
+#include "src/cli/families_choice.h"
 #include "src/cli/format.h"
+#include "src/core/error.h"
 
 namespace ricochet::cli {
 namespace {
@@ -28,15 +29,15 @@ Json cases() {
   return rows;
 }
 
-Json problems() {
+Json problems(const std::string& scene_file) {
   Json rows = Json::array();
-  const Scene reading = default_reading().scene;
-  for (const Case& c : all_cases()) {
-    for (const Problem& p : problems_of(c, reading)) {
+  for (const Family& family : choose_families(scene_file)) {
+    for (const Problem& p : family.problems) {
       rows.push_back({{"problem", p.name},
                       {"dimension", p.dimension()},
                       {"constraints", p.constraints},
                       {"derivatives", static_cast<bool>(p.differentiate)},
+                      {"best_known", json_of(p.best_known)},
                       {"source", p.source}});
     }
   }
@@ -95,9 +96,12 @@ void print_table(const Json& rows) {
 
 }  // namespace
 
-int list(const std::string& what, bool json) {
+int list(const std::string& what, const std::string& scene_file, bool json) {
+  if (!scene_file.empty() && what != "problems") {
+    throw InputError(fmt::format("--scene: has problems alone, not {}", what));
+  }
   const Json rows = what == "cases"      ? cases()
-                    : what == "problems" ? problems()
+                    : what == "problems" ? problems(scene_file)
                     : what == "solvers"  ? solvers()
                                          : readings();
   if (json) {

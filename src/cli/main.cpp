@@ -7,8 +7,10 @@
 #include "problems/carrier_track/scene_file.h"
 #include "src/cli/bench.h"
 #include "src/cli/calibrate.h"
+#include "src/cli/certify.h"
 #include "src/cli/dynamics.h"
 #include "src/cli/list.h"
+#include "src/cli/problems.h"
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
 #include "src/cli/threshold.h"
@@ -45,6 +47,8 @@ class Program {
     add_verify();
     add_scene();
     add_list();
+    add_problems();
+    add_certify();
     add_bench();
   }
 
@@ -161,8 +165,28 @@ class Program {
     command->add_option("what", list_, "cases, problems, solvers or readings")
         ->required()
         ->check(CLI::IsMember({"cases", "problems", "solvers", "readings"}));
+    command->add_option("--scene", list_scene_, "Of problems: a machine of your own, a TOML file");
     add_format(*command, list_json_);
-    command->callback([this] { work_ = [this] { return list(list_, list_json_); }; });
+    command->callback([this] { work_ = [this] { return list(list_, list_scene_, list_json_); }; });
+  }
+
+  void add_problems() {
+    CLI::App* command = app_.add_subcommand("problems", "What every problem asks, as a report");
+    command->add_option("--scene", problems_.scene_file,
+                        "A machine of your own, a TOML file, for the paper's cases");
+    command->add_option("--out", problems_.out, "Folder for the report")->capture_default_str();
+    command->callback([this] { work_ = [this] { return problems(problems_); }; });
+  }
+
+  void add_certify() {
+    CLI::App* command = app_.add_subcommand(
+        "certify", "The best known value of every problem, looked for at length");
+    command->add_option("--problems", certify_.problems,
+                        "A pattern such as profile-*-C4, or a part of their names");
+    command->add_option("--seconds", certify_.seconds,
+                        "Begin nothing later; the same command then goes on");
+    command->add_option("--out", certify_.out, "The file of the values")->capture_default_str();
+    command->callback([this] { work_ = [this] { return certify(certify_); }; });
   }
 
   void add_bench() {
@@ -182,8 +206,10 @@ class Program {
   CalibrateOptions calibrate_;
   DynamicsOptions dynamics_;
   VerifyOptions verify_;
+  ProblemsOptions problems_;
+  CertifyOptions certify_;
   SceneChoice scene_;
-  std::string list_;
+  std::string list_, list_scene_;
   bool list_json_ = false;
   bool bench_json_ = false;
   std::function<int()> work_;

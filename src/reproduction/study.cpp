@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "problems/carrier_track/problems.h"
+#include "problems/carrier_track/count.h"
+#include "problems/carrier_track/speed_range.h"
 #include "problems/carrier_track/surrogate.h"
+#include "problems/carrier_track/top_speed.h"
 #include "src/campaign/progress.h"
 #include "src/core/penalty.h"
 
@@ -42,10 +44,38 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
   return {the_case, scene, std::move(scan), result, std::move(paths)};
 }
 
+/// Sets the best known values from an exhaustive scan of the case's speeds, from slowest_speed on:
+/// the lowest count, and the fastest speed within the quiet limit.
+void know_best(std::vector<Problem>& problems, const SpeedScan& scan, double limit) {
+  std::optional<double> fewest;
+  std::optional<double> fastest;
+  for (std::size_t k = 0; k < scan.counts.size(); ++k) {
+    if (scan.omega(k) < slowest_speed) continue;
+    if (scan.counts[k] <= limit) fastest = scan.omega(k);
+    fewest = std::min<double>(fewest.value_or(scan.counts[k]), scan.counts[k]);
+  }
+  for (Problem& problem : problems) {
+    if (problem.constraints == 0) problem.best_known = fewest;
+    if (problem.constraints > 0 && fastest) problem.best_known = -*fastest;
+  }
+}
+
+/// The problem, and all that it becomes at other smoothing widths, under another name.
+Problem renamed(Problem problem, const std::string& name) {
+  problem.name = name;
+  if (problem.smoothed) {
+    problem.smoothed = [smoothed = problem.smoothed, name](double width) {
+      return renamed(smoothed(width), name);
+    };
+  }
+  return problem;
+}
+
 /// All forms under one name, which alone decides about instances and starts: the same for all.
 Contest contest_of(const std::string& case_id, Goal goal, std::vector<Form> forms,
                    double tolerance) {
-  for (Form& form : forms) form.problem.name = forms.front().problem.name;
+  const std::string name = forms.front().problem.name;
+  for (Form& form : forms) form.problem = renamed(std::move(form.problem), name);
   return {case_id, goal, std::move(forms), tolerance};
 }
 
@@ -54,13 +84,12 @@ std::vector<Contest> contests_of(const Study& study) {
   for (const CaseStudy& c : study.cases) {
     const auto& ids = study.plan.compared;
     if (std::find(ids.begin(), ids.end(), c.the_case.id) == ids.end()) continue;
-    const Scene& reading = study.reading.scene;
     const double limit = quiet_limit(c.score.quiet_count);
+    const Machine machine{c.the_case.id, c.scene, limit, c.the_case.claim.threshold, ""};
     std::vector<Problem> problems = {
-        count_problem(c.the_case, reading), surrogate_problem(c.the_case, reading, default_width),
-        top_speed_problem(c.the_case, reading, limit),
-        top_speed_surrogate_problem(c.the_case, reading, limit, default_width)};
-    certify(problems, c.scan, limit);
+        count_problem(machine), surrogate_problem(machine, default_width),
+        top_speed_problem(machine), top_speed_surrogate_problem(machine, default_width)};
+    know_best(problems, c.scan, limit);
     contests.push_back(contest_of(c.the_case.id, Goal::count,
                                   {{"count", problems[0]}, {"surrogate", problems[1]}},
                                   count_tolerance));

@@ -21,13 +21,28 @@ TEST(List, HasTheTwelveCases) {
   EXPECT_TRUE(cases[10]["paper_threshold"].is_null());
 }
 
-TEST(List, HasFourProblemsForEveryCase) {
+TEST(List, HasEveryProblemWithItsBestValue) {
   const auto problems = listed("problems");
-  ASSERT_EQ(problems.size(), 48U);
+  ASSERT_EQ(problems.size(), 361U);
   EXPECT_EQ(problems[0]["problem"], "count-C1");
   EXPECT_EQ(problems[0]["derivatives"], false);
-  EXPECT_EQ(problems[1]["derivatives"], true);
-  EXPECT_EQ(problems[2]["constraints"], 1);
+  EXPECT_EQ(problems[12]["problem"], "surrogate-C1");
+  EXPECT_EQ(problems[12]["derivatives"], true);
+  EXPECT_EQ(problems[24]["constraints"], 1);
+  for (const auto& problem : problems) {
+    EXPECT_TRUE(problem["best_known"].is_number()) << problem["problem"];
+  }
+}
+
+TEST(List, HasTheProblemsOfAMachineOfOnesOwn) {
+  const auto file = write(fresh_folder(), "machine.toml", call("scene --case C1").out);
+  const Outcome outcome = call("list problems --format json --scene " + file.string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto problems = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(problems.size(), 30U);
+  EXPECT_EQ(problems[0]["problem"], "count-scene");
+  EXPECT_TRUE(problems[0]["best_known"].is_null());
+  expect_refusal("list cases --scene " + file.string(), "--scene");
 }
 
 TEST(List, HasTheSolversWithTheirVersions) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/problems.h"
+#include "problems/carrier_track/count.h"
 #include "problems/carrier_track/surrogate.h"
 #include "solvers/solvers.h"
 #include "src/core/run.h"
@@ -213,9 +213,9 @@ TEST_P(SolverContract, GivesTheSameTracesInTwoThreads) {
 
 TEST_P(SolverContract, RunsOnTheCarrierTrack) {
   using namespace carrier_track;
-  const Scene scene = exploratory_scene();
-  for (const Problem& problem : {count_problem(find_case("C1"), scene),
-                                 surrogate_problem(find_case("C1"), scene, default_width)}) {
+  const Machine machine = machine_of(find_case("C1"), exploratory_scene());
+  for (const Problem& problem :
+       {count_problem(machine), surrogate_problem(machine, default_width)}) {
     if (!solver().accepts(problem)) continue;
     const RunRecord record = run(problem, solver(), {100}, 0);
     EXPECT_EQ(record.failure, "") << problem.name;

@@ -1,0 +1,41 @@
+#include "src/cli/certify.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "problems/families.h"
+#include "src/certification/certification.h"
+#include "src/core/error.h"
+#include "src/report/file_set.h"
+
+namespace ricochet::cli {
+
+int certify(const CertifyOptions& options) {
+  using namespace certification;
+  if (options.seconds && !(*options.seconds >= 0)) {
+    throw InputError(fmt::format("--seconds {}: must be >= 0", *options.seconds));
+  }
+  Plan plan;
+  plan.problems = options.problems;
+  if (options.seconds) plan.seconds = *options.seconds;
+  const std::filesystem::path file = options.out;
+  if (file.has_parent_path()) {
+    report::require_writable(file.parent_path());
+    std::filesystem::create_directories(file.parent_path());
+  }
+  const Outcome outcome = certify(questions_of(all_families()), plan, file);
+  fmt::print(
+      "{} of {} best values looked for; {} better than before or new; {} without a feasible "
+      "point\n",
+      outcome.finished, outcome.wanted, outcome.improved, outcome.infeasible);
+  if (outcome.finished < outcome.wanted) {
+    fmt::print("Not all are finished: the same command goes on.\n");
+  } else {
+    fmt::print("The file: {}\n", std::filesystem::absolute(file).lexically_normal().string());
+  }
+  return 0;
+}
+
+}  // namespace ricochet::cli

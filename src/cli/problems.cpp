@@ -1,0 +1,27 @@
+#include "src/cli/problems.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "src/catalogue/page.h"
+#include "src/cli/families_choice.h"
+#include "src/report/file_set.h"
+
+namespace ricochet::cli {
+
+int problems(const ProblemsOptions& options) {
+  const std::vector<Family> families = choose_families(options.scene_file);
+  report::require_writable(options.out);
+  const std::string machines =
+      options.scene_file.empty()
+          ? "the paper's cases C1 to C12"
+          : fmt::format("the machine {}",
+                        std::filesystem::path(options.scene_file).filename().string());
+  report::write_page(catalogue::page_of(families, machines), options.out);
+  fmt::print("The report: {}\n",
+             (std::filesystem::absolute(options.out) / "index.html").lexically_normal().string());
+  return 0;
+}
+
+}  // namespace ricochet::cli

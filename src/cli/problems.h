@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace ricochet::cli {
+
+struct ProblemsOptions {
+  std::string scene_file;  ///< empty: the paper's cases
+  std::string out = "reports/problems";
+};
+
+/// Writes the page that explains every problem. Returns the exit code.
+int problems(const ProblemsOptions& options);
+
+}  // namespace ricochet::cli

@@ -1,0 +1,43 @@
+#include "tests/problems/example_problem.h"
+
+#include "problems/carrier_track/shown.h"
+#include "problems/carrier_track/speed_problem.h"
+#include "problems/carrier_track/wear.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+/// The wear [mJ] at the speed x[0].
+struct WearAtSpeed {
+  Scene scene;
+
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
+    const BasicScene<Scalar> at = at_speed(lifted<Scalar>(scene), x[0]);
+    auto watching = watch.of(at);
+    return wear(at, watching);
+  }
+};
+
+Problem gentle_problem(const Machine& machine) {
+  Problem problem = speed_problem("gentle", machine, "energy that the impacts lose, mJ");
+  show(problem, WearAtSpeed{machine.scene}, carries_derivatives(machine.scene));
+  return problem;
+}
+
+}  // namespace
+
+Family gentle_family(const std::vector<Machine>& machines) {
+  Family family;
+  family.name = family.judged_as = "gentle";
+  family.title = "The gentlest speed";
+  family.question = "At which speed do the impacts of a turn take the least energy?";
+  family.formula = "Minimise the wear over the speed.";
+  family.derivatives = "Exact, by dual numbers carried through the simulation.";
+  family.instances = "One for each machine.";
+  family.users = "A designer whose track wears out rather than makes noise.";
+  for (const Machine& machine : machines) family.problems.push_back(gentle_problem(machine));
+  return family;
+}
+
+}  // namespace ricochet::carrier_track

@@ -45,7 +45,8 @@ Family surrogate_family(const std::vector<Machine>& machines) {
   family.name = "surrogate";
   family.title = "The fewest collisions, shown the surrogate";
   family.formula = fmt::format(
-      "The same, but every impact of approach speed v counts 1 / (1 + (v_c / v)^(1 / s)), v_c the "
+      "Minimise, over the speed of the driver plate, the sum over all impacts in the window of "
+      "weights: one of approach speed v counts 1 / (1 + (v_c / v)^(1 / s)), v_c the "
       "slowest that counts, s = {} the smoothing width: next to nothing where it is born, a half "
       "at v_c. Solvers can ask for other widths. Judged by the true count.",
       default_width);

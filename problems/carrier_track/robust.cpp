@@ -95,6 +95,17 @@ std::string prefix(Risk risk) {
   return fmt::format("robust-{}", name_of(risk));
 }
 
+std::string_view in_title(Risk risk) {
+  switch (risk) {
+    case Risk::mean:
+      return "on average";
+    case Risk::worst:
+      return "at worst";
+    default:
+      return "in the worst tenth";
+  }
+}
+
 std::string measure(Risk risk) {
   switch (risk) {
     case Risk::mean:
@@ -157,7 +168,7 @@ Family robust_family(const std::vector<Machine>& machines, Risk risk) {
   Family family;
   family.name = family.judged_as = prefix(risk);
   family.title = fmt::format("The fastest speed quiet in spite of tolerances, {}, shown the counts",
-                             name_of(risk));
+                             in_title(risk));
   family.question = fmt::format(
       "How fast may the machine turn if the {} of the counts is to be quiet, when the disturbance "
       "and how the machine was made are not known exactly?",
@@ -184,7 +195,7 @@ Family robust_surrogate_family(const std::vector<Machine>& machines, Risk risk) 
   Family family = robust_family({}, risk);
   family.name += "-surrogate";
   family.title = fmt::format(
-      "The fastest speed quiet in spite of tolerances, {}, shown the surrogates", name_of(risk));
+      "The fastest speed quiet in spite of tolerances, {}, shown the surrogates", in_title(risk));
   family.constraints = fmt::format(
       "The {} of the 32 smooth surrogates <= half a step above the highest quiet value, where a "
       "step is what the least weighty impact adds. Judged by the true counts.",

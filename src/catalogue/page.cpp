@@ -178,8 +178,8 @@ report::Page page_of(const std::vector<Family>& families, const std::string& mac
   report::Page page;
   page.title = "The problems";
   page.intro = {
-      fmt::format("{} problems in {} families, of {}. All but the calibration ask of one "
-                  "simulation and one count of its impacts, defined once.",
+      fmt::format("{} problems in {} families, of {}. All come from one simulation, and whatever "
+                  "counts its impacts from one count, defined once.",
                   problems, families.size(), machines),
       "Solvers minimise. A constraint holds where it is at most 0. What a solver is shown may be "
       "smooth; it is judged by the truth, which families that are judged as one share, with its "

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "problems/families.h"
+#include "problems/carrier_track/families.h"
 #include "src/certification/certification.h"
 #include "src/core/error.h"
 #include "src/report/file_set.h"
@@ -25,7 +25,7 @@ int certify(const CertifyOptions& options) {
     report::require_writable(file.parent_path());
     std::filesystem::create_directories(file.parent_path());
   }
-  const Outcome outcome = certify(questions_of(all_families()), plan, file);
+  const Outcome outcome = certify(questions_of(carrier_track::case_families()), plan, file);
   fmt::print(
       "{} of {} best values looked for; {} better than before or new; {} without a feasible "
       "point\n",

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "problems/carrier_track/best_known.h"
-#include "problems/families.h"
+#include "problems/carrier_track/families.h"
 #include "src/certification/question.h"
 #include "src/certification/search.h"
 
@@ -14,7 +14,7 @@ namespace ricochet::certification {
 namespace {
 
 const std::vector<Question>& questions() {
-  static const std::vector<Question> all = questions_of(all_families());
+  static const std::vector<Question> all = questions_of(carrier_track::case_families());
   return all;
 }
 

@@ -19,9 +19,9 @@ struct Plan {
 
 /// What came of it.
 struct Outcome {
-  std::size_t wanted = 0;     ///< questions of the plan
-  std::size_t finished = 0;   ///< of those, now and before
-  std::size_t improved = 0;   ///< better than what was known, or new
+  std::size_t wanted = 0;      ///< questions of the plan
+  std::size_t finished = 0;    ///< of those, now and before
+  std::size_t improved = 0;    ///< better than what was known, or new
   std::size_t infeasible = 0;  ///< no feasible point found
 };
 

@@ -122,7 +122,8 @@ BestKnown search_for_best(const Question& question, const Effort& effort) {
     improve(judged, solver, evaluations / 2, true, best);
   }
   if (!best.truth) throw std::runtime_error(question.name + ": no solver has found a point");
-  return known(*best.truth, best.x, best.finder);
+  // Dual numbers round otherwise than plain ones: the value is that of the plain evaluation.
+  return known(truth_at(judged, best.x), best.x, best.finder);
 }
 
 BestKnown best_of(const Question& question, const Effort& effort) {

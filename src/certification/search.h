@@ -13,7 +13,7 @@ using carrier_track::BestKnown;
 struct Effort {
   double step = 1e-3;         ///< of a scan, in the units of the variable
   double robust_step = 1e-2;  ///< of a scan of problems "robust-...", which cost 32 times as much
-  std::int64_t evaluations = 1500;              ///< of each run of a solver
+  std::int64_t evaluations = 1500;             ///< of each run of a solver
   std::int64_t evaluations_per_variable = 40;  ///< and so many more for each variable
 };
 

@@ -32,6 +32,12 @@ class AppliedForces {
   /// The acceleration now [m/s^2].
   Scalar sum() const { return still_.acceleration(); }
 
+  /// The same in plain numbers.
+  double plain_sum() const { return value(still_.acceleration()); }
+
+  /// How fast it changes [m/s^3].
+  Scalar rate() const { return still_.jerk(); }
+
   /// Sum of the magnitudes that make up sum() [m/s^2]: what its rounding is relative to.
   double size() const { return still_.size(); }
 
@@ -78,7 +84,7 @@ class AppliedForces {
     // sin alpha is the cosine of an angle a quarter turn behind.
     still_.harmonic[0] = {cosine * c + sine * s, cosine * s - sine * c, scene.omega};
     still_.harmonic[1] = disturbance;
-    still_.harmonics = value(disturbance.cosine) == 0.0 && value(disturbance.sine) == 0.0 ? 1 : 2;
+    still_.harmonics = vanishes(disturbance.cosine) && vanishes(disturbance.sine) ? 1 : 2;
   }
 
   Path still_{};  // of a body at rest at zero

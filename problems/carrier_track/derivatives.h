@@ -66,7 +66,7 @@ std::vector<Jet> seeded(const Vector& x, Eigen::Index first) {
 
 /// Value and gradient at x, and how far to trust them in a box of these `widths` (length n). Works
 /// on `Room` directions at a time.
-template <int Room, class Function>
+template <int Room = 16, class Function>
 Gradient gradient_of(const Function& f, const Vector& x, const Vector& widths) {
   using Jet = ceres::Jet<double, Room>;
   Gradient result{0, Vector(x.size()), {}};
@@ -84,6 +84,54 @@ Gradient gradient_of(const Function& f, const Vector& x, const Vector& widths) {
   }
   result.trust = trust_of(steepest, growth, result.gradient.cwiseProduct(widths).norm());
   return result;
+}
+
+namespace detail {
+
+/// The block of second derivatives from row `row` and column `column` on, and what comes with it.
+template <int Room, class Function>
+void hessian_block(const Function& f, const Vector& x, Eigen::Index row, Eigen::Index column,
+                   Hessian& result) {
+  using Jet = ceres::Jet<double, Room>;
+  using Second = ceres::Jet<Jet, Room>;
+  std::vector<Second> duals;
+  const std::vector<Jet> columns = seeded<Jet>(x, column);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    Second dual(columns[static_cast<std::size_t>(i)]);
+    if (i >= row && i < row + Room) dual.v[i - row] = Jet(1.0);
+    duals.push_back(dual);
+  }
+  Unwatched nobody;
+  const Second y = f(std::span<const Second>(duals), nobody);
+  result.value = y.a.a;
+  for (Eigen::Index i = row; i < std::min(row + Room, x.size()); ++i) {
+    result.gradient[i] = y.v[i - row].a;
+    for (Eigen::Index j = std::max(i, column); j < std::min(column + Room, x.size()); ++j) {
+      result.hessian(i, j) = result.hessian(j, i) = y.v[i - row].v[j - column];
+    }
+  }
+}
+
+template <int Room, class Function>
+Hessian hessian_in_blocks(const Function& f, const Vector& x) {
+  Hessian result{0, Vector(x.size()), Matrix(x.size(), x.size())};
+  for (Eigen::Index row = 0; row < x.size(); row += Room) {
+    for (Eigen::Index column = row; column < x.size(); column += Room) {
+      hessian_block<Room>(f, x, row, column, result);
+    }
+  }
+  return result;
+}
+
+}  // namespace detail
+
+/// Value, gradient and second derivatives at x.
+template <class Function>
+Hessian hessian_of(const Function& f, const Vector& x) {
+  // The fastest rooms, as measured.
+  if (x.size() == 1) return detail::hessian_in_blocks<1>(f, x);
+  if (x.size() <= 6) return detail::hessian_in_blocks<2>(f, x);
+  return detail::hessian_in_blocks<4>(f, x);
 }
 
 }  // namespace ricochet::carrier_track

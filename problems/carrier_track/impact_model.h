@@ -12,6 +12,7 @@
 #include "problems/carrier_track/departure.h"
 #include "problems/carrier_track/event.h"
 #include "problems/carrier_track/flight.h"
+#include "problems/carrier_track/landing.h"
 #include "problems/carrier_track/peak_watch.h"
 #include "problems/carrier_track/profile_forces.h"
 #include "problems/carrier_track/scene.h"
@@ -101,8 +102,9 @@ inline void count_impact(std::int64_t& impacts) {
 }
 
 /// Hard walls, Newton restitution, exact Coulomb friction: flights in closed form between events.
-/// Scalar may be a dual number. Events are then located in plain arithmetic and moved by Newton
-/// steps in dual arithmetic, which gives event times, and all that follows, exact derivatives.
+/// Scalar may be a dual number, or one of more digits than double. Events are then located in plain
+/// arithmetic and found exactly from there (landing.h), which gives event times, and all that
+/// follows, exact derivatives.
 template <class Scalar, class Forces = AppliedForces<Scalar>>
 class ImpactModel {
  public:
@@ -127,6 +129,7 @@ class ImpactModel {
   End<Scalar> run(SomeObserver& observer) {
     direction_ = direction_of(value(velocity_));
     if (direction_ == 0) direction_ = direction_of_departure();
+    if (direction_ == 0) velocity_ = constant<Scalar>(0.0);  // friction stops what is that slow
     while (value(time_) < value(duration_)) {
       if (direction_ == 0) {
         rest(observer);
@@ -145,7 +148,7 @@ class ImpactModel {
   /// Where a body without velocity goes now: friction and a wall behind the force hold it. So does
   /// friction that the forces exceed by rounding alone; next_departure tells if they grow.
   int direction_of_departure() const {
-    const double push = value(forces_.sum());
+    const double push = forces_.plain_sum();
     const double hold = value(friction_) + 4 * std::numeric_limits<double>::epsilon() *
                                                (value(friction_) + forces_.size());
     if (push > hold && !at(Wall::upper)) return +1;
@@ -155,20 +158,21 @@ class ImpactModel {
 
   template <class SomeObserver>
   void move(SomeObserver& observer) {
-    const Scalar sigma = constant<Scalar>(direction_);
     const Scalar wall = (direction_ > 0 ? scene_.wall_upper : scene_.wall_lower) - origin_;
-    Path path = forces_.flight(offset_, velocity_, -sigma * friction_);
+    Path path = forces_.flight(offset_, velocity_, direction_ > 0 ? -friction_ : friction_);
     begin_motion(observer);
     auto there = path.plain();
     const Event event = next_event(there, direction_, direction_ * (value(wall) - value(offset_)),
                                    value(horizon()), evaluations_);
-    const Scalar time = exact_time(event, path, wall);
-    tell_stretch(observer, path, time);
-    if constexpr (DerivativeOrder<Scalar>::value == 0) {
+    if constexpr (newton_steps<Scalar> == 0) {
+      const Scalar time = event.kind == EventKind::horizon ? horizon() : event.time;
+      tell_stretch(observer, path, time);
       arrive(there, time);
     } else {
-      path.advance(time);
-      arrive(path, time);
+      Path landing = path;
+      const Scalar time = land(landing, event, wall, horizon());
+      tell_stretch(observer, path, time);
+      arrive(landing, time);
     }
     if (event.kind == EventKind::wall) {
       strike(observer);
@@ -177,20 +181,6 @@ class ImpactModel {
       peaks_.stops(time_, origin_ + offset_);
       direction_ = direction_of_departure();
     }
-  }
-
-  /// The time of an event with its derivatives, by Newton steps in dual arithmetic.
-  Scalar exact_time(const Event& event, const Path& path, const Scalar& wall) const {
-    Scalar time = constant<Scalar>(event.time);
-    for (int i = 0; i < DerivativeOrder<Scalar>::value; ++i) {
-      const Motion<Scalar> m = path.at(time);
-      // A wall that is only touched has no derivative; its time is left to be a constant.
-      if (event.kind == EventKind::wall && value(m.velocity) != 0.0) {
-        time -= (m.position - wall) / m.velocity;
-      }
-      if (event.kind == EventKind::turn) time -= m.velocity / m.acceleration;
-    }
-    return event.kind == EventKind::horizon ? horizon() : time;
   }
 
   /// Time until the end of the window, or until the forces have to be taken anew.
@@ -219,7 +209,7 @@ class ImpactModel {
     wall_ = direction_ > 0 ? Wall::upper : Wall::lower;
     origin_ = at(Wall::upper) ? scene_.wall_upper : scene_.wall_lower;
     offset_ = constant<Scalar>(0.0);
-    Scalar speed = constant<Scalar>(direction_) * velocity_;
+    Scalar speed = direction_ > 0 ? velocity_ : -velocity_;
     if (value(speed) < 0) speed = constant<Scalar>(0.0);  // a touch, but for rounding
     observer.impact(time_, *wall_, speed);
     peaks_.stops(time_, origin_ + offset_);
@@ -231,15 +221,12 @@ class ImpactModel {
   /// Leaves the wall with `speed`, or comes to rest there when a Zeno sequence ends the bouncing.
   template <class SomeObserver>
   void rebound(SomeObserver& observer, const Scalar& speed, const Scalar& restitution) {
-    velocity_ = constant<Scalar>(direction_) * speed;
+    velocity_ = direction_ > 0 ? speed : constant<Scalar>(0.0) - speed;  // never -0
     if (value(speed) > resting_speed_) return;
-    const Scalar press = -constant<Scalar>(direction_) * forces_.sum();  // into the wall
-    if (value(press) < -value(friction_)) {  // the force leads away from the wall
-      if (value(speed) == 0) velocity_ = constant<Scalar>(0.0);
-      return;
-    }
+    const Scalar press = direction_ > 0 ? -forces_.sum() : forces_.sum();  // into the wall
+    if (value(press) < -value(friction_)) return;  // the force leads away from the wall
     Scalar remaining = constant<Scalar>(0.0);
-    if (value(press) > value(friction_) && value(speed) > 0) {
+    if (value(press) > value(friction_) && !vanishes(speed)) {
       remaining = zeno_tail(speed, restitution, press, friction_);
       // The force must keep still over the sum, unless the hops are lost in rounding anyway.
       const double down = value(press) - value(friction_);
@@ -261,13 +248,17 @@ class ImpactModel {
     const Event event = next_departure(held.plain(), value(friction_), !at(Wall::upper),
                                        !at(Wall::lower), value(horizon()), evaluations_);
     Scalar time = constant<Scalar>(event.time);
-    for (int i = 0; i < DerivativeOrder<Scalar>::value && event.kind == EventKind::depart; ++i) {
+    if (newton_steps < Scalar >> 0 && event.kind == EventKind::depart) {
       Forces later = forces_;
       later.pass(time);
-      const Scalar excess = later.sum() - constant<Scalar>(event.direction) * friction_;
-      // A force that has jumped out of the band, at a knot, leaves it at a fixed time.
-      if (std::abs(value(excess)) > 1e-9 * later.size()) break;
-      time -= excess / later.flight(offset_, velocity_, constant<Scalar>(0.0)).jerk();
+      for (int i = 0; i < newton_steps<Scalar>; ++i) {
+        const Scalar excess = later.sum() - (event.direction > 0 ? friction_ : -friction_);
+        // A force that has jumped out of the band, at a knot, leaves it at a fixed time.
+        if (std::abs(value(excess)) > 1e-9 * later.size()) break;
+        const Scalar late = -excess / later.rate();
+        later.pass(late);
+        time += late;
+      }
     }
     if (event.kind == EventKind::horizon) time = horizon();
     tell_rest(observer, time);

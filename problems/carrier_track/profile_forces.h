@@ -7,15 +7,26 @@
 
 #include "problems/carrier_track/ramp_flight.h"
 #include "problems/carrier_track/scene.h"
+#include "problems/carrier_track/tangent_flight.h"
 
 namespace ricochet::carrier_track {
+
+/// What moves under a speed profile: for a dual scalar the flight that has fast derivatives.
+template <class Scalar>
+struct PathUnderProfile {
+  using Path = RampFlight<Scalar>;
+};
+template <Dual Scalar>
+struct PathUnderProfile<Scalar> {
+  using Path = TangentFlight<Scalar>;
+};
 
 /// The applied forces of a scene with a speed profile, as they are at the present time: from knot
 /// to knot the driver plate speeds up or slows down steadily. The same concept as AppliedForces.
 template <class Scalar>
 class ProfileForces {
  public:
-  using Path = RampFlight<Scalar>;
+  using Path = typename PathUnderProfile<Scalar>::Path;
 
   explicit ProfileForces(const BasicScene<Scalar>& scene)
       : ProfileForces(scene, plate_forces(scene), disturbance_of(scene)) {}
@@ -29,10 +40,16 @@ class ProfileForces {
   }
 
   /// The acceleration now [m/s^2].
-  Scalar sum() const { return still().acceleration(); }
+  Scalar sum() const { return still_.acceleration(); }
+
+  /// The same in plain numbers.
+  double plain_sum() const { return still_.plain_acceleration(); }
+
+  /// How fast it changes [m/s^3].
+  Scalar rate() const { return still_.jerk(); }
 
   /// Sum of the magnitudes that make up sum() [m/s^2], or more.
-  double size() const { return still().size(); }
+  double size() const { return still_.size(); }
 
   /// Bound on the magnitude of sum() over all time [m/s^2].
   double strongest() const {
@@ -42,26 +59,26 @@ class ProfileForces {
       forces.omega = knots()[k].omega;
       for (const std::size_t end : {k, k + 1}) {
         forces.slope = slope_to(end);
-        const Scalar zero = constant<Scalar>(0.0);
-        strongest = std::max(strongest, Path(zero, zero, forces).size());
+        strongest = std::max(strongest, bounds_of(forces).size);
       }
     }
     return strongest;
   }
 
   /// Bound over the reach on the rate of sum() [m/s^3].
-  double jerk_bound() const { return still().jerk_bound(); }
+  double jerk_bound() const { return still_.jerk_bound(); }
 
   /// How long [s] a flight from here is good for.
   Scalar reach() const {
-    const double good = still().reach();
+    const double good = still_.reach();
     const Scalar left = left_of_leg();
     return good < value(left) ? constant<Scalar>(good) : left;
   }
 
   /// Free flight from here under these forces and a further steady acceleration, of friction.
   Path flight(const Scalar& position, const Scalar& velocity, const Scalar& further) const {
-    Path path(position, velocity, now_);
+    Path path = still_;
+    path.start(position, velocity);
     path.push(further);
     return path;
   }
@@ -76,6 +93,7 @@ class ProfileForces {
       begin_leg();
     }
     turn(time);
+    still_ = still();
   }
 
   /// Lets `time` [s] pass, in which a flight has come there.
@@ -85,15 +103,14 @@ class ProfileForces {
   ProfileForces(const BasicScene<Scalar>& scene, const PlateForces<Scalar>& plate,
                 const Harmonic<Scalar>& disturbance)
       : knots_(&scene.profile),
-        now_{plate, disturbance, scene.phase, scene.profile.front().omega, constant<Scalar>(0.0)} {
-    begin_leg();
-  }
+        now_{plate, disturbance, scene.phase, scene.profile.front().omega, slope_to(0)},
+        still_(still()) {}
 
   const std::vector<SpeedKnot<Scalar>>& knots() const { return *knots_; }
 
   Path still() const {
     const Scalar zero = constant<Scalar>(0.0);
-    return flight(zero, zero, zero);
+    return Path(zero, zero, now_);
   }
 
   /// Slope of omega [rad/s^2] on the leg that ends at a knot; after the last the speed holds.
@@ -114,22 +131,24 @@ class ProfileForces {
   }
 
   void turn(const Scalar& time) {
-    const Scalar half = constant<Scalar>(0.5);
     time_ += time;
-    now_.alpha += time * (now_.omega + half * now_.slope * time);
+    const Scalar gain = now_.slope * time;
+    now_.alpha += time * (now_.omega + scaled(gain, 0.5));
     const double turn = 2 * std::numbers::pi;
     now_.alpha -= constant<Scalar>(turn * std::floor(value(now_.alpha) / turn));
-    now_.omega += now_.slope * time;
-    const Scalar zero = constant<Scalar>(0.0);
-    Flight<Scalar> swinging{zero, zero, zero, {now_.disturbance, {}}, 1};
-    swinging.advance(time);
-    now_.disturbance = swinging.harmonic[0];
+    now_.omega += gain;
+    auto& disturbance = now_.disturbance;
+    if (vanishes(disturbance.cosine) && vanishes(disturbance.sine)) return;
+    const Swung<Scalar> by = swung(disturbance, time);
+    disturbance.cosine = by.cosine;
+    disturbance.sine = by.sine;
   }
 
   const std::vector<SpeedKnot<Scalar>>* knots_;  // of the scene
   std::size_t next_ = 0;                         // knot
   Scalar time_ = constant<Scalar>(0.0);
   RampForces<Scalar> now_;
+  Path still_;  // of a body at rest at zero, from now
 };
 
 }  // namespace ricochet::carrier_track

@@ -115,6 +115,8 @@ Scalar returned_share(const BasicScene<Scalar>& scene) {
   using std::sqrt;
   const Scalar one = constant<Scalar>(1.0);
   if (!scene.contact_friction) return one;
+  // The derivative with respect to this friction is infinite, and left out.
+  if (value(scene.friction) >= 1) return constant<Scalar>(0.0);
   return sqrt((one - scene.friction) / (one + scene.friction));
 }
 

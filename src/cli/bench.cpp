@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/derivatives_bench.h"
 #include "bench/integrators_bench.h"
 #include "bench/memory_bench.h"
 #include "bench/simulation_bench.h"
@@ -16,6 +17,7 @@ int bench(std::vector<std::string> arguments, bool json) {
   for (std::string& argument : arguments) argv.push_back(argument.data());
   auto argc = static_cast<int>(argv.size());
   bench::add_simulation_benchmarks();
+  bench::add_derivative_benchmarks();
   bench::add_integrator_benchmarks();
   bench::add_memory_benchmarks();
   benchmark::Initialize(&argc, argv.data());

@@ -44,6 +44,31 @@ TEST(Flight, StumpffFunctionsAreRightAtEveryAngle) {
   EXPECT_EQ(stumpff(-0.7).c3, stumpff(0.7).c3);
 }
 
+TEST(Flight, StumpffFunctionsOfHigherOrderAndTheirDerivativesAreRight) {
+  // c(k) is the integral of (1 - s)^(k - 1) / (k - 1)! cos(u s) over 0..1.
+  using Jet = ceres::Jet<double, 1>;
+  for (double u = 1e-6; u < 30; u *= 1.3) {
+    const auto high = stumpff_functions<3>(u);
+    const auto low = stumpff_functions<1>(Jet(u, 0));
+    long double factorial = 1;
+    for (std::size_t k = 2; k < 8; ++k) {
+      factorial *= static_cast<long double>(k);
+      const auto weight = [&](long double s) {
+        return static_cast<long double>(k) * std::pow(1 - s, static_cast<long double>(k - 1)) /
+               factorial;
+      };
+      const auto c = integral([&](long double s) { return weight(s) * std::cos(u * s); }, 1.0L, u);
+      EXPECT_NEAR(high[k - 2], static_cast<double>(c), 1e-13 / static_cast<double>(factorial))
+          << k << " at " << u;
+      if (k > 3) continue;
+      const auto rise =
+          integral([&](long double s) { return -s * weight(s) * std::sin(u * s); }, 1.0L, u);
+      EXPECT_NEAR(low[k - 2].a, static_cast<double>(c), 1e-15) << k << " at " << u;
+      EXPECT_NEAR(low[k - 2].v[0], static_cast<double>(rise), 1e-15) << k << " at " << u;
+    }
+  }
+}
+
 TEST(Flight, StumpffFunctionsAreContinuousWhereTheirFormulaChanges) {
   for (const double u : {0.125, 1.0}) {
     EXPECT_NEAR(stumpff(std::nextafter(u, 0.0)).c2, stumpff(u).c2, 3e-16);

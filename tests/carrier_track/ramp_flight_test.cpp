@@ -7,19 +7,10 @@
 #include <cmath>
 
 #include "problems/carrier_track/oracle/random_scenes.h"
+#include "tests/carrier_track/random_ramp_forces.h"
 
 namespace ricochet::carrier_track {
 namespace {
-
-RampForces<double> random_forces(RandomScenes& draws) {
-  const auto within = [&](double a, double b) { return draws.within(a, b); };
-  return {{within(-1, 1), within(-0.1, 0.1), within(-1, 1), within(-0.1, 0.1), within(-0.1, 0.1),
-           within(-1, 1), within(-0.1, 0.1), within(-0.1, 0.1)},
-          {within(-1, 1), within(-1, 1), draws.log_within(0.3, 30)},
-          within(-4, 4),
-          draws.log_within(0.3, 20),
-          draws.chance(0.2) ? 0.0 : within(-20, 20)};
-}
 
 /// The acceleration as the definition of PlateForces has it.
 double acceleration(const RampForces<double>& f, double t) {
@@ -39,7 +30,7 @@ TEST(RampFlight, IsTheDoubleIntegralOfTheForcesOverItsReach) {
   RandomScenes draws(1);
   for (int i = 0; i < 300; ++i) {
     SCOPED_TRACE(i);
-    const RampForces<double> forces = random_forces(draws);
+    const RampForces<double> forces = random_ramp_forces(draws);
     const RampFlight<double> flight(0.3, -0.2, forces);
     const double t = flight.reach() * draws.within(0, 1);
     const Motion<double> m = flight.at(t);
@@ -57,7 +48,7 @@ TEST(RampFlight, KnowsItsDerivativesAndBounds) {
   RandomScenes draws(2);
   for (int i = 0; i < 300; ++i) {
     SCOPED_TRACE(i);
-    RampFlight<double> flight(0.0, 0.0, random_forces(draws));
+    RampFlight<double> flight(0.0, 0.0, random_ramp_forces(draws));
     const RampFlight<double> start = flight;
     const double reach = flight.reach();
     flight.advance(reach * draws.within(0.1, 0.9));
@@ -76,7 +67,7 @@ TEST(RampFlight, KnowsItsDerivativesAndBounds) {
 TEST(RampFlight, GoesOnAfterAnAdvanceAsBefore) {
   RandomScenes draws(3);
   for (int i = 0; i < 100; ++i) {
-    const RampFlight<double> flight(0.3, -0.2, random_forces(draws));
+    const RampFlight<double> flight(0.3, -0.2, random_ramp_forces(draws));
     const double t = 0.4 * flight.reach();
     RampFlight<double> later = flight;
     later.advance(t);
@@ -91,7 +82,7 @@ TEST(RampFlight, CarriesDerivativesWithRespectToTheSlope) {
   using Jet = ceres::Jet<double, 1>;
   RandomScenes draws(4);
   for (int i = 0; i < 100; ++i) {
-    const RampForces<double> f = random_forces(draws);
+    const RampForces<double> f = random_ramp_forces(draws);
     const auto position_at = [&](const auto& slope, double t) {
       using Scalar = std::decay_t<decltype(slope)>;
       const auto lift = [](double x) { return constant<Scalar>(x); };

@@ -1,0 +1,128 @@
+#include "bench/derivatives_bench.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <span>
+#include <string>
+
+#include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/collisions.h"
+#include "problems/carrier_track/derivatives.h"
+#include "problems/carrier_track/fitted_reading.h"
+#include "problems/carrier_track/surrogate.h"
+
+namespace ricochet::bench {
+namespace {
+
+using namespace carrier_track;
+
+/// The surrogate as a function of the constant speed and up to four constants more.
+struct OfConstants {
+  Scene scene = at_speed(scene_of(find_case("C4"), default_reading().scene), 6.0);
+  Eigen::Index size;
+
+  Vector start() const {
+    Vector all(5);
+    all << scene.omega, scene.mass, scene.wall_upper, scene.restitution_upper, scene.friction;
+    return all.head(size);
+  }
+
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& /*watch*/) const {
+    auto near = lifted<Scalar>(scene);
+    Scalar* const constants[] = {&near.omega, &near.mass, &near.wall_upper, &near.restitution_upper,
+                                 &near.friction};
+    for (std::size_t i = 0; i < x.size(); ++i) *constants[i] = x[i];
+    return objective(near, default_width);
+  }
+};
+
+/// The same as a function of the knots of a speed profile over the same window.
+struct OfKnots {
+  Scene scene;
+
+  explicit OfKnots(int knots) : scene(OfConstants{.size = 1}.scene) {
+    const double duration = duration_of(scene);
+    scene.window = Seconds{duration};
+    for (int k = 0; k < knots; ++k) {
+      scene.profile.push_back({duration * k / knots, scene.omega * (1 + 0.3 * std::sin(k + 1))});
+    }
+  }
+
+  Vector start() const {
+    Vector x(static_cast<Eigen::Index>(scene.profile.size()));
+    std::transform(scene.profile.begin(), scene.profile.end(), x.begin(),
+                   [](const SpeedKnot<double>& knot) { return knot.omega; });
+    return x;
+  }
+
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& /*watch*/) const {
+    auto near = lifted<Scalar>(scene);
+    for (std::size_t k = 0; k < x.size(); ++k) near.profile[k].omega = x[k];
+    return objective(near, default_width);
+  }
+};
+
+/// Processor time [s] of one call, over a few milliseconds.
+template <class Work>
+double processor_time(const Work& work) {
+  int calls = 0;
+  const std::clock_t start = std::clock();
+  std::clock_t passed = 0;
+  do {
+    benchmark::DoNotOptimize(work());
+    ++calls;
+    passed = std::clock() - start;
+  } while (passed < CLOCKS_PER_SEC / 200);
+  return static_cast<double>(passed) / CLOCKS_PER_SEC / calls;
+}
+
+/// Time of one call, and over_value: how often the value could be had in it, both at their fastest
+/// and by turns, as other work on the machine slows now this and now that.
+template <class Function, class Work>
+void derivative(benchmark::State& state, const Function& f, double allowed, const Work& work) {
+  const Vector x = f.start();
+  double value = std::numeric_limits<double>::infinity();
+  double whole = value;
+  for (int i = 0; i < 10; ++i) {
+    value = std::min(value, processor_time([&] { return value_of(f, x); }));
+    whole = std::min(whole, processor_time([&] { return work(f, x); }));
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(work(f, x));
+  state.counters["over_value"] = whole / value;
+  state.counters["allowed"] = allowed;
+}
+
+template <class Function>
+void add(const std::string& name, const Function& f) {
+  const auto n = static_cast<double>(f.start().size());
+  const auto value = [](const Function& g, const Vector& x) { return value_of(g, x); };
+  const auto gradient = [](const Function& g, const Vector& x) {
+    return gradient_of(g, x, Vector::Ones(x.size())).value;
+  };
+  const auto hessian = [](const Function& g, const Vector& x) { return hessian_of(g, x).value; };
+  const auto of = [&](const char* what, double allowed, const auto& work) {
+    benchmark::RegisterBenchmark((what + name).c_str(), [=](benchmark::State& state) {
+      derivative(state, f, allowed, work);
+    })->Unit(benchmark::kMicrosecond);
+  };
+  of("derivatives/value/", 1, value);
+  of("derivatives/gradient/", std::max(3.0, 1 + n / 2), gradient);
+  of("derivatives/hessian/", (1 + n) * (1 + n), hessian);
+}
+
+}  // namespace
+
+void add_derivative_benchmarks() {
+  for (const Eigen::Index size : {1, 5}) {
+    add("constants/" + std::to_string(size), OfConstants{.size = size});
+  }
+  for (const int knots : {4, 16, 64}) add("knots/" + std::to_string(knots), OfKnots(knots));
+}
+
+}  // namespace ricochet::bench

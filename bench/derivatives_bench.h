@@ -1,0 +1,9 @@
+#pragma once
+
+namespace ricochet::bench {
+
+/// Registers the measurements of gradients and Hessians with Google Benchmark, each with its cost
+/// in values of the same function and with the cost that is allowed.
+void add_derivative_benchmarks();
+
+}  // namespace ricochet::bench

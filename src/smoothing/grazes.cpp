@@ -72,11 +72,13 @@ std::vector<Graze> find_grazes(const Scene& scene, double lower, double upper, i
   for (int i = 1; i <= steps; ++i) {
     const double now = lower + (upper - lower) * i / steps;
     std::vector<Impact> next = strikes_at(scene, now);
-    for (std::size_t k = 0; k < std::min(strikes.size(), next.size()); ++k) {
+    for (std::size_t k = 0; k < std::max(strikes.size(), next.size()); ++k) {
       const Piece piece{before, now, turns_until(strikes, k, scene, before),
                         turns_until(next, k, scene, now)};
       if (piece.change() < jump) continue;
-      if (const auto graze = graze_within(scene, k, piece)) grazes.push_back(*graze);
+      const auto graze = graze_within(scene, k, piece);
+      if (!graze) continue;
+      grazes.push_back(*graze);
       break;
     }
     before = now;

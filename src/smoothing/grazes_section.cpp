@@ -51,7 +51,8 @@ report::Figure slopes_of(const GrazeStudy& study, std::size_t width) {
   return {chart,
           "From right to left the graze comes nearer. Where the wall is hit (lines) the slope "
           "grows like the distance to the power of -1/2, a straight line here; where it is missed "
-          "(points) the slope stays what it is. A dip is a change of sign."};
+          "(points) the slope stays what it is. A dip is a change of sign; a hump, the born "
+          "impact itself, where it passes the limit from which it counts."};
 }
 
 report::Figure reaches_of(const GrazeStudy& study) {
@@ -136,6 +137,7 @@ void add_grazes(const GrazeStudy& study, report::Section& section) {
   double least = 0;
   double most = -1e300;
   double steepest = 0;
+  double missed = 0;
   for (const GrazeRow& row : study.rows) {
     for (const auto& exponent : row.exponents) {
       if (!exponent) continue;
@@ -143,19 +145,21 @@ void add_grazes(const GrazeStudy& study, report::Section& section) {
       most = std::max(most, *exponent);
     }
     for (const auto& approaches : row.approaches) {
-      for (const Approach& a : approaches) steepest = std::max(steepest, std::abs(a.hit_slope));
+      steepest = std::max(steepest, std::abs(approaches.back().hit_slope));
+      missed = std::max(missed, std::abs(approaches.back().missed_slope));
     }
   }
-  const double nearest = study.plan.distances.back();
+  const bool right = std::abs(least + 0.5) < 0.05 && std::abs(most + 0.5) < 0.05;
   section.paragraphs.push_back(fmt::format(
-      "Found next to grazes: where a wall is only just hit, the slope is infinite in the limit, as "
-      "theory has it. At {} grazes of the cases its exponent is {:.3f} to {:.3f} (theory: -1/2), "
-      "for every width from {:g} to {:g}; nearest, at {:.0e} of the range, it is up to {:.0f} "
-      "impacts per rad/s. On the side where the wall is missed it stays finite. The reach that "
+      "Found next to grazes: where a wall is only just hit, the slope grows {}. At {} grazes of "
+      "the cases its exponent is {:.3f} to {:.3f} (theory: -1/2), at widths from {:g} to {:g}; "
+      "nearest, at {:.0e} of the range, it is up to {:.0f} impacts per rad/s. There it is {:.1f} "
+      "at most on the side where the wall is missed. The reach that "
       "comes with a gradient tells the distance of the graze on both sides: from 1e-4 of the range "
       "on it is off by {:.1f} % at most, and below {:.0e} the gradient is called in doubt.",
-      study.rows.size(), least, most, study.plan.widths.back(), study.plan.widths.front(), nearest,
-      steepest, 100 * worst_reach(study, 1e-4), short_reach));
+      right ? "without limit, as theory has it" : "otherwise than theory has it", study.rows.size(),
+      least, most, study.plan.widths.back(), study.plan.widths.front(), study.plan.distances.back(),
+      steepest, missed, 100 * worst_reach(study, 1e-4), short_reach));
   section.paragraphs.push_back(
       "An impact that is born by a distance d from the graze strikes with a speed like the root of "
       "d. By itself it does not weigh: the surrogate counts it with the power 1 / width of its "

@@ -104,6 +104,11 @@ std::string turns_or_never(const std::optional<double>& turns) {
   return turns ? fmt::format("{:g}", *turns) : "never";
 }
 
+/// To the hundredths, without the sign of a zero.
+std::optional<double> rounded(const std::optional<double>& rate) {
+  return rate ? std::optional(std::round(100 * *rate) / 100 + 0.0) : std::nullopt;
+}
+
 report::Table table_of(const GrowthStudy& study) {
   report::Table table{
       fmt::format(
@@ -128,7 +133,7 @@ report::Table table_of(const GrowthStudy& study) {
     table.rows.push_back({{row.driven.name},
                           {exponent ? fmt::format("{:.2f}", *exponent) : "-infinity"},
                           {fmt::format("{:.2f}", longest.sensitivity.growth)},
-                          {report::text_or_dash(longest.rate, "{:.2f}")},
+                          {report::text_or_dash(rounded(longest.rate), "{:.2f}")},
                           {fmt::format("{:.1e}", row.cells.front().gradient)},
                           {fmt::format("{:.1e}", longest.gradient)},
                           {turns_or_never(sensitive_from(row))},
@@ -138,35 +143,50 @@ report::Table table_of(const GrowthStudy& study) {
   return table;
 }
 
-std::string finding(const GrowthStudy& study) {
-  int cases = 0, calm = 0, chaotic = 0, warned = 0, blind = 0, within = 0;
-  double fastest = 0, apart = 0, worst = 0;
+struct Totals {
+  int cases = 0, forgetting = 0, doubted = 0;  // of the paper's cases
+  double fastest = 0, worst = 0;               // rate [1/s], and error of a difference
+  int chaotic = 0, warned = 0, blind = 0, within = 0;
+  double apart = 0;  // of rate and exponent, relative
+};
+
+Totals totals_of(const GrowthStudy& study) {
+  Totals totals;
   for (const GrowthRow& row : study.rows) {
     const GrowthCell& longest = row.cells.back();
     if (!row.driven.shaken) {
-      ++cases;
-      calm += forgets(row);
-      fastest = std::max(fastest, std::abs(longest.rate.value_or(0)));
-      double error = 0;
-      for (const GrowthCell& cell : row.cells) error = std::max(error, cell.error_of(cell.within));
-      worst = std::max(worst, error);
+      ++totals.cases;
+      totals.forgetting += forgets(row);
+      totals.doubted += sensitive_from(row).has_value();
+      totals.fastest = std::max(totals.fastest, std::abs(longest.rate.value_or(0)));
+      for (const GrowthCell& cell : row.cells) {
+        totals.worst = std::max(totals.worst, cell.error_of(cell.within));
+      }
     } else if (longest.sensitivity.chaotic() && longest.rate) {
-      ++chaotic;
-      apart = std::max(apart, std::abs(*longest.rate / longest.sensitivity.growth - 1));
-      warned += sensitive_from(row).has_value();
-      blind += blind_wrong_from(row).has_value();
-      within += within_wrong_from(row).has_value();
+      ++totals.chaotic;
+      totals.apart =
+          std::max(totals.apart, std::abs(*longest.rate / longest.sensitivity.growth - 1));
+      totals.warned += sensitive_from(row).has_value();
+      totals.blind += blind_wrong_from(row).has_value();
+      totals.within += within_wrong_from(row).has_value();
     }
   }
+  return totals;
+}
+
+std::string finding(const GrowthStudy& study) {
+  const Totals t = totals_of(study);
   return fmt::format(
-      "Found: gradients of the paper's cases are good for any window. {} of {} motions rest on a "
-      "wall, which forgets; their derivatives grow or shrink by {:.2f} per second at most in {:g} "
-      "turns, and differences agree with them to {:.0e} or better. In {} chaotic motions beside "
-      "them derivatives grow exponentially, at the rate of the Lyapunov exponent within {:.0f} %. "
-      "There {} of {} gradients come to be called sensitive; blind differences come to be wrong "
-      "in {}, and in {} even those with steps within the reach.",
-      calm, cases, fastest, study.plan.turns.back(), worst, chaotic, 100 * apart, warned, chaotic,
-      blind, within);
+      "Found: {} of the {} gradients of the paper's cases are called sensitive in windows of up to "
+      "{:g} turns. {} of these motions rest on a wall, which forgets; their derivatives grow or "
+      "shrink by {:.2f} per second at most, and differences with steps within the reach agree with "
+      "them to {:.0e} or better. In {} chaotic motions beside them derivatives grow exponentially, "
+      "at the rate of the Lyapunov exponent within {:.0f} %. There {} gradients come to be called "
+      "sensitive; blind differences come to be wrong in {}, and those with steps within the reach "
+      "in {}.",
+      t.doubted == 0 ? "none" : std::to_string(t.doubted), t.cases, study.plan.turns.back(),
+      t.forgetting == t.cases ? "All" : std::to_string(t.forgetting), t.fastest, t.worst, t.chaotic,
+      100 * t.apart, t.warned, t.blind, t.within);
 }
 
 }  // namespace

@@ -20,14 +20,15 @@ TEST(LargestJump, IsThatOfAStepBesideASteepSlope) {
 
 TEST(LargestJump, IsRoundingWhereThereIsNone) {
   EXPECT_LT(largest_jump([](double t) { return std::sin(20 * t); }), 1e-14);
-  // The root of a distance of one rounding, 2^-54 or so.
-  const double root = largest_jump([](double t) { return std::sqrt(std::abs(t - 0.37)); });
+  // The root of a distance of one rounding, 2^-54.
+  const double root =
+      largest_jump([](double t) { return t > 0.3126 ? std::sqrt(t - 0.3126) : 0.0; });
   EXPECT_GT(root, 1e-9);
   EXPECT_LT(root, 2e-8);
 }
 
 TEST(Continuity, FindsTheCountsJumpsAndNoneOfTheSurrogate) {
-  const ContinuityStudy study = study_continuity({{1.0, 0.25}, 300, 3});
+  const ContinuityStudy study = study_continuity({{1.0, 0.25}, 150, 3});
   ASSERT_EQ(study.rows.size(), 12U);
   std::size_t segments = 0;
   std::size_t count_jumps = 0;
@@ -35,21 +36,21 @@ TEST(Continuity, FindsTheCountsJumpsAndNoneOfTheSurrogate) {
     segments += row.segments;
     count_jumps += row.count_jumps;
     for (const auto& jumps : row.jumps) {
-      ASSERT_EQ(jumps.size(), row.segments / 2);
+      ASSERT_GE(jumps.size(), row.segments / 2);
       EXPECT_LT(jumps.back(), largest_allowed) << row.id;
     }
   }
-  EXPECT_EQ(segments, 300U);
-  EXPECT_GT(count_jumps, 60U);
+  EXPECT_EQ(segments, 150U);
+  EXPECT_GT(count_jumps, 30U);
 }
 
 TEST(Continuity, CallsASegmentOnWhichTheCountJumpsSo) {
   // The count of the ends differs, or that of one of 15 points between.
   const carrier_track::Scene scene =
-      scene_of(carrier_track::find_case("C2"), carrier_track::default_reading().scene);
+      scene_of(carrier_track::find_case("C4"), carrier_track::default_reading().scene);
   Random random(5);
   int jumps = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 12; ++i) {
     const Segment segment = random_segment(scene, random);
     const double largest =
         largest_jump([&](double t) { return carrier_track::objective(segment.at(t), 0.0); });
@@ -57,11 +58,11 @@ TEST(Continuity, CallsASegmentOnWhichTheCountJumpsSo) {
     jumps += largest >= 1;
   }
   EXPECT_GT(jumps, 0);
-  EXPECT_LT(jumps, 20);
+  EXPECT_LT(jumps, 12);
 }
 
 TEST(Continuity, HasTheSameBitsForAnyNumberOfThreads) {
-  const ContinuityPlan plan{{0.25}, 60, 4};
+  const ContinuityPlan plan{{0.25}, 30, 4};
   const ContinuityStudy many = study_continuity(plan);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const ContinuityStudy single = study_continuity(plan);

@@ -13,6 +13,7 @@
 #include "src/cli/problems.h"
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
+#include "src/cli/surrogate.h"
 #include "src/cli/threshold.h"
 #include "src/cli/verify.h"
 #include "src/core/error.h"
@@ -44,6 +45,7 @@ class Program {
     add_threshold();
     add_calibrate();
     add_dynamics();
+    add_surrogate();
     add_verify();
     add_scene();
     add_list();
@@ -136,6 +138,14 @@ class Program {
     command->callback([this] { work_ = [this] { return dynamics(dynamics_); }; });
   }
 
+  void add_surrogate() {
+    CLI::App* command = app_.add_subcommand(
+        "surrogate", "Where the smooth surrogate and its gradient can be trusted, as a report");
+    command->add_flag("--quick", surrogate_.quick, "A coarser study, in seconds");
+    command->add_option("--out", surrogate_.out, "Folder for the report")->capture_default_str();
+    command->callback([this] { work_ = [this] { return surrogate(surrogate_); }; });
+  }
+
   void add_verify() {
     CLI::App* command =
         app_.add_subcommand("verify", "The impact model against an oracle in extended precision");
@@ -205,6 +215,7 @@ class Program {
   ThresholdOptions threshold_;
   CalibrateOptions calibrate_;
   DynamicsOptions dynamics_;
+  SurrogateOptions surrogate_;
   VerifyOptions verify_;
   ProblemsOptions problems_;
   CertifyOptions certify_;

@@ -245,7 +245,7 @@ auto outcome_of(const Scene& scene) {
     const auto constants = constants_of(near);
     for (std::size_t i = 0; i < constants.size(); ++i) *constants[i] = x[i];
     Scalar count = constant<Scalar>(0.0);
-    auto add = [&](const Scalar& z) { count += step(z, 0.25); };
+    auto add = [&](const Scalar& z, const Scalar& left) { count += weight(z, left, 0.25); };
     Features<Scalar, decltype(add)> features(near, add);
     const End<Scalar> end = simulate(near, features);
     return count + constant<Scalar>(1e3) * end.position + end.velocity + end.time;

@@ -14,6 +14,9 @@
 namespace ricochet::smoothing {
 namespace {
 
+/// A difference that is off by more than this share has other reasons than rounding.
+constexpr double digits_lost = 1e-3;
+
 /// Objective and constraints.
 Vector all_of(const Values& values) {
   Vector all(1 + values.constraints.size());
@@ -41,6 +44,14 @@ std::vector<Difference> differences(const Problem& problem, const Vector& point,
   std::vector<Difference> best;
   for (const Extrapolation& function : functions) best.push_back(function.best());
   return best;
+}
+
+/// Whether a difference that is off by little is no further off than another, from shorter steps,
+/// is from it, or than it is estimated to be.
+bool is_rounding(double exact, const Difference& difference, const Difference& other) {
+  const double apart = std::abs(exact - difference.slope);
+  const double own = std::max(difference.error, std::abs(difference.slope - other.slope));
+  return apart <= 10 * own && apart <= digits_lost * std::abs(exact);
 }
 
 /// Whether a difference is right within a share of the slope, or its own error.
@@ -120,7 +131,9 @@ std::vector<Comparison> compare(const Problem& problem, const Vector& point,
         result.cause = Cause::flat;
       } else if (beyond && agrees(exact[k], near[static_cast<std::size_t>(k)])) {
         result.cause = Cause::reach;
-      } else if (agrees(exact[k], far)) {
+      } else if (is_rounding(exact[k], far,
+                             differences(problem, point, direction,
+                                         0.7 * first_step)[static_cast<std::size_t>(k)])) {
         result.cause = Cause::rounding;
       } else {
         result.cause = Cause::unexplained;

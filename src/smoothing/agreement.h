@@ -28,7 +28,7 @@ enum class Cause {
   none,         ///< it is: no outlier
   flat,         ///< the two differ by next to nothing
   reach,        ///< its steps led over the gradient's reach; shorter ones agree
-  rounding,     ///< by no more than the difference's own error
+  rounding,     ///< by less than 1e-3, and no more than differences differ among themselves
   unexplained,  ///< nobody knows
 };
 inline constexpr std::size_t causes = 5;

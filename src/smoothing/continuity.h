@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ inline constexpr double largest_allowed = 1e-6;
 
 struct ContinuityPlan {
   std::vector<double> widths;  ///< > 0
-  std::size_t segments;        ///< in all, 30 a width or more: one a lively case, four another
+  std::size_t segments;        ///< in all, 54 a width or more: one a lively case, eight another
   std::uint64_t seed;
 };
 
@@ -42,6 +43,10 @@ Segment random_segment(const carrier_track::Scene& scene, Random& random);
 struct Jumps {
   bool of_count;     ///< whether the count differs between some of 17 points
   double surrogate;  ///< the largest between neighbouring numbers, see largest_jump.h
+  /// The surrogate's between the neighbouring numbers where the number of strikes changes, impacts
+  /// on another wall than the one before: where a wall is touched, or the window ends. Nothing
+  /// where that number is the same at all points.
+  std::optional<double> at_birth;
 };
 
 Jumps jumps_of(const Segment& segment, double width);
@@ -50,8 +55,9 @@ Jumps jumps_of(const Segment& segment, double width);
 struct ContinuityRow {
   std::string id;
   std::size_t segments = 0;
-  std::size_t count_jumps = 0;             ///< segments on which the count does
-  std::vector<std::vector<double>> jumps;  ///< a width: the largest of each segment, rising
+  std::size_t count_jumps = 0;              ///< segments on which the count does
+  std::vector<std::vector<double>> jumps;   ///< a width: the largest of each segment, rising
+  std::vector<std::vector<double>> births;  ///< a width: those at births, rising
 };
 
 struct ContinuityStudy {
@@ -60,7 +66,7 @@ struct ContinuityStudy {
 };
 
 /// In parallel, with the same bits for any number of threads. Each segment is looked at with one of
-/// the widths, in turn: some 65 simulations.
+/// the widths, in turn: some 65 to 115 simulations.
 ContinuityStudy study_continuity(const ContinuityPlan& plan);
 
 report::Section continuity_section(const ContinuityStudy& study);

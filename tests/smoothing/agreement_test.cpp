@@ -97,7 +97,9 @@ TEST(Agreement, CallsASlopeOfNextToNothingFlat) {
 
 TEST(Agreement, CallsWhatADifferenceCannotTellRounding) {
   Problem coarse = corner(false);  // x, to seven digits
-  coarse.evaluate = [](const Vector& x) { return Values{1e-7 * std::round(1e7 * x[0]), {}}; };
+  coarse.evaluate = [](const Vector& x) {
+    return Values{1.37e-7 * std::round(x[0] / 1.37e-7), {}};
+  };
   coarse.differentiate = [](const Vector& x) {
     return Derivatives{{x[0], {}}, Vector::Constant(1, 1.0), Matrix(0, 1)};
   };

@@ -97,11 +97,16 @@ Jumps jumps_of(const Segment& segment, double width) {
   }
   const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
   const auto value_at = [&](double t) { return objective(segment.at(t), width); };
-  Jumps jumps{*fewest != *most, narrowed(steepest_piece(values), value_at).change(), {}};
+  Jumps jumps{*fewest != *most, narrowed(steepest_piece(values), value_at).change(), {}, {}};
   const Piece steepest = steepest_piece(strikes);
   if (steepest.change() > 0) {
     const Piece birth = narrowed(steepest, [&](double t) { return strikes_of(segment.at(t)); });
-    jumps.at_birth = std::abs(value_at(birth.upper) - value_at(birth.lower));
+    const auto change = [&](double distance) {
+      return std::abs(value_at(birth.upper + distance) - value_at(birth.lower - distance));
+    };
+    jumps.at_birth = change(0);
+    const double near = change(1e-9);
+    if (near > 1e-11) jumps.exponent = 0.5 * std::log10(change(1e-7) / near);
   }
   return jumps;
 }
@@ -114,7 +119,7 @@ ContinuityStudy study_continuity(const ContinuityPlan& plan) {
   for (const Case& a_case : cases) shares += share_of(a_case);
   Progress progress("continuity", static_cast<double>(cases.size()));
   for (const Case& a_case : cases) {
-    ContinuityRow row{a_case.id, plan.segments * share_of(a_case) / shares, 0, {}, {}};
+    ContinuityRow row{a_case.id, plan.segments * share_of(a_case) / shares, 0, {}, {}, {}};
     const Scene scene = scene_of(a_case, default_reading().scene);
     std::vector<Jumps> found(row.segments);
     tbb::parallel_for(std::size_t{0}, row.segments, [&](std::size_t k) {
@@ -127,8 +132,10 @@ ContinuityStudy study_continuity(const ContinuityPlan& plan) {
       row.count_jumps += found[k].of_count;
       row.jumps[k % widths].push_back(found[k].surrogate);
       if (found[k].at_birth) row.births[k % widths].push_back(*found[k].at_birth);
+      if (found[k].exponent) row.exponents.push_back(*found[k].exponent);
     }
     for (auto& jumps : row.jumps) std::sort(jumps.begin(), jumps.end());
+    std::sort(row.exponents.begin(), row.exponents.end());
     for (auto& births : row.births) std::sort(births.begin(), births.end());
     study.rows.push_back(std::move(row));
     progress.advance(1);

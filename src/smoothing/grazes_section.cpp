@@ -163,13 +163,14 @@ void add_grazes(const GrazeStudy& study, report::Section& section) {
       "at most on the side where the wall is missed. The reach that "
       "comes with a gradient tells the distance of the graze on both sides: from 1e-4 of the range "
       "on it is off by {:.1f} % at most, and below {:.0e} the gradient is called in doubt.",
-      right ? "without limit, as theory has it" : "otherwise than theory has it", study.rows.size(),
-      least, most, study.plan.widths.back(), study.plan.widths.front(), study.plan.distances.back(),
-      steepest, missed, 100 * worst_reach(study, 1e-4), short_reach));
+      right ? "without limit, as theory has it" : "otherwise than theory has it", followed,
+      study.rows.size(), least, most, study.plan.widths.back(), study.plan.widths.front(),
+      study.plan.distances.back(), steepest, missed, 100 * worst_reach(study, 1e-4), short_reach));
   section.paragraphs.push_back(
       "An impact that is born by a distance d from the graze strikes with a speed like the root of "
       "d. By itself it does not weigh: the surrogate counts it with the power 1 / width of its "
-      "speed. But what follows feels it: the path after it is off by as much, and so is every "
+      "speed, so that its slope stays finite up to a width of 1/2. But what follows feels it: the "
+      "path after it is off by as much, and so is every "
       "later impact, so that the surrogate goes with the root of d, and its slope with the inverse "
       "root, whatever the width: a surrogate smooths the limit from which impacts count, not the "
       "motion. A graze is found by following the time of a strike over the speed to where it "

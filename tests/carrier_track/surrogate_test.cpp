@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -13,6 +12,7 @@
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/collisions.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
+#include "src/smoothing/difference.h"
 #include "tests/carrier_track/exploratory_scene.h"
 #include "tests/carrier_track/watch.h"
 
@@ -21,30 +21,8 @@ namespace {
 
 using Jet = ceres::Jet<double, 1>;
 
-struct Difference {
-  double slope;
-  double error;  ///< estimated
-};
-
-/// Slope of f at x by central differences of steps h, h/2, ... extrapolated to step 0, where the
-/// extrapolations agree best (Ridders 1982).
-template <class Function>
-Difference difference(Function f, double x, double h) {
-  constexpr std::size_t levels = 12;
-  std::array<std::array<double, levels>, levels> table{};
-  Difference best{0, std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < levels; ++i, h /= 2) {
-    table[i][0] = (f(x + h) - f(x - h)) / (2 * h);
-    double factor = 4;
-    for (std::size_t k = 1; k <= i; ++k, factor *= 4) {
-      table[i][k] = table[i][k - 1] + (table[i][k - 1] - table[i - 1][k - 1]) / (factor - 1);
-      const double error = std::max(std::abs(table[i][k] - table[i][k - 1]),
-                                    std::abs(table[i][k] - table[i - 1][k - 1]));
-      if (error < best.error) best = {table[i][k], error};
-    }
-  }
-  return best;
-}
+using smoothing::difference;
+using smoothing::Difference;
 
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());

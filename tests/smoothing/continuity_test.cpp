@@ -24,7 +24,7 @@ TEST(LargestJump, IsRoundingWhereThereIsNone) {
 }
 
 TEST(Continuity, FindsTheCountsJumpsAndNoneOfTheSurrogate) {
-  const ContinuityStudy study = study_continuity({{1.0, 0.25}, 162, 3});
+  const ContinuityStudy study = study_continuity({{0.5, 0.25}, 162, 3});
   ASSERT_EQ(study.rows.size(), 12U);
   std::size_t segments = 0;
   std::size_t count_jumps = 0;
@@ -40,6 +40,8 @@ TEST(Continuity, FindsTheCountsJumpsAndNoneOfTheSurrogate) {
       births += jumps.size();
       EXPECT_TRUE(jumps.empty() || jumps.back() < largest_allowed) << row.id;
     }
+    // A root, or smoother; 0 would be a jump.
+    for (const double exponent : row.exponents) EXPECT_GT(exponent, 0.4) << row.id;
   }
   EXPECT_EQ(segments, 162U);
   EXPECT_GT(count_jumps, 30U);

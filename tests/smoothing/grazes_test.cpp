@@ -63,8 +63,8 @@ TEST(Grazes, AreToldByTheReachOnBothSides) {
   for (const Graze& graze : grazes) {
     for (const double distance : {1e-5, 1e-7, 1e-9}) {
       const Approach near = approach(scene, graze, 0.25, distance);
-      EXPECT_NEAR(near.hit_reach / distance, 1, 1e-3);
-      EXPECT_NEAR(near.missed_reach / distance, 1, 1e-3);
+      EXPECT_NEAR(near.hit_reach / distance, 1, 1e-2);
+      EXPECT_NEAR(near.missed_reach / distance, 1, 1e-2);
     }
   }
 }
@@ -79,7 +79,7 @@ TEST(Grazes, MakeTheSlopeGrowWithTheInverseRootWhereTheWallIsHit) {
     followed += row.followed();
     const auto& near = row.approaches[0];
     EXPECT_NEAR(near.back().missed_slope, near.front().missed_slope,
-                1e-3 * std::abs(near.front().missed_slope));
+                1e-2 * std::abs(near.front().missed_slope));
   }
   EXPECT_GT(followed, 3);
 }

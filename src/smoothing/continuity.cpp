@@ -105,8 +105,8 @@ Jumps jumps_of(const Segment& segment, double width) {
       return std::abs(value_at(birth.upper + distance) - value_at(birth.lower - distance));
     };
     jumps.at_birth = change(0);
-    const double near = change(1e-9);
-    if (near > 1e-11) jumps.exponent = 0.5 * std::log10(change(1e-7) / near);
+    const double near = change(1e-12);
+    if (near > 1e-12) jumps.exponent = 0.5 * std::log10(change(1e-10) / near);
   }
   return jumps;
 }

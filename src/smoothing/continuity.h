@@ -48,8 +48,8 @@ struct Jumps {
   /// on another wall than the one before: where a wall is touched, or the window ends. Nothing
   /// where that number is the same at all points.
   std::optional<double> at_birth;
-  /// There: p of the surrogate's change over 2 distance ~ distance^p, between 1e-9 and 1e-7 of the
-  /// segment; 0 for a jump, 1/2 for a root, 1 for a slope. Nothing where it hardly changes.
+  /// There: p of the surrogate's change over 2 distance ~ distance^p, between 1e-12 and 1e-10 of
+  /// the segment; 0 for a jump, 1/2 for a root, 1 for a slope. Nothing where it hardly changes.
   std::optional<double> exponent;
 };
 

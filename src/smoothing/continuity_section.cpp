@@ -164,7 +164,8 @@ report::Section continuity_section(const ContinuityStudy& study) {
                   : fmt::format("{} of these changes are above {:.0e}", larger, largest_allowed));
   if (!exponents.empty()) {
     finding += fmt::format(
-        " None of that is a jump if it shrinks with the distance: from 1e-7 to 1e-9 of the segment "
+        " None of that is a jump if it shrinks with the distance: from 1e-10 to 1e-12 of the "
+        "segment "
         "it does so with a power of {:.2f} in the median, {:.2f} in a hundredth of the cases or "
         "less, and {:.2f} at least; a jump has 0, a root 1/2.",
         quantile(exponents, 0.5), quantile(exponents, 0.01),

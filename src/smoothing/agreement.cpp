@@ -14,6 +14,9 @@
 namespace ricochet::smoothing {
 namespace {
 
+/// A difference that is off by more than this share has other reasons than rounding.
+constexpr double digits_lost = 1e-3;
+
 /// Objective and constraints.
 Vector all_of(const Values& values) {
   Vector all(1 + values.constraints.size());
@@ -43,6 +46,14 @@ std::vector<Difference> differences(const Problem& problem, const Vector& point,
   return best;
 }
 
+/// Whether a difference that is off by little is no further off than another, from shorter steps,
+/// is from it, or than it is estimated to be.
+bool is_rounding(double exact, const Difference& difference, const Difference& other) {
+  const double apart = std::abs(exact - difference.slope);
+  const double own = std::max(difference.error, std::abs(difference.slope - other.slope));
+  return apart <= 10 * own && apart <= digits_lost * std::abs(exact);
+}
+
 /// Whether a difference is right within a share of the slope, or its own error.
 bool agrees(double exact, const Difference& difference) {
   const double apart = std::abs(exact - difference.slope);
@@ -62,17 +73,19 @@ struct Group {
   std::vector<std::size_t> members;
 };
 
-std::vector<Group> groups_of(const std::vector<Problem>& problems) {
-  std::vector<Group> families;
-  for (std::size_t k = 0; k < problems.size(); ++k) {
-    if (!problems[k].differentiate) continue;
-    const std::string name = family_of(problems[k].name);
-    auto family = std::find_if(families.begin(), families.end(),
-                               [&](const Group& f) { return f.name == name; });
-    if (family == families.end()) family = families.insert(families.end(), {name, {}});
-    family->members.push_back(k);
+/// The families with derivatives; their problems are put one after the other.
+std::vector<Group> groups_of(const std::vector<Family>& families, std::vector<Problem>& problems) {
+  std::vector<Group> groups;
+  for (const Family& family : families) {
+    Group group{family.name, {}};
+    for (const Problem& problem : family.problems) {
+      if (!problem.differentiate) continue;
+      group.members.push_back(problems.size());
+      problems.push_back(problem);
+    }
+    if (!group.members.empty()) groups.push_back(std::move(group));
   }
-  return families;
+  return groups;
 }
 
 struct Found {
@@ -120,7 +133,9 @@ std::vector<Comparison> compare(const Problem& problem, const Vector& point,
         result.cause = Cause::flat;
       } else if (beyond && agrees(exact[k], near[static_cast<std::size_t>(k)])) {
         result.cause = Cause::reach;
-      } else if (agrees(exact[k], far)) {
+      } else if (is_rounding(exact[k], far,
+                             differences(problem, point, direction,
+                                         0.7 * first_step)[static_cast<std::size_t>(k)])) {
         result.cause = Cause::rounding;
       } else {
         result.cause = Cause::unexplained;
@@ -131,27 +146,18 @@ std::vector<Comparison> compare(const Problem& problem, const Vector& point,
   return comparisons;
 }
 
-std::string family_of(std::string_view name) {
-  const std::size_t dash = name.rfind('-');
-  if (dash == std::string_view::npos) return std::string(name);
-  const std::string_view last = name.substr(dash + 1);
-  const bool is_case = last.size() > 1 && last[0] == 'C' &&
-                       std::all_of(last.begin() + 1, last.end(),
-                                   [](unsigned char c) { return std::isdigit(c) != 0; });
-  return std::string(is_case || last == "scene" ? name.substr(0, dash) : name);
-}
-
 AgreementStudy study_agreement(const AgreementPlan& plan) {
   AgreementStudy study;
   study.seed = plan.seed;
-  const std::vector<Group> families = groups_of(plan.problems);
+  std::vector<Problem> problems;
+  const std::vector<Group> families = groups_of(plan.families, problems);
   Progress progress("agreement", static_cast<double>(families.size()));
   for (const Group& family : families) {
     const std::size_t points = plan.points / families.size();
     std::vector<Found> found(points);
     tbb::parallel_for(std::size_t{0}, points, [&](std::size_t k) {
       const std::size_t index = family.members[k % family.members.size()];
-      found[k] = look(plan.problems[index], index, plan.seed, k);
+      found[k] = look(problems[index], index, plan.seed, k);
     });
     AgreementRow objective{family.name, "objective", points, {}, {}};
     AgreementRow constraints{family.name, "constraints", points, {}, {}};
@@ -162,7 +168,7 @@ AgreementStudy study_agreement(const AgreementPlan& plan) {
         row.errors.push_back(comparison.relative());
         ++row.by_cause[static_cast<std::size_t>(comparison.cause)];
         if (comparison.cause == Cause::none) continue;
-        study.outliers.push_back({plan.problems[comparison.problem].name, comparison, at.point});
+        study.outliers.push_back({problems[comparison.problem].name, comparison, at.point});
       }
     }
     study.points += points;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "problems/family.h"
 #include "src/core/problem.h"
 #include "src/report/page.h"
 
@@ -28,7 +29,7 @@ enum class Cause {
   none,         ///< it is: no outlier
   flat,         ///< the two differ by next to nothing
   reach,        ///< its steps led over the gradient's reach; shorter ones agree
-  rounding,     ///< by no more than the difference's own error
+  rounding,     ///< by less than 1e-3, and no more than differences differ among themselves
   unexplained,  ///< nobody knows
 };
 inline constexpr std::size_t causes = 5;
@@ -52,12 +53,9 @@ struct Comparison {
 std::vector<Comparison> compare(const Problem& problem, const Vector& point,
                                 const Vector& direction);
 
-/// The name of a problem up to its case: "surrogate" of "surrogate-C1".
-std::string family_of(std::string_view name);
-
 struct AgreementPlan {
-  std::vector<Problem> problems;  ///< those without derivatives are passed over
-  std::size_t points;             ///< in all, shared out evenly to the families
+  std::vector<Family> families;  ///< their problems without derivatives are passed over
+  std::size_t points;            ///< in all, shared out evenly to the families
   std::uint64_t seed;
 };
 

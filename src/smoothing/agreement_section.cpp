@@ -164,7 +164,9 @@ report::Section agreement_section(const AgreementStudy& study) {
           "{:.0e} of the function's value, or of 1, across the whole box; short reach if the "
           "gradient says that the motion changes its structure within four times the first step, "
           "and differences with steps of a quarter of that reach agree; rounding if it is below "
-          "ten times the error that the extrapolation is estimated to have. Seed {}.",
+          "1e-3 and ten times what the extrapolation is estimated to be off, or is off from "
+          "another "
+          "from shorter steps. Seed {}.",
           first_step, 12, outlier, nothing, study.seed)};
   section.tables = {family_table(study, total)};
   if (!study.outliers.empty()) section.tables.push_back(outlier_table(study));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,14 @@
 /// Is the surrogate continuous where the count jumps?
 namespace ricochet::smoothing {
 
-/// No jump of the surrogate between neighbouring numbers is larger, or it is no rounding: an impact
-/// that is born strikes at some 1e-8 of the speeds around it, the root of what they are rounded to.
+/// A larger change of the surrogate between neighbouring numbers wants a reason. One is known: an
+/// impact that is born strikes at some 1e-8 of the speeds around it, the root of what they are
+/// rounded to, and at width 1 it weighs its speed over the limit, which is some 1e-6.
 inline constexpr double largest_allowed = 1e-6;
 
 struct ContinuityPlan {
   std::vector<double> widths;  ///< > 0
-  std::size_t segments;        ///< in all, 30 a width or more: one a lively case, four another
+  std::size_t segments;        ///< in all, 54 a width or more: one a lively case, eight another
   std::uint64_t seed;
 };
 
@@ -42,6 +44,13 @@ Segment random_segment(const carrier_track::Scene& scene, Random& random);
 struct Jumps {
   bool of_count;     ///< whether the count differs between some of 17 points
   double surrogate;  ///< the largest between neighbouring numbers, see largest_jump.h
+  /// The surrogate's between the neighbouring numbers where the number of strikes changes, impacts
+  /// on another wall than the one before: where a wall is touched, or the window ends. Nothing
+  /// where that number is the same at all points.
+  std::optional<double> at_birth;
+  /// There: p of the surrogate's change over 2 distance ~ distance^p, between 1e-12 and 1e-10 of
+  /// the segment; 0 for a jump, 1/2 for a root, 1 for a slope. Nothing where it hardly changes.
+  std::optional<double> exponent;
 };
 
 Jumps jumps_of(const Segment& segment, double width);
@@ -50,8 +59,10 @@ Jumps jumps_of(const Segment& segment, double width);
 struct ContinuityRow {
   std::string id;
   std::size_t segments = 0;
-  std::size_t count_jumps = 0;             ///< segments on which the count does
-  std::vector<std::vector<double>> jumps;  ///< a width: the largest of each segment, rising
+  std::size_t count_jumps = 0;              ///< segments on which the count does
+  std::vector<std::vector<double>> jumps;   ///< a width: the largest of each segment, rising
+  std::vector<std::vector<double>> births;  ///< a width: those at births, rising
+  std::vector<double> exponents;            ///< of births, see Jumps, rising
 };
 
 struct ContinuityStudy {
@@ -60,7 +71,7 @@ struct ContinuityStudy {
 };
 
 /// In parallel, with the same bits for any number of threads. Each segment is looked at with one of
-/// the widths, in turn: some 65 simulations.
+/// the widths, in turn: some 65 to 120 simulations.
 ContinuityStudy study_continuity(const ContinuityPlan& plan);
 
 report::Section continuity_section(const ContinuityStudy& study);

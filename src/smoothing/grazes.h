@@ -50,6 +50,10 @@ struct GrazeRow {
   /// A width each: p of |hit slope - missed slope| ~ distance^p, by least squares over the
   /// distances from 1e-11 to 1e-7; nothing where the two are the same.
   std::vector<std::optional<double>> exponents;
+
+  /// Whether anything that counts follows the graze before the motion forgets it: the slope then
+  /// grows without limit.
+  bool followed() const { return exponents.front() && *exponents.front() < 0; }
 };
 
 struct GrazeStudy {

@@ -12,10 +12,11 @@ namespace {
 
 using carrier_track::short_reach;
 
-/// One of each case that has any: its first.
+/// The first of each case that has one that something follows.
 std::vector<const GrazeRow*> shown_of(const GrazeStudy& study) {
   std::vector<const GrazeRow*> shown;
   for (const GrazeRow& row : study.rows) {
+    if (!row.followed()) continue;
     if (shown.empty() || shown.back()->id != row.id) shown.push_back(&row);
   }
   return shown;
@@ -130,15 +131,18 @@ report::Table table_of(const GrazeStudy& study) {
 }  // namespace
 
 void add_grazes(const GrazeStudy& study, report::Section& section) {
-  if (study.rows.empty()) {
-    section.paragraphs.push_back("Grazes: none was found.");
+  if (shown_of(study).empty()) {
+    section.paragraphs.push_back("Found next to grazes: nothing, as none was found.");
     return;
   }
   double least = 0;
   double most = -1e300;
   double steepest = 0;
   double missed = 0;
+  std::size_t followed = 0;
   for (const GrazeRow& row : study.rows) {
+    if (!row.followed()) continue;
+    ++followed;
     for (const auto& exponent : row.exponents) {
       if (!exponent) continue;
       least = std::min(least, *exponent);
@@ -151,19 +155,22 @@ void add_grazes(const GrazeStudy& study, report::Section& section) {
   }
   const bool right = std::abs(least + 0.5) < 0.05 && std::abs(most + 0.5) < 0.05;
   section.paragraphs.push_back(fmt::format(
-      "Found next to grazes: where a wall is only just hit, the slope grows {}. At {} grazes of "
-      "the cases its exponent is {:.3f} to {:.3f} (theory: -1/2), at widths from {:g} to {:g}; "
-      "nearest, at {:.0e} of the range, it is up to {:.0f} impacts per rad/s. There it is {:.1f} "
+      "Found next to grazes: where a wall is only just hit, the slope grows {}. That is so at {} "
+      "of {} grazes of the cases, with exponents from {:.3f} to {:.3f} (theory: -1/2) at widths "
+      "from {:g} to {:g}; after the others nothing comes that counts before the body rests on a "
+      "wall, and the slope is the same on both sides. "
+      "Nearest, at {:.0e} of the range, it is up to {:.0f} impacts per rad/s. There it is {:.1f} "
       "at most on the side where the wall is missed. The reach that "
       "comes with a gradient tells the distance of the graze on both sides: from 1e-4 of the range "
       "on it is off by {:.1f} % at most, and below {:.0e} the gradient is called in doubt.",
-      right ? "without limit, as theory has it" : "otherwise than theory has it", study.rows.size(),
-      least, most, study.plan.widths.back(), study.plan.widths.front(), study.plan.distances.back(),
-      steepest, missed, 100 * worst_reach(study, 1e-4), short_reach));
+      right ? "without limit, as theory has it" : "otherwise than theory has it", followed,
+      study.rows.size(), least, most, study.plan.widths.back(), study.plan.widths.front(),
+      study.plan.distances.back(), steepest, missed, 100 * worst_reach(study, 1e-4), short_reach));
   section.paragraphs.push_back(
       "An impact that is born by a distance d from the graze strikes with a speed like the root of "
       "d. By itself it does not weigh: the surrogate counts it with the power 1 / width of its "
-      "speed. But what follows feels it: the path after it is off by as much, and so is every "
+      "speed, so that its slope stays finite up to a width of 1/2. But what follows feels it: the "
+      "path after it is off by as much, and so is every "
       "later impact, so that the surrogate goes with the root of d, and its slope with the inverse "
       "root, whatever the width: a surrogate smooths the limit from which impacts count, not the "
       "motion. A graze is found by following the time of a strike over the speed to where it "

@@ -8,17 +8,6 @@
 namespace ricochet::smoothing {
 namespace {
 
-/// Every problem with derivatives, the literature's too.
-std::vector<Problem> differentiable_problems() {
-  std::vector<Problem> problems;
-  for (const Family& family : all_families()) {
-    for (const Problem& problem : family.problems) {
-      if (problem.differentiate) problems.push_back(problem);
-    }
-  }
-  return problems;
-}
-
 /// Powers of ten, and `between` values more in each decade.
 std::vector<double> falling(int first, int last, int between) {
   std::vector<double> values;
@@ -36,7 +25,7 @@ StudyPlan full_plan() {
           {18, 20, {1, 0.5, 0.25, 0.1, 0.05, 0.01}, falling(-2, -11, 1)},
           {{1, 0.25, 0.05}, 100'000, 1},
           {{2, 5, 10, 15}, {2, 5, 10, 20, 50}, {4000, 2, {0.25, 0.05}, falling(-1, -12, 0)}},
-          {differentiable_problems(), 10'000, 1}};
+          {all_families(), 10'000, 1}};
 }
 
 StudyPlan quick_plan() {
@@ -45,7 +34,7 @@ StudyPlan quick_plan() {
           {6, 5, {0.25}, falling(-3, -9, 0)},
           {{0.25}, 240, 1},
           {{5}, {2, 10}, {400, 1, {0.25}, falling(-4, -11, 0)}},
-          {differentiable_problems(), 300, 1}};
+          {all_families(), 300, 1}};
 }
 
 Study make_study(const StudyPlan& plan) {

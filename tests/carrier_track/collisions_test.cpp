@@ -11,6 +11,7 @@
 
 #include "problems/carrier_track/cases.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
+#include "src/smoothing/largest_jump.h"
 #include "tests/carrier_track/exploratory_scene.h"
 #include "tests/carrier_track/watch.h"
 
@@ -214,37 +215,6 @@ TEST(Collisions, SurrogateIsContinuousWhereAnImpactIsBorn) {
   }
 }
 
-/// How much a function of [0, 1] changes between two neighbouring numbers, where the largest of its
-/// changes between a few points leads to.
-template <class Function>
-double largest_jump(const Function& f) {
-  constexpr int pieces = 16;
-  double lower = 0;
-  double upper = 1;
-  double at_lower = f(0);
-  double at_upper = at_lower;
-  double before = at_lower;
-  for (int k = 1; k <= pieces; ++k) {
-    const double t = static_cast<double>(k) / pieces;
-    const double now = f(t);
-    if (std::abs(now - before) > std::abs(at_upper - at_lower)) {
-      lower = t - 1.0 / pieces;
-      at_lower = before;
-      upper = t;
-      at_upper = now;
-    }
-    before = now;
-  }
-  for (;;) {
-    const double middle = lower + (upper - lower) / 2;
-    if (!(middle > lower && middle < upper)) return std::abs(at_upper - at_lower);
-    const double now = f(middle);
-    const bool first = std::abs(now - at_lower) > std::abs(at_upper - now);
-    (first ? upper : lower) = middle;
-    (first ? at_upper : at_lower) = now;
-  }
-}
-
 TEST(Collisions, SurrogateIsContinuousAlongRandomSegmentsWhereTheCountJumps) {
   RandomScenes draws(22);
   const auto cases = all_cases();
@@ -267,8 +237,8 @@ TEST(Collisions, SurrogateIsContinuousAlongRandomSegmentsWhereTheCountJumps) {
       scene.wall_upper += t * wider;
       return objective(scene, width);
     };
-    jumps += largest_jump([&](double t) { return value_at(t, 0.0); }) >= 1;
-    worst = std::max(worst, largest_jump([&](double t) { return value_at(t, 0.25); }));
+    jumps += smoothing::largest_jump([&](double t) { return value_at(t, 0.0); }) >= 1;
+    worst = std::max(worst, smoothing::largest_jump([&](double t) { return value_at(t, 0.25); }));
   }
   EXPECT_GT(jumps, 300);
   EXPECT_LT(worst, 1e-7);

@@ -164,12 +164,12 @@ report::Section continuity_section(const ContinuityStudy& study) {
                   : fmt::format("{} of these changes are above {:.0e}", larger, largest_allowed));
   if (!exponents.empty()) {
     finding += fmt::format(
-        " None of that is a jump if it shrinks with the distance: from 1e-10 to 1e-12 of the "
-        "segment "
-        "it does so with a power of {:.2f} in the median, {:.2f} in a hundredth of the cases or "
-        "less, and {:.2f} at least; a jump has 0, a root 1/2.",
-        quantile(exponents, 0.5), quantile(exponents, 0.01),
-        *std::min_element(exponents.begin(), exponents.end()));
+        " From 1e-10 to 1e-12 of the segment the change at a birth shrinks with a power of the "
+        "distance of {:.2f} in the median; {} of {} have less than 0.4. A jump has 0, a root 1/2; "
+        "less than 1/2 is also where a root and a slope of opposite signs cancel.",
+        quantile(exponents, 0.5),
+        std::count_if(exponents.begin(), exponents.end(), [](double p) { return p < 0.4; }),
+        exponents.size());
   }
   section.paragraphs = {
       std::move(finding),

@@ -40,7 +40,7 @@ struct GrazePlan {
   int steps;                      ///< of the search between 1 and 17 rad/s
   std::size_t each;               ///< at most so many grazes of a case, the slowest
   std::vector<double> widths;     ///< > 0, the default first
-  std::vector<double> distances;  ///< shares of the range, falling, 1e-4 at most the last
+  std::vector<double> distances;  ///< shares of the range, falling, 1e-6 at most the last
 };
 
 struct GrazeRow {

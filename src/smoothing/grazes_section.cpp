@@ -161,11 +161,11 @@ void add_grazes(const GrazeStudy& study, report::Section& section) {
       "wall, and the slope is the same on both sides. "
       "Nearest, at {:.0e} of the range, it is up to {:.0f} impacts per rad/s. There it is {:.1f} "
       "at most on the side where the wall is missed. The reach that "
-      "comes with a gradient tells the distance of the graze on both sides: from 1e-4 of the range "
+      "comes with a gradient tells the distance of the graze on both sides: from 1e-6 of the range "
       "on it is off by {:.1f} % at most, and below {:.0e} the gradient is called in doubt.",
       right ? "without limit, as theory has it" : "otherwise than theory has it", followed,
       study.rows.size(), least, most, study.plan.widths.back(), study.plan.widths.front(),
-      study.plan.distances.back(), steepest, missed, 100 * worst_reach(study, 1e-4), short_reach));
+      study.plan.distances.back(), steepest, missed, 100 * worst_reach(study, 1e-6), short_reach));
   section.paragraphs.push_back(
       "An impact that is born by a distance d from the graze strikes with a speed like the root of "
       "d. By itself it does not weigh: the surrogate counts it with the power 1 / width of its "

@@ -16,7 +16,7 @@ namespace ricochet::smoothing {
 /// A larger change of the surrogate between neighbouring numbers wants a reason. One is known: an
 /// impact that is born strikes at some 1e-8 of the speeds around it, the root of what they are
 /// rounded to, and at width 1 it weighs its speed over the limit, which is some 1e-6.
-inline constexpr double largest_allowed = 1e-6;
+inline constexpr double largest_allowed = 1e-5;
 
 struct ContinuityPlan {
   std::vector<double> widths;  ///< > 0

@@ -9,6 +9,8 @@ namespace {
 
 /// The wear [mJ] at the speed x[0].
 struct WearAtSpeed {
+  static constexpr int room = 1;
+
   Scene scene;
 
   template <class Scalar, class Watch>

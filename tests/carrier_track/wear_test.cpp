@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ricochet::carrier_track {
 namespace {
 
@@ -24,8 +26,18 @@ TEST(Wear, OfABallThatComesToRestIsAllItsEnergy) {
 
 TEST(Wear, OfOneImpactIsWhatTheRestitutionLeaves) {
   Scene scene = ball(0.5);
-  scene.window = Seconds{0.7};  // it comes back after 0.61 s, and again 0.31 s later
+  scene.window = Seconds{0.8};  // it comes back after 0.61 s, and again 0.31 s later
   EXPECT_NEAR(wear(scene), 1e3 * 0.5 * 2.0 * 9.0 * (1 - 0.25), 1e-9);
+}
+
+TEST(Wear, FadesToTheEndOfTheWindow) {
+  Scene scene = ball(0.5);
+  const double time = 2 * 3.0 / 9.81;
+  const double whole = 1e3 * 0.5 * 2.0 * 9.0 * (1 - 0.25);
+  scene.window = Seconds{time * (1 + 1e-9)};
+  EXPECT_LT(wear(scene), 1e-9 * whole);
+  scene.window = Seconds{time / (1 - 0.1 * wear_width)};
+  EXPECT_NEAR(wear(scene), whole * (1 - std::exp(-1.0)), 1e-9 * whole);
 }
 
 TEST(Wear, OfElasticWallsIsNone) {
@@ -49,7 +61,7 @@ TEST(Wear, HasWhatFrictionInContactTakesInIt) {
   Scene scene = ball(1.0);
   scene.contact_friction = true;
   scene.friction = 0.6;  // sqrt(0.4 / 1.6) = 0.5 of the speed is left
-  scene.window = Seconds{0.7};
+  scene.window = Seconds{0.8};
   EXPECT_NEAR(wear(scene), 1e3 * 0.5 * 2.0 * 9.0 * (1 - 0.25), 1e-9);
 }
 

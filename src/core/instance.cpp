@@ -1,6 +1,5 @@
 #include "src/core/instance.h"
 
-#include <Eigen/QR>
 #include <memory>
 #include <stdexcept>
 
@@ -30,11 +29,20 @@ struct Frame {
   }
 };
 
-/// A random orthogonal matrix, of the uniform (Haar) distribution but for the signs of its columns.
+/// A random orthogonal matrix, of the uniform (Haar) distribution: normal columns, made orthogonal
+/// one after the other, twice for the sake of rounding.
 Matrix random_turn(Eigen::Index n, Random& random) {
   std::normal_distribution<double> normal;
-  const Matrix drawn = Matrix::NullaryExpr(n, n, [&] { return normal(random); });
-  return drawn.householderQr().householderQ();
+  Matrix turn(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    Vector column(n);
+    for (double& x : column) x = normal(random);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (Eigen::Index j = 0; j < k; ++j) column -= turn.col(j).dot(column) * turn.col(j);
+    }
+    turn.col(k) = column.normalized();
+  }
+  return turn;
 }
 
 }  // namespace

@@ -32,12 +32,13 @@ struct OfConstants {
   }
 
   template <class Scalar, class Watch>
-  Scalar operator()(std::span<const Scalar> x, Watch& /*watch*/) const {
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
     auto near = lifted<Scalar>(scene);
     Scalar* const constants[] = {&near.omega, &near.mass, &near.wall_upper, &near.restitution_upper,
                                  &near.friction};
     for (std::size_t i = 0; i < x.size(); ++i) *constants[i] = x[i];
-    return objective(near, default_width);
+    auto watching = watch.of(near);
+    return objective(near, default_width, watching);
   }
 };
 
@@ -61,10 +62,11 @@ struct OfKnots {
   }
 
   template <class Scalar, class Watch>
-  Scalar operator()(std::span<const Scalar> x, Watch& /*watch*/) const {
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
     auto near = lifted<Scalar>(scene);
     for (std::size_t k = 0; k < x.size(); ++k) near.profile[k].omega = x[k];
-    return objective(near, default_width);
+    auto watching = watch.of(near);
+    return objective(near, default_width, watching);
   }
 };
 
@@ -98,12 +100,13 @@ void derivative(benchmark::State& state, const Function& f, double allowed, cons
   state.counters["allowed"] = allowed;
 }
 
-template <class Function>
+/// The gradient in blocks of `Room` directions.
+template <int Room, class Function>
 void add(const std::string& name, const Function& f) {
   const auto n = static_cast<double>(f.start().size());
   const auto value = [](const Function& g, const Vector& x) { return value_of(g, x); };
   const auto gradient = [](const Function& g, const Vector& x) {
-    return gradient_of(g, x, Vector::Ones(x.size())).value;
+    return gradient_of<Room>(g, x, Vector::Ones(x.size())).value;
   };
   const auto hessian = [](const Function& g, const Vector& x) { return hessian_of(g, x).value; };
   const auto of = [&](const char* what, double allowed, const auto& work) {
@@ -119,10 +122,11 @@ void add(const std::string& name, const Function& f) {
 }  // namespace
 
 void add_derivative_benchmarks() {
-  for (const Eigen::Index size : {1, 5}) {
-    add("constants/" + std::to_string(size), OfConstants{.size = size});
-  }
-  for (const int knots : {4, 16, 64}) add("knots/" + std::to_string(knots), OfKnots(knots));
+  add<1>("constants/1", OfConstants{.size = 1});
+  add<5>("constants/5", OfConstants{.size = 5});
+  add<4>("knots/4", OfKnots(4));
+  add<16>("knots/16", OfKnots(16));
+  add<16>("knots/64", OfKnots(64));
 }
 
 }  // namespace ricochet::bench

@@ -70,6 +70,7 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
 }  // namespace
 
 Solver ceres_lbfgs() {
+  silence_ceres();
   Solver solver;
   solver.name = "ceres-lbfgs";
   solver.version = "Ceres " CERES_VERSION_STRING;

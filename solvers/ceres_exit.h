@@ -1,11 +1,18 @@
 #pragma once
 
 #include <ceres/types.h>
+#include <glog/logging.h>
 
 #include "src/core/solver.h"
 
 /// For the adapters of Ceres alone.
 namespace ricochet {
+
+/// Ceres warns, on standard error, where a function is flat, whatever its options say. What the
+/// suite has to say of a run is in its record.
+inline void silence_ceres() {
+  FLAGS_minloglevel = google::GLOG_FATAL;
+}
 
 /// What Ceres says of its own end.
 inline SolverExit in_words(ceres::TerminationType type) {

@@ -67,6 +67,7 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
 }  // namespace
 
 Solver ceres_least_squares() {
+  silence_ceres();
   Solver solver;
   solver.name = "ceres-trust-region";
   solver.version = "Ceres " CERES_VERSION_STRING;

@@ -55,20 +55,22 @@ report::Table table_of_families(const std::vector<Family>& families) {
                       {}};
   for (const Family& family : families) {
     if (family.problems.empty()) continue;
-    Eigen::Index fewest = family.problems.front().dimension();
-    Eigen::Index most = fewest;
-    for (const Problem& problem : family.problems) {
-      fewest = std::min(fewest, problem.dimension());
-      most = std::max(most, problem.dimension());
-    }
-    table.rows.push_back(
-        {{family.name},
-         {family.title},
-         {fmt::format("{}", family.problems.size())},
-         {fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most)},
-         {fmt::format("{}", family.problems.front().constraints)},
-         {yes_or_no(static_cast<bool>(family.problems.front().differentiate))},
-         {family.judged_as == family.name ? "itself" : family.judged_as}});
+    const auto range_of = [&family](const auto& of) {
+      Eigen::Index fewest = of(family.problems.front());
+      Eigen::Index most = fewest;
+      for (const Problem& problem : family.problems) {
+        fewest = std::min(fewest, of(problem));
+        most = std::max(most, of(problem));
+      }
+      return fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most);
+    };
+    table.rows.push_back({{family.name},
+                          {family.title},
+                          {fmt::format("{}", family.problems.size())},
+                          {range_of([](const Problem& problem) { return problem.dimension(); })},
+                          {range_of([](const Problem& problem) { return problem.constraints; })},
+                          {yes_or_no(static_cast<bool>(family.problems.front().differentiate))},
+                          {family.judged_as == family.name ? "itself" : family.judged_as}});
   }
   return table;
 }
@@ -95,13 +97,15 @@ report::Table table_of_variables(const Problem& problem) {
 }
 
 report::Table table_of_best(const Family& family) {
-  report::Table table{"What is known: true values at the start and at the best point.",
-                      {{"problem", Alignment::left},
-                       {"at the start"},
-                       {"best known"},
-                       {"at", Alignment::left},
-                       {"found by", Alignment::left}},
-                      {}};
+  report::Table table{
+      "What is known: true values at the start and at the best point. A violation is how "
+      "much the largest true constraint is above 0.",
+      {{"problem", Alignment::left},
+       {"at the start"},
+       {"best known"},
+       {"at", Alignment::left},
+       {"found by", Alignment::left}},
+      {}};
   for (const Problem& problem : family.problems) {
     table.rows.push_back({{problem.name},
                           {text_of(truth_at(problem, problem.start))},
@@ -153,9 +157,32 @@ report::Figure chart_of(const Family& family) {
                      : ""};
 }
 
-report::Section section_of(const Family& family) {
-  report::Section section{family.name, family.title};
-  section.paragraphs = {family.question, family.formula};
+}  // namespace
+
+report::Page overview_of(const std::vector<Family>& families, const std::string& machines) {
+  std::size_t problems = 0;
+  for (const Family& family : families) problems += family.problems.size();
+  report::Page page;
+  page.title = "The problems";
+  page.intro = {
+      fmt::format("{} problems in {} families, of {}. Each family has a page of its own, in the "
+                  "folder of its name beside this one. Whatever counts impacts counts them by one "
+                  "definition, from one simulation.",
+                  problems, families.size(), machines),
+      "Solvers minimise. A constraint holds where it is at most 0. What a solver is shown may be "
+      "smooth; it is judged by the truth, which families that are judged as one share, with its "
+      "best values."};
+  report::Section section{"families", "Families"};
+  section.tables = {table_of_families(families)};
+  page.sections = {std::move(section)};
+  return page;
+}
+
+report::Page page_of(const Family& family) {
+  report::Page page;
+  page.title = family.title;
+  page.intro = {family.question, family.formula};
+  report::Section section{"facts", "What it is"};
   const auto add = [&section](const char* what, const std::string& text) {
     section.paragraphs.push_back(fmt::format("{}: {}", what, text.empty() ? "none." : text));
   };
@@ -167,29 +194,7 @@ report::Section section_of(const Family& family) {
   add("Who would use it", family.users);
   section.tables = {table_of_variables(family.problems.front()), table_of_best(family)};
   if (family.problems.front().dimension() == 1) section.figures = {chart_of(family)};
-  return section;
-}
-
-}  // namespace
-
-report::Page page_of(const std::vector<Family>& families, const std::string& machines) {
-  std::size_t problems = 0;
-  for (const Family& family : families) problems += family.problems.size();
-  report::Page page;
-  page.title = "The problems";
-  page.intro = {
-      fmt::format("{} problems in {} families, of {}. All come from one simulation, and whatever "
-                  "counts its impacts from one count, defined once.",
-                  problems, families.size(), machines),
-      "Solvers minimise. A constraint holds where it is at most 0. What a solver is shown may be "
-      "smooth; it is judged by the truth, which families that are judged as one share, with its "
-      "best values. A violation is how much the largest true constraint is above 0."};
-  report::Section overview{"families", "Families"};
-  overview.tables = {table_of_families(families)};
-  page.sections.push_back(std::move(overview));
-  for (const Family& family : families) {
-    if (!family.problems.empty()) page.sections.push_back(section_of(family));
-  }
+  page.sections = {std::move(section)};
   return page;
 }
 

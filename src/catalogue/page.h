@@ -9,8 +9,11 @@
 /// The problems in words, tables and charts, all from the families themselves.
 namespace ricochet::catalogue {
 
-/// A page of all families, which say of what `machines` they are. A chart is of the fourth problem
-/// of a family of one variable, C4, or of the only one.
-report::Page page_of(const std::vector<Family>& families, const std::string& machines);
+/// What families there are; `machines` says of what those of the carrier track are.
+report::Page overview_of(const std::vector<Family>& families, const std::string& machines);
+
+/// The page of a family that has problems. One of one variable has a chart, of the fourth problem,
+/// C4, or of the only one.
+report::Page page_of(const Family& family);
 
 }  // namespace ricochet::catalogue

@@ -15,10 +15,15 @@ int problems(const ProblemsOptions& options) {
   report::require_writable(options.out);
   const std::string machines =
       options.scene_file.empty()
-          ? "the paper's cases C1 to C12"
+          ? "the paper's cases C1 to C12, and of the literature"
           : fmt::format("the machine {}",
                         std::filesystem::path(options.scene_file).filename().string());
-  report::write_page(catalogue::page_of(families, machines), options.out);
+  report::write_page(catalogue::overview_of(families, machines), options.out);
+  for (const Family& family : families) {
+    if (family.problems.empty()) continue;
+    report::write_page(catalogue::page_of(family),
+                       std::filesystem::path(options.out) / family.name);
+  }
   fmt::print("The report: {}\n",
              (std::filesystem::absolute(options.out) / "index.html").lexically_normal().string());
   return 0;

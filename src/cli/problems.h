@@ -9,7 +9,7 @@ struct ProblemsOptions {
   std::string out = "reports/problems";
 };
 
-/// Writes the page that explains every problem. Returns the exit code.
+/// Writes an overview of the problems, and a page for each family. Returns the exit code.
 int problems(const ProblemsOptions& options);
 
 }  // namespace ricochet::cli

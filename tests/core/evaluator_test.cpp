@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "src/core/instance.h"
+#include "src/core/penalty.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {
@@ -221,6 +223,22 @@ TEST(Evaluator, TellsTheBestPointShownAtTheWidthOfNow) {
   EXPECT_EQ(evaluator.best_shown(), nullptr);
   for (const double x : {0.75, 0.5}) evaluator.values(Vector::Constant(1, x));
   EXPECT_EQ((*evaluator.best_shown())[0], 0.5);
+}
+
+TEST(Evaluator, TellsASolverHowFarToTrustAGradient) {
+  Problem problem = parabola(2);
+  problem.smoothed = [problem](double) { return problem; };
+  problem.differentiate = [differentiate = problem.differentiate](const Vector& x) {
+    Derivatives d = differentiate(x);
+    d.trust = {0.125, GradientDoubt::kink};
+    return d;
+  };
+  for (const Problem& shown : {problem, instance(problem, 1), penalised(problem, 10)}) {
+    Evaluator evaluator(shown, {100});
+    const auto derivatives = evaluator.derivatives(shown.start);
+    EXPECT_EQ(derivatives->trust.reach, 0.125);
+    EXPECT_EQ(derivatives->trust.doubt, GradientDoubt::kink);
+  }
 }
 
 TEST(Evaluator, RefusesWhatIsNotAllowedForNow) {

@@ -112,26 +112,19 @@ void hessian_block(const Function& f, const Vector& x, Eigen::Index row, Eigen::
   }
 }
 
-template <int Room, class Function>
-Hessian hessian_in_blocks(const Function& f, const Vector& x) {
+}  // namespace detail
+
+/// Value, gradient and second derivatives at x, in blocks of `Room` by `Room` directions. Measured,
+/// 1 is the fastest for one variable, 2 up to six, 4 beyond.
+template <int Room = 4, class Function>
+Hessian hessian_of(const Function& f, const Vector& x) {
   Hessian result{0, Vector(x.size()), Matrix(x.size(), x.size())};
   for (Eigen::Index row = 0; row < x.size(); row += Room) {
     for (Eigen::Index column = row; column < x.size(); column += Room) {
-      hessian_block<Room>(f, x, row, column, result);
+      detail::hessian_block<Room>(f, x, row, column, result);
     }
   }
   return result;
-}
-
-}  // namespace detail
-
-/// Value, gradient and second derivatives at x.
-template <class Function>
-Hessian hessian_of(const Function& f, const Vector& x) {
-  // The fastest rooms, as measured.
-  if (x.size() == 1) return detail::hessian_in_blocks<1>(f, x);
-  if (x.size() <= 6) return detail::hessian_in_blocks<2>(f, x);
-  return detail::hessian_in_blocks<4>(f, x);
 }
 
 }  // namespace ricochet::carrier_track

@@ -1,11 +1,9 @@
 #include "problems/classic/multimodal.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 
-#include "problems/classic/formula.h"
+#include "problems/classic/nonnegative_statement.h"
 
 namespace ricochet::classic {
 namespace {
@@ -13,27 +11,13 @@ namespace {
 using std::numbers::e;
 using std::numbers::pi;
 
-/// On [lower, upper]^n, least at `best` with the value 0, on all of R^n.
-Statement statement(const char* name, const char* source, double lower, double upper, Vector best) {
-  const Eigen::Index n = best.size();
-  return {.name = fmt::format("classic-{}-{}", name, n),
-          .source = source,
-          .lower = Vector::Constant(n, lower),
-          .upper = Vector::Constant(n, upper),
-          .start = Vector::Constant(n, lower + 0.8 * (upper - lower)),
-          .best_known = 0,
-          .best_point = std::move(best),
-          .provenance = "closed form: no term is negative, and all are 0 there",
-          .rotates = true};
-}
-
 }  // namespace
 
 Problem rastrigin(Eigen::Index n) {
-  return from_formula(statement("rastrigin",
-                                "Rastrigin's function: Muehlenbein, Schomisch and Born (1991), "
-                                "doi 10.1016/S0167-8191(05)80052-3",
-                                -3.072, 5.12, Vector::Zero(n)),
+  return from_formula(nonnegative("rastrigin",
+                                  "Rastrigin's function: Muehlenbein, Schomisch and Born (1991), "
+                                  "doi 10.1016/S0167-8191(05)80052-3",
+                                  -3.072, 5.12, Vector::Zero(n)),
                       []<class Scalar>(const Point<Scalar>& x) {
                         using std::cos;
                         Scalar sum(0);
@@ -44,9 +28,10 @@ Problem rastrigin(Eigen::Index n) {
 
 Problem ackley(Eigen::Index n) {
   return from_formula(
-      statement("ackley",
-                "Ackley's function: Ackley (1987), doi 10.1007/978-1-4613-1997-9, for n variables",
-                -19.6608, 32.768, Vector::Zero(n)),
+      nonnegative(
+          "ackley",
+          "Ackley's function: Ackley (1987), doi 10.1007/978-1-4613-1997-9, for n variables",
+          -19.6608, 32.768, Vector::Zero(n)),
       []<class Scalar>(const Point<Scalar>& x) {
         using std::cos;
         using std::exp;
@@ -62,8 +47,8 @@ Problem ackley(Eigen::Index n) {
 
 Problem griewank(Eigen::Index n) {
   return from_formula(
-      statement("griewank", "Griewank's function: Griewank (1981), doi 10.1007/BF00933356", -360,
-                600, Vector::Zero(n)),
+      nonnegative("griewank", "Griewank's function: Griewank (1981), doi 10.1007/BF00933356", -360,
+                  600, Vector::Zero(n)),
       []<class Scalar>(const Point<Scalar>& x) {
         using std::cos;
         Scalar product(1);
@@ -76,8 +61,8 @@ Problem griewank(Eigen::Index n) {
 
 Problem levy(Eigen::Index n) {
   return from_formula(
-      statement("levy", "Levy's function: Levy and Montalvo (1985), doi 10.1137/0906002", -10, 10,
-                Vector::Ones(n)),
+      nonnegative("levy", "Levy's function: Levy and Montalvo (1985), doi 10.1137/0906002", -10, 10,
+                  Vector::Ones(n)),
       []<class Scalar>(const Point<Scalar>& x) {
         using std::sin;
         // The first sine's argument is less pi, the last's less 2 pi: exactly 0 at the optimum.
@@ -97,10 +82,10 @@ Problem styblinski_tang(Eigen::Index n) {
   // The lowest root of the derivative 2 x^3 - 16 x + 5/2, by the formula for cubics.
   const double root = 2 * std::sqrt(8.0 / 3) *
                       std::cos(std::acos(-15.0 / 64 * std::sqrt(3.0 / 8)) / 3 - 4 * pi / 3);
-  Statement styblinski = statement("styblinski-tang",
-                                   "Styblinski and Tang's function: Styblinski and Tang (1990), "
-                                   "doi 10.1016/0893-6080(90)90029-K",
-                                   -5, 5, Vector::Constant(n, root));
+  Statement styblinski = nonnegative("styblinski-tang",
+                                     "Styblinski and Tang's function: Styblinski and Tang (1990), "
+                                     "doi 10.1016/0893-6080(90)90029-K",
+                                     -5, 5, Vector::Constant(n, root));
   styblinski.best_known = static_cast<double>(n) * root * (root * (root * root - 16) + 5) / 2;
   styblinski.provenance = "closed form: the lowest root of a cubic, in every coordinate";
   return from_formula(styblinski, []<class Scalar>(const Point<Scalar>& x) {
@@ -111,9 +96,9 @@ Problem styblinski_tang(Eigen::Index n) {
 }
 
 Problem schwefel_2_26(Eigen::Index n) {
-  Statement schwefel =
-      statement("schwefel-2.26", "Schwefel (1981), Numerical optimization of computer models, 2.26",
-                -500, 500, Vector::Constant(n, 420.96874635998199));
+  Statement schwefel = nonnegative(
+      "schwefel-2.26", "Schwefel (1981), Numerical optimization of computer models, 2.26", -500,
+      500, Vector::Constant(n, 420.96874635998199));
   schwefel.start = Vector::Constant(n, -100);
   schwefel.best_known = -418.98288727243371 * static_cast<double>(n);
   schwefel.provenance = "closed form: x = z^2 with tan z = -z / 2 near z = 20.5";

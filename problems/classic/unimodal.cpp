@@ -1,43 +1,24 @@
 #include "problems/classic/unimodal.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "problems/classic/formula.h"
+#include "problems/classic/nonnegative_statement.h"
 
 namespace ricochet::classic {
-namespace {
-
-/// On [lower, upper]^n, least at `best` with the value 0, on all of R^n.
-Statement statement(const char* name, const char* source, double lower, double upper, Vector best) {
-  const Eigen::Index n = best.size();
-  return {.name = fmt::format("classic-{}-{}", name, n),
-          .source = source,
-          .lower = Vector::Constant(n, lower),
-          .upper = Vector::Constant(n, upper),
-          .start = Vector::Constant(n, lower + 0.8 * (upper - lower)),
-          .best_known = 0,
-          .best_point = std::move(best),
-          .provenance = "closed form: no term is negative, and all are 0 there",
-          .rotates = true};
-}
-
-}  // namespace
-
 Problem sphere(Eigen::Index n) {
-  return from_formula(statement("sphere",
-                                "sphere function: De Jong (1975), An analysis of the behavior of a "
-                                "class of genetic adaptive systems, F1",
-                                -60, 100, Vector::Zero(n)),
-                      []<class Scalar>(const Point<Scalar>& x) { return x.squaredNorm(); });
+  return from_formula(
+      nonnegative("sphere",
+                  "sphere function: De Jong (1975), An analysis of the behavior of a "
+                  "class of genetic adaptive systems, F1",
+                  -60, 100, Vector::Zero(n)),
+      []<class Scalar>(const Point<Scalar>& x) { return x.squaredNorm(); });
 }
 
 Problem ellipsoid(Eigen::Index n) {
-  return from_formula(statement("ellipsoid",
-                                "ellipsoid of condition 10^6: Hansen and Ostermeier (2001), "
-                                "doi 10.1162/106365601750190398",
-                                -60, 100, Vector::Zero(n)),
+  return from_formula(nonnegative("ellipsoid",
+                                  "ellipsoid of condition 10^6: Hansen and Ostermeier (2001), "
+                                  "doi 10.1162/106365601750190398",
+                                  -60, 100, Vector::Zero(n)),
                       []<class Scalar>(const Point<Scalar>& x) {
                         const auto last = static_cast<double>(x.size() - 1);
                         Scalar sum(0);
@@ -49,7 +30,7 @@ Problem ellipsoid(Eigen::Index n) {
 }
 
 Problem rosenbrock(Eigen::Index n) {
-  Statement rosenbrock = statement(
+  Statement rosenbrock = nonnegative(
       "rosenbrock", "Rosenbrock's banana valley: Rosenbrock (1960), doi 10.1093/comjnl/3.3.175", -5,
       10, Vector::Ones(n));
   for (Eigen::Index i = 0; i < n; ++i) rosenbrock.start[i] = i % 2 == 0 ? -1.2 : 1.0;
@@ -66,9 +47,9 @@ Problem rosenbrock(Eigen::Index n) {
 
 Problem zakharov(Eigen::Index n) {
   return from_formula(
-      statement("zakharov",
-                "Zakharov's function: Jamil and Yang (2013), doi 10.1504/IJMMNO.2013.055204, 173",
-                -5, 10, Vector::Zero(n)),
+      nonnegative("zakharov",
+                  "Zakharov's function: Jamil and Yang (2013), doi 10.1504/IJMMNO.2013.055204, 173",
+                  -5, 10, Vector::Zero(n)),
       []<class Scalar>(const Point<Scalar>& x) {
         Scalar weighted(0);
         for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -83,10 +64,10 @@ Problem dixon_price(Eigen::Index n) {
   // Every x_i is 2^-(1 - 2^(1-i)): then 2 x_i^2 = x_{i-1}.
   Vector best(n);
   for (Eigen::Index i = 0; i < n; ++i) best[i] = std::exp2(std::exp2(static_cast<double>(-i)) - 1);
-  return from_formula(statement("dixon-price",
-                                "Dixon and Price's function: Jamil and Yang (2013), "
-                                "doi 10.1504/IJMMNO.2013.055204, 48",
-                                -10, 10, best),
+  return from_formula(nonnegative("dixon-price",
+                                  "Dixon and Price's function: Jamil and Yang (2013), "
+                                  "doi 10.1504/IJMMNO.2013.055204, 48",
+                                  -10, 10, best),
                       []<class Scalar>(const Point<Scalar>& x) {
                         Scalar sum = (x[0] - 1.0) * (x[0] - 1.0);
                         for (Eigen::Index i = 1; i < x.size(); ++i) {
@@ -99,9 +80,9 @@ Problem dixon_price(Eigen::Index n) {
 
 Problem schwefel_1_2(Eigen::Index n) {
   return from_formula(
-      statement("schwefel-1.2",
-                "double sum: Schwefel (1981), Numerical optimization of computer models, 1.2", -60,
-                100, Vector::Zero(n)),
+      nonnegative("schwefel-1.2",
+                  "double sum: Schwefel (1981), Numerical optimization of computer models, 1.2",
+                  -60, 100, Vector::Zero(n)),
       []<class Scalar>(const Point<Scalar>& x) {
         Scalar sum(0);
         Scalar so_far(0);
@@ -114,7 +95,7 @@ Problem schwefel_1_2(Eigen::Index n) {
 }
 
 Problem powell_singular() {
-  Statement powell = statement(
+  Statement powell = nonnegative(
       "powell-singular", "Powell's singular function: Powell (1962), doi 10.1093/comjnl/5.2.147",
       -4, 5, Vector::Zero(4));
   powell.start = Vector{{3, -1, 0, 1}};
@@ -129,8 +110,8 @@ Problem powell_singular() {
 
 Problem step(Eigen::Index n) {
   Problem problem = without_functions(
-      statement("step", "step function: Yao, Liu and Lin (1999), doi 10.1109/4235.771163, f6", -60,
-                100, Vector::Zero(n)));
+      nonnegative("step", "step function: Yao, Liu and Lin (1999), doi 10.1109/4235.771163, f6",
+                  -60, 100, Vector::Zero(n)));
   problem.evaluate = [](const Vector& x) {
     return Values{(x.array() + 0.5).floor().square().sum(), {}};
   };

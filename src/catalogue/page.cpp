@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "src/core/verdict.h"
 #include "src/report/text.h"
 
 namespace ricochet::catalogue {
@@ -14,10 +15,6 @@ using report::Mark;
 
 constexpr int chart_samples = 720;
 constexpr Eigen::Index coordinates_shown = 5;
-
-Truth truth_at(const Problem& problem, const Vector& x) {
-  return problem.truth ? problem.truth(x) : truth_of(problem.evaluate(x));
-}
 
 std::string yes_or_no(bool holds) {
   return holds ? "yes" : "no";

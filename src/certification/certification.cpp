@@ -18,6 +18,7 @@
 #include "src/campaign/progress.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
+#include "src/core/verdict.h"
 
 namespace ricochet::certification {
 namespace {

@@ -11,6 +11,7 @@
 #include "solvers/solvers.h"
 #include "src/core/penalty.h"
 #include "src/core/run.h"
+#include "src/core/verdict.h"
 
 namespace ricochet::certification {
 namespace {
@@ -65,10 +66,6 @@ BestKnown known(const Truth& truth, const Vector& x, std::string provenance) {
 }
 
 }  // namespace
-
-Truth truth_at(const Problem& problem, const Vector& x) {
-  return problem.truth ? problem.truth(x) : truth_of(problem.evaluate(x));
-}
 
 BestKnown scan_for_best(const Problem& problem, double step) {
   const auto truth = [&](double x) { return truth_at(problem, Vector::Constant(1, x)); };

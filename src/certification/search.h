@@ -29,7 +29,4 @@ BestKnown search_for_best(const Question& question, const Effort& effort);
 /// The one or the other.
 BestKnown best_of(const Question& question, const Effort& effort);
 
-/// The truth at a point.
-Truth truth_at(const Problem& problem, const Vector& x);
-
 }  // namespace ricochet::certification

@@ -2,6 +2,10 @@
 
 namespace ricochet {
 
+Truth truth_at(const Problem& problem, const Vector& x) {
+  return problem.truth ? problem.truth(x) : truth_of(problem.evaluate(x));
+}
+
 Verdict judge(const RunRecord& record, const Problem& problem, double tolerance) {
   Verdict verdict;
   for (const Improvement& step : record.trace) {

@@ -8,6 +8,10 @@
 
 namespace ricochet {
 
+/// What a point is truly worth: by the problem's truth, or by what it shows where that is the
+/// truth.
+Truth truth_at(const Problem& problem, const Vector& x);
+
 /// What the suite says of a run, from its trace alone.
 struct Verdict {
   bool feasible = false;            ///< a truly feasible point was found

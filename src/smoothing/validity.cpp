@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "problems/carrier_track/machine.h"
 #include "problems/carrier_track/speed_range.h"
@@ -54,18 +55,18 @@ Finding find(const Scene& scene, double omega, double width, const std::vector<d
   return finding;
 }
 
-Validity sum_of(const std::vector<const Finding*>& findings) {
+Validity sum_of(std::span<const Finding> findings) {
   Validity validity;
   std::vector<double> reaches;
-  for (const Finding* f : findings) {
+  for (const Finding& f : findings) {
     ++validity.points;
-    const Trust& trust = f->slope.trust;
+    const Trust& trust = f.slope.trust;
     ++validity.doubts[static_cast<std::size_t>(trust.doubt)];
-    validity.agreeing += std::any_of(f->errors.begin(), f->errors.end(),
+    validity.agreeing += std::any_of(f.errors.begin(), f.errors.end(),
                                      [](double error) { return error < agreement; });
-    if (f->trend != 0 && trust.doubt != GradientDoubt::flat) {
+    if (f.trend != 0 && trust.doubt != GradientDoubt::flat) {
       ++validity.trending;
-      validity.right += (f->trend > 0) == (f->slope.slope > 0);
+      validity.right += (f.trend > 0) == (f.slope.slope > 0);
     }
     reaches.push_back(std::log10(std::min(trust.reach, 1.0)));
   }
@@ -74,23 +75,16 @@ Validity sum_of(const std::vector<const Finding*>& findings) {
 }
 
 /// At points evenly spread over the cells, but for the ends of each.
-std::vector<Finding> findings_of(const Machine& machine, double width, const ValidityPlan& plan,
-                                 const std::vector<double>& steps) {
+std::vector<Finding> findings_of(const Machine& machine, double width, const ValidityPlan& plan) {
   const int points = plan.cells * plan.points;
   std::vector<Finding> findings(static_cast<std::size_t>(points));
   tbb::parallel_for(0, points, [&](int k) {
     // From a half of the first step on, so that differences stay above 0.
     const double omega = fastest_speed * (k + 0.5) / points;
-    findings[static_cast<std::size_t>(k)] = find(machine.scene, std::max(omega, 0.2), width, steps);
+    findings[static_cast<std::size_t>(k)] =
+        find(machine.scene, std::max(omega, 0.2), width, plan.steps);
   });
   return findings;
-}
-
-std::vector<const Finding*> pointers(const std::vector<Finding>& findings, std::size_t first,
-                                     std::size_t size) {
-  std::vector<const Finding*> result;
-  for (std::size_t k = first; k < first + size; ++k) result.push_back(&findings[k]);
-  return result;
 }
 
 }  // namespace
@@ -103,10 +97,10 @@ ValidityStudy study_validity(const ValidityPlan& plan) {
   const auto size = static_cast<std::size_t>(plan.points);
   std::vector<std::vector<double>> errors(plan.steps.size());
   for (const Machine& machine : machines) {
-    const auto findings = findings_of(machine, default_width, plan, plan.steps);
+    const auto findings = findings_of(machine, default_width, plan);
     ValidityRow& row = study.rows.emplace_back(ValidityRow{machine.id, {}});
     for (std::size_t first = 0; first < findings.size(); first += size) {
-      row.cells.push_back(sum_of(pointers(findings, first, size)));
+      row.cells.push_back(sum_of(std::span(findings).subspan(first, size)));
     }
     for (const Finding& f : findings) {
       if (f.slope.trust.doubt == GradientDoubt::flat) continue;
@@ -119,15 +113,10 @@ ValidityStudy study_validity(const ValidityPlan& plan) {
         {plan.steps[s], quantile(errors[s], 0.5), quantile(errors[s], 0.9)});
   }
   for (const double width : plan.widths) {
-    std::vector<std::vector<Finding>> all;
-    std::vector<const Finding*> every;
+    std::vector<Finding> every;
     for (const Machine& machine : machines) {
-      all.push_back(findings_of(machine, width, plan, plan.steps));
+      for (Finding& f : findings_of(machine, width, plan)) every.push_back(std::move(f));
       progress.advance(1);
-    }
-    for (const auto& findings : all) {
-      const auto more = pointers(findings, 0, findings.size());
-      every.insert(every.end(), more.begin(), more.end());
     }
     study.by_width.push_back(sum_of(every));
   }

@@ -8,7 +8,7 @@
 #include "problems/carrier_track/best_known.h"
 #include "problems/carrier_track/families.h"
 #include "src/certification/question.h"
-#include "src/certification/search.h"
+#include "src/core/verdict.h"
 
 namespace ricochet::certification {
 namespace {

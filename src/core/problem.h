@@ -22,7 +22,6 @@ enum class GradientDoubt {
   none,       ///< no reason known
   flat,       ///< it is zero, or would change the function by next to nothing across the box
   kink,       ///< the function has a corner, or an infinite slope, next to the point
-  jump,       ///< the function jumps next to the point
   sensitive,  ///< the point's digits are lost on the way to the value
 };
 

@@ -25,7 +25,7 @@ struct Validity {
   int trending =
       0;          ///< points about which the count rises or falls at all, and the gradient is not 0
   int right = 0;  ///< of those, points where the gradient has the sign of the count's trend
-  std::array<int, 5> doubts{};  ///< by GradientDoubt
+  std::array<int, 4> doubts{};  ///< by GradientDoubt
   double log_reach = 0;         ///< median of log10(reach)
 };
 

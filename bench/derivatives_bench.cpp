@@ -9,11 +9,11 @@
 #include <span>
 #include <string>
 
-#include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/derivatives.h"
-#include "problems/carrier_track/fitted_reading.h"
-#include "problems/carrier_track/surrogate.h"
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/gradients/derivatives.h"
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
 
 namespace ricochet::bench {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
-#include "problems/carrier_track/integrators/integrator.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/reference_integrators/integrator.h"
 
 namespace ricochet::bench {
 namespace {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/fitted_reading.h"
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
 
 namespace ricochet::bench {
 namespace {

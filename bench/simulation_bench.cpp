@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <string>
 
-#include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/fitted_reading.h"
-#include "problems/carrier_track/surrogate.h"
-#include "problems/carrier_track/threshold.h"
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
 
 namespace ricochet::bench {
 namespace {

@@ -1,6 +1,6 @@
 #include "problems/families.h"
 
-#include "problems/carrier_track/families.h"
+#include "problems/carrier_track/questions/families.h"
 #include "problems/classic/families.h"
 
 namespace ricochet {

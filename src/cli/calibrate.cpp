@@ -5,17 +5,17 @@
 #include <cmath>
 #include <filesystem>
 
-#include "problems/carrier_track/fitted_reading.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
 #include "solvers/solvers.h"
-#include "src/calibration/page.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
 #include "src/report/file_set.h"
+#include "src/studies/calibration/page.h"
 
 namespace ricochet::cli {
 namespace {
 
-using namespace calibration;
+using namespace studies::calibration;
 
 Solver solver_named(const std::string& name) {
   std::string known;

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <filesystem>
 
-#include "problems/carrier_track/families.h"
-#include "src/certification/certification.h"
+#include "problems/carrier_track/questions/families.h"
 #include "src/core/error.h"
 #include "src/report/file_set.h"
+#include "src/studies/best_values/best_values.h"
 
 namespace ricochet::cli {
 
 int certify(const CertifyOptions& options) {
-  using namespace certification;
+  using namespace studies::best_values;
   if (options.seconds && !(*options.seconds >= 0)) {
     throw InputError(fmt::format("--seconds {}: must be >= 0", *options.seconds));
   }

@@ -4,13 +4,13 @@
 
 #include <filesystem>
 
-#include "src/dynamics/page.h"
 #include "src/report/file_set.h"
+#include "src/studies/dynamics/page.h"
 
 namespace ricochet::cli {
 
 int dynamics(const DynamicsOptions& options) {
-  using namespace ricochet::dynamics;
+  using namespace ricochet::studies::dynamics;
   report::require_writable(options.out);
   const Study study = make_study(options.quick ? quick_plan() : full_plan());
   report::write_page(page_of(study), options.out);

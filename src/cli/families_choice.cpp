@@ -1,7 +1,7 @@
 #include "src/cli/families_choice.h"
 
-#include "problems/carrier_track/families.h"
-#include "problems/carrier_track/scene_file.h"
+#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/scene/scene_file.h"
 #include "problems/families.h"
 
 namespace ricochet::cli {

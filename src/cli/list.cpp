@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/fitted_reading.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
 #include "solvers/solvers.h"
 #include "src/cli/families_choice.h"
 #include "src/cli/format.h"

@@ -3,8 +3,8 @@
 #include <exception>
 #include <set>
 
-#include "problems/carrier_track/choices.h"
-#include "problems/carrier_track/scene_file.h"
+#include "problems/carrier_track/scene/enum_names.h"
+#include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/bench.h"
 #include "src/cli/calibrate.h"
 #include "src/cli/certify.h"
@@ -93,7 +93,7 @@ class Program {
     add_format(*command, simulate_.json);
     command->add_option("--omega", simulate_.omega, "Speed [rad/s] in place of the scene's");
     std::set<std::string> levels;
-    for (const auto& [name, level] : carrier_track::fidelity_choices()) levels.emplace(name);
+    for (const auto& [name, level] : carrier_track::fidelity_names()) levels.emplace(name);
     command->add_option("--fidelity", simulate_.fidelity, "Level of the model, for the scene's own")
         ->check(CLI::IsMember(levels));
     command->add_option("--width", simulate_.width, "Smoothing width of the surrogate")

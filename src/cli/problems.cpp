@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "src/catalogue/page.h"
 #include "src/cli/families_choice.h"
 #include "src/report/file_set.h"
+#include "src/studies/problems/page.h"
 
 namespace ricochet::cli {
 
@@ -18,10 +18,10 @@ int problems(const ProblemsOptions& options) {
           ? "the paper's cases C1 to C12, and of the literature"
           : fmt::format("the machine {}",
                         std::filesystem::path(options.scene_file).filename().string());
-  report::write_page(catalogue::overview_of(families, machines), options.out);
+  report::write_page(studies::problems::overview_of(families, machines), options.out);
   for (const Family& family : families) {
     if (family.problems.empty()) continue;
-    report::write_page(catalogue::page_of(family),
+    report::write_page(studies::problems::page_of(family),
                        std::filesystem::path(options.out) / family.name);
   }
   fmt::print("The report: {}\n",

@@ -7,12 +7,12 @@
 
 #include "solvers/solvers.h"
 #include "src/report/file_set.h"
-#include "src/reproduction/page.h"
+#include "src/studies/reproduction/page.h"
 
 namespace ricochet::cli {
 
 int reproduce(const ReproduceOptions& options) {
-  using namespace reproduction;
+  using namespace studies::reproduction;
   report::require_writable(options.out);
   const Study study = make_study(options.quick ? quick_plan() : full_plan(), all_solvers());
   report::write_page(page_of(study), options.out);

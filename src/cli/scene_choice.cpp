@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "problems/carrier_track/fitted_reading.h"
-#include "problems/carrier_track/scene_file.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/scene/scene_file.h"
 #include "src/core/error.h"
 
 namespace ricochet::cli {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/cases.h"
+#include "problems/carrier_track/paper/cases.h"
 
 namespace ricochet::cli {
 

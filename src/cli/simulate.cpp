@@ -6,14 +6,14 @@
 #include <optional>
 #include <stdexcept>
 
-#include "problems/carrier_track/choices.h"
-#include "problems/carrier_track/recording.h"
-#include "problems/carrier_track/scene_check.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/scene/enum_names.h"
+#include "problems/carrier_track/scene/scene_check.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
 #include "src/report/gnuplot.h"
-#include "src/reproduction/path_chart.h"
+#include "src/studies/reproduction/path_chart.h"
 
 namespace ricochet::cli {
 namespace {
@@ -25,7 +25,7 @@ const char* name_of(Wall wall) {
 }
 
 Fidelity fidelity_named(const std::string& wanted) {
-  for (const auto& [name, level] : fidelity_choices()) {
+  for (const auto& [name, level] : fidelity_names()) {
     if (name == wanted) return level;
   }
   throw InputError(fmt::format("--fidelity {}: there is no such level", wanted));
@@ -64,7 +64,7 @@ Json json_of(const Recording& recording) {
             {"position", recording.end.position},
             {"velocity", recording.end.velocity}}},
           {"evaluations", recording.end.evaluations},
-          {"fidelity", name_of(fidelity_choices(), recording.fidelity)}};
+          {"fidelity", name_of(fidelity_names(), recording.fidelity)}};
 }
 
 std::string csv_of(const Recording& recording) {
@@ -76,7 +76,7 @@ std::string csv_of(const Recording& recording) {
 }
 
 std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
-  report::Chart chart = reproduction::path_chart(
+  report::Chart chart = studies::reproduction::path_chart(
       chosen.scene, recording, "path",
       fmt::format("{} at {}: {} collisions", chosen.name, speed_of(chosen.scene), recording.count));
   chart.width = 960;
@@ -91,7 +91,7 @@ void print(const ChosenScene& chosen, const Recording& recording) {
              certainty.certain ? "certain" : "not certain", recording.surrogate);
   if (chosen.scene.fidelity == Fidelity::automatic) {
     fmt::print("level of the model that it needs: {}\n",
-               name_of(fidelity_choices(), recording.fidelity));
+               name_of(fidelity_names(), recording.fidelity));
   }
   if (!certainty.certain) fmt::print("not certain: {}\n", certainty.reason);
   if (certainty.margin) {

@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "src/report/file_set.h"
-#include "src/smoothing/page.h"
+#include "src/studies/surrogate/page.h"
 
 namespace ricochet::cli {
 
 int surrogate(const SurrogateOptions& options) {
-  using namespace ricochet::smoothing;
+  using namespace ricochet::studies::surrogate;
   report::require_writable(options.out);
   const Study study = make_study(options.quick ? quick_plan() : full_plan());
   report::write_page(page_of(study), options.out);

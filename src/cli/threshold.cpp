@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/threshold.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "src/campaign/progress.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/oracle/comparison.h"
 #include "problems/carrier_track/oracle/hostile_scenes.h"
-#include "problems/carrier_track/scene_file.h"
-#include "problems/carrier_track/surrogate.h"
-#include "problems/carrier_track/threshold.h"
+#include "problems/carrier_track/scene/scene_file.h"
 #include "src/campaign/progress.h"
 #include "src/cli/format.h"
 #include "src/cli/scene_choice.h"
@@ -191,7 +191,7 @@ Json json_of(const std::vector<Impact>& impacts) {
 /// One scene with both lists of impacts, to look at a disagreement.
 int show(int seed, int index, bool json) {
   const HostileScene hostile = hostile_scene(seed, index);
-  const OracleRun truth = oracle(hostile.scene);
+  const OracleRun truth = oracle_run(hostile.scene);
   const Recording recording = record(hostile.scene, 0.0, 0);
   if (json) {
     const Json shown = {

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/collisions.h"
-#include "problems/carrier_track/surrogate.h"
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/paper/cases.h"
 #include "tests/allocation/allocations.h"
-#include "tests/carrier_track/exploratory_scene.h"
+#include "tests/carrier_track/questions/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

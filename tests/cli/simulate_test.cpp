@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "problems/carrier_track/fitted_reading.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

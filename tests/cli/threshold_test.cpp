@@ -1,4 +1,4 @@
-#include "problems/carrier_track/threshold.h"
+#include "problems/carrier_track/counting/threshold.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "problems/carrier_track/fitted_reading.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

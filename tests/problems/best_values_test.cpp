@@ -5,12 +5,12 @@
 #include <cmath>
 #include <set>
 
-#include "problems/carrier_track/best_known.h"
-#include "problems/carrier_track/families.h"
-#include "src/certification/question.h"
+#include "problems/carrier_track/questions/best_known.h"
+#include "problems/carrier_track/questions/families.h"
 #include "src/core/verdict.h"
+#include "src/studies/best_values/question.h"
 
-namespace ricochet::certification {
+namespace ricochet::studies::best_values {
 namespace {
 
 const std::vector<Question>& questions() {
@@ -62,4 +62,4 @@ TEST(BestValues, OfOneVariableHaveNothingBetterNearBy) {
 }
 
 }  // namespace
-}  // namespace ricochet::certification
+}  // namespace ricochet::studies::best_values

@@ -1,15 +1,15 @@
 #include "tests/problems/example_problem.h"
 
-#include "problems/carrier_track/shown.h"
-#include "problems/carrier_track/speed_problem.h"
-#include "problems/carrier_track/wear.h"
+#include "problems/carrier_track/counting/wear.h"
+#include "problems/carrier_track/questions/problem_from_function.h"
+#include "problems/carrier_track/questions/speed_problem.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 /// The wear [mJ] at the speed x[0].
 struct WearAtSpeed {
-  static constexpr int room = 1;
+  static constexpr int jet_size = 1;
 
   Scene scene;
 
@@ -23,7 +23,7 @@ struct WearAtSpeed {
 
 Problem gentle_problem(const Machine& machine) {
   Problem problem = speed_problem("gentle", machine, "energy that the impacts lose, mJ");
-  show(problem, WearAtSpeed{machine.scene}, carries_derivatives(machine.scene));
+  define(problem, WearAtSpeed{machine.scene}, carries_derivatives(machine.scene));
   return problem;
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "problems/carrier_track/machine.h"
+#include "problems/carrier_track/questions/machine.h"
 #include "problems/family.h"
 
 /// The problem that CONTRIBUTING.md shows how to add.

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/carrier_track/differences.h"
-#include "tests/carrier_track/exploratory_scene.h"
+#include "tests/carrier_track/gradients/differences.h"
+#include "tests/carrier_track/questions/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "problems/carrier_track/families.h"
-#include "tests/carrier_track/exploratory_scene.h"
+#include "problems/carrier_track/questions/families.h"
+#include "tests/carrier_track/questions/exploratory_scene.h"
 
 namespace ricochet {
 namespace {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/cases.h"
-#include "problems/carrier_track/count.h"
-#include "problems/carrier_track/surrogate.h"
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/questions/count.h"
 #include "solvers/solvers.h"
 #include "src/core/run.h"
-#include "tests/carrier_track/exploratory_scene.h"
+#include "tests/carrier_track/questions/exploratory_scene.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

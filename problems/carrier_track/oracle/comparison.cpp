@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 std::vector<Impact> faster(const std::vector<Impact>& impacts, double slowest) {
   std::vector<Impact> result;
@@ -16,7 +16,7 @@ std::vector<Impact> faster(const std::vector<Impact>& impacts, double slowest) {
 
 Comparison compare(const Scene& scene) {
   Comparison result;
-  const OracleRun truth = oracle(scene);
+  const OracleRun truth = oracle_run(scene);
   if (!truth.finished) {
     result.compared = false;
     return result;
@@ -39,4 +39,4 @@ Comparison compare(const Scene& scene) {
   return result;
 }
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

@@ -2,11 +2,11 @@
 
 #include <vector>
 
+#include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/oracle/oracle.h"
-#include "problems/carrier_track/recording.h"
-#include "problems/carrier_track/scene.h"
+#include "problems/carrier_track/scene/scene.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 /// What the library and the oracle make of one scene. Fast impacts are those faster than `slowest`.
 struct Comparison {
@@ -30,4 +30,4 @@ Comparison compare(const Scene& scene);
 /// The impacts of a list faster than `slowest` [m/s].
 std::vector<Impact> faster(const std::vector<Impact>& impacts, double slowest);
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

@@ -6,7 +6,7 @@
 
 /// The first point at which a function of time falls below zero, isolated by bounds that leave no
 /// root out. Slow and plain: what the oracle rests on.
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 /// A function and two derivatives at one time.
 struct Jet {
@@ -106,4 +106,4 @@ long double root_between(const Function& jet, long double lower, long double upp
   return time;
 }
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

@@ -9,7 +9,7 @@
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "src/core/seed.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 namespace {
 
 constexpr int draws = 1000;  // of a scene that has what its hostility needs; far more than it takes
@@ -67,7 +67,7 @@ HostileScene graze(RandomScenes& random) {
     scene.wall_upper = std::numeric_limits<double>::infinity();
     std::vector<long double> records;
     long double highest = scene.start_position;
-    const OracleRun free = oracle(scene);
+    const OracleRun free = oracle_run(scene);
     if (!free.finished) continue;
     for (const Summit& summit : free.summits) {
       if (summit.height > highest) records.push_back(highest = summit.height);
@@ -85,7 +85,7 @@ HostileScene graze(RandomScenes& random) {
 HostileScene counting_limit(RandomScenes& random) {
   for (int i = 0; i < draws; ++i) {
     HostileScene result{Hostility::counting_limit, closeness(random), random.next()};
-    OracleRun run = oracle(result.scene);
+    OracleRun run = oracle_run(result.scene);
     if (!run.finished) continue;
     std::vector<Impact>& impacts = run.impacts;
     impacts.erase(std::remove_if(impacts.begin(), impacts.end(),
@@ -198,4 +198,4 @@ HostileScene hostile_scene(int seed, int index) {
   }
 }
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/carrier_track/scene.h"
+#include "problems/carrier_track/scene/scene.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 /// What makes a scene hard to get right. 10^-k is its closeness.
 enum class Hostility {
@@ -39,4 +39,4 @@ struct HostileScene {
 /// that needs a summit or an impact draws until there is one.
 HostileScene hostile_scene(int seed, int index);
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

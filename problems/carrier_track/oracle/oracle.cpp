@@ -10,7 +10,7 @@
 #include "problems/carrier_track/oracle/first_fall.h"
 #include "problems/carrier_track/oracle/push.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 namespace {
 
 using Real = long double;
@@ -212,8 +212,8 @@ class Body {
 
 }  // namespace
 
-OracleRun oracle(const Scene& scene) {
+OracleRun oracle_run(const Scene& scene) {
   return Body(scene).run();
 }
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

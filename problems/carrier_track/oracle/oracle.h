@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "problems/carrier_track/recording.h"
-#include "problems/carrier_track/scene.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/scene/scene.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 /// Where a rising body comes to a stop without reaching the upper wall.
 struct Summit {
@@ -31,6 +31,6 @@ inline constexpr std::size_t oracle_impact_cap = 2000;
 /// point. The rest of a Zeno sequence is left out only when it is proved that the body comes to
 /// rest on the wall before the force turns, with no impact faster than a thousandth of `slowest`.
 /// Throws std::invalid_argument for a scene with a speed profile.
-OracleRun oracle(const Scene& scene);
+OracleRun oracle_run(const Scene& scene);
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 namespace {
 
 /// theta - sin(theta), by its power series where the difference would cancel.
@@ -112,4 +112,4 @@ Pushed PushFrom::after(long double elapsed) const {
   return sum;
 }
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "problems/carrier_track/scene.h"
+#include "problems/carrier_track/scene/scene.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 /// Equation (31) without contact and friction, over the mass, in long double: a steady acceleration
 /// and two waves, amplitude cos(frequency t + phase), of the driver plate and the disturbance.
@@ -55,4 +55,4 @@ class PushFrom {
   std::array<Angle, 2> angle_;
 };
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 Scene RandomScenes::next() {
   Scene scene;
@@ -104,4 +104,4 @@ double RandomScenes::share_of_gap() {
   }
 }
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

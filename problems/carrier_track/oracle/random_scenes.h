@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <random>
 
-#include "problems/carrier_track/scene.h"
+#include "problems/carrier_track/scene/scene.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet::carrier_track::inline oracle {
 
 /// Valid scenes that between them use every term of equation (31), every kind of wall and start,
 /// with some tens of impacts each. The same seed gives the same scenes everywhere: the draws use
@@ -36,4 +36,4 @@ class RandomScenes {
   std::mt19937_64 phases_;  // apart, so that two scenes that differ in them alone can be compared
 };
 
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet::carrier_track::inline oracle

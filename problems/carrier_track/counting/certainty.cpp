@@ -1,0 +1,351 @@
+#include "problems/carrier_track/counting/certainty.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <stdexcept>
+#include <variant>
+
+#include "problems/carrier_track/counting/collisions.h"
+
+namespace ricochet::carrier_track::inline counting {
+namespace {
+
+using Feature = FeatureTrace::Feature;
+
+/// Two features are the same if they lie as near as this in time, as a share of the window, and in
+/// the scaled margin. From a growth of 1e6 on, where the last of these distances is near, a path is
+/// called sensitive.
+constexpr double same_time = 1e-4;
+constexpr double same_margin = 0.1;
+constexpr double sensitive_growth = 1e6;
+
+/// The changed windows are longer, so that what comes just after the end is seen.
+constexpr double longer = 1 + same_time;
+
+/// Relative changes of constants, of 0.5 to 1 times constants_change either way: unequal, so that
+/// those of a mass and a force do not cancel.
+class Changes {
+ public:
+  Changes(double stride, double sign) : stride_(stride), sign_(sign) {}
+
+  double next() {
+    share_ = std::fmod(share_ + stride_, 1.0);
+    const double weight = 2 * share_ - 1;
+    return sign_ * constants_change * std::copysign(0.5 + 0.5 * std::abs(weight), weight);
+  }
+
+  void change(double& constant) { constant *= 1 + next(); }
+
+  void change_angle(double& angle) { angle += std::max(1.0, std::abs(angle)) * next(); }
+
+  void change_restitution(double& restitution) {
+    restitution = std::min(1.0, restitution * (1 + next()));
+  }
+
+  /// Two walls and what starts on one of them or between them.
+  void change_track(double& lower, double& upper, double& start) {
+    double scale = 0;
+    for (const double x : {lower, upper, start}) {
+      if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
+    }
+    const bool on_lower = start == lower;
+    const bool on_upper = start == upper;
+    lower += scale * next();
+    upper += scale * next();
+    start += scale * next();
+    if (on_lower) start = lower;
+    if (on_upper) start = upper;
+    start = std::max(lower, std::min(start, upper));
+  }
+
+ private:
+  double stride_, sign_;
+  double share_ = 0;
+};
+
+Scene changed(Scene scene, Changes changes) {
+  changes.change(scene.mass);
+  changes.change_track(scene.wall_lower, scene.wall_upper, scene.start_position);
+  changes.change_restitution(scene.restitution_lower);
+  changes.change_restitution(scene.restitution_upper);
+  changes.change(scene.friction);
+  changes.change(scene.normal_force);
+  changes.change(scene.pull);
+  changes.change(scene.centrifugal_mass_radius);
+  changes.change(scene.slider_mass_radius);
+  changes.change_angle(scene.phase);
+  changes.change(scene.disturbance);
+  changes.change(scene.disturbance_frequency);
+  changes.change(scene.start_velocity);
+  changes.change(scene.omega);
+  for (auto& knot : scene.profile) changes.change(knot.omega);
+  changes.change(scene.stiffness);
+  if (scene.contact_speed) changes.change(*scene.contact_speed);
+  if (scene.across) {
+    Across<double>& y = *scene.across;
+    changes.change(y.pull);
+    changes.change_track(y.wall_lower, y.wall_upper, y.start_position);
+    changes.change_restitution(y.restitution_lower);
+    changes.change_restitution(y.restitution_upper);
+    changes.change(y.start_velocity);
+  }
+  changes.change_angle(scene.pull_phase);
+  changes.change_angle(scene.disturbance_phase);
+  return scene;
+}
+
+void lengthen(Window& window) {
+  std::visit([](auto& w) { w.count *= longer; }, window);
+}
+
+/// The feature of a kind nearest in time, if it is the same.
+const Feature* counterpart(const Feature& feature, const std::vector<Feature>& others,
+                           double duration) {
+  const auto after = std::lower_bound(others.begin(), others.end(), feature.time,
+                                      [](const Feature& f, double time) { return f.time < time; });
+  const Feature* best = nullptr;
+  if (after != others.end()) best = &*after;
+  if (after != others.begin()) {
+    const Feature& before = *std::prev(after);
+    if (best == nullptr || feature.time - before.time < best->time - feature.time) best = &before;
+  }
+  if (best == nullptr || std::abs(best->time - feature.time) > same_time * duration ||
+      std::abs(best->scaled - feature.scaled) > same_margin) {
+    return nullptr;
+  }
+  return best;
+}
+
+/// A feature that may or may not count.
+struct Suspect {
+  double time = std::numeric_limits<double>::infinity();  ///< [s]
+  std::size_t kind = 0;
+  double margin = 0;
+  Doubt doubt = Doubt::none;
+  double left = 0;  ///< [s], time to the end of the window
+};
+
+/// A pair of the same feature.
+struct Pair {
+  double time;  ///< [s]
+  double change;
+};
+
+/// One trace against another, of a scene little different.
+class Comparison {
+ public:
+  Comparison(const FeatureTrace& given, double given_end, const FeatureTrace& other,
+             double other_end) {
+    for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
+      compare(kind, given.features(kind), given_end, other.features(kind), other_end);
+    }
+    for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
+      find_near_end(kind, given.features(kind), given_end);
+      find_near_end(kind, other.features(kind), other_end);
+    }
+  }
+
+  const Suspect& first() const { return first_; }
+  const std::vector<Pair>& pairs() const { return pairs_; }
+
+ private:
+  void compare(std::size_t kind, const std::vector<Feature>& given, double given_end,
+               const std::vector<Feature>& others, double other_end) {
+    for (const Feature& f : given) {
+      const Feature* other = counterpart(f, others, given_end);
+      if (other == nullptr) {
+        if (f.margin > 0) suspect(kind, f, Doubt::graze, given_end);
+        continue;
+      }
+      const double change = std::abs(other->scaled - f.scaled);
+      pairs_.push_back({f.time, change});
+      moved_ = std::max(moved_, std::abs(other->time / other_end - f.time / given_end));
+      if (std::abs(f.scaled) <= std::max(change, constants_change)) {
+        suspect(kind, f, Doubt::margin, given_end);
+      }
+    }
+    for (const Feature& f : others) {
+      if (f.margin > 0 && f.time < other_end && counterpart(f, given, given_end) == nullptr) {
+        suspect(kind, f, Doubt::graze, other_end);
+      }
+    }
+  }
+
+  /// Ten times the movement, as that of an impact just after the end, which the given trace
+  /// lacks, is not known.
+  void find_near_end(std::size_t kind, const std::vector<Feature>& features, double end) {
+    for (auto f = features.rbegin(); f != features.rend(); ++f) {
+      if (f->time < (1 - same_time) * end) break;
+      if (f->margin > 0 &&
+          std::abs(end - f->time) <= 10 * end * std::max(moved_, constants_change)) {
+        suspect(kind, *f, Doubt::window, end);
+      }
+    }
+  }
+
+  void suspect(std::size_t kind, const Feature& f, Doubt doubt, double end) {
+    const bool near_end = std::abs(end - f.time) <= same_time * end;
+    if (doubt == Doubt::graze && near_end) doubt = Doubt::window;
+    if (f.time < first_.time) first_ = {f.time, kind, f.margin, doubt, end - f.time};
+  }
+
+  Suspect first_;
+  std::vector<Pair> pairs_;
+  double moved_ = 0;  // most that a feature moves in time, as a share of the window
+};
+
+bool has_impact(const FeatureTrace& trace, const Graze& graze, double duration) {
+  const std::vector<double>& times = trace.impacts(graze.wall);
+  const auto first =
+      std::lower_bound(times.begin(), times.end(), graze.time - same_time * duration);
+  return first != times.end() && *first <= graze.time + same_time * duration;
+}
+
+/// The nearest graze of the one, if it is an impact in the other.
+std::optional<Graze> touched(const FeatureTrace& one, const FeatureTrace& other, double duration) {
+  const std::optional<Graze>& graze = one.graze();
+  if (!graze || has_impact(one, *graze, duration) || !has_impact(other, *graze, duration)) {
+    return std::nullopt;
+  }
+  return graze;
+}
+
+std::string limit_sentence(const Scene& scene, const Suspect& s) {
+  if (s.kind < FeatureTrace::high_peak) {
+    return fmt::format("an impact at {:.6g} s is within {:.2g} m/s of the slowest that counts",
+                       s.time, scene.slowest * std::abs(std::expm1(s.margin)));
+  }
+  const double limit = s.kind == FeatureTrace::high_peak ? scene.peak_high : scene.peak_low;
+  return fmt::format("a maximum at {:.6g} s is within {:.2g} m of the limit from which it counts",
+                     s.time, limit * std::abs(s.margin));
+}
+
+std::string graze_sentence(const Graze& graze, bool given) {
+  const char* wall = graze.wall == Wall::upper ? "upper" : "lower";
+  if (given) {
+    return fmt::format("at {:.6g} s the carrier misses the {} wall by {:.2g} m", graze.time, wall,
+                       graze.distance);
+  }
+  return fmt::format(
+      "at {:.6g} s the carrier touches the {} wall, and with the tenth digit misses it by {:.2g} m",
+      graze.time, wall, graze.distance);
+}
+
+std::string sentence(const Scene& scene, const Suspect& s, const std::optional<Graze>& graze,
+                     bool graze_is_given, double growth) {
+  const char* what = s.kind < FeatureTrace::high_peak ? "an impact" : "a maximum";
+  switch (s.doubt) {
+    case Doubt::none:
+      return "";
+    case Doubt::margin:
+      return limit_sentence(scene, s);
+    case Doubt::window:
+      return fmt::format("{} at {:.6g} s is within {:.2g} s of the end of the window", what, s.time,
+                         std::abs(s.left));
+    case Doubt::graze:
+      return graze
+                 ? graze_sentence(*graze, graze_is_given)
+                 : fmt::format("{} that counts, at {:.6g} s, is there or not with the tenth digit",
+                               what, s.time);
+    case Doubt::sensitive:
+      return fmt::format("a change in the tenth digit grows {:.2g}-fold by {:.6g} s", growth,
+                         s.time);
+  }
+  return "";
+}
+
+std::optional<double> smallest_margin(const FeatureTrace& trace) {
+  std::optional<double> margin;
+  for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
+    for (const Feature& f : trace.features(kind)) {
+      margin = std::min(margin.value_or(std::abs(f.margin)), std::abs(f.margin));
+    }
+  }
+  return margin;
+}
+
+}  // namespace
+
+void FeatureTrace::impact(double time, Wall wall, double speed) {
+  if (ahead_ == wall) ahead_.reset();
+  now_ = time;
+  const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
+  impacts_[kind].push_back(time);
+  const auto keep = [&](double z, double /*left*/) { tell(kind, z); };
+  Features<double, decltype(keep)>(scene_, keep).impact(time, wall, speed);
+}
+
+void FeatureTrace::peak(double time, double position) {
+  // It is told when the body moves down from it, which is now.
+  std::size_t kind = high_peak;
+  const auto keep = [&](double z, double /*left*/) { tell(kind++, z); };
+  Features<double, decltype(keep)>(scene_, keep).peak(time, position);
+}
+
+void FeatureTrace::tell(std::size_t kind, double margin) {
+  features_[kind].push_back({now_, margin, margin > 0 ? margin : std::expm1(margin)});
+}
+
+void FeatureTrace::turn(double time, double position) {
+  const double distance =
+      *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+  if (!(distance > 0) || std::isinf(distance)) return;
+  if (!graze_ || distance < graze_->distance) graze_ = Graze{time, *ahead_, distance};
+}
+
+Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
+  Certainty certainty;
+  certainty.margin = smallest_margin(trace);
+  certainty.graze = trace.graze();
+  const double duration = duration_of(scene);
+  Suspect first;
+  std::optional<Graze> graze;
+  bool graze_is_given = false;
+  std::vector<Pair> pairs;
+  // Strides of the golden ratio and of the root of two.
+  for (const double stride : {0.6180339887498949, 0.4142135623730950}) {
+    for (const double sign : {+1.0, -1.0}) {
+      Scene near = changed(scene, {stride, sign});
+      const double near_end = duration_of(near);
+      lengthen(near.window);
+      FeatureTrace other(near);
+      try {
+        simulate(near, other);
+      } catch (const std::runtime_error& error) {
+        certainty.certain = false;
+        certainty.doubt = Doubt::sensitive;
+        certainty.reason = fmt::format("with the tenth digit changed {}", error.what());
+        return certainty;
+      }
+      const Comparison comparison(trace, duration, other, near_end);
+      pairs.insert(pairs.end(), comparison.pairs().begin(), comparison.pairs().end());
+      const Suspect& suspect = comparison.first();
+      if (suspect.time < first.time) first = suspect;
+      if (graze) continue;
+      graze = touched(trace, other, duration);
+      graze_is_given = graze.has_value();
+      if (!graze) graze = touched(other, trace, duration);
+    }
+  }
+  for (const Pair& pair : pairs) {
+    if (pair.time > first.time) continue;
+    certainty.growth = std::max(certainty.growth, pair.change / constants_change);
+  }
+  if (first.doubt == Doubt::none) return certainty;
+  if (graze && graze->time > first.time + same_time * duration) graze.reset();
+  if (graze) {
+    first.doubt = Doubt::graze;
+  } else if (certainty.growth >= sensitive_growth) {
+    first.doubt = Doubt::sensitive;
+  }
+  certainty.certain = false;
+  certainty.doubt = first.doubt;
+  certainty.reason = sentence(scene, first, graze, graze_is_given, certainty.growth);
+  return certainty;
+}
+
+}  // namespace ricochet::carrier_track::inline counting

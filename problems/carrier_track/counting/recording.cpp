@@ -1,0 +1,73 @@
+#include "problems/carrier_track/counting/recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/fidelity_choice.h"
+
+namespace ricochet::carrier_track::inline counting {
+namespace {
+
+class Recorder : public Observer {
+ public:
+  Recorder(const Scene& scene, Recording& recording, double spacing)
+      : recording_(recording), trace_(scene), spacing_(spacing) {}
+
+  void impact(double time, Wall wall, double speed) {
+    trace_.impact(time, wall, speed);
+    recording_.impacts.push_back({time, wall, speed});
+  }
+
+  void peak(double time, double position) {
+    trace_.peak(time, position);
+    recording_.peaks.push_back({time, position});
+  }
+
+  void contact(double time, double position, double velocity) {
+    trace_.contact(time, position, velocity);
+    if (std::isfinite(spacing_)) recording_.path.push_back({time, position, velocity});
+  }
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    trace_.stretch(time, path, duration);
+    if (!std::isfinite(spacing_)) return;
+    const auto pieces = std::max(1.0, std::ceil(duration / spacing_));
+    for (double i = 0; i <= pieces; ++i) {
+      const double t = duration * i / pieces;
+      const Motion<double> m = path.at(t);
+      recording_.path.push_back({time + t, m.position, m.velocity});
+    }
+  }
+
+  const FeatureTrace& trace() const { return trace_; }
+
+ private:
+  Recording& recording_;
+  FeatureTrace trace_;
+  double spacing_;
+};
+
+}  // namespace
+
+Recording record(const Scene& asked, double width, std::size_t samples) {
+  const Scene scene = resolve_fidelity(asked);
+  Recording recording;
+  recording.fidelity = scene.fidelity;
+  const double spacing = samples > 0 ? duration_of(scene) / static_cast<double>(samples)
+                                     : std::numeric_limits<double>::infinity();
+  Recorder recorder(scene, recording, spacing);
+  recording.end = simulate(scene, recorder);
+  const auto weigh = [&](double z, double left) {
+    recording.count += static_cast<int>(weight(z, left, 0.0));
+    recording.surrogate += weight(z, left, width);
+  };
+  Features<double, decltype(weigh)> features(scene, weigh);
+  for (const Impact& i : recording.impacts) features.impact(i.time, i.wall, i.speed);
+  for (const Peak& p : recording.peaks) features.peak(p.time, p.position);
+  recording.certainty = certainty_of(scene, recorder.trace());
+  return recording;
+}
+
+}  // namespace ricochet::carrier_track::inline counting

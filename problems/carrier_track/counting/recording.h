@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "problems/carrier_track/counting/certainty.h"
+
+namespace ricochet::carrier_track::inline counting {
+
+struct Impact {
+  double time;  ///< [s]
+  Wall wall;
+  double speed;  ///< [m/s], approach speed
+};
+
+struct Peak {
+  double time;      ///< [s]
+  double position;  ///< [m]
+};
+
+struct Sample {
+  double time;      ///< [s]
+  double position;  ///< [m]
+  double velocity;  ///< [m/s]
+};
+
+/// One simulation with all that there is to say of it.
+struct Recording {
+  Fidelity fidelity =
+      Fidelity::impact;  ///< the level simulated, for auto the one it resolve_fidelity on
+  int count = 0;
+  double surrogate = 0;
+  Certainty certainty;  ///< of the count
+  std::vector<Impact> impacts;
+  std::vector<Peak> peaks;
+  std::vector<Sample> path;
+  End<double> end{};
+};
+
+/// Simulates a valid scene and keeps everything. The path is sampled at the ends of every stretch,
+/// at every step in a compliant wall, and evenly in between, about `samples` times over the window;
+/// 0 keeps no path. Costs five simulations, four of them for the certainty; with fidelity
+/// auto up to fifteen.
+Recording record(const Scene& scene, double width, std::size_t samples);
+
+}  // namespace ricochet::carrier_track::inline counting

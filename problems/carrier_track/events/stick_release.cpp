@@ -1,0 +1,51 @@
+#include "problems/carrier_track/events/stick_release.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "problems/carrier_track/events/step_bound.h"
+#include "problems/carrier_track/flight/ramp_flight.h"
+
+namespace ricochet::carrier_track::inline events {
+
+template <class Path>
+Event next_release(const Path& applied, double friction, bool may_rise, bool may_fall,
+                   double horizon, std::int64_t& evaluations) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const ForceBounds bounds = applied.bounds(horizon);
+  const double noise = 4 * epsilon * (bounds.acceleration + friction);
+  const double slope_noise = 4 * epsilon * bounds.jerk;
+  if (bounds.jerk <= 0) return {EventKind::horizon, horizon, 0};
+  double time = 0;
+  double patience = bounds.shortest_step;
+  for (;;) {
+    const auto [push, slope] = applied.applied_at(time);
+    ++evaluations;
+    double step = infinity;
+    bool at_the_edge = false;
+    for (const int direction : {+1, -1}) {
+      if (direction > 0 ? !may_rise : !may_fall) continue;
+      const double reserve = friction - direction * push;
+      const double reserve_slope = -direction * slope;
+      // Out of the band already, beyond what forces that cancel may round to: at a knot of a speed
+      // profile the force jumps.
+      const bool jumped = reserve < -1e-9 * (bounds.acceleration + friction);
+      if (jumped || (reserve <= noise && reserve_slope < -slope_noise)) {
+        return {EventKind::release, time, direction};
+      }
+      step = std::min(step, step_bound(std::max(reserve, 0.0), reserve_slope, bounds.snap));
+      at_the_edge = at_the_edge || reserve <= noise;
+    }
+    // A force that stays within rounding of the band's edge is left behind by steps that double.
+    patience = at_the_edge ? 2 * patience : bounds.shortest_step;
+    if (at_the_edge) step = std::max(step, patience);
+    if (time >= horizon || step == infinity) return {EventKind::horizon, horizon, 0};
+    time = std::min(time + std::max(step, epsilon * time), horizon);
+  }
+}
+
+template Event next_release(const Flight<double>&, double, bool, bool, double, std::int64_t&);
+template Event next_release(const RampFlight<double>&, double, bool, bool, double, std::int64_t&);
+
+}  // namespace ricochet::carrier_track::inline events

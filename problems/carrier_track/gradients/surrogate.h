@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/gradients/derivatives.h"
+
+namespace ricochet::carrier_track::inline gradients {
+
+/// Smoothing width where nobody asks for another: an impact counts half at the limit, 0.9 at 1.73
+/// times its speed.
+inline constexpr double default_width = 0.25;
+
+/// The objective of collisions.h at a constant speed, x[0] [rad/s]; a Function of derivatives.h.
+struct ObjectiveAtSpeed {
+  static constexpr int jet_size = 1;
+
+  Scene scene;
+  double width;
+
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
+    const BasicScene<Scalar> at = at_speed(lifted<Scalar>(scene), x[0]);
+    auto watching = watch.of(at);
+    return objective(at, width, watching);
+  }
+};
+
+struct Slope {
+  double value;
+  double slope;  ///< per rad/s
+  Trust trust;   ///< in a box of the width given
+};
+
+/// The surrogate of a valid scene, width > 0, and its exact derivative with respect to omega, which
+/// may vary over a range [rad/s].
+Slope surrogate_slope(const Scene& scene, double width, double range = 18.0);
+
+}  // namespace ricochet::carrier_track::inline gradients

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "problems/carrier_track/models/impact_model.h"
+#include "src/core/problem.h"
+
+/// How far exact derivatives of a motion can be believed. They hold while the motion keeps its
+/// structure: the same impacts, the same turns. Dual numbers tell how fast what makes an event
+/// changes, so that, to first order, they also tell where the event ends to be.
+namespace ricochet::carrier_track::inline gradients {
+
+/// A gradient whose reach is shorter than this part of the box is in doubt: no solver's step is.
+inline constexpr double short_reach = 1e-4;
+
+/// A gradient that changes the value by less than this across the whole box is flat.
+inline constexpr double flat_change = 1e-3;
+
+/// A motion is sensitive if an impact's time changes by more than this many windows across the box.
+inline constexpr double sensitive_growth = 1e3;
+
+/// Gathers what limits the derivatives of one or several simulations with respect to some
+/// variables, in a box of the given widths.
+template <class Jet>
+class TrustGauge {
+ public:
+  /// The jets' directions are the variables from `first` on; `widths` must outlive the gauge.
+  TrustGauge(const Vector& widths, Eigen::Index first) : widths_(widths), first_(first) {}
+
+  /// An observer of a simulation of this scene, which must outlive it.
+  auto of(const BasicScene<Jet>& scene);
+
+  /// 1 / reach, to first order: the largest |gradient of g| / g of the margins g told.
+  double steepest() const { return steepest_; }
+  /// The largest |gradient| of an impact's time over its window.
+  double growth() const { return growth_; }
+
+  /// An event ends to be where `margin` > 0 comes to 0.
+  void limit(const Jet& margin) {
+    const double slope = norm(margin);
+    if (slope > steepest_ * margin.a) steepest_ = slope / margin.a;
+  }
+
+  void impact(const Jet& time, double window) { growth_ = std::max(growth_, norm(time) / window); }
+
+ private:
+  double norm(const Jet& x) const {
+    double sum = 0;
+    const Eigen::Index size = std::min<Eigen::Index>(Jet::DIMENSION, widths_.size() - first_);
+    for (Eigen::Index i = 0; i < size; ++i) sum += std::pow(x.v[i] * widths_[first_ + i], 2);
+    return std::sqrt(sum);
+  }
+
+  const Vector& widths_;
+  Eigen::Index first_;
+  double steepest_ = 0;
+  double growth_ = 0;
+};
+
+/// Tells a gauge what ends the structure of a motion between hard walls: an impact ends to be where
+/// its speed comes to 0, like the square of the margin; a wall that is missed is met where its
+/// distance does.
+template <class Jet>
+class TrustWatch : public Observer {
+ public:
+  TrustWatch(TrustGauge<Jet>& gauge, const BasicScene<Jet>& scene)
+      : gauge_(gauge), scene_(scene), window_(value(duration_of(scene))) {}
+
+  void impact(const Jet& time, Wall /*wall*/, const Jet& speed) {
+    ahead_.reset();
+    if (speed.a > 0) gauge_.limit(speed * speed);
+    gauge_.impact(time, window_);
+  }
+
+  template <class Path>
+  void stretch(const Jet& /*time*/, const Path& path, const Jet& duration) {
+    const int direction = direction_of(value(path.velocity));
+    if (ahead_ && direction != (*ahead_ == Wall::upper ? 1 : -1)) turn(path.position);
+    ahead_.reset();
+    const double velocity =
+        direction != 0 ? direction : path.plain().at(0.5 * value(duration)).velocity;
+    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
+  }
+
+ private:
+  void turn(const Jet& position) {
+    const Jet missed =
+        *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+    if (missed.a > 0 && std::isfinite(missed.a)) gauge_.limit(missed);
+  }
+
+  TrustGauge<Jet>& gauge_;
+  const BasicScene<Jet>& scene_;
+  double window_;
+  std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
+};
+
+template <class Jet>
+auto TrustGauge<Jet>::of(const BasicScene<Jet>& scene) {
+  return TrustWatch<Jet>(*this, scene);
+}
+
+/// What the gauges of all blocks of directions amount to. `steepest_square` and `growth_square` are
+/// sums over the blocks; the reach is then at least so long. `change` is the gradient's norm in the
+/// unit box.
+inline Trust trust_of(double steepest_square, double growth_square, double change) {
+  Trust trust;
+  if (steepest_square > 0) trust.reach = 1 / std::sqrt(steepest_square);
+  if (!(change >= flat_change)) {
+    trust.doubt = GradientDoubt::flat;
+  } else if (trust.reach < short_reach) {
+    trust.doubt = growth_square > sensitive_growth * sensitive_growth ? GradientDoubt::sensitive
+                                                                      : GradientDoubt::kink;
+  }
+  return trust;
+}
+
+}  // namespace ricochet::carrier_track::inline gradients

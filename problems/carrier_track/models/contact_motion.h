@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "problems/carrier_track/flight/flight.h"
+#include "problems/carrier_track/models/extrapolation.h"
+
+namespace ricochet::carrier_track::inline models {
+
+/// Contact force over mass [m/s^2] at depth d [m] and rate d' [m/s]; see contact_law.h.
+/// spring + damping d', times spring where the damping is not viscous; spring = stiffness
+/// d^exponent.
+struct ContactForce {
+  double stiffness;  ///< K/m
+  double exponent;   ///< n
+  double damping;    ///< D/v0 [s/m]; viscous: C/m [1/s]
+  bool viscous;      ///< Kelvin-Voigt
+};
+
+/// The inward acceleration [m/s^2] by applied forces and friction over the time of a step [s].
+struct ContactPush {
+  Flight<double>::Taylor taylor;
+  std::function<double(double)> exact;  ///< for times beyond the reach of the series
+};
+
+enum class ContactEvent {
+  none,     ///< a step without an event
+  turn,     ///< the velocity has come down to zero
+  release,  ///< the depth has come down to zero
+  slack,    ///< a viscous contact would pull from here on
+  grip,     ///< and presses again
+  horizon   ///< nothing happened before the time limit
+};
+
+/// Motion of a body in a wall under harmonic forces, friction and the contact force: steps of
+/// automatic length to a relative tolerance, which refine_event on events.
+///
+/// The state is y = sqrt(d), u = d' and t, and the independent variable s has dt = 2 y ds:
+///   dy/ds = u,   du/ds = 2 y (forces - contact force),   dt/ds = 2 y.
+/// In these the solution is smooth through d = 0 for n = 1, 3/2, 2, ..., where in t it has a
+/// singularity that costs every method its order; and depth leaves zero at a finite rate.
+///
+/// Steps are extrapolated: from the explicit midpoint rule (Gragg, Bulirsch, Stoer) where accuracy
+/// bounds them, and from the linearly implicit Euler rule (Deuflhard's SEULEX) where the contact's
+/// stiffness would, so that a body at rest in a wall is followed with the steps of the forces.
+/// Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.9, and II,
+/// IV.9. Last steps to an event take the event's function as independent variable (Henon 1982).
+class ContactMotion {
+ public:
+  /// Tolerance per step, relative to the largest depth and speed of the contact so far, a hundred
+  /// times that for implicit steps; within 1e-12..1e-2, below which rounding is larger.
+  explicit ContactMotion(double tolerance) : tolerance_(tolerance) {}
+
+  /// Begins a contact at a depth [m] >= 0 with an inward speed [m/s]; both scales are of what is
+  /// to come.
+  void begin(const ContactForce& force, double depth, double speed, double depth_scale,
+             double speed_scale);
+
+  /// One step under `push`, whose friction must act against `direction`, +1 inward, -1 outward, no
+  /// longer than `horizon` [s]. Throws std::runtime_error
+  /// where no step is small enough.
+  ContactEvent step(const ContactPush& push, int direction, double horizon,
+                    std::int64_t& evaluations);
+
+  double depth() const { return state_[0] * state_[0]; }
+  double speed() const { return state_[1]; }
+
+  /// Duration [s] of the last step.
+  double elapsed() const { return state_[2]; }
+
+  /// Contact force over mass [m/s^2] on a body at this depth without velocity.
+  double resting_force() const { return spring(state_[0]); }
+
+ private:
+  using State = ExtrapolationState;  // y, u, t
+
+  /// Derivatives of du/ds.
+  struct Slopes {
+    double by_root, by_speed, by_time;
+  };
+
+  double spring(double root) const;
+  double force(double root, double speed) const;
+  double push_at(double time) const;
+  State rate(const State& state) const;
+  Slopes slopes() const;
+  double stiffness_of(const Slopes& slopes) const;
+
+  State implicit(double length, int pieces) const;
+  double judge(const Extrapolated& result, State& end) const;
+  bool is_stiff(double length) const;
+  double attempt(double length, State& end) const;
+  double attempt_to(ContactEvent event, State& end) const;
+
+  double value(ContactEvent event, const State& state) const;
+  double slope(ContactEvent event, const State& state, const State& rate) const;
+  bool passed(ContactEvent event, const State& state) const;
+  double crossing(ContactEvent event, double length, const State& end) const;
+  ContactEvent first_event(double length, const State& end, double& share) const;
+  bool passed_any(const State& state) const;
+  bool land_on(ContactEvent event, double length);
+  ContactEvent finish(double length, State end);
+  void update_scales();
+  void refine_event(ContactEvent event, const State& end);
+
+  double tolerance_;
+  ContactForce force_{};
+  int twice_exponent_ = 0;  // where it is a small integer
+  bool slack_ = false;
+  State scale_{};
+  double length_ = 0;  // of the next step, in s
+
+  // Of the current step.
+  State state_{};
+  State start_rate_{};
+  Slopes slopes_{};
+  double stiffness_ = 0;
+  const ContactPush* push_ = nullptr;
+  int direction_ = 0;
+  double horizon_ = 0;
+  std::int64_t* evaluations_ = nullptr;
+};
+
+}  // namespace ricochet::carrier_track::inline models

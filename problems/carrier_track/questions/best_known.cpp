@@ -1,0 +1,73 @@
+#include "problems/carrier_track/questions/best_known.h"
+
+#include <fmt/format.h>
+
+#include "embedded/best_known_text.h"
+#include "problems/carrier_track/scene/toml_table.h"
+#include "src/core/error.h"
+
+namespace ricochet::carrier_track::inline questions {
+namespace {
+
+BestKnown best_of(const toml::table& table, const InputError& error) {
+  const auto value = table["value"].value<double>();
+  const auto provenance = table["provenance"].value<std::string>();
+  const toml::array* point = table["point"].as_array();
+  if (!value || !provenance || point == nullptr) throw error;
+  BestKnown best{*value, Vector(static_cast<Eigen::Index>(point->size())), *provenance};
+  for (Eigen::Index i = 0; i < best.point.size(); ++i) {
+    const auto coordinate = point->get(static_cast<std::size_t>(i))->value<double>();
+    if (!coordinate) throw error;
+    best.point[i] = *coordinate;
+  }
+  return best;
+}
+
+}  // namespace
+
+BestValues parse_best_values(const std::string& text, const std::string& origin) {
+  const toml::table file = parse_toml(text, origin);
+  const auto reading = file["reading"].value<std::string>();
+  if (!reading) throw InputError(origin + ": reading must be there, as a text");
+  BestValues values{*reading, {}};
+  for (const auto& [key, node] : file) {
+    if (key.str() == "reading") continue;
+    const InputError error(
+        fmt::format("{}: {}: must be a table of value, point and provenance", origin, key.str()));
+    const toml::table* table = node.as_table();
+    if (table == nullptr) throw error;
+    values.of.emplace(key.str(), best_of(*table, error));
+  }
+  return values;
+}
+
+std::string write_best_values(const BestValues& values) {
+  std::string text = fmt::format(
+      "# The best values known, from `ricochet certify`.\nreading = \"{}\"\n", values.reading);
+  for (const auto& [name, best] : values.of) {
+    std::string point;
+    for (const double x : best.point) {
+      point += fmt::format("{}{}", point.empty() ? "" : ", ", toml_float(x));
+    }
+    text += fmt::format("\n[{}]\nvalue = {}\npoint = [{}]\nprovenance = \"{}\"\n", name,
+                        toml_float(best.value), point, best.provenance);
+  }
+  return text;
+}
+
+const BestValues& best_values() {
+  static const BestValues values =
+      parse_best_values(embedded::best_known_text, "problems/carrier_track/best_known.toml");
+  return values;
+}
+
+void know_best(Problem& problem, const std::string& reading) {
+  if (reading.empty() || reading != best_values().reading) return;
+  const auto found = best_values().of.find(problem.name);
+  if (found == best_values().of.end()) return;
+  problem.best_known = found->second.value;
+  problem.best_point = found->second.point;
+  problem.provenance = found->second.provenance;
+}
+
+}  // namespace ricochet::carrier_track::inline questions

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/scene/scaled_clearance.h"
+#include "problems/family.h"
+
+/// The machine and its speed, designed together.
+namespace ricochet::carrier_track::inline questions {
+
+/// Where the variables of a design are in its point.
+enum DesignVariable : std::size_t {
+  design_speed,        ///< [rad/s]
+  design_pull,         ///< [N]
+  design_clearance,    ///< [m]
+  design_friction,     ///< coefficient
+  design_restitution,  ///< of both walls
+  design_size
+};
+
+/// What a design's cost is relative to: the machine as it is.
+struct DesignScale {
+  double speed;      ///< [rad/s]
+  double pull;       ///< [N]
+  double pull_span;  ///< [N], of the bounds
+  double clearance;  ///< [m]
+};
+
+DesignScale design_scale(const Machine& machine);
+
+/// The scene of a design.
+template <class Scalar>
+BasicScene<Scalar> designed(const Scene& machine, std::span<const Scalar> x) {
+  const double nominal = machine.wall_upper - machine.wall_lower;
+  BasicScene<Scalar> scene =
+      scaled_clearance(Scalar(x[design_clearance] / constant<Scalar>(nominal)),
+                       at_speed(lifted<Scalar>(machine), x[design_speed]));
+  scene.pull = x[design_pull];
+  scene.friction = x[design_friction];
+  scene.restitution_lower = scene.restitution_upper = x[design_restitution];
+  return scene;
+}
+
+/// The terms of a design's cost, without dimension; smooth within the bounds. One unit is what the
+/// machine earns at its nominal speed.
+template <class Scalar>
+struct DesignCost {
+  Scalar production;  ///< -speed / nominal: yarn is braided, and sold, in proportion to the speed
+  Scalar precision;   ///< 0.5 nominal clearance / clearance: what a tolerance costs grows with its
+                      ///< reciprocal (Chase and Greenwood, Manuf. Rev. 1 (1988) 49)
+  Scalar damping;     ///< 0.25 ln(1 / restitution): layers that each keep the same share of the
+                      ///< speed are needed in proportion to it
+  Scalar heat;        ///< 0.5 friction (speed / nominal)^3: friction's power, under a press that
+                      ///< grows, as centrifugal force does, with the square of the speed
+  Scalar tension;  ///< ((pull - nominal) / span of its bounds)^2: a braid is made for one tension,
+                   ///< and its quality lost grows with the square of the departure (Taguchi)
+
+  Scalar sum() const { return production + precision + damping + heat + tension; }
+};
+
+/// The cost of a design, see above.
+template <class Scalar>
+DesignCost<Scalar> design_cost(const DesignScale& scale, std::span<const Scalar> x) {
+  using std::log;
+  const auto number = [](double y) { return constant<Scalar>(y); };
+  const Scalar speed = x[design_speed] / number(scale.speed);
+  const Scalar departure = (x[design_pull] - number(scale.pull)) / number(scale.pull_span);
+  return {-speed, number(0.5 * scale.clearance) / x[design_clearance],
+          number(-0.25) * log(x[design_restitution]),
+          number(0.5) * x[design_friction] * speed * speed * speed, departure * departure};
+}
+
+/// Minimise the cost subject to count <= quiet limit. No derivatives. The machine must have two
+/// walls.
+Problem design_count_problem(const Machine& machine);
+
+/// The same shown the surrogate, width > 0, with derivatives, in the constraint: it must stay below
+/// the half_level of the limit. Judged by the true count.
+Problem design_problem(const Machine& machine, double width);
+
+/// Without the machines that have but one wall: they have no clearance to design.
+Family design_count_family(const std::vector<Machine>& machines);
+Family design_family(const std::vector<Machine>& machines);
+
+}  // namespace ricochet::carrier_track::inline questions

@@ -1,0 +1,275 @@
+#include "problems/carrier_track/questions/misfit.h"
+
+#include <ceres/jet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/questions/speed_range.h"
+
+namespace ricochet::carrier_track::inline questions {
+namespace {
+
+/// Of the slowest impact that counts: a body that bounces less may rest.
+constexpr double resting_share = 0.01;
+
+void add_cells(std::vector<SpeedCell>& cells, double from, double to, double width) {
+  const auto size = std::max(1L, std::lround((to - from) / width));
+  const double exact = (to - from) / static_cast<double>(size);
+  for (long k = 0; k < size; ++k) {
+    cells.push_back({from + (static_cast<double>(k) + 0.5) * exact, exact});
+  }
+}
+
+/// The distance over its tolerance, and beyond 3 a logarithm.
+double tamed(double distance) {
+  return distance < 3 ? distance : 3 + std::log(distance - 2);
+}
+
+double below_claim(double count, int quiet) {
+  return std::log((count + 0.5) / (quiet + 0.5));
+}
+
+double above_claim(double count, int quiet) {
+  return std::max(0.0, std::log(1.6 * quiet / (count + 0.5)));
+}
+
+struct Cell {
+  double omega, width;
+  int count;
+};
+
+double total_width(const std::vector<Cell>& cells) {
+  double sum = 0;
+  for (const Cell& c : cells) sum += c.width;
+  return sum;
+}
+
+/// The count that holds over the most speeds.
+int widest_count(const std::vector<Cell>& cells) {
+  std::map<int, double> widths;
+  for (const Cell& c : cells) widths[c.count] += c.width;
+  return std::max_element(widths.begin(), widths.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+double median_count(std::vector<Cell> cells) {
+  std::sort(cells.begin(), cells.end(),
+            [](const Cell& a, const Cell& b) { return a.count < b.count; });
+  const double half = total_width(cells) / 2;
+  double passed = 0;
+  for (const Cell& c : cells) {
+    passed += c.width;
+    if (passed >= half) return c.count;
+  }
+  return 0;
+}
+
+struct CoarseSplit {
+  double speed, misclassified;
+};
+
+CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
+  double wrong = 0;  // with everything called loud
+  for (const Cell& c : cells) wrong += c.count <= limit ? c.width : 0;
+  CoarseSplit best{0, wrong};
+  double edge = 0;
+  for (const Cell& c : cells) {
+    edge += c.width;
+    wrong += c.count > limit ? c.width : -c.width;
+    if (wrong < best.misclassified - 1e-9) best = {edge, wrong};
+  }
+  best.misclassified /= edge;
+  best.speed =
+      std::clamp(best.speed, cells.front().width / 2, fastest_speed - cells.back().width / 2);
+  return best;
+}
+
+/// The count, or most_counted + 1 where it is higher: most constants that a search tries first make
+/// a carrier hammer for thousands of impacts, and nobody need wait for the last of them.
+int count_of(const Scene& scene, const Reading& reading, const Constants& constants, double omega) {
+  struct Enough {};
+  int count = 0;
+  auto add = [&count](double margin, double /*left*/) {
+    if (step(margin, 0.0) > 0 && ++count > most_counted) throw Enough();
+  };
+  const Scene at = scene_at(scene, reading, constants, omega);
+  Features<double, decltype(add)> features(at, add);
+  try {
+    if (at.fidelity == Fidelity::impact && at.profile.empty() && at.rule == CountRule::impacts) {
+      ImpactModel<double>(at, resting_share * at.slowest).run(features);
+    } else {
+      simulate(at, features);
+    }
+  } catch (const Enough&) {
+    // Louder than anything in the paper.
+  }
+  return count;
+}
+
+/// The share of 0..18 rad/s at which C11 would be quiet in C4.
+double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
+  const Scene scene = scene_of(find_case("C11"), reading, constants);
+  std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
+  double share = 0;
+  for (const SpeedCell& cell : cells) {
+    const int count = count_of(scene, reading, constants, cell.omega);
+    if (count <= quiet_limit(quiet)) share += cell.width / fastest_speed;
+  }
+  return share;
+}
+
+struct ClaimedCell {
+  Case the_case;
+  SpeedCell cell;
+};
+
+std::vector<ClaimedCell> claimed_cells() {
+  std::vector<ClaimedCell> cells;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold) continue;
+    for (const SpeedCell& cell : speed_cells(*a_case.claim.threshold)) {
+      cells.push_back({a_case, cell});
+    }
+  }
+  return cells;
+}
+
+struct Slopes {
+  double count;   ///< of the surrogate
+  Vector slopes;  ///< one a freed constant
+};
+
+/// Surrogate counts and their derivatives, some constants at a time: a dual number costs as much as
+/// it has room for.
+std::vector<Slopes> slopes_of_counts(const Reading& reading, const Constants& constants,
+                                     const std::vector<Open>& freed, double width,
+                                     const std::vector<ClaimedCell>& cells) {
+  constexpr std::size_t room = 5;
+  using Jet = ceres::Jet<double, static_cast<int>(room)>;
+  const bool differentiable =
+      reading.recovery != Recovery::contact_speed && reading.transition == Transition::plain;
+  std::vector<Slopes> result;
+  for (const auto& [the_case, cell] : cells) {
+    Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(freed.size()))};
+    if (!differentiable || freed.empty()) {
+      const Scene scene = scene_of(the_case, reading, constants);
+      slopes.count = objective(scene_at(scene, reading, constants, cell.omega), width);
+    }
+    for (std::size_t first = 0; differentiable && first < freed.size(); first += room) {
+      const std::size_t last = std::min(first + room, freed.size());
+      BasicConstants<Jet> dual;
+      for (std::size_t i = 0; i < open_size; ++i) dual[i] = Jet(constants[i]);
+      for (std::size_t i = first; i < last; ++i) {
+        dual[static_cast<std::size_t>(freed[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
+      }
+      const BasicScene<Jet> scene = scene_of(the_case, reading, dual);
+      const Jet count = objective(at_speed(scene, Jet(cell.omega)), width);
+      slopes.count = count.a;
+      for (std::size_t i = first; i < last; ++i) {
+        slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
+      }
+    }
+    result.push_back(std::move(slopes));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<SpeedCell> speed_cells(double threshold) {
+  std::vector<SpeedCell> cells;
+  add_cells(cells, 0, 1.3 * threshold, threshold / 16);
+  add_cells(cells, 1.3 * threshold, fastest_speed, 0.6);
+  return cells;
+}
+
+double misfit_of(const CoarseScore& s, const Claim& claim) {
+  const double quiet = *claim.quiet_count;
+  return tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15) +
+         tamed(std::max(0.0, 0.9 - s.purity) / 0.15) +
+         tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05) +
+         tamed(std::max(0.0, s.misclassified - 0.02) / 0.05) +
+         tamed(std::max(0.0, std::log(1.5 / std::max(s.loudness, 0.3))) / 0.2) +
+         2.0 * s.wrong_examples + 3 * s.shape;
+}
+
+CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case) {
+  const double threshold = a_case.claim.threshold.value();
+  const int claimed = a_case.claim.quiet_count.value();
+  const Scene scene = scene_of(a_case, reading, constants);
+  std::vector<Cell> cells, below, above;
+  double below_shape = 0;
+  double above_shape = 0;
+  for (const SpeedCell& c : speed_cells(threshold)) {
+    const Cell cell{c.omega, c.width, count_of(scene, reading, constants, c.omega)};
+    cells.push_back(cell);
+    if (c.omega < threshold) {
+      below.push_back(cell);
+      below_shape += c.width * std::min(1.5, std::abs(below_claim(cell.count, claimed)));
+    } else {
+      above.push_back(cell);
+      above_shape += c.width * std::min(1.5, above_claim(cell.count, claimed));
+    }
+  }
+  const int quiet = widest_count(below);
+  const double limit = quiet_limit(quiet);
+  const CoarseSplit split = coarse_split(cells, limit);
+  double pure = 0;
+  for (const Cell& c : below) pure += std::abs(c.count - quiet) <= 1 ? c.width : 0;
+  int wrong = 0;
+  if (const auto& figure = a_case.claim.figure) {
+    wrong += count_of(scene, reading, constants, figure->quiet) > limit ? 1 : 0;
+    wrong += count_of(scene, reading, constants, figure->loud) > limit ? 0 : 1;
+  }
+  return {quiet,
+          pure / total_width(below),
+          split.speed,
+          split.misclassified,
+          median_count(above) / std::max(quiet, 1),
+          wrong,
+          below_shape / total_width(below) + above_shape / total_width(above)};
+}
+
+double misfit(const Reading& reading, const Constants& constants, const std::string& left_out) {
+  double sum = 0;
+  int quiet_of_c4 = 1;
+  for (const Case& a_case : all_cases()) {
+    if (!a_case.claim.threshold) continue;
+    if (a_case.id == left_out && a_case.id != "C4") continue;
+    const CoarseScore s = coarse_score(reading, constants, a_case);
+    if (a_case.id != left_out) sum += misfit_of(s, a_case.claim);
+    if (a_case.id == "C4") quiet_of_c4 = std::max(s.quiet_count, 1);
+  }
+  return sum + 4 * quiet_share_of_c11(reading, constants, quiet_of_c4);
+}
+
+SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
+                           const std::vector<Open>& freed, double width) {
+  const std::vector<ClaimedCell> cells = claimed_cells();
+  const std::vector<Slopes> slopes = slopes_of_counts(reading, constants, freed, width, cells);
+  SmoothMisfit result{
+      Vector(static_cast<Eigen::Index>(cells.size())),
+      Matrix(static_cast<Eigen::Index>(cells.size()), static_cast<Eigen::Index>(freed.size()))};
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto& [the_case, cell] = cells[k];
+    const double threshold = *the_case.claim.threshold;
+    const int quiet = *the_case.claim.quiet_count;
+    const double count = slopes[k].count;
+    const bool below = cell.omega < threshold;
+    const double weight =
+        std::sqrt(3 * cell.width / (below ? threshold : fastest_speed - threshold));
+    const double distance = below ? below_claim(count, quiet) : -above_claim(count, quiet);
+    const bool flat = !below && distance == 0;
+    const auto row = static_cast<Eigen::Index>(k);
+    result.residuals[row] = weight * distance;
+    result.slopes.row(row) = (flat ? 0 : weight / (count + 0.5)) * slopes[k].slopes.transpose();
+  }
+  return result;
+}
+
+}  // namespace ricochet::carrier_track::inline questions

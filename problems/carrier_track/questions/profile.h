@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "problems/carrier_track/questions/machine.h"
+#include "problems/family.h"
+
+/// How the speed should vary in time, at a given mean: problems of as many variables as one likes.
+namespace ricochet::carrier_track::inline questions {
+
+/// How many knots the problems have.
+inline constexpr std::size_t profile_sizes[] = {2, 4, 8, 16, 32, 64};
+
+/// What every profile of a machine keeps.
+struct ProfileFrame {
+  double mean;     ///< [rad/s], > 0, of the speed over the window
+  double seconds;  ///< [s], > 0, the window, which the knots divide evenly
+};
+
+/// The machine's loud_speed, over the time that its window takes at that speed.
+inline ProfileFrame profile_frame(const Machine& machine) {
+  const double mean = loud_speed(machine);
+  const auto* turns = std::get_if<Revolutions>(&machine.scene.window);
+  return {mean, turns != nullptr ? 2 * std::numbers::pi * turns->count / mean
+                                 : std::get<Seconds>(machine.scene.window).count};
+}
+
+/// The scene with a speed profile of this shape, at least two factors > 0: at knot k the speed is
+/// mean shape_k / (trapezoidal mean of the shape). Between knots it changes linearly, for which the
+/// trapezoidal rule is exact: so the mean speed holds for every shape, and needs no constraint. The
+/// size of the shape does not matter.
+template <class Scalar>
+BasicScene<Scalar> with_profile(BasicScene<Scalar> scene, const ProfileFrame& frame,
+                                std::span<const Scalar> shape) {
+  const std::size_t legs = shape.size() - 1;
+  Scalar sum = constant<Scalar>(0.5) * (shape.front() + shape.back());
+  for (std::size_t k = 1; k < legs; ++k) sum += shape[k];
+  const Scalar scale = constant<Scalar>(frame.mean * static_cast<double>(legs)) / sum;
+  scene.profile.clear();
+  for (std::size_t k = 0; k <= legs; ++k) {
+    const double time = frame.seconds * static_cast<double>(k) / static_cast<double>(legs);
+    scene.profile.push_back({time, shape[k] * scale});
+  }
+  scene.window = Seconds{frame.seconds};
+  return scene;
+}
+
+/// Minimise the collision count over the shape of n >= 2 knots. No derivatives.
+Problem profile_count_problem(const Machine& machine, std::size_t n);
+
+/// The same shown the surrogate, width > 0, with derivatives; judged by the true count.
+Problem profile_problem(const Machine& machine, std::size_t n, double width);
+
+/// Minimise the wear (wear.h) over the shape, with derivatives.
+Problem profile_wear_problem(const Machine& machine, std::size_t n);
+
+Family profile_count_family(const std::vector<Machine>& machines);
+Family profile_family(const std::vector<Machine>& machines);
+Family profile_wear_family(const std::vector<Machine>& machines);
+
+}  // namespace ricochet::carrier_track::inline questions

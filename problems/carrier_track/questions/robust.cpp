@@ -1,0 +1,214 @@
+#include "problems/carrier_track/questions/robust.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/questions/problem_from_function.h"
+#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/scene/scaled_clearance.h"
+#include "src/core/seed.h"
+
+namespace ricochet::carrier_track::inline questions {
+namespace {
+
+enum Draw : std::size_t {
+  of_phase,
+  of_amplitude,
+  of_clearance,
+  of_mass,
+  of_friction,
+  of_restitution,
+  draw_size
+};
+
+using Draws = std::array<double, draw_size>;  // in [0, 1)
+
+constexpr double amplitude_tolerance = 0.2;
+constexpr double further_amplitude = 0.05;  // [N]
+constexpr double clearance_tolerance = 0.05;
+constexpr double mass_tolerance = 0.02;
+constexpr double friction_tolerance = 0.1;
+constexpr double restitution_tolerance = 0.05;
+
+double unit(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11U) * 0x1p-53;
+}
+
+std::vector<Draws> draws() {
+  Random random(seed_of("robust", "draws", 0, 0));
+  Draws shift;
+  for (double& s : shift) s = unit(random());
+  std::vector<Draws> all(robust_samples);
+  // The library leaves out the sequence's first point, the origin.
+  boost::random::sobol sequence(draw_size);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (std::size_t i = 0; i < draw_size; ++i) {
+      const double drawn = (k == 0 ? 0.0 : unit(sequence())) + shift[i];
+      all[k][i] = drawn < 1 ? drawn : drawn - 1;
+    }
+  }
+  return all;
+}
+
+/// 1 to within a tolerance.
+double factor(double draw, double tolerance) {
+  return 1 + tolerance * (2 * draw - 1);
+}
+
+/// The risk of the objectives of all scenes at the speed x[0].
+struct RiskAtSpeed {
+  static constexpr int jet_size = 1;
+
+  std::shared_ptr<const std::vector<Scene>> scenes;
+  RiskMeasure risk;
+  double width;
+
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
+    std::vector<Scalar> losses;
+    for (const Scene& scene : *scenes) losses.push_back(ObjectiveAtSpeed{scene, width}(x, watch));
+    return risk_of(risk, std::move(losses));
+  }
+};
+
+RiskAtSpeed risk_at_speed(const Machine& machine, RiskMeasure risk, double width) {
+  return {std::make_shared<const std::vector<Scene>>(sampled_scenes(machine.scene)), risk, width};
+}
+
+/// The half_level of a risk, whose steps are as fine as its smallest weight.
+double level_of(RiskMeasure risk, double quiet_limit) {
+  double least = 1;
+  for (const double w : risk_weights(risk, robust_samples)) {
+    if (w > 0) least = std::min(least, w);
+  }
+  return half_level(quiet_limit / least + 1e-9) * least;
+}
+
+std::string prefix(RiskMeasure risk) {
+  return fmt::format("robust-{}", name_of(risk));
+}
+
+std::string_view in_title(RiskMeasure risk) {
+  switch (risk) {
+    case RiskMeasure::mean:
+      return "on average";
+    case RiskMeasure::worst:
+      return "at worst";
+    default:
+      return "in the worst tenth";
+  }
+}
+
+std::string measure(RiskMeasure risk) {
+  switch (risk) {
+    case RiskMeasure::mean:
+      return "mean";
+    case RiskMeasure::worst:
+      return "worst";
+    default:
+      return "mean of the worst tenth (the conditional value at risk of Rockafellar and Uryasev, "
+             "2000, https://doi.org/10.21314/JOR.2000.038)";
+  }
+}
+
+}  // namespace
+
+std::vector<Scene> sampled_scenes(const Scene& scene) {
+  static const std::vector<Draws> all = draws();
+  std::vector<Scene> scenes;
+  for (const Draws& d : all) {
+    Scene sample = scaled_clearance(factor(d[of_clearance], clearance_tolerance), scene);
+    sample.disturbance =
+        scene.disturbance * factor(d[of_amplitude], amplitude_tolerance) + further_amplitude;
+    sample.disturbance_phase = 2 * std::numbers::pi * d[of_phase];
+    const double mass = factor(d[of_mass], mass_tolerance);
+    sample.mass *= mass;
+    sample.centrifugal_mass_radius *= mass;
+    sample.friction *= factor(d[of_friction], friction_tolerance);
+    if (scene.contact_friction) sample.friction = std::min(sample.friction, 1.0);
+    for (double* restitution : {&sample.restitution_lower, &sample.restitution_upper}) {
+      *restitution =
+          std::clamp(*restitution * factor(d[of_restitution], restitution_tolerance), 0.0, 1.0);
+    }
+    scenes.push_back(std::move(sample));
+  }
+  return scenes;
+}
+
+Problem robust_problem(const Machine& machine, RiskMeasure risk) {
+  Problem problem = speed_problem(
+      prefix(risk), machine,
+      fmt::format("fastest speed whose {} of 32 sampled counts is quiet", name_of(risk)));
+  problem.constraints = 1;
+  define(problem, Slowness{}, risk_at_speed(machine, risk, 0.0), machine.quiet_limit, false);
+  return problem;
+}
+
+Problem robust_surrogate_problem(const Machine& machine, RiskMeasure risk, double width) {
+  Problem problem = judged_as_it_is(robust_problem(machine, risk));
+  problem.name = fmt::format("{}-surrogate-{}", prefix(risk), machine.id);
+  problem.source =
+      fmt::format("fastest speed whose {} of 32 sampled surrogates is quiet", name_of(risk));
+  define(problem, Slowness{}, risk_at_speed(machine, risk, width),
+         level_of(risk, machine.quiet_limit), carries_derivatives(machine.scene));
+  problem.smoothed = [machine, risk](double other) {
+    return robust_surrogate_problem(machine, risk, other);
+  };
+  return problem;
+}
+
+Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
+  Family family;
+  family.name = family.judged_as = prefix(risk);
+  family.title = fmt::format("The fastest speed quiet in spite of tolerances, {}, shown the counts",
+                             in_title(risk));
+  family.question = fmt::format(
+      "How fast may the machine turn if the {} of the counts is to be quiet, when the disturbance "
+      "and how the machine was made are not known exactly?",
+      measure(risk));
+  family.formula =
+      "Minimise the speed's negative. 32 scenes stand for all that there may be: the phase of the "
+      "disturbance uniform, its amplitude within 20 % and 0.05 N higher, clearance within 5 %, "
+      "mass within 2 %, friction within 10 %, restitution within 5 %. They are 32 points of a "
+      "shifted Sobol sequence, the same for every speed and machine, so that no solver is shown "
+      "noise.";
+  family.constraints = fmt::format("The {} of the 32 counts <= quiet limit.", name_of(risk));
+  family.instances = "One for each machine, with a limit of its own and the same draws.";
+  family.users =
+      risk == RiskMeasure::mean
+          ? "An engineer with many machines, who cares for their noise together."
+      : risk == RiskMeasure::worst
+          ? "An engineer who must promise that no machine is loud; whoever compares solvers on a "
+            "maximum of functions, with its kinks."
+          : "An engineer who wants to be safe without being ruled by a single machine.";
+  for (const Machine& machine : machines) family.problems.push_back(robust_problem(machine, risk));
+  return family;
+}
+
+Family robust_surrogate_family(const std::vector<Machine>& machines, RiskMeasure risk) {
+  Family family = robust_family({}, risk);
+  family.name += "-surrogate";
+  family.title = fmt::format(
+      "The fastest speed quiet in spite of tolerances, {}, shown the surrogates", in_title(risk));
+  family.constraints = fmt::format(
+      "The {} of the 32 smooth surrogates <= half a step above the highest quiet value, where a "
+      "step is what the least weighty impact adds. Judged by the true counts.",
+      name_of(risk));
+  family.derivatives =
+      "Exact, by dual numbers carried through all 32 simulations; one-sided where two scenes "
+      "change "
+      "places in the order.";
+  for (const Machine& machine : machines) {
+    family.problems.push_back(robust_surrogate_problem(machine, risk, default_width));
+  }
+  return family;
+}
+
+}  // namespace ricochet::carrier_track::inline questions

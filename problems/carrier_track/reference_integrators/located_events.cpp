@@ -1,0 +1,154 @@
+#include "problems/carrier_track/reference_integrators/located_events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "problems/carrier_track/reference_integrators/root.h"
+
+namespace ricochet::carrier_track::inline reference_integrators {
+namespace {
+
+/// [m/s]; slowest_rebound, or more where its hop v^2 / (2 a) under the largest force would be lost
+/// in the rounding of the position: impacts would go on there for ever.
+double slowest_resolved(const Scene& scene, const Forces& forces) {
+  const double force = forces.strongest() + forces.friction;
+  const double farthest =
+      std::max(std::abs(scene.wall_lower),
+               std::isfinite(scene.wall_upper) ? std::abs(scene.wall_upper) : 0.0);
+  const double rounding = 32 * std::numeric_limits<double>::epsilon() * farthest;
+  return std::max(slowest_rebound, std::sqrt(2 * force * rounding));
+}
+
+class HybridMotion {
+ public:
+  HybridMotion(const Scene& scene, FlightMethod& method)
+      : scene_(scene),
+        forces_(forces_of(scene)),
+        method_(method),
+        duration_(duration_of(scene)),
+        slowest_(slowest_resolved(scene, forces_)),
+        state_{scene.start_position, scene.start_velocity} {
+    if (state_.position == scene.wall_lower) wall_ = Wall::lower;
+    if (state_.position == scene.wall_upper) wall_ = Wall::upper;
+    direction_ = (state_.velocity > 0) - (state_.velocity < 0);
+    if (direction_ == 0) direction_ = direction_of_release();
+  }
+
+  Outcome run() {
+    try {
+      while (time_ < duration_) direction_ == 0 ? rest() : move();
+      outcome_.finished = true;
+    } catch (const std::runtime_error& error) {
+      outcome_.failure = error.what();
+    }
+    outcome_.end = {time_, state_.position, state_.velocity};
+    outcome_.force_evaluations = evaluations_ + method_.evaluations();
+    return std::move(outcome_);
+  }
+
+ private:
+  double applied(double time) {
+    ++evaluations_;
+    return forces_.applied(time);
+  }
+
+  /// By how much the applied force exceeds friction where no wall is behind it [m/s^2].
+  double excess(double push) const {
+    const double up = wall_ == Wall::upper ? -std::numeric_limits<double>::infinity() : push;
+    const double down = wall_ == Wall::lower ? -std::numeric_limits<double>::infinity() : -push;
+    return std::max(up, down) - forces_.friction;
+  }
+
+  int direction_of_release() {
+    const double push = applied(time_);
+    return excess(push) > 0 ? (push > 0) - (push < 0) : 0;
+  }
+
+  void move() {
+    const double wall = direction_ > 0 ? scene_.wall_upper : scene_.wall_lower;
+    if (state_.position == wall) return strike();
+    wall_.reset();
+    const Landing landing = method_.fly({time_, state_, direction_, duration_ - time_});
+    state_ = landing.state;
+    if (landing.finish == Finish::limit) {
+      time_ = duration_;
+      return;
+    }
+    time_ += landing.duration;
+    if (landing.finish == Finish::turn) {
+      state_.velocity = 0;
+      direction_ = direction_of_release();
+      return;
+    }
+    direction_ = landing.finish == Finish::upper_wall ? +1 : -1;
+    strike();
+  }
+
+  void strike() {
+    if (outcome_.impacts.size() == most_impacts) {
+      throw std::runtime_error("more than 1000000 impacts");
+    }
+    wall_ = direction_ > 0 ? Wall::upper : Wall::lower;
+    const double speed = std::max(0.0, direction_ * state_.velocity);
+    outcome_.impacts.push_back({time_, *wall_, speed});
+    const double rebound =
+        speed * (direction_ > 0 ? upper_restitution(scene_) : lower_restitution(scene_));
+    const int into = direction_;
+    state_.position = direction_ > 0 ? scene_.wall_upper : scene_.wall_lower;
+    direction_ = -direction_;
+    state_.velocity = direction_ * rebound;
+    if (rebound <= slowest_ && into * applied(time_) >= -forces_.friction) {
+      state_.velocity = 0;
+      direction_ = 0;
+    }
+  }
+
+  void rest() {
+    const double interval = forces_.shortest_period() / 64;
+    while (time_ < duration_) {
+      if (++samples_ > most_steps) throw std::runtime_error("more than 1000000 samples at rest");
+      const double next = std::min(time_ + interval, duration_);
+      const double push = applied(next);
+      if (excess(push) > 0) {
+        time_ = rise([&](double t) { return excess(applied(t)); }, time_, next);
+        direction_ = push > 0 ? +1 : -1;
+        return;
+      }
+      time_ = next;
+    }
+  }
+
+  const Scene& scene_;
+  Forces forces_;
+  FlightMethod& method_;
+  double duration_;  // [s]
+  double slowest_;   // [m/s], of a rebound
+  double time_ = 0;  // [s]
+  State state_;
+  int direction_ = 0;         // of motion; 0 at rest
+  std::optional<Wall> wall_;  // the wall touched
+  std::int64_t samples_ = 0;
+  std::int64_t evaluations_ = 0;
+  Outcome outcome_;
+};
+
+}  // namespace
+
+FlightSetting flight_setting(const Scene& scene) {
+  double length = scene.wall_upper - scene.wall_lower;
+  if (!std::isfinite(length)) length = scene.start_position - scene.wall_lower;
+  return {forces_of(scene),
+          {scene.wall_lower, scene.wall_upper},
+          duration_of(scene),
+          length > 0 ? length : 1.0};
+}
+
+Outcome run_with_located_events(const Scene& scene, FlightMethod& method) {
+  return HybridMotion(scene, method).run();
+}
+
+}  // namespace ricochet::carrier_track::inline reference_integrators

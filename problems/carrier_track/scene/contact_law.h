@@ -1,0 +1,64 @@
+#pragma once
+
+/// Laws for the force between a body and a wall that it presses into: with penetration d [m] and
+/// its rate d' [m/s],
+///   F = K d^n (1 + D d' / v0)   every law but Kelvin-Voigt,
+///   F = K d + C d'              Kelvin-Voigt.
+/// D depends on a prescribed restitution c; v0 [m/s] is the speed of approach, of each impact or
+/// the same for all. F is zero where the contact begins and ends, d = 0, and never pulls in an
+/// impact that no other force disturbs: there d' stays above -v0 / D. A body that another force
+/// tears off the wall faster than that is held back: the law is kept as it is published. The other
+/// side of it is that a body which arrives much slower than it is pressed afterwards meets a very
+/// strong damper, and creeps in and out.
+/// Kelvin-Voigt would pull at the end of every contact; there F = max(0, K d + C d').
+namespace ricochet::carrier_track::inline scene {
+
+enum class ContactLaw {
+  hertz,                ///< D = 0
+  kelvin_voigt,         ///< n = 1, C from the restitution it returns when it never pulls
+  hunt_crossley,        ///< D = 3 (1 - c) / 2
+  lankarani_nikravesh,  ///< D = 3 (1 - c^2) / 4
+  zhiying_qishao,       ///< D = 3/4 (1 - c^2) exp(2 (1 - c))
+  flores,               ///< D = 8 (1 - c) / (5 c)
+  gonthier,             ///< D = (1 - c^2) / c, his approximation
+  exact_restitution     ///< the D that returns c
+};
+
+/// Whether the damping grows beyond all bounds as the restitution falls to 0.
+bool needs_restitution(ContactLaw law);
+
+/// D of a law for a prescribed restitution in [0, 1], above 0 where needs_restitution. Throws
+/// std::invalid_argument outside, and for kelvin_voigt, which has a damping_ratio instead.
+double dissipation(ContactLaw law, double restitution);
+
+/// The restitution that an impact without other forces returns for D >= 0: the root e of
+/// D (1 + e) = ln((1 + D) / (1 - e D)), whatever K, m, n and v0; relative error about 1e-15. No
+/// published D but the exact one returns the restitution that it is made from.
+/// Derivation: divide m d'' = -F by d^n and integrate over d.
+double returned_restitution(double dissipation);
+
+/// Deepest penetration [m] of an impact without other forces:
+/// d^(n+1) = (n + 1) (m / K) v0^2 (D - ln(1 + D)) / D^2, with mass m [kg], stiffness K [N/m^n].
+double peak_penetration(double stiffness, double exponent, double mass, double speed,
+                        double dissipation);
+
+/// When a Kelvin-Voigt contact is said to end.
+enum class Release {
+  zero_force,  ///< as soon as it would pull
+  zero_depth   ///< where it began
+};
+
+/// The restitution that Kelvin-Voigt returns without other forces for a damping ratio
+/// z = C / (2 sqrt(K m)) >= 0. With s = sqrt(1 - z^2):
+/// zero_force: exp(-2 z acos(z) / s), for z > 1 exp(-2 z acosh(z) / sqrt(z^2 - 1));
+/// zero_depth: exp(-pi z / s), 0 for z >= 1.
+double kelvin_voigt_restitution(double damping_ratio, Release release);
+
+/// The damping ratio that returns a restitution in (0, 1]; throws std::invalid_argument outside.
+double damping_ratio(double restitution, Release release);
+
+/// What a law makes of a restitution: D, or of kelvin_voigt the damping ratio that returns it when
+/// it never pulls. Throws as the two above.
+double damping_factor(ContactLaw law, double restitution);
+
+}  // namespace ricochet::carrier_track::inline scene

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "problems/carrier_track/scene/scene.h"
+
+namespace ricochet::carrier_track::inline scene {
+
+/// The values of an enumeration by the names that a user writes for them.
+template <class Value>
+using EnumNames = std::vector<std::pair<std::string_view, Value>>;
+
+const EnumNames<Centrifugal>& centrifugal_names();
+const EnumNames<CountRule>& rule_names();
+const EnumNames<Fidelity>& fidelity_names();
+const EnumNames<ContactLaw>& contact_law_names();
+
+/// Throws std::logic_error for a value without a name.
+template <class Value>
+std::string_view name_of(const EnumNames<Value>& choices, Value value) {
+  const auto named = std::find_if(choices.begin(), choices.end(),
+                                  [&](const auto& choice) { return choice.second == value; });
+  if (named == choices.end()) throw std::logic_error("a value without a name");
+  return named->first;
+}
+
+}  // namespace ricochet::carrier_track::inline scene

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "problems/carrier_track/scene/scene.h"
+
+namespace ricochet::carrier_track::inline scene {
+
+/// The scene with its clearance times a factor > 0. The lower wall stays, and the start keeps its
+/// share of the clearance.
+template <class Scalar>
+BasicScene<Scalar> scaled_clearance(const Scalar& factor, BasicScene<Scalar> scene) {
+  scene.wall_upper = scene.wall_lower + factor * (scene.wall_upper - scene.wall_lower);
+  scene.start_position = scene.wall_lower + factor * (scene.start_position - scene.wall_lower);
+  return scene;
+}
+
+}  // namespace ricochet::carrier_track::inline scene

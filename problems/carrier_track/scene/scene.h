@@ -1,0 +1,193 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "problems/carrier_track/scene/contact_law.h"
+#include "problems/carrier_track/scene/scalar.h"
+
+namespace ricochet::carrier_track::inline scene {
+
+/// How the centrifugal force F_a = m r_c omega^2 enters the x axis (paper.md, contradiction 6).
+enum class Centrifugal { projected, inward, outward };
+
+/// What makes a feature of the motion count as a collision; see collisions.h.
+enum class CountRule { impacts, peaks };
+
+/// The levels of the model, see simulate.h.
+enum class Fidelity { impact, compliant, planar, automatic };
+
+/// The simulated window: a number of turns of the driver plate, or a time.
+struct Revolutions {
+  double count;  ///< > 0
+};
+struct Seconds {
+  double count;  ///< [s], > 0
+};
+using Window = std::variant<Revolutions, Seconds>;
+
+/// The speed of the driver plate at a time [s]. Between knots it changes linearly with time; before
+/// the first and after the last it holds.
+template <class Scalar>
+struct SpeedKnot {
+  double time;   ///< [s], >= 0, increasing from knot to knot
+  Scalar omega;  ///< [rad/s], >= 0
+};
+
+/// The second direction, y, of equation (22): the clearance across, in which the carrier is free
+/// too. Mass and friction coefficient are those of x.
+template <class Scalar>
+struct Across {
+  Scalar pull = constant<Scalar>(0.0);               ///< [N], T_1 sin(phi), towards the upper wall
+  Scalar wall_lower = constant<Scalar>(0.0);         ///< [m]
+  Scalar wall_upper = constant<Scalar>(1.0);         ///< [m], > wall_lower, may be infinite
+  Scalar restitution_lower = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar restitution_upper = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar start_position = constant<Scalar>(0.5);     ///< [m], within the walls
+  Scalar start_velocity = constant<Scalar>(0.0);     ///< [m/s]
+};
+
+/// A yarn carrier in its clearance: equation (31) of the paper along x, which points from the lower
+/// to the upper wall. SI units. Physical constants are of type Scalar so that derivatives with
+/// respect to any of them can be carried through a simulation.
+///
+/// mass x'' = - pull (cos(alpha + pull_phase) if pull_rotates, else 1)
+///            + centrifugal_mass_radius omega^2 (cos alpha | -1 | +1)
+///            - slider_mass_radius (omega' sin alpha + omega^2 cos alpha)
+///            + disturbance cos(disturbance_frequency t + disturbance_phase)
+///            + contact - friction normal_force sign(x'),
+/// where alpha is the integral of omega, plus phase;
+/// friction is set-valued at rest, and an impact turns x' into -restitution x'. With
+/// contact_friction a wall's force F has friction F to overcome on the way in, and so much less is
+/// left on the way out: the wall returns sqrt((1 - friction) / (1 + friction)) of its restitution.
+///
+/// The defaults are a body at rest between two elastic walls with no force on it.
+template <class Scalar>
+struct BasicScene {
+  Scalar mass = constant<Scalar>(1.0);               ///< [kg], > 0
+  Scalar wall_lower = constant<Scalar>(0.0);         ///< [m]
+  Scalar wall_upper = constant<Scalar>(1.0);         ///< [m], > wall_lower, may be infinite
+  Scalar restitution_lower = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar restitution_upper = constant<Scalar>(1.0);  ///< in [0, 1]
+  Scalar friction = constant<Scalar>(0.0);           ///< Coulomb coefficient, >= 0
+  Scalar normal_force =
+      constant<Scalar>(0.0);            ///< [N], >= 0; what the friction coefficient multiplies
+  bool contact_friction = false;        ///< whether it multiplies a wall's own force too
+  Scalar pull = constant<Scalar>(0.0);  ///< [N], T_1 cos(phi), towards the lower wall
+  bool pull_rotates = false;            ///< whether the pull turns with the driver plate
+  Scalar pull_phase = constant<Scalar>(0.0);  ///< [rad], of a pull that rotates, ahead of alpha
+  Centrifugal centrifugal = Centrifugal::projected;
+  Scalar centrifugal_mass_radius = constant<Scalar>(0.0);  ///< [kg m], m r_c, >= 0
+  Scalar slider_mass_radius =
+      constant<Scalar>(0.0);                   ///< [kg m], (m_s1 + m_s2) L sin(theta/2), >= 0
+  Scalar phase = constant<Scalar>(0.0);        ///< [rad], alpha at t = 0
+  Scalar disturbance = constant<Scalar>(0.0);  ///< [N]
+  Scalar disturbance_frequency = constant<Scalar>(1.0);  ///< [rad/s], >= 0
+  Scalar disturbance_phase = constant<Scalar>(0.0);      ///< [rad]
+  Scalar start_position = constant<Scalar>(0.5);         ///< [m], within the walls
+  Scalar start_velocity = constant<Scalar>(0.0);         ///< [m/s]
+  Scalar omega = constant<Scalar>(1.0);    ///< [rad/s], speed of the driver plate, >= 0
+  std::vector<SpeedKnot<Scalar>> profile;  ///< takes the place of omega where it is not empty
+  Window window = Seconds{1.0};
+  CountRule rule = CountRule::impacts;
+  Scalar slowest =
+      constant<Scalar>(1e-3);  ///< [m/s], > 0; rule impacts: the slowest impact that counts
+  Scalar peak_high =
+      constant<Scalar>(3e-3);  ///< [m], > 0; rule peaks: a maximum from here on counts
+  Scalar peak_low = constant<Scalar>(1e-3);  ///< [m], > 0; rule peaks: a maximum up to here counts
+  Fidelity fidelity = Fidelity::impact;
+  // Of fidelity compliant alone, which carries no derivatives.
+  ContactLaw contact_law = ContactLaw::hunt_crossley;
+  double stiffness = 1e8;               ///< [N/m^contact_exponent], > 0
+  double contact_exponent = 1.5;        ///< > 0; 1 for kelvin_voigt
+  std::optional<double> contact_speed;  ///< [m/s], > 0: v0 of the law; none: of each impact its own
+  std::optional<Across<Scalar>> across;  ///< of fidelity planar and automatic
+};
+
+using Scene = BasicScene<double>;
+
+/// The part of its restitution that a wall returns in spite of friction, see BasicScene.
+template <class Scalar>
+Scalar returned_share(const BasicScene<Scalar>& scene) {
+  using std::sqrt;
+  const Scalar one = constant<Scalar>(1.0);
+  if (!scene.contact_friction) return one;
+  // The derivative with respect to this friction is infinite, and left out.
+  if (value(scene.friction) >= 1) return constant<Scalar>(0.0);
+  return sqrt((one - scene.friction) / (one + scene.friction));
+}
+
+template <class Scalar>
+Scalar lower_restitution(const BasicScene<Scalar>& scene) {
+  return scene.restitution_lower * returned_share(scene);
+}
+
+template <class Scalar>
+Scalar upper_restitution(const BasicScene<Scalar>& scene) {
+  return scene.restitution_upper * returned_share(scene);
+}
+
+/// The same scene with every constant as a Scalar, for instance a dual number.
+template <class Scalar>
+BasicScene<Scalar> lifted(const Scene& scene) {
+  const auto lift = [](double x) { return constant<Scalar>(x); };
+  std::vector<SpeedKnot<Scalar>> profile;
+  for (const auto& knot : scene.profile) profile.push_back({knot.time, lift(knot.omega)});
+  std::optional<Across<Scalar>> across;
+  if (scene.across) {
+    const Across<double>& y = *scene.across;
+    across = Across<Scalar>{lift(y.pull),
+                            lift(y.wall_lower),
+                            lift(y.wall_upper),
+                            lift(y.restitution_lower),
+                            lift(y.restitution_upper),
+                            lift(y.start_position),
+                            lift(y.start_velocity)};
+  }
+  return {lift(scene.mass),
+          lift(scene.wall_lower),
+          lift(scene.wall_upper),
+          lift(scene.restitution_lower),
+          lift(scene.restitution_upper),
+          lift(scene.friction),
+          lift(scene.normal_force),
+          scene.contact_friction,
+          lift(scene.pull),
+          scene.pull_rotates,
+          lift(scene.pull_phase),
+          scene.centrifugal,
+          lift(scene.centrifugal_mass_radius),
+          lift(scene.slider_mass_radius),
+          lift(scene.phase),
+          lift(scene.disturbance),
+          lift(scene.disturbance_frequency),
+          lift(scene.disturbance_phase),
+          lift(scene.start_position),
+          lift(scene.start_velocity),
+          lift(scene.omega),
+          std::move(profile),
+          scene.window,
+          scene.rule,
+          lift(scene.slowest),
+          lift(scene.peak_high),
+          lift(scene.peak_low),
+          scene.fidelity,
+          scene.contact_law,
+          scene.stiffness,
+          scene.contact_exponent,
+          scene.contact_speed,
+          std::move(across)};
+}
+
+/// The same scene at a constant speed [rad/s].
+template <class Scalar>
+BasicScene<Scalar> at_speed(BasicScene<Scalar> scene, const Scalar& omega) {
+  scene.omega = omega;
+  scene.profile.clear();
+  return scene;
+}
+
+}  // namespace ricochet::carrier_track::inline scene

@@ -1,0 +1,120 @@
+#include "problems/carrier_track/scene/toml_table.h"
+
+#include <sstream>
+
+#include "src/core/error.h"
+
+namespace ricochet::carrier_track::inline scene {
+
+toml::table parse_toml(const std::string& text, const std::string& origin) {
+  try {
+    return toml::parse(text, origin);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid TOML: {}", origin, error.source().begin.line,
+                                 error.description()));
+  }
+}
+
+std::string toml_float(double x) {
+  const std::string text = fmt::format("{}", x);
+  return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;
+}
+
+TomlTable::TomlTable(const toml::table& file, std::string name, std::string origin)
+    : name_(std::move(name)), origin_(std::move(origin)), table_(file[name_].as_table()) {}
+
+bool TomlTable::has(std::string_view key) {
+  known_.insert(std::string(key));
+  return table_ != nullptr && table_->contains(key);
+}
+
+void TomlTable::need(std::string_view key) {
+  if (!has(key)) throw InputError(fmt::format("{}: {}.{} is missing", origin_, name_, key));
+}
+
+void TomlTable::number(std::string_view key, double& target) {
+  if (!has(key)) return;
+  target = number_of(key, *table_->get(key), "a number");
+}
+
+void TomlTable::required(std::string_view key, double& target) {
+  need(key);
+  number(key, target);
+}
+
+void TomlTable::boolean(std::string_view key, bool& target) {
+  if (!has(key)) return;
+  const toml::node& node = *table_->get(key);
+  if (!node.is_boolean()) refuse(key, node, "true or false");
+  target = node.as_boolean()->get();
+}
+
+void TomlTable::pair(std::string_view key, double& first, double& second) {
+  constexpr const char* allowed = "a number, or [lower, upper]";
+  need(key);
+  const toml::node& node = *table_->get(key);
+  const toml::array* array = node.as_array();
+  if (array == nullptr) {
+    first = second = number_of(key, node, allowed);
+    return;
+  }
+  if (array->size() != 2) refuse(key, node, allowed);
+  first = number_of(key, *array->get(0), allowed);
+  second = number_of(key, *array->get(1), allowed);
+}
+
+void TomlTable::number_or(std::string_view key, std::string_view none,
+                          std::optional<double>& target) {
+  if (!has(key)) return;
+  const toml::node& node = *table_->get(key);
+  if (node.is_string() && node.as_string()->get() == none) {
+    target.reset();
+  } else {
+    target = number_of(key, node, fmt::format("a number, or \"{}\"", none));
+  }
+}
+
+void TomlTable::number_or_knots(std::string_view key, double& target,
+                                std::vector<SpeedKnot<double>>& knots) {
+  constexpr const char* allowed = "a number, or [[time, omega], ...]";
+  if (!has(key)) return;
+  const toml::node& node = *table_->get(key);
+  const toml::array* array = node.as_array();
+  if (array == nullptr) {
+    target = number_of(key, node, allowed);
+    return;
+  }
+  if (array->empty()) refuse(key, node, allowed);
+  for (const toml::node& element : *array) {
+    const toml::array* knot = element.as_array();
+    if (knot == nullptr || knot->size() != 2) refuse(key, node, allowed);
+    knots.push_back(
+        {number_of(key, *knot->get(0), allowed), number_of(key, *knot->get(1), allowed)});
+  }
+}
+
+void TomlTable::finish() const {
+  if (table_ == nullptr) return;
+  for (const auto& [key, node] : *table_) {
+    if (known_.contains(std::string(key.str()))) continue;
+    throw InputError(fmt::format("{}: {}.{} is not a key; allowed: {}", origin_, name_, key.str(),
+                                 fmt::join(known_, ", ")));
+  }
+}
+
+double TomlTable::number_of(std::string_view key, const toml::node& node,
+                            std::string_view allowed) const {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value) refuse(key, node, allowed);
+  return *value;
+}
+
+void TomlTable::refuse(std::string_view key, const toml::node& node,
+                       std::string_view allowed) const {
+  std::ostringstream text;
+  node.visit([&text](const auto& shown) { text << shown; });
+  throw InputError(
+      fmt::format("{}: {}.{} = {}: must be {}", origin_, name_, key, text.str(), allowed));
+}
+
+}  // namespace ricochet::carrier_track::inline scene

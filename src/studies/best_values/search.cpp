@@ -1,0 +1,133 @@
+#include "src/studies/best_values/search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "solvers/solvers.h"
+#include "src/core/penalty.h"
+#include "src/core/run.h"
+#include "src/core/verdict.h"
+
+namespace ricochet::studies::best_values {
+namespace {
+
+/// A violation by one collision costs more than any speed within the bounds earns.
+constexpr double penalty_weight = 10.0;
+
+constexpr double bisected_to = 1e-7;
+
+/// Smoothing widths at which solvers with derivatives are shown a smooth form.
+constexpr double widths[] = {0.25, 0.1};
+
+/// The best point so far, and who found it.
+struct Best {
+  std::optional<Truth> truth;
+  Vector x;
+  std::string finder;
+};
+
+const Solver& solver_named(const std::string& name) {
+  static const std::vector<Solver> solvers = all_solvers();
+  const auto found = std::find_if(solvers.begin(), solvers.end(),
+                                  [&](const Solver& solver) { return solver.name == name; });
+  if (found == solvers.end()) throw std::logic_error("there is no solver " + name);
+  return *found;
+}
+
+/// Runs the solver, from the best point on if `on`, and keeps what is better.
+void improve(Problem problem, const std::string& solver_name, std::int64_t evaluations, bool on,
+             Best& best) {
+  const Solver& solver = solver_named(solver_name);
+  if (problem.constraints > 0 && !solver.accepts(problem)) {
+    problem = penalised(problem, penalty_weight);
+  }
+  if (!solver.accepts(problem)) return;
+  if (on && best.truth) problem.start = best.x;
+  const RunRecord record = run(problem, solver, Budget{evaluations}, 0);
+  if (!record.failure.empty()) throw std::runtime_error(problem.name + ": " + record.failure);
+  if (record.trace.empty()) return;
+  const Improvement& last = record.trace.back();
+  if (best.truth && !better(last.truth, *best.truth)) return;
+  best = {last.truth, last.x,
+          fmt::format("{}, seed {}, {} of {} evaluations", solver.name, record.seed,
+                      last.evaluations, evaluations)};
+}
+
+BestKnown known(const Truth& truth, const Vector& x, std::string provenance) {
+  if (truth.violation > 0) {
+    return {std::numeric_limits<double>::infinity(), Vector(), std::move(provenance)};
+  }
+  return {truth.objective, x, std::move(provenance)};
+}
+
+}  // namespace
+
+BestKnown scan_for_best(const Problem& problem, double step) {
+  const auto truth = [&](double x) { return truth_at(problem, Vector::Constant(1, x)); };
+  const auto first = std::llround(std::ceil(problem.lower[0] / step - 1e-9));
+  const auto last = std::llround(std::floor(problem.upper[0] / step + 1e-9));
+  double best = problem.start[0];
+  Truth best_truth = truth(best);
+  for (auto k = first; k <= last; ++k) {
+    const double x = std::clamp(static_cast<double>(k) * step, problem.lower[0], problem.upper[0]);
+    const Truth found = truth(x);
+    // The start must not win over the first of equals.
+    if (k == first || better(found, best_truth)) {
+      best = x;
+      best_truth = found;
+    }
+  }
+  for (const double side : {-step, step}) {
+    double other = std::clamp(best + side, problem.lower[0], problem.upper[0]);
+    while (std::abs(other - best) > bisected_to) {
+      const double middle = (best + other) / 2;
+      const Truth found = truth(middle);
+      const bool gains = better(found, best_truth);
+      (gains ? best : other) = middle;
+      if (gains) best_truth = found;
+    }
+  }
+  return known(best_truth, Vector::Constant(1, best),
+               fmt::format("exhaustive scan, step {}, then bisection", step));
+}
+
+BestKnown search_for_best(const Question& question, const Effort& effort) {
+  const Problem& judged = question.forms.front();
+  const std::int64_t evaluations =
+      effort.evaluations + effort.evaluations_per_variable * judged.dimension();
+  Best best;
+  for (const char* solver : {"pagmo-cmaes", "pagmo-sade", "fireworks"}) {
+    improve(judged, solver, evaluations, false, best);
+  }
+  for (const Problem& form : question.forms) {
+    for (const double width : widths) {
+      if (!form.smoothed && width != widths[0]) continue;
+      const Problem shown = form.smoothed ? form.smoothed(width) : form;
+      for (const char* solver : {"nlopt-slsqp", "ipopt"}) {
+        improve(shown, solver, evaluations, false, best);
+        improve(shown, solver, evaluations / 2, true, best);
+      }
+    }
+  }
+  improve(judged, "ceres-trust-region", evaluations, true, best);
+  for (const char* solver : {"nlopt-sbplx", "nlopt-cobyla"}) {
+    improve(judged, solver, evaluations / 2, true, best);
+  }
+  if (!best.truth) throw std::runtime_error(question.name + ": no solver has found a point");
+  // Dual numbers round otherwise than plain ones: the value is that of the plain evaluation.
+  return known(truth_at(judged, best.x), best.x, best.finder);
+}
+
+BestKnown best_of(const Question& question, const Effort& effort) {
+  const bool robust = question.name.rfind("robust-", 0) == 0;
+  return question.forms.front().dimension() == 1
+             ? scan_for_best(question.forms.front(), robust ? effort.robust_step : effort.step)
+             : search_for_best(question, effort);
+}
+
+}  // namespace ricochet::studies::best_values

@@ -1,0 +1,86 @@
+#include "src/studies/calibration/appraisal.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/questions/speed_range.h"
+
+namespace ricochet::studies::calibration {
+namespace {
+
+using namespace carrier_track;
+
+CaseAppraisal appraise_case(const Case& the_case, const Fit& fit, double step) {
+  const CountAt count = counts_of(the_case, fit.reading, fit.constants);
+  SpeedScan scan = scan_speeds(count, step, fastest_speed);
+  Score result = score(count, the_case.claim, scan, 1);
+  return {the_case, std::move(scan), std::move(result)};
+}
+
+double square(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+CountAt counts_of(const Case& a_case, const Reading& reading, const Constants& constants) {
+  return [&, scene = scene_of(a_case, reading, constants)](double omega) {
+    return static_cast<int>(objective(scene_at(scene, reading, constants, omega), 0.0));
+  };
+}
+
+double selection_criterion(double sum_of_squares, int errors, int constants) {
+  const int p = constants + 1;  // and the variance
+  if (errors <= p + 1) return std::numeric_limits<double>::infinity();
+  const double mean = std::max(1e-6, sum_of_squares / errors);
+  return errors * std::log(mean) + 2.0 * p + 2.0 * p * (p + 1) / (errors - p - 1);
+}
+
+Appraisal appraise(const Fit& fit, double step) {
+  Appraisal result;
+  const auto cases = all_cases();
+  result.cases.resize(cases.size());
+  tbb::parallel_for(std::size_t{0}, cases.size(),
+                    [&](std::size_t i) { result.cases[i] = appraise_case(cases[i], fit, step); });
+  double squares = 0;
+  double count_squares = 0;
+  int thresholds = 0;
+  double quiet_limit_of_c4 = 0;
+  result.loudness = std::numeric_limits<double>::infinity();
+  for (const CaseAppraisal& c : result.cases) {
+    const Score& s = c.score;
+    const Claim& claim = c.the_case.claim;
+    if (c.the_case.id == "C4") quiet_limit_of_c4 = quiet_limit(s.quiet_count);
+    if (c.the_case.id == "C11") {
+      const auto& counts = c.scan.counts;
+      const auto quiet = std::count_if(counts.begin(), counts.end(),
+                                       [&](int count) { return count <= quiet_limit_of_c4; });
+      result.quiet_share = static_cast<double>(quiet) / static_cast<double>(counts.size());
+    }
+    if (!claim.threshold) continue;
+    ++thresholds;
+    // A case without a threshold errs by as much as one at the end of the range that it prefers.
+    const double end =
+        c.scan.counts.front() > quiet_limit(s.quiet_count) ? c.scan.step : fastest_speed;
+    const double error = std::log(s.threshold.value_or(end) / *claim.threshold);
+    squares += square(error);
+    result.worst_threshold = std::max(result.worst_threshold, std::abs(error));
+    result.within += std::abs(error) <= std::log(1.05) ? 1 : 0;
+    result.exact_counts += s.quiet_count == *claim.quiet_count ? 1 : 0;
+    count_squares += square(std::log(std::max(s.quiet_count, 1) / double(*claim.quiet_count)));
+    result.purity = std::min(result.purity, s.purity.value_or(0));
+    result.misclassified = std::max(result.misclassified, s.misclassified);
+    result.loudness = std::min(result.loudness, s.loudness.value_or(0));
+    for (const Example& e : s.examples) result.right_examples += e.right ? 1 : 0;
+  }
+  result.threshold_error = std::sqrt(squares / thresholds);
+  result.criterion = selection_criterion(squares + count_squares, 2 * thresholds,
+                                         static_cast<int>(fit.freed.size()));
+  return result;
+}
+
+}  // namespace ricochet::studies::calibration

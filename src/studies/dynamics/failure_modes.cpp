@@ -1,0 +1,226 @@
+#include "src/studies/dynamics/failure_modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "problems/carrier_track/reference_integrators/accuracy.h"
+#include "src/campaign/progress.h"
+#include "src/studies/dynamics/work.h"
+
+namespace ricochet::studies::dynamics {
+namespace {
+
+using namespace carrier_track;
+
+constexpr double pi = std::numbers::pi;
+constexpr double gravity = 9.8;  // [m/s^2]
+constexpr int angles = 32;       // at which swings start and peaks come
+
+/// A ball that is dropped, falls for `fall` [s], and bounces.
+Scene ball(double fall, double restitution, double seconds) {
+  Scene scene;
+  scene.wall_upper = std::numeric_limits<double>::infinity();
+  scene.start_position = 0.5 * gravity * fall * fall;
+  scene.pull = gravity;
+  scene.restitution_lower = restitution;
+  scene.window = Seconds{seconds};
+  return scene;
+}
+
+/// Time [s] of impact k = 0, 1, ... of that ball.
+double impact_time(double fall, double restitution, double k) {
+  return fall * (1 + restitution - 2 * std::pow(restitution, k + 1)) / (1 - restitution);
+}
+
+/// A block in the middle of a gap of 1 m, with friction 1 m/s^2.
+Scene block() {
+  Scene scene;
+  scene.wall_lower = -0.5;
+  scene.wall_upper = 0.5;
+  scene.start_position = 0;
+  scene.friction = 1;
+  scene.normal_force = 1;
+  return scene;
+}
+
+/// A resting block under a force of period 2 pi s that peaks at angle `peak` [rad], at 1 + excess
+/// times friction.
+Outcome pushed_for_a_moment(const Integrator& integrator, Strictness strictness, double excess,
+                            double peak) {
+  Scene scene = block();
+  scene.centrifugal_mass_radius = 1 + excess;  // omega is 1 rad/s
+  scene.phase = -peak;
+  scene.window = Seconds{peak + 1};  // the opposite peak comes later
+  return integrator.run(scene, control_of(integrator, strictness, 2 * pi));
+}
+
+Scene chaotic_arena(double seconds) {
+  for (const BenchmarkScene& arena : benchmark_scenes(seconds)) {
+    if (arena.chaotic) return arena.scene;
+  }
+  throw std::logic_error("there is no chaotic arena");
+}
+
+struct Sample {
+  double mean = 0, variance = 0;
+  bool finished = true;
+};
+
+/// Impacts that count, over runs whose start velocity differs by a hundredth each.
+Sample impacts_of(const Integrator& integrator, const Scene& scene, double control, int starts) {
+  Sample sample;
+  double squares = 0;
+  for (int k = 0; k < starts; ++k) {
+    Scene start = scene;
+    start.start_velocity *= 1 + 0.01 * k;
+    const Outcome outcome = integrator.run(start, control);
+    sample.finished = sample.finished && outcome.finished;
+    const double impacts = collisions(start, outcome);
+    sample.mean += impacts / starts;
+    squares += impacts * impacts / starts;
+  }
+  sample.variance = std::max(0.0, squares - sample.mean * sample.mean);
+  return sample;
+}
+
+}  // namespace
+
+double control_of(const Integrator& integrator, Strictness strictness, double once) {
+  const bool tight = strictness == Strictness::tight;
+  if (integrator.control == "step [s]") return once / (tight ? 1000 : 30);
+  return tight ? 1e-10 : 1e-4;
+}
+
+Zeno zeno_of(const Integrator& integrator, Strictness strictness) {
+  const double fall = std::sqrt(2 * 50 / gravity);  // [s], from 50 m
+  constexpr double e = 0.8;
+  Zeno zeno{};
+  zeno.end_of_impacts = impact_time(fall, e, std::numeric_limits<double>::infinity());
+  const Scene scene = ball(fall, e, 1.25 * zeno.end_of_impacts);
+  const Outcome outcome = integrator.run(scene, control_of(integrator, strictness, 2 * fall));
+  zeno.finished = outcome.finished;
+  zeno.impacts = outcome.impacts.size();
+  if (outcome.impacts.empty()) return zeno;
+  zeno.rest_late = outcome.impacts.back().time - zeno.end_of_impacts;
+  if (outcome.end.velocity == 0) zeno.rest = outcome.impacts.back().time;
+  if (zeno.impacts < 20) return zeno;
+  double error = 0;
+  for (std::size_t k = 0; k < 20; ++k) {
+    const double truth = impact_time(fall, e, static_cast<double>(k));
+    error = std::max(error, std::abs(outcome.impacts[k].time - truth));
+  }
+  zeno.error = error;
+  return zeno;
+}
+
+double grazes_right(const Integrator& integrator, Strictness strictness, double overshoot) {
+  constexpr double swing = 2e-3;    // [m]
+  constexpr double frequency = 10;  // [rad/s]
+  Scene scene;
+  scene.wall_upper = 0;
+  scene.wall_lower = -2 * swing;
+  scene.omega = frequency;
+  scene.centrifugal_mass_radius = 0.5 * swing;
+  int right = 0;
+  for (int k = 0; k < angles; ++k) {
+    // x + (swing / 2) cos(angle) is constant, and the summit is at the angle pi.
+    const double angle = 0.3 + 1.0 * k / angles;
+    scene.phase = angle;
+    scene.start_position = swing * (overshoot - 0.5 * (1 + std::cos(angle)));
+    scene.start_velocity = 0.5 * swing * frequency * std::sin(angle);
+    scene.window = Seconds{(1.5 * pi - angle) / frequency};
+    const Outcome outcome =
+        integrator.run(scene, control_of(integrator, strictness, 2 * pi / frequency));
+    right += outcome.impacts.empty() == (overshoot < 0);
+  }
+  return static_cast<double>(right) / angles;
+}
+
+Sticking sticking_of(const Integrator& integrator, Strictness strictness, int decades) {
+  Sticking sticking{};
+  Scene sliding = block();
+  sliding.start_velocity = 0.7;  // for 0.7 s and 0.7^2 / 2 m
+  sliding.window = Seconds{2};
+  const double control = control_of(integrator, strictness, 1);
+  const double way = 0.7 * 0.7 / 2;
+  sticking.stop_error = std::abs(integrator.run(sliding, control).end.position - way) / way;
+  Scene pushed = block();
+  pushed.pull = 0.9999;
+  pushed.window = Seconds{10};
+  sticking.creep = std::abs(integrator.run(pushed, control).end.position) / 10;
+  bool all = true;
+  for (int k = 1; k <= decades && !sticking.gave_up; ++k) {
+    const double excess = std::pow(10.0, -k);
+    for (int i = 0; i < angles && !sticking.gave_up; ++i) {
+      const double peak = 0.5 + 1.0 * i / angles;
+      const Outcome over = pushed_for_a_moment(integrator, strictness, excess, peak);
+      const Outcome short_of = pushed_for_a_moment(integrator, strictness, -excess, peak);
+      // NOTE: a run that gives up has taken a million steps, so none is tried after it.
+      if (!over.finished || !short_of.finished) sticking.gave_up = excess;
+      all = all && over.finished && over.end.position != 0;
+      sticking.breaks_loose_early |= short_of.end.position != 0;
+    }
+    if (all) sticking.noticed = excess;
+  }
+  return sticking;
+}
+
+Elastic elastic_of(const Integrator& integrator, Strictness strictness, double loss,
+                   std::size_t impacts) {
+  constexpr double fall = 0.1;  // [s]
+  const double e = 1 - loss;
+  const double count = static_cast<double>(impacts);
+  const Scene scene = ball(fall, e, impact_time(fall, e, count - 0.5));
+  const Outcome outcome = integrator.run(scene, control_of(integrator, strictness, 2 * fall));
+  Elastic elastic{impacts, std::min(impacts, outcome.impacts.size()), 0};
+  if (elastic.seen == 0) return elastic;
+  const double before = gravity * fall * std::pow(e, static_cast<double>(elastic.seen) - 1);
+  elastic.energy_ratio = std::pow(outcome.impacts[elastic.seen - 1].speed / before, 2);
+  return elastic;
+}
+
+ChaoticRate rate_of(const Integrator& integrator, Strictness strictness, double seconds,
+                    int starts) {
+  const Scene scene = chaotic_arena(seconds);
+  constexpr int exact_starts = 64;
+  const Sample exact = impacts_of(all_integrators().front(), scene, 1, exact_starts);
+  const Outcome one = all_integrators().front().run(scene, 1);
+  const double pause = seconds / std::max(1, collisions(scene, one));
+  const Sample sample =
+      impacts_of(integrator, scene, control_of(integrator, strictness, pause), starts);
+  const double error = std::sqrt(exact.variance * (1.0 / starts + 1.0 / exact_starts));
+  return {sample.mean / exact.mean - 1, 3 * error / exact.mean, sample.finished};
+}
+
+FailureModeStudy study_failure_modes(const FailureModePlan& plan,
+                                     const std::vector<Integrator>& integrators) {
+  FailureModeStudy study{plan, {}, {1e-4, 1e-6}, {}, {}};
+  for (int k = 3; k <= 15; k += 2) study.overshoots.push_back(std::pow(10.0, -k));
+  Progress progress("hazards", 2.0 * static_cast<double>(integrators.size()));
+  for (const Strictness strictness : {Strictness::loose, Strictness::tight}) {
+    for (const Integrator& integrator : integrators) {
+      MethodHazards hazards{integrator.name,
+                            zeno_of(integrator, strictness),
+                            {},
+                            {},
+                            sticking_of(integrator, strictness, plan.decades),
+                            {},
+                            rate_of(integrator, strictness, plan.seconds, plan.starts)};
+      for (const double overshoot : study.overshoots) {
+        hazards.touched.push_back(grazes_right(integrator, strictness, overshoot));
+        hazards.missed.push_back(grazes_right(integrator, strictness, -overshoot));
+      }
+      for (const double loss : study.losses) {
+        hazards.elastic.push_back(elastic_of(integrator, strictness, loss, plan.impacts));
+      }
+      (strictness == Strictness::loose ? study.loose : study.tight).push_back(std::move(hazards));
+      progress.advance(1);
+    }
+  }
+  return study;
+}
+
+}  // namespace ricochet::studies::dynamics

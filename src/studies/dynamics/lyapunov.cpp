@@ -1,0 +1,307 @@
+#include "src/studies/dynamics/lyapunov.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/campaign/progress.h"
+#include "src/studies/dynamics/work.h"
+
+namespace ricochet::studies::dynamics {
+namespace {
+
+using namespace carrier_track;
+
+/// [rad/s]; of the forces that act.
+double fastest_rate(const Scene& scene) {
+  return std::max(scene.omega, scene.disturbance != 0 ? scene.disturbance_frequency : 0.0);
+}
+
+template <class Scalar>
+bool rests(const Motion<Scalar>& motion) {
+  return motion.velocity == 0 && motion.acceleration == 0;
+}
+
+/// Carries a difference along a simulation. Its length is kept at one; what that takes out is
+/// summed as a logarithm, so that no window is too long.
+class Tangent : public Observer {
+ public:
+  Tangent(const Scene& scene, const Difference& start)
+      : scene_(scene), rate_(fastest_rate(scene)), difference_(start) {
+    shorten();
+  }
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    const Motion<double> start = path.at(0.0);
+    if (struck_ && rests(start)) forget();
+    if (struck_ && !forgotten_) leap_at_wall(start);
+    if (moving_ && !struck_) difference_.velocity *= start.acceleration / acceleration_;
+    const Motion<double> end = path.at(duration);
+    if (rests(end)) difference_.velocity = 0;  // of a start at rest, too: friction holds both
+    if (forgotten_ && !rests(end)) begin_anew();
+    difference_.position += duration * difference_.velocity;
+    moving_ = !rests(end);
+    acceleration_ = end.acceleration;
+    struck_ = false;
+    time_ = time + duration;
+    if (!forgotten_) shorten();
+  }
+
+  void impact(double /*time*/, Wall wall, double speed) {
+    ++impacts_;
+    struck_ = true;
+    restitution_ = wall == Wall::upper ? upper_restitution(scene_) : lower_restitution(scene_);
+    velocity_ = wall == Wall::upper ? speed : -speed;
+  }
+
+  double time() const { return time_; }  // [s], where the last stretch ended
+  std::int64_t impacts() const { return impacts_; }
+  std::int64_t rests_on_wall() const { return rests_on_wall_; }
+  double growth() const { return earlier_ + growth_; }  // of ln(length), all in all
+  double growth_since_rest() const { return growth_; }
+  double largest_growth() const { return largest_; }  // since a rest or the start
+
+  /// Since the start, if there was no rest on a wall.
+  Difference difference() const {
+    const double length = std::exp(growth_);
+    return {length * difference_.position, length * difference_.velocity};
+  }
+
+ private:
+  void leap_at_wall(const Motion<double>& after) {
+    const double earlier = difference_.position / velocity_;  // how much sooner it arrives [s]
+    difference_.position *= -restitution_;
+    difference_.velocity *= -restitution_;
+    if (velocity_ == 0) return;
+    difference_.velocity += (after.acceleration + restitution_ * acceleration_) * earlier;
+  }
+
+  void forget() {
+    ++rests_on_wall_;
+    forgotten_ = true;
+    difference_ = {0, 0};
+  }
+
+  /// With any difference, as rounding makes one.
+  void begin_anew() {
+    earlier_ += growth_;
+    forgotten_ = false;
+    difference_ = {1, rate_};
+    shorten();
+    growth_ = 0;
+  }
+
+  void shorten() {
+    const double length = std::hypot(difference_.position, difference_.velocity / rate_);
+    growth_ += std::log(length);
+    difference_.position /= length;
+    difference_.velocity /= length;
+    if (time_ > 0) largest_ = std::max(largest_, growth_);
+  }
+
+  const Scene& scene_;
+  double rate_;  // [rad/s]
+  Difference difference_;
+  double growth_ = 0;
+  double earlier_ = 0;  // growth before the last rest on a wall
+  double largest_ = 0;
+  double time_ = 0;
+  std::int64_t impacts_ = 0;
+  std::int64_t rests_on_wall_ = 0;
+  bool forgotten_ = false;
+  bool moving_ = false;      // at the end of the last stretch
+  double acceleration_ = 0;  // there [m/s^2]
+  bool struck_ = false;      // since
+  double restitution_ = 0;   // of that impact
+  double velocity_ = 0;      // and its approach [m/s]
+};
+
+/// A difference of length one.
+Difference any_difference(const Scene& scene) {
+  return {std::sqrt(0.5), std::sqrt(0.5) * fastest_rate(scene)};
+}
+
+/// Notes growth and impacts at the limits of the parts of a window.
+class GrowthByPart : public Tangent {
+ public:
+  static constexpr std::size_t parts = 10;
+  struct Mark {
+    double growth;
+    std::int64_t impacts;
+  };
+
+  explicit GrowthByPart(const Scene& scene)
+      : Tangent(scene, any_difference(scene)),
+        settled_(0.1 * duration_of(scene)),
+        part_(0.9 * duration_of(scene) / parts) {}
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    Tangent::stretch(time, path, duration);
+    while (marks_.size() < parts &&
+           Tangent::time() >= settled_ + static_cast<double>(marks_.size()) * part_) {
+      marks_.push_back({growth(), impacts()});
+    }
+  }
+
+  /// After the simulation.
+  Sensitivity sensitivity() {
+    marks_.push_back({growth(), impacts()});
+    const double window = part_ * parts;
+    const Mark& first = marks_.front();
+    const Mark& last = marks_.back();
+    Sensitivity result{};
+    result.growth = (last.growth - first.growth) / window;
+    result.impacts = static_cast<double>(last.impacts - first.impacts) / window;
+    double squares = 0;
+    for (std::size_t k = 1; k < marks_.size(); ++k) {
+      const double apart = (marks_[k].growth - marks_[k - 1].growth) / part_ - result.growth;
+      squares += apart * apart;
+    }
+    result.growth_error = std::sqrt(squares / (parts * (parts - 1)));
+    result.rests_on_wall = static_cast<double>(rests_on_wall()) / Tangent::time();
+    result.digits_lost = largest_growth() / std::numbers::ln10;
+    return result;
+  }
+
+ private:
+  double settled_, part_;  // [s]
+  std::vector<Mark> marks_;
+};
+
+class GrowthByImpact : public Tangent {
+ public:
+  GrowthByImpact(const Scene& scene, std::size_t impacts)
+      : Tangent(scene, any_difference(scene)), most_(impacts) {}
+
+  void impact(double time, Wall wall, double speed) {
+    if (digits.size() < most_) digits.push_back(growth_since_rest() / std::numbers::ln10);
+    Tangent::impact(time, wall, speed);
+  }
+
+  std::vector<double> digits;
+
+ private:
+  std::size_t most_;
+};
+
+std::vector<Impact> impacts_of(const Scene& scene) {
+  struct Collector : Observer {
+    void impact(double time, Wall wall, double speed) { impacts.push_back({time, wall, speed}); }
+    std::vector<Impact> impacts;
+  } collector;
+  simulate(scene, collector);
+  return collector.impacts;
+}
+
+Scene arena_scene(const std::string& id, double seconds) {
+  for (const BenchmarkScene& arena : benchmark_scenes(seconds)) {
+    if (arena.id == id) return arena.scene;
+  }
+  throw std::logic_error("there is no arena " + id);
+}
+
+Course course_of(std::string name, const Scene& scene, int starts) {
+  constexpr std::size_t shown = 400;
+  const Sensitivity sensitivity = sensitivity_of(scene);
+  Course course{std::move(name),
+                sensitivity,
+                sensitivity.impacts * duration_of(scene),
+                digits_lost_by_impact(scene, shown),
+                {}};
+  for (int k = 0; k < starts; ++k) {
+    Scene start = scene;
+    start.start_velocity *= 1 + 0.01 * k;
+    if (const auto parted = impacts_until_parted(start)) course.parted.push_back(*parted);
+  }
+  return course;
+}
+
+}  // namespace
+
+std::optional<Difference> carried(const Scene& scene, const Difference& start) {
+  Tangent tangent(scene, start);
+  simulate(scene, tangent);
+  if (tangent.rests_on_wall() > 0) return std::nullopt;
+  return tangent.difference();
+}
+
+std::optional<double> Sensitivity::impacts_foretold() const {
+  if (!(growth > 3 * growth_error && impacts > 0)) return std::nullopt;
+  return 53 * std::numbers::ln2 * impacts / growth;
+}
+
+Sensitivity sensitivity_of(const Scene& scene) {
+  GrowthByPart growth(scene);
+  simulate(scene, growth);
+  return growth.sensitivity();
+}
+
+std::vector<double> digits_lost_by_impact(const Scene& scene, std::size_t impacts) {
+  GrowthByImpact growth(scene, impacts);
+  simulate(scene, growth);
+  return growth.digits;
+}
+
+std::optional<int> impacts_until_parted(const Scene& scene) {
+  Scene beside = scene;
+  beside.start_velocity *= 1 + std::numeric_limits<double>::epsilon();
+  const std::vector<Impact> one = impacts_of(scene);
+  const std::vector<Impact> other = impacts_of(beside);
+  const std::size_t both = std::min(one.size(), other.size());
+  const double apart = 0.1 * duration_of(scene) / static_cast<double>(both);
+  for (std::size_t k = 0; k < both; ++k) {
+    if (one[k].wall != other[k].wall || std::abs(one[k].time - other[k].time) > apart) {
+      return static_cast<int>(k);
+    }
+  }
+  return std::nullopt;
+}
+
+LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
+  LyapunovStudy study{plan, {}, {}, 0, 0, {}, {}};
+  const std::vector<Case> cases = all_cases();
+  Progress progress("chaos", static_cast<double>(cases.size()));
+  for (const Case& the_case : cases) {
+    study.cases.push_back(the_case.id);
+    auto& row = study.cells.emplace_back();
+    Scene scene = scene_of(the_case, default_reading().scene);
+    scene.window = Revolutions{plan.turns};
+    for (const double omega : plan.speeds) row.push_back(sensitivity_of(at_speed(scene, omega)));
+    progress.advance(1);
+  }
+  Scene shaken = arena_scene("mild", 1);
+  study.restitution = shaken.restitution_lower;
+  study.period = 2 * std::numbers::pi / shaken.disturbance_frequency;
+  shaken.window = Seconds{10 * plan.turns * study.period};
+  const double amplitude =
+      shaken.disturbance / shaken.mass / std::pow(shaken.disturbance_frequency, 2);
+  for (const double gap : plan.gaps) {
+    shaken.wall_upper = gap * amplitude;
+    shaken.start_position = 0.5 * shaken.wall_upper;
+    study.shaken.push_back(sensitivity_of(shaken));
+  }
+  constexpr double omega = 10;
+  for (const char* id : {"C2", "C10"}) {
+    Scene scene = scene_of(find_case(id), default_reading().scene);
+    scene.omega = omega;
+    scene.window = Revolutions{plan.turns};
+    study.courses.push_back(
+        course_of(fmt::format("{} at {} rad/s", id, omega), scene, plan.starts));
+  }
+  study.courses.push_back(
+      course_of("chaotic scene", arena_scene("chaotic", plan.turns), plan.starts));
+  return study;
+}
+
+}  // namespace ricochet::studies::dynamics

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/scene/scene.h"
+
+namespace ricochet::studies::reproduction {
+
+/// Mean collision count over evenly spaced speeds of 0..18 rad/s, on a grid of restitution,
+/// friction and disturbance: the ground on which conclusions A, B and C of the paper are tested.
+struct CountGrid {
+  std::vector<double> restitutions;
+  std::vector<double> frictions;
+  std::vector<double> disturbances;  ///< [N]
+  std::vector<double> means;         ///< disturbance-major, then friction, then restitution
+
+  double mean(std::size_t restitution, std::size_t friction, std::size_t disturbance) const;
+};
+
+/// `step` [rad/s] between the speeds. Parallel over the grid.
+CountGrid count_grid(const carrier_track::Scene& reading, double step, bool coarse);
+
+/// How often neighbours on the grid change the way a conclusion says, and by how much from end to
+/// end.
+struct Trend {
+  std::string conclusion;  ///< "A", "B" or "C"
+  std::string claim;
+  int agree = 0;         ///< neighbours that change as claimed
+  int disagree = 0;      ///< neighbours that change the other way
+  double weakest = 0;    ///< smallest ratio of the grid's end means, larger over smaller as claimed
+  double strongest = 0;  ///< largest such ratio
+  std::vector<std::string> exceptions = {};  ///< where neighbours disagree, in words
+};
+
+/// A: rises with restitution, without disturbance. B: falls with friction, without disturbance.
+/// C: rises with the disturbance, whatever the others.
+std::vector<Trend> trends(const CountGrid& grid);
+
+}  // namespace ricochet::studies::reproduction

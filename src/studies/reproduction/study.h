@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/core/solver.h"
+#include "src/studies/reproduction/comparison.h"
+#include "src/studies/reproduction/conclusions.h"
+
+namespace ricochet::studies::reproduction {
+
+/// [rad/s] for each collision too many: no gain of speed in the box outweighs half a collision.
+inline constexpr double penalty_weight = 36.0;
+
+/// How finely to look, and how long.
+struct StudyPlan {
+  carrier_track::ScanOptions scan;
+  double grid_step = 0;  ///< [rad/s] between the speeds at each point of the grid
+  bool coarse_grid = false;
+  ComparisonPlan comparison;
+  std::vector<std::string> compared;  ///< ids of the cases on which solvers are compared
+};
+
+/// Thresholds to 1e-3 rad/s, solvers on every case: under a minute on two cores.
+StudyPlan full_plan();
+
+/// Thresholds to 1e-2 rad/s, solvers on three cases: a few seconds.
+StudyPlan quick_plan();
+
+/// A figure of the paper, computed: x(t) at its quiet speed and at its loud one.
+struct FigurePaths {
+  carrier_track::Recording quiet, loud;
+};
+
+/// A case of the paper, computed.
+struct CaseStudy {
+  carrier_track::Case the_case;
+  carrier_track::Scene scene;
+  carrier_track::SpeedScan scan;
+  carrier_track::Score score;
+  std::optional<FigurePaths> paths;  ///< where the paper has a figure
+};
+
+/// All that the report shows.
+struct Study {
+  StudyPlan plan;
+  carrier_track::FittedReading reading;
+  std::vector<CaseStudy> cases;
+  CountGrid grid;
+  std::vector<Trend> trends;
+  std::vector<Solver> solvers;
+  std::vector<ContestResult> contests;
+  double seconds = 0;  ///< elapsed
+};
+
+/// Computes everything. The same plan gives the same study, but for the times in it.
+Study make_study(const StudyPlan& plan, std::vector<Solver> solvers);
+
+/// How near a study comes to the paper over all cases.
+struct Agreement {
+  int thresholds = 0;         ///< cases with a threshold both in the paper and computed
+  double relative_error = 0;  ///< root mean square of ln(computed / paper) over these
+  int examples = 0;           ///< speeds that the paper's figures show
+  int right = 0;              ///< of these, on the side where the paper has them
+};
+
+Agreement agreement_of(const std::vector<CaseStudy>& cases);
+
+}  // namespace ricochet::studies::reproduction

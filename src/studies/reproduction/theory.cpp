@@ -1,0 +1,211 @@
+#include "src/studies/reproduction/theory.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "problems/carrier_track/paper/sustained_bouncing.h"
+
+namespace ricochet::studies::reproduction {
+namespace {
+
+using Points = std::vector<ThresholdPoint>;
+using Constants = std::optional<std::vector<double>>;
+
+double log_loss(const ThresholdPoint& point) {
+  return std::log((1 - point.restitution) / (1 + point.restitution));
+}
+
+/// What a constant of a formula is multiplied by in ln w.
+using Factor = double (*)(const ThresholdPoint&);
+
+double one(const ThresholdPoint&) {
+  return 1;
+}
+
+double friction(const ThresholdPoint& point) {
+  return point.friction;
+}
+
+double disturbance(const ThresholdPoint& point) {
+  return point.disturbance;
+}
+
+/// ln w = power ln R + ln c + constants times factors. The first constant is c.
+Formula linear_formula(std::string words, std::vector<std::string> names, double power,
+                       std::vector<Factor> factors) {
+  factors.insert(factors.begin(), one);
+  const auto fit = [power, factors](const Points& points) -> Constants {
+    const auto rows = static_cast<Eigen::Index>(points.size());
+    const auto columns = static_cast<Eigen::Index>(factors.size());
+    Eigen::MatrixXd matrix(rows, columns);
+    Eigen::VectorXd right(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const ThresholdPoint& point = points[static_cast<std::size_t>(i)];
+      right[i] = std::log(point.threshold) - power * log_loss(point);
+      for (Eigen::Index j = 0; j < columns; ++j) {
+        matrix(i, j) = factors[static_cast<std::size_t>(j)](point);
+      }
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+    if (qr.rank() < columns) return std::nullopt;
+    const Eigen::VectorXd solution = qr.solve(right);
+    std::vector<double> constants(solution.begin(), solution.end());
+    constants[0] = std::exp(constants[0]);
+    return constants;
+  };
+  const auto threshold = [power, factors](const std::vector<double>& constants,
+                                          const ThresholdPoint& point) {
+    double logarithm = power * log_loss(point) + std::log(constants[0]);
+    for (std::size_t j = 1; j < factors.size(); ++j) logarithm += constants[j] * factors[j](point);
+    return std::exp(logarithm);
+  };
+  return {std::move(words), std::move(names), fit, threshold};
+}
+
+/// Half the logarithm of the least drive over the pull, at normal force over pull `ratio`. Not
+/// finite where that limit does not exist.
+double log_bouncing(double ratio, const ThresholdPoint& point) {
+  const auto limit =
+      carrier_track::sustained_bouncing(1.0, ratio * point.friction, point.restitution);
+  return limit ? 0.5 * std::log(limit->force) : std::numeric_limits<double>::infinity();
+}
+
+/// Sum of squares at the best c, and its logarithm.
+struct BouncingFit {
+  double squares, log_factor;
+};
+
+BouncingFit bouncing_fit(double ratio, const Points& points) {
+  std::vector<double> differences;
+  double sum = 0;
+  for (const ThresholdPoint& point : points) {
+    differences.push_back(std::log(point.threshold) - log_bouncing(ratio, point));
+    sum += differences.back();
+  }
+  const double mean = sum / static_cast<double>(points.size());
+  double squares = 0;
+  for (const double difference : differences) squares += std::pow(difference - mean, 2);
+  return {std::isfinite(mean) ? squares : std::numeric_limits<double>::max(), mean};
+}
+
+/// The best ratio of a coarse scan, refined between its neighbours. Friction must be smaller than
+/// the pull, which bounds the ratio.
+Constants fit_bouncing(const Points& points) {
+  double highest = 0;
+  for (const ThresholdPoint& point : points) highest = std::max(highest, point.friction);
+  if (!(highest > 0)) return std::nullopt;
+  constexpr int parts = 40;
+  const double bound = (1 - 1e-9) / highest;
+  const auto squares = [&](double ratio) { return bouncing_fit(ratio, points).squares; };
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k <= parts; ++k) {
+    const double here = squares(bound * k / parts);
+    if (here < least) {
+      least = here;
+      best = k;
+    }
+  }
+  const double refined =
+      boost::math::tools::brent_find_minima(squares, bound * std::max(best - 1, 0) / parts,
+                                            bound * std::min(best + 1, parts) / parts,
+                                            std::numeric_limits<double>::digits / 2)
+          .first;
+  const double ratio = squares(refined) < squares(0) ? refined : 0;
+  const double log_factor = bouncing_fit(ratio, points).log_factor;
+  if (!std::isfinite(log_factor)) return std::nullopt;
+  return std::vector<double>{std::exp(log_factor), ratio};
+}
+
+Formula bouncing_formula() {
+  return {"w = c sqrt(S(r mu))",
+          {"c", "r"},
+          fit_bouncing,
+          [](const std::vector<double>& constants, const ThresholdPoint& point) {
+            return constants[0] * std::exp(log_bouncing(constants[1], point));
+          }};
+}
+
+std::vector<double> predictions(const Formula& formula, const std::vector<double>& constants,
+                                const Points& points) {
+  std::vector<double> predicted;
+  for (const ThresholdPoint& point : points) {
+    predicted.push_back(formula.threshold(constants, point));
+  }
+  return predicted;
+}
+
+std::optional<double> left_out_error(const Formula& formula, const Points& points) {
+  double squares = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Points others = points;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const Constants constants = formula.fit(others);
+    if (!constants) return std::nullopt;
+    const double predicted = formula.threshold(*constants, points[i]);
+    if (!std::isfinite(predicted)) return std::nullopt;
+    squares += std::pow(std::log(predicted / points[i].threshold), 2);
+  }
+  return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
+}  // namespace
+
+PredictionErrors errors_of(const Points& points, const std::vector<double>& predicted) {
+  const auto size = static_cast<double>(points.size());
+  double mean = 0;
+  for (const ThresholdPoint& point : points) mean += std::log(point.threshold) / size;
+  PredictionErrors errors{};
+  double squares = 0;
+  double variation = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double error = std::log(predicted[i] / points[i].threshold);
+    squares += error * error;
+    variation += std::pow(std::log(points[i].threshold) - mean, 2);
+    if (i == 0 || std::abs(error) > std::abs(errors.worst)) {
+      errors.worst = error;
+      errors.worst_id = points[i].id;
+    }
+  }
+  errors.rms = std::sqrt(squares / size);
+  if (variation > 0) errors.explained = 1 - squares / variation;
+  return errors;
+}
+
+std::vector<Formula> all_formulas() {
+  return {linear_formula("w = c", {"c"}, 0, {}),
+          square_root_formula(),
+          power_formula(),
+          friction_formula(),
+          linear_formula("w = c sqrt(R) exp(k mu + d D)", {"c", "k", "d"}, 0.5,
+                         {friction, disturbance}),
+          linear_formula("w = c R^p exp(k mu + d D)", {"c", "p", "k", "d"}, 0,
+                         {log_loss, friction, disturbance}),
+          bouncing_formula()};
+}
+
+Formula square_root_formula() {
+  return linear_formula("w = c sqrt(R)", {"c"}, 0.5, {});
+}
+
+Formula power_formula() {
+  return linear_formula("w = c R^p", {"c", "p"}, 0, {log_loss});
+}
+
+Formula friction_formula() {
+  return linear_formula("w = c sqrt(R) exp(k mu)", {"c", "k"}, 0.5, {friction});
+}
+
+std::optional<FormulaFit> fitted(const Formula& formula, const Points& points) {
+  if (points.size() <= formula.constants.size()) return std::nullopt;
+  const Constants constants = formula.fit(points);
+  if (!constants) return std::nullopt;
+  return FormulaFit{*constants, errors_of(points, predictions(formula, *constants, points)),
+                    left_out_error(formula, points)};
+}
+
+}  // namespace ricochet::studies::reproduction

@@ -1,0 +1,75 @@
+#include "src/studies/surrogate/bias.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/questions/speed_range.h"
+#include "src/campaign/progress.h"
+#include "src/statistics/rank_correlation.h"
+
+namespace ricochet::studies::surrogate {
+namespace {
+
+using namespace carrier_track;
+
+std::vector<double> over_speeds(const Machine& machine, double width, const BiasPlan& plan) {
+  std::vector<double> values(static_cast<std::size_t>(std::lround(fastest_speed / plan.step)));
+  tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t k) {
+    values[k] = objective(at_speed(machine.scene, static_cast<double>(k + 1) * plan.step), width);
+  });
+  return values;
+}
+
+/// The last place at which the values are at most `level`.
+std::optional<std::size_t> last_quiet(const std::vector<double>& values, double level) {
+  for (std::size_t k = values.size(); k-- > 0;) {
+    if (values[k] <= level) return k;
+  }
+  return std::nullopt;
+}
+
+Bias gap_at(double width, const std::vector<double>& counts, const std::vector<double>& surrogate,
+            const Machine& machine, const BiasPlan& plan) {
+  Bias gap{width, 0, rank_correlation(counts, surrogate), 0, {}, {}};
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    gap.error += std::abs(surrogate[k] - counts[k]) / static_cast<double>(counts.size());
+  }
+  const auto lowest = std::min_element(surrogate.begin(), surrogate.end()) - surrogate.begin();
+  gap.count_regret =
+      counts[static_cast<std::size_t>(lowest)] - *std::min_element(counts.begin(), counts.end());
+  const auto best = last_quiet(counts, machine.quiet_limit);
+  const auto found = last_quiet(surrogate, half_level(machine.quiet_limit));
+  if (!best || !found) return gap;
+  const auto speed = [&](std::size_t k) { return static_cast<double>(k + 1) * plan.step; };
+  gap.speed = speed(*found);
+  gap.speed_regret = speed(*best) - speed(*found);
+  gap.loud = counts[*found] > machine.quiet_limit;
+  return gap;
+}
+
+}  // namespace
+
+BiasStudy study_bias(const BiasPlan& plan) {
+  BiasStudy study{plan, {}};
+  const std::vector<Machine> machines = all_machines();
+  Progress progress("surrogate gap", static_cast<double>(machines.size()));
+  for (const Machine& machine : machines) {
+    const std::vector<double> counts = over_speeds(machine, 0.0, plan);
+    CaseBias& row = study.cases.emplace_back();
+    row.id = machine.id;
+    row.lowest = static_cast<int>(*std::min_element(counts.begin(), counts.end()));
+    const auto best = last_quiet(counts, machine.quiet_limit);
+    if (best) row.fastest = static_cast<double>(*best + 1) * plan.step;
+    for (const double width : plan.widths) {
+      row.gaps.push_back(gap_at(width, counts, over_speeds(machine, width, plan), machine, plan));
+    }
+    progress.advance(1);
+  }
+  return study;
+}
+
+}  // namespace ricochet::studies::surrogate

@@ -1,0 +1,193 @@
+#include "src/studies/surrogate/derivative_check.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "src/campaign/progress.h"
+#include "src/core/seed.h"
+#include "src/studies/surrogate/difference.h"
+#include "src/studies/surrogate/draws.h"
+
+namespace ricochet::studies::surrogate {
+namespace {
+
+/// A difference that is off by more than this share has other reasons than rounding.
+constexpr double digits_lost = 1e-3;
+
+/// Objective and constraints.
+Vector all_of(const Values& values) {
+  Vector all(1 + values.constraints.size());
+  all << values.objective, values.constraints;
+  return all;
+}
+
+Vector in_units(const Problem& problem, const Vector& point) {
+  return problem.lower + point.cwiseProduct(problem.upper - problem.lower);
+}
+
+/// Slopes of everything at a point of the unit box, from steps h and less.
+std::vector<Difference> differences(const Problem& problem, const Vector& point,
+                                    const Vector& direction, double h) {
+  std::vector<Extrapolation> functions(static_cast<std::size_t>(1 + problem.constraints));
+  const auto at = [&](double step) {
+    return all_of(problem.evaluate(in_units(problem, point + step * direction)));
+  };
+  for (std::size_t i = 0; i < Extrapolation::levels; ++i, h /= 2) {
+    const Vector central = (at(h) - at(-h)) / (2 * h);
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+      functions[k].add(central[static_cast<Eigen::Index>(k)]);
+    }
+  }
+  std::vector<Difference> best;
+  for (const Extrapolation& function : functions) best.push_back(function.best());
+  return best;
+}
+
+/// Whether a difference that is off by little is no further off than another, from shorter steps,
+/// is from it, or than it is estimated to be.
+bool is_rounding(double exact, const Difference& difference, const Difference& other) {
+  const double apart = std::abs(exact - difference.slope);
+  const double own = std::max(difference.error, std::abs(difference.slope - other.slope));
+  return apart <= 10 * own && apart <= digits_lost * std::abs(exact);
+}
+
+/// Whether a difference is right within a share of the slope, or its own error.
+bool agrees(double exact, const Difference& difference) {
+  const double apart = std::abs(exact - difference.slope);
+  return apart <= outlier * std::abs(exact) || apart <= 10 * difference.error;
+}
+
+Vector random_direction(Random& random, Eigen::Index n) {
+  Vector direction(n);
+  do {
+    for (double& u : direction) u = within(random, -1, 1);
+  } while (direction.norm() < 0.1);
+  return direction.normalized();
+}
+
+struct Group {
+  std::string name;
+  std::vector<std::size_t> members;
+};
+
+/// The families with derivatives; their problems are put one after the other.
+std::vector<Group> groups_of(const std::vector<Family>& families, std::vector<Problem>& problems) {
+  std::vector<Group> groups;
+  for (const Family& family : families) {
+    Group group{family.name, {}};
+    for (const Problem& problem : family.problems) {
+      if (!problem.differentiate) continue;
+      group.members.push_back(problems.size());
+      problems.push_back(problem);
+    }
+    if (!group.members.empty()) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+struct Found {
+  Vector point;
+  std::vector<Comparison> comparisons;
+};
+
+Found look(const Problem& problem, std::size_t index, std::uint64_t seed, std::size_t k) {
+  Random random(seed ^ seed_of(problem.name, "agreement", 0, static_cast<int>(k)));
+  const Eigen::Index n = problem.dimension();
+  Vector point(n);
+  for (double& u : point) u = within(random, first_step, 1 - first_step);
+  Found found{in_units(problem, point), compare(problem, point, random_direction(random, n))};
+  for (Comparison& comparison : found.comparisons) comparison.problem = index;
+  return found;
+}
+
+}  // namespace
+
+double Comparison::relative() const {
+  if (exact == difference) return 0;
+  return std::abs(exact - difference) / std::max(std::abs(exact), std::abs(difference));
+}
+
+std::vector<Comparison> compare(const Problem& problem, const Vector& point,
+                                const Vector& direction) {
+  const Derivatives d = problem.differentiate(in_units(problem, point));
+  const Vector size = all_of(d.values).cwiseAbs();
+  const Vector scaled = direction.cwiseProduct(problem.upper - problem.lower);
+  Vector exact(size.size());
+  exact << d.gradient.dot(scaled), d.jacobian * scaled;
+  std::vector<Difference> found = differences(problem, point, direction, first_step);
+  std::vector<Difference> near;  // within the reach
+  std::vector<Comparison> comparisons;
+  for (Eigen::Index k = 0; k < exact.size(); ++k) {
+    const Difference& far = found[static_cast<std::size_t>(k)];
+    Comparison result{0, exact[k], far.slope, far.error, d.trust, Cause::none};
+    // NOTE: written so that what is not a number is an outlier.
+    if (!(result.relative() <= outlier)) {
+      const bool beyond = d.trust.reach < 4 * first_step;
+      if (beyond && near.empty()) {
+        near = differences(problem, point, direction, 0.25 * d.trust.reach);
+      }
+      if (std::abs(far.slope - exact[k]) <= nothing * std::max(1.0, size[k])) {
+        result.cause = Cause::flat;
+      } else if (beyond && agrees(exact[k], near[static_cast<std::size_t>(k)])) {
+        result.cause = Cause::reach;
+      } else if (is_rounding(exact[k], far,
+                             differences(problem, point, direction,
+                                         0.7 * first_step)[static_cast<std::size_t>(k)])) {
+        result.cause = Cause::rounding;
+      } else {
+        result.cause = Cause::unexplained;
+      }
+    }
+    comparisons.push_back(result);
+  }
+  return comparisons;
+}
+
+DerivativeCheckStudy study_derivative_check(const DerivativeCheckPlan& plan) {
+  DerivativeCheckStudy study;
+  study.seed = plan.seed;
+  std::vector<Problem> problems;
+  const std::vector<Group> families = groups_of(plan.families, problems);
+  Progress progress("agreement", static_cast<double>(families.size()));
+  for (const Group& family : families) {
+    const std::size_t points = plan.points / families.size();
+    std::vector<Found> found(points);
+    tbb::parallel_for(std::size_t{0}, points, [&](std::size_t k) {
+      const std::size_t index = family.members[k % family.members.size()];
+      found[k] = look(problems[index], index, plan.seed, k);
+    });
+    AgreementRow objective{family.name, "objective", points, {}, {}};
+    AgreementRow constraints{family.name, "constraints", points, {}, {}};
+    for (const Found& at : found) {
+      for (std::size_t function = 0; function < at.comparisons.size(); ++function) {
+        const Comparison& comparison = at.comparisons[function];
+        AgreementRow& row = function == 0 ? objective : constraints;
+        row.errors.push_back(comparison.relative());
+        ++row.by_cause[static_cast<std::size_t>(comparison.cause)];
+        if (comparison.cause == Cause::none) continue;
+        study.outliers.push_back({problems[comparison.problem].name, comparison, at.point});
+      }
+    }
+    study.points += points;
+    ++study.families;
+    for (AgreementRow* row : {&objective, &constraints}) {
+      if (row->errors.empty()) continue;
+      std::sort(row->errors.begin(), row->errors.end());
+      study.rows.push_back(std::move(*row));
+    }
+    progress.advance(1);
+  }
+  std::stable_sort(study.outliers.begin(), study.outliers.end(),
+                   [](const Outlier& a, const Outlier& b) {
+                     const bool known_a = a.comparison.cause != Cause::unexplained;
+                     const bool known_b = b.comparison.cause != Cause::unexplained;
+                     if (known_a != known_b) return known_b;
+                     return a.comparison.relative() > b.comparison.relative();
+                   });
+  return study;
+}
+
+}  // namespace ricochet::studies::surrogate

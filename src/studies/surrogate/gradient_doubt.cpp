@@ -1,0 +1,127 @@
+#include "src/studies/surrogate/gradient_doubt.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/questions/speed_range.h"
+#include "src/campaign/progress.h"
+#include "src/statistics/bootstrap.h"
+
+namespace ricochet::studies::surrogate {
+namespace {
+
+using namespace carrier_track;
+
+constexpr double agreement = 1e-6;   // relative
+constexpr double trend_reach = 0.5;  // [rad/s] to either side
+constexpr int trend_points = 10;     // to either side
+
+/// All that is found at one speed.
+struct Finding {
+  Slope slope;
+  double trend;                ///< of the count, by least squares [per rad/s]
+  std::vector<double> errors;  ///< relative, of differences of every step
+};
+
+double trend_of(const Scene& scene, double omega) {
+  double products = 0;
+  double squares = 0;
+  for (int k = -trend_points; k <= trend_points; ++k) {
+    const double shift = trend_reach * k / trend_points;
+    const double speed = std::clamp(omega + shift, slowest_speed, fastest_speed);
+    products += shift * objective(at_speed(scene, speed), 0.0);
+    squares += shift * shift;
+  }
+  return products / squares;
+}
+
+Finding find(const Scene& scene, double omega, double width, const std::vector<double>& steps) {
+  const auto value_at = [&](double speed) { return objective(at_speed(scene, speed), width); };
+  Finding finding{surrogate_slope(at_speed(scene, omega), width, fastest_speed - slowest_speed),
+                  trend_of(scene, omega),
+                  {}};
+  for (const double share : steps) {
+    const double step = share * fastest_speed;
+    const double difference = (value_at(omega + step) - value_at(omega - step)) / (2 * step);
+    const double error = std::abs(difference - finding.slope.slope);
+    const double size = std::max(std::abs(difference), std::abs(finding.slope.slope));
+    finding.errors.push_back(size > 0 ? error / size : 0.0);
+  }
+  return finding;
+}
+
+Validity sum_of(std::span<const Finding> findings) {
+  Validity validity;
+  std::vector<double> reaches;
+  for (const Finding& f : findings) {
+    ++validity.points;
+    const Trust& trust = f.slope.trust;
+    ++validity.doubts[static_cast<std::size_t>(trust.doubt)];
+    validity.agreeing += std::any_of(f.errors.begin(), f.errors.end(),
+                                     [](double error) { return error < agreement; });
+    if (f.trend != 0 && trust.doubt != GradientDoubt::flat) {
+      ++validity.trending;
+      validity.right += (f.trend > 0) == (f.slope.slope > 0);
+    }
+    reaches.push_back(std::log10(std::min(trust.reach, 1.0)));
+  }
+  validity.log_reach = quantile(reaches, 0.5);
+  return validity;
+}
+
+/// At points evenly spread over the cells, but for the ends of each.
+std::vector<Finding> findings_of(const Machine& machine, double width,
+                                 const GradientDoubtPlan& plan) {
+  const int points = plan.cells * plan.points;
+  std::vector<Finding> findings(static_cast<std::size_t>(points));
+  tbb::parallel_for(0, points, [&](int k) {
+    // From a half of the first step on, so that differences stay above 0.
+    const double omega = fastest_speed * (k + 0.5) / points;
+    findings[static_cast<std::size_t>(k)] =
+        find(machine.scene, std::max(omega, 0.2), width, plan.steps);
+  });
+  return findings;
+}
+
+}  // namespace
+
+GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
+  GradientDoubtStudy study{plan, {}, {}, {}};
+  const std::vector<Machine> machines = all_machines();
+  Progress progress("gradient validity",
+                    static_cast<double>(machines.size() * (plan.widths.size() + 1)));
+  const auto size = static_cast<std::size_t>(plan.points);
+  std::vector<std::vector<double>> errors(plan.steps.size());
+  for (const Machine& machine : machines) {
+    const auto findings = findings_of(machine, default_width, plan);
+    ValidityRow& row = study.rows.emplace_back(ValidityRow{machine.id, {}});
+    for (std::size_t first = 0; first < findings.size(); first += size) {
+      row.cells.push_back(sum_of(std::span(findings).subspan(first, size)));
+    }
+    for (const Finding& f : findings) {
+      if (f.slope.trust.doubt == GradientDoubt::flat) continue;
+      for (std::size_t s = 0; s < errors.size(); ++s) errors[s].push_back(f.errors[s]);
+    }
+    progress.advance(1);
+  }
+  for (std::size_t s = 0; s < errors.size(); ++s) {
+    study.step_errors.push_back(
+        {plan.steps[s], quantile(errors[s], 0.5), quantile(errors[s], 0.9)});
+  }
+  for (const double width : plan.widths) {
+    std::vector<Finding> every;
+    for (const Machine& machine : machines) {
+      for (Finding& f : findings_of(machine, width, plan)) every.push_back(std::move(f));
+      progress.advance(1);
+    }
+    study.by_width.push_back(sum_of(every));
+  }
+  return study;
+}
+
+}  // namespace ricochet::studies::surrogate

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "src/report/page.h"
+#include "src/studies/dynamics/lyapunov.h"
+#include "src/studies/surrogate/difference.h"
+#include "src/studies/surrogate/grazes.h"
+
+/// How long are gradients through a motion good for? Whether they grow with the window, and what
+/// they do next to a graze.
+namespace ricochet::studies::surrogate {
+
+/// A motion driven at a rate [rad/s], with respect to which it is differentiated: the speed of the
+/// driver plate or, of a shaken gap, the frequency of its shaking.
+struct Driven {
+  std::string name;
+  carrier_track::Scene scene;
+  bool shaken = false;
+
+  double rate() const { return shaken ? scene.disturbance_frequency : scene.omega; }
+
+  /// The surrogate at the rate x[0], for derivatives.h.
+  template <class Scalar, class Watch>
+  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
+    auto now = carrier_track::lifted<Scalar>(scene);
+    (shaken ? now.disturbance_frequency : now.omega) = x[0];
+    auto watcher = watch.of(now);
+    return carrier_track::objective(now, carrier_track::default_width, watcher);
+  }
+};
+
+/// The derivative of an impact: of what reaches the wall at a given phase of the driving.
+struct Stretched {
+  double time;    ///< [s]
+  double length;  ///< [m s], hypot(position, velocity / rate) per rad/s of the rate
+};
+
+/// Of each impact of a valid scene that is fast enough to count, by dual numbers through the
+/// simulation.
+std::vector<Stretched> stretched_by_impact(const Driven& driven);
+
+/// Rate [1/s] at which the lengths grow from the first tenth of the window on, by least squares of
+/// their logarithms; nothing for fewer than three impacts.
+std::optional<double> rate_of(const std::vector<Stretched>& impacts, double window);
+
+/// One motion in one window.
+struct GrowthCell {
+  double turns;  ///< of the driving
+  std::optional<double> rate;
+  dynamics::Sensitivity sensitivity;
+  double gradient;    ///< of the surrogate at the default width, per rad/s
+  Trust trust;        ///< in a box 18 rad/s wide
+  Difference blind;   ///< steps of a thousandth of the rate and less
+  Difference within;  ///< the same, but no longer than a quarter of the reach
+
+  /// How far a difference is from the gradient, relative to the larger; 0 where both are 0.
+  double error_of(const Difference& difference) const;
+};
+
+GrowthCell growth_of(const Driven& driven, double turns);
+
+struct GrowthPlan {
+  std::vector<double> speeds;  ///< [rad/s], of the paper's cases
+  std::vector<double> turns;   ///< windows, rising
+  GrazePlan grazes;
+};
+
+struct GrowthRow {
+  Driven driven;
+  std::vector<GrowthCell> cells;     ///< a window each
+  std::vector<Stretched> stretched;  ///< in the longest window
+};
+
+struct GrowthStudy {
+  GrowthPlan plan;
+  std::vector<GrowthRow> rows;  ///< the cases at each speed, then shaken gaps
+  GrazeStudy grazes;
+};
+
+/// The arena "chaotic", and others like it with another pull and restitution.
+std::vector<Driven> shaken_gaps();
+
+GrowthStudy study_growth(const GrowthPlan& plan);
+
+/// Above this disagreement a difference tells nothing of a gradient.
+inline constexpr double useless = 0.1;
+
+report::Section growth_section(const GrowthStudy& study);
+
+}  // namespace ricochet::studies::surrogate

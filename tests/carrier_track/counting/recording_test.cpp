@@ -1,0 +1,69 @@
+#include "problems/carrier_track/counting/recording.h"
+
+#include <gtest/gtest.h>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "tests/carrier_track/questions/exploratory_scene.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+TEST(Recording, CountsAsTheObjectiveDoes) {
+  for (const CountRule rule : {CountRule::impacts, CountRule::peaks}) {
+    Scene scene = exploratory_scene();
+    scene.restitution_lower = scene.restitution_upper = 0.9;
+    scene.rule = rule;
+    scene.peak_high = 0.9e-3;
+    scene.peak_low = 0.1e-3;
+    for (const double omega : {1.0, 4.0, 11.0}) {
+      scene.omega = omega;
+      const Recording recording = record(scene, 0.25, 0);
+      EXPECT_EQ(recording.count, objective(scene, 0.0));
+      EXPECT_DOUBLE_EQ(recording.surrogate, objective(scene, 0.25));
+      EXPECT_TRUE(recording.path.empty());
+    }
+  }
+}
+
+TEST(Recording, KeepsAPathWithinTheWallsThatTouchesThemAtTheImpacts) {
+  Scene scene = exploratory_scene();
+  scene.omega = 10.0;
+  const Recording recording = record(scene, 0.25, 1000);
+  ASSERT_GE(recording.path.size(), 1000U);
+  double time = 0;
+  for (const Sample& s : recording.path) {
+    EXPECT_GE(s.time, time - 1e-15);
+    EXPECT_GE(s.position, -1e-12);
+    EXPECT_LE(s.position, scene.wall_upper + 1e-12);
+    time = s.time;
+  }
+  EXPECT_DOUBLE_EQ(recording.path.front().position, scene.start_position);
+  EXPECT_DOUBLE_EQ(time, recording.end.time);
+  for (const Impact& impact : recording.impacts) {
+    EXPECT_GE(impact.speed, 0.0);
+  }
+}
+
+TEST(Recording, IsCertainAwayFromEveryLimitAndUncertainAtOne) {
+  Scene scene = exploratory_scene();
+  const Recording plain = record(scene, 0.25, 0);
+  EXPECT_TRUE(plain.certainty.certain);
+  EXPECT_GT(*plain.certainty.margin, 1e-3);
+  // An impact exactly at the limit counts or not with the last digit.
+  scene.slowest = plain.impacts.front().speed;
+  const Recording close = record(scene, 0.25, 0);
+  EXPECT_FALSE(close.certainty.certain);
+  EXPECT_LT(*close.certainty.margin, 1e-9);
+}
+
+TEST(Recording, HasNoMarginWithoutFeatures) {
+  Scene scene = exploratory_scene();
+  scene.window = Seconds{1e-4};  // ends before the first wall
+  const Recording recording = record(scene, 0.25, 0);
+  EXPECT_FALSE(recording.certainty.margin);
+  EXPECT_EQ(recording.count, 0);
+  EXPECT_TRUE(recording.certainty.certain);
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

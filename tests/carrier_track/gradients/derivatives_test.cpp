@@ -1,0 +1,533 @@
+#include "problems/carrier_track/gradients/derivatives.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
+#include "tests/carrier_track/gradients/difference.h"
+#include "tests/carrier_track/models/watch.h"
+#include "tests/carrier_track/questions/exploratory_scene.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+Vector vector_of(std::initializer_list<double> values) {
+  Vector result(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), result.begin());
+  return result;
+}
+
+/// A speed profile that has no say in forces that do not turn, or none.
+template <class Scalar>
+std::vector<SpeedKnot<Scalar>> idle_profile(bool profiled) {
+  if (!profiled) return {};
+  return {{0.1, constant<Scalar>(2)}, {1.0, constant<Scalar>(7)}, {2.5, constant<Scalar>(1)}};
+}
+
+// A ball of unit mass that falls on the lower wall: x is gravity g, restitution e and height h.
+
+/// Time or speed of its impact number k, from 0.
+auto ball(std::size_t k, bool time, bool profiled) {
+  return [=]<class Scalar>(std::span<const Scalar> x, auto& /*watch*/) {
+    BasicScene<Scalar> scene;
+    scene.wall_upper = constant<Scalar>(std::numeric_limits<double>::infinity());
+    scene.pull = x[0];
+    scene.restitution_lower = x[1];
+    scene.start_position = x[2];
+    scene.window = Seconds{20.0};
+    scene.profile = idle_profile<Scalar>(profiled);
+    const auto hit = watch(scene).hits.at(k);
+    return time ? hit.time : hit.speed;
+  };
+}
+
+/// sqrt(2 h / g) B(e) with B = 1 + 2 (e + ... + e^k), and sqrt(2 h g) e^k, with all derivatives.
+Hessian ball_in_closed_form(std::size_t k, bool time, const Vector& x) {
+  const double g = x[0];
+  const double e = x[1];
+  const double h = x[2];
+  const double sign = time ? -1 : 1;  // of the power 1/2 of g
+  const auto order = static_cast<double>(k);
+  std::array<double, 3> b{};  // B or e^k, with derivatives
+  if (time) {
+    b[0] = 1;
+    for (double i = 1; i <= order; ++i) {
+      b[0] += 2 * std::pow(e, i);
+      b[1] += 2 * i * std::pow(e, i - 1);
+      b[2] += 2 * i * (i - 1) * std::pow(e, i - 2);
+    }
+  } else {
+    b = {std::pow(e, order), order * std::pow(e, order - 1),
+         order * (order - 1) * std::pow(e, order - 2)};
+  }
+  const double a = std::sqrt(2 * h * std::pow(g, sign));
+  Hessian result{a * b[0], Vector(3), Matrix(3, 3)};
+  result.gradient << sign * a * b[0] / (2 * g), a * b[1], a * b[0] / (2 * h);
+  result.hessian(0, 0) = (time ? 3 : -1) * a * b[0] / (4 * g * g);
+  result.hessian(1, 1) = a * b[2];
+  result.hessian(2, 2) = -a * b[0] / (4 * h * h);
+  result.hessian(0, 1) = result.hessian(1, 0) = sign * a * b[1] / (2 * g);
+  result.hessian(0, 2) = result.hessian(2, 0) = sign * a * b[0] / (4 * g * h);
+  result.hessian(1, 2) = result.hessian(2, 1) = a * b[1] / (2 * h);
+  return result;
+}
+
+TEST(Derivatives, OfABouncingBallAreThoseOfItsClosedForm) {
+  const Vector x = vector_of({9.8, 0.8, 20.0});
+  for (const bool profiled : {false, true}) {
+    for (const bool time : {false, true}) {
+      for (const std::size_t k : {1U, 2U, 5U}) {
+        SCOPED_TRACE(std::to_string(k) + (time ? " time" : " speed") +
+                     (profiled ? " profile" : ""));
+        const auto f = ball(k, time, profiled);
+        const Hessian exact = ball_in_closed_form(k, time, x);
+        const Gradient gradient = gradient_of(f, x, Vector::Ones(3));
+        const Hessian hessian = hessian_of(f, x);
+        EXPECT_NEAR(gradient.value / exact.value, 1, 1e-14);
+        EXPECT_NEAR(hessian.value / exact.value, 1, 1e-14);
+        EXPECT_NEAR(value_of(f, x) / exact.value, 1, 1e-14);
+        const double size = exact.gradient.cwiseAbs().maxCoeff();
+        EXPECT_LT((gradient.gradient - exact.gradient).cwiseAbs().maxCoeff(), 1e-13 * size);
+        EXPECT_LT((hessian.gradient - exact.gradient).cwiseAbs().maxCoeff(), 1e-13 * size);
+        EXPECT_LT((hessian.hessian - exact.hessian).cwiseAbs().maxCoeff(),
+                  1e-13 * exact.hessian.cwiseAbs().maxCoeff());
+        EXPECT_EQ(hessian.hessian, hessian.hessian.transpose());
+      }
+    }
+  }
+}
+
+TEST(Derivatives, AreThereWhereAWallReturnsNothing) {
+  // Thrown down at 1 m/s from 1/2 m against a force of 1/2 m/s^2, which then lifts it off the wall:
+  // x = e v s + s^2 / 4 at s after the impact at speed v.
+  const double time = 2 - std::sqrt(2.0);
+  const double speed = 1 - time / 2;
+  for (const bool profiled : {false, true}) {
+    const auto f = [&]<class Scalar>(std::span<const Scalar> x, auto& /*watch*/) {
+      BasicScene<Scalar> scene;
+      scene.wall_upper = constant<Scalar>(100.0);
+      scene.restitution_lower = x[0];
+      scene.pull = constant<Scalar>(-0.5);
+      scene.start_velocity = constant<Scalar>(-1.0);
+      scene.window = Seconds{3.0};
+      scene.profile = idle_profile<Scalar>(profiled);
+      return watch(scene).end.position;
+    };
+    const Gradient gradient = gradient_of(f, vector_of({0.0}), Vector::Ones(1));
+    EXPECT_NEAR(gradient.value, (3 - time) * (3 - time) / 4, 1e-14);
+    EXPECT_NEAR(gradient.gradient[0], speed * (3 - time), 1e-14);
+  }
+}
+
+/// The acceleration of equation (31) but for contact and friction, at a time [s].
+double force(const Scene& scene, double t) {
+  double omega = scene.omega;
+  double slope = 0;
+  double alpha = scene.phase + omega * t;
+  if (!scene.profile.empty()) {
+    const auto& knots = scene.profile;
+    alpha = scene.phase + std::min(t, knots[0].time) * knots[0].omega;
+    omega = knots[0].omega;
+    for (std::size_t k = 1; k < knots.size() && t > knots[k - 1].time; ++k) {
+      const double pace =
+          (knots[k].omega - knots[k - 1].omega) / (knots[k].time - knots[k - 1].time);
+      const double passed = std::min(t, knots[k].time) - knots[k - 1].time;
+      alpha += passed * (knots[k - 1].omega + pace * passed / 2);
+      omega = knots[k - 1].omega + pace * passed;
+      slope = t < knots[k].time ? pace : 0;
+    }
+    alpha += std::max(0.0, t - knots.back().time) * omega;
+  }
+  const double square = omega * omega;
+  double sum = -scene.pull * (scene.pull_rotates ? std::cos(alpha + scene.pull_phase) : 1);
+  const double out[] = {std::cos(alpha), -1, 1};
+  sum += scene.centrifugal_mass_radius * square * out[static_cast<int>(scene.centrifugal)];
+  sum -= scene.slider_mass_radius * (slope * std::sin(alpha) + square * std::cos(alpha));
+  sum += scene.disturbance * std::cos(scene.disturbance_frequency * t + scene.disturbance_phase);
+  return sum / scene.mass;
+}
+
+TEST(Derivatives, WithRespectToTheStartAreAProductOfSaltationMatrices) {
+  // Without friction every flight takes (x, v) on by [[1, t], [0, 1]], and an impact at velocity v
+  // under the force a by [[-e, 0], [-(1 + e) a / v, -e]] (contact.md).
+  RandomScenes draws(1);
+  int compared = 0;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    Scene scene = draws.next();
+    scene.friction = 0;
+    scene.start_position = 0.4 * scene.wall_lower + 0.6 * std::min(scene.wall_upper, 1.0);
+    scene.start_velocity = draws.within(0.01, 0.1);
+    scene.restitution_lower = draws.within(0.5, 1.0);
+    scene.restitution_upper = draws.within(0.5, 1.0);
+    scene.window = Seconds{draws.within(0.05, 0.2)};
+    if (i % 2 == 1) {
+      scene.profile = {{0.02, scene.omega}, {0.06, 1.5 * scene.omega}, {0.1, 0.5 * scene.omega}};
+    }
+    const Watched<double> plain = watch(scene);
+    Matrix path = Matrix::Identity(2, 2);
+    double now = 0;
+    bool tame = true;
+    const auto fly_to = [&](double time) {
+      path = (Matrix(2, 2) << 1, time - now, 0, 1).finished() * path;
+      now = time;
+    };
+    for (const auto& hit : plain.hits) {
+      fly_to(hit.time);
+      const bool upper = hit.wall == Wall::upper;
+      const double e = upper ? scene.restitution_upper : scene.restitution_lower;
+      const double v = upper ? hit.speed : -hit.speed;
+      const double a = force(scene, hit.time);
+      tame = tame && hit.speed > 1e-3;
+      path = (Matrix(2, 2) << -e, 0, (1 + e) * a / v, -e).finished() * path;
+    }
+    fly_to(plain.end.time);
+    if (!tame || plain.hits.empty()) continue;
+    const auto end = [&](bool velocity) {
+      return [&scene, velocity]<class Scalar>(std::span<const Scalar> x, auto& /*watch*/) {
+        auto near = lifted<Scalar>(scene);
+        near.start_position = x[0];
+        near.start_velocity = x[1];
+        Observer nobody;
+        const End<Scalar> last = simulate(near, nobody);
+        return velocity ? last.velocity : last.position;
+      };
+    };
+    const Vector x = vector_of({scene.start_position, scene.start_velocity});
+    for (const bool velocity : {false, true}) {
+      const Vector expected = path.row(velocity);
+      const Vector exact = gradient_of(end(velocity), x, Vector::Ones(2)).gradient;
+      EXPECT_LT((exact - expected).norm(), 1e-9 * path.norm()) << plain.hits.size();
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
+/// Where the constants of a scene that have derivatives are, the knots last.
+template <class Scalar>
+std::vector<Scalar*> constants_of(BasicScene<Scalar>& scene) {
+  std::vector<Scalar*> result = {&scene.mass,
+                                 &scene.wall_lower,
+                                 &scene.wall_upper,
+                                 &scene.restitution_lower,
+                                 &scene.restitution_upper,
+                                 &scene.friction,
+                                 &scene.normal_force,
+                                 &scene.pull,
+                                 &scene.pull_phase,
+                                 &scene.centrifugal_mass_radius,
+                                 &scene.slider_mass_radius,
+                                 &scene.phase,
+                                 &scene.disturbance,
+                                 &scene.disturbance_frequency,
+                                 &scene.disturbance_phase,
+                                 &scene.start_position,
+                                 &scene.start_velocity,
+                                 &scene.slowest,
+                                 &scene.omega};
+  for (auto& knot : scene.profile) result.push_back(&knot.omega);
+  return result;
+}
+
+/// A smooth function of all constants: the surrogate, where the path ends, and when.
+auto outcome_of(const Scene& scene) {
+  return [&scene]<class Scalar>(std::span<const Scalar> x, auto& /*watch*/) {
+    auto near = lifted<Scalar>(scene);
+    const auto constants = constants_of(near);
+    for (std::size_t i = 0; i < constants.size(); ++i) *constants[i] = x[i];
+    Scalar count = constant<Scalar>(0.0);
+    auto add = [&](const Scalar& z, const Scalar& left) { count += weight(z, left, 0.25); };
+    Features<Scalar, decltype(add)> features(near, add);
+    const End<Scalar> end = simulate(near, features);
+    return count + constant<Scalar>(1e3) * end.position + end.velocity + end.time;
+  };
+}
+
+Vector values_of(Scene scene) {
+  const auto constants = constants_of(scene);
+  Vector x(static_cast<Eigen::Index>(constants.size()));
+  for (std::size_t i = 0; i < constants.size(); ++i)
+    x[static_cast<Eigen::Index>(i)] = *constants[i];
+  return x;
+}
+
+/// The outcome with 19 digits along one constant.
+template <class Function>
+auto along(const Function& f, const Vector& x, Eigen::Index i) {
+  return [&f, x, i](long double at) {
+    std::vector<long double> all(x.begin(), x.end());
+    all[static_cast<std::size_t>(i)] = at;
+    Unwatched nobody;
+    return f(std::span<const long double>(all), nobody);
+  };
+}
+
+/// Random scenes whose constants are all within what is allowed, with a profile or none.
+Scene inner_scene(RandomScenes& draws, bool profiled) {
+  Scene scene = draws.next();
+  const double gap = std::min(scene.wall_upper - scene.wall_lower, 5e-3);
+  scene.wall_upper = scene.wall_lower + gap;
+  scene.start_position = scene.wall_lower + gap * draws.within(0.1, 0.9);
+  scene.restitution_lower = draws.within(0.1, 0.9);
+  scene.restitution_upper = draws.within(0.1, 0.9);
+  if (scene.friction == 0) scene.friction = 0.1;
+  if (scene.start_velocity == 0) scene.start_velocity = 0.05;
+  if (scene.pull == 0) scene.pull = 0.3;
+  if (profiled) {
+    double time = draws.chance(0.5) ? 0.0 : draws.within(0.0, 0.3);
+    const int knots = draws.chance(0.3) ? 1 : 4;
+    for (int k = 0; k < knots; ++k) {
+      scene.profile.push_back({time, scene.omega * draws.within(0.3, 1.7)});
+      time += draws.within(0.05, 0.4);
+    }
+  }
+  return scene;
+}
+
+struct Agreement {
+  int compared = 0;
+  int apart = 0;
+};
+
+/// How many of the gradient's entries that differences know to 1e-9 are not theirs.
+void compare(const Scene& scene, RandomScenes& draws, int entries, Agreement& agreement) {
+  const auto f = outcome_of(scene);
+  const Vector x = values_of(scene);
+  const Gradient exact = gradient_of(f, x, Vector::Ones(x.size()));
+  for (int k = 0; k < entries; ++k) {
+    const int i = draws.below(static_cast<int>(x.size()));
+    const double h = 1e-6 * (x[i] == 0 ? 1 : std::abs(x[i]));
+    const Difference slope =
+        difference<>(along(f, x, i), static_cast<long double>(x[i]), static_cast<long double>(h));
+    const double size = std::abs(slope.slope) + 1e-3;
+    if (!(slope.error < 1e-9 * size)) continue;  // a kink is near
+    ++agreement.compared;
+    if (!(std::abs(exact.gradient[i] - slope.slope) < 2e-8 * size)) {
+      ++agreement.apart;
+      ADD_FAILURE() << "constant " << i << ": " << exact.gradient[i] << " is " << slope.slope
+                    << " by differences, +- " << slope.error;
+    }
+  }
+}
+
+TEST(Derivatives, AreThoseOfDifferencesWithMoreDigitsForEveryConstant) {
+  RandomScenes draws(2);
+  Agreement agreement;
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    compare(inner_scene(draws, false), draws, 4, agreement);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(agreement.compared, 180);
+}
+
+TEST(Derivatives, AreThoseOfDifferencesWithMoreDigitsForEveryConstantAndKnotOfAProfile) {
+  RandomScenes draws(3);
+  Agreement agreement;
+  for (int i = 0; i < 30; ++i) {
+    SCOPED_TRACE(i);
+    compare(inner_scene(draws, true), draws, 2, agreement);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(agreement.compared, 45);
+}
+
+/// A scene in which everything acts, but what is then set to zero.
+Scene full_scene(bool profiled) {
+  Scene scene = exploratory_scene();
+  scene.restitution_lower = 0.6;
+  scene.restitution_upper = 0.5;
+  scene.friction = 0.1;
+  scene.pull_rotates = true;
+  scene.pull_phase = 0.4;
+  scene.slider_mass_radius = 0.02;
+  scene.disturbance = 0.3;
+  scene.disturbance_frequency = 40.0;
+  scene.disturbance_phase = 0.7;
+  scene.omega = 5.0;
+  if (profiled) scene.profile = {{0.1, 3.0}, {0.4, 7.0}, {0.6, 5.0}};
+  return scene;
+}
+
+TEST(Derivatives, AreThereWhereAConstantIsZero) {
+  struct Zero {
+    const char* name;
+    double Scene::*constant;
+  };
+  for (const bool profiled : {false, true}) {
+    for (const Zero& zero : {Zero{"friction", &Scene::friction},
+                             {"normal_force", &Scene::normal_force},
+                             {"pull", &Scene::pull},
+                             {"pull_phase", &Scene::pull_phase},
+                             {"centrifugal_mass_radius", &Scene::centrifugal_mass_radius},
+                             {"slider_mass_radius", &Scene::slider_mass_radius},
+                             {"phase", &Scene::phase},
+                             {"disturbance", &Scene::disturbance},
+                             {"disturbance_frequency", &Scene::disturbance_frequency},
+                             {"disturbance_phase", &Scene::disturbance_phase},
+                             {"wall_lower", &Scene::wall_lower},
+                             {"omega", &Scene::omega}}) {
+      SCOPED_TRACE(std::string(zero.name) + (profiled ? " in a profile" : ""));
+      Scene scene = full_scene(profiled);
+      scene.*zero.constant = 0;
+      const bool speed = zero.constant == &Scene::omega;
+      if (speed) scene.window = Seconds{0.8};
+      if (speed && profiled) scene.profile.front().omega = 0;
+      Scene marked = scene;
+      std::vector<double*> constants = constants_of(marked);
+      double* mark = speed && profiled ? &marked.profile.front().omega : &(marked.*zero.constant);
+      const auto i = std::find(constants.begin(), constants.end(), mark) - constants.begin();
+      const auto f = outcome_of(scene);
+      const Vector x = values_of(scene);
+      const double exact = gradient_of(f, x, Vector::Ones(x.size())).gradient[i];
+      const Difference slope = one_sided_difference(along(f, x, i), 0.0L, 1e-6L);
+      EXPECT_GT(std::abs(slope.slope), 1e-6);
+      EXPECT_NEAR(exact / slope.slope, 1, 1e-8) << slope.slope << " +- " << slope.error;
+    }
+  }
+}
+
+TEST(Derivatives, OfABodyAtRestAreThoseOfTheWayItIsPushed) {
+  for (const bool profiled : {false, true}) {
+    Scene scene = full_scene(profiled);
+    scene.start_velocity = 0;
+    const auto f = outcome_of(scene);
+    const Vector x = values_of(scene);
+    const Eigen::Index velocity = 16;
+    // It sets out at once.
+    const double push = force(scene, 0);
+    ASSERT_GT(std::abs(push), scene.friction * scene.normal_force / scene.mass);
+    const Difference slope =
+        one_sided_difference(along(f, x, velocity), 0.0L, push > 0 ? 1e-6L : -1e-6L);
+    EXPECT_NEAR(gradient_of(f, x, x).gradient[velocity] / slope.slope, 1, 1e-8);
+  }
+  // Friction that holds a body takes all its speed away.
+  Scene scene = full_scene(false);
+  scene.start_velocity = 0;
+  scene.friction = 1.01 * std::abs(force(scene, 0)) * scene.mass / scene.normal_force;
+  const auto f = outcome_of(scene);
+  const Vector x = values_of(scene);
+  const Gradient held = gradient_of(f, x, x);
+  EXPECT_EQ(held.gradient[16], 0);
+  const Difference frequency = difference<>(along(f, x, 13), 40.0L, 1e-4L);
+  EXPECT_GT(std::abs(frequency.slope), 1e-3);  // it moves later
+  EXPECT_NEAR(held.gradient[13], frequency.slope, 1e-8 * std::abs(frequency.slope));
+}
+
+TEST(Derivatives, LeaveOutAnInfiniteOne) {
+  // All of the restitution is lost to friction 1 in contact: sqrt((1 - f) / (1 + f)).
+  Scene scene = full_scene(false);
+  scene.contact_friction = true;
+  scene.friction = 1;
+  scene.normal_force = 0.1;
+  const Vector x = values_of(scene);
+  EXPECT_TRUE(gradient_of(outcome_of(scene), x, x).gradient.allFinite());
+}
+
+TEST(Derivatives, OfTheEndOfAWindowOfRevolutionsFollowTheKnots) {
+  struct Window {
+    std::vector<SpeedKnot<double>> profile;
+    double turns;
+  };
+  for (const auto& [profile, turns] : {Window{{{0.0, 3.0}}, 0.7},        // one knot
+                                       {{{0.5, 3.0}}, 0.1},              // before it
+                                       {{{0.5, 3.0}}, 0.9},              // after it
+                                       {{{0.0, 2.0}, {0.5, 6.0}}, 0.2},  // on a leg
+                                       {{{0.0, 0.0}, {0.5, 6.0}}, 0.2},  // from rest
+                                       {{{0.3, 2.0}, {0.5, 6.0}}, 1.3},  // after the last
+                                       {{{0.3, 6.0}, {0.5, 0.0}, {0.9, 4.0}}, 0.6}}) {
+    SCOPED_TRACE(turns);
+    Scene scene;
+    scene.profile = profile;
+    scene.window = Revolutions{turns};
+    const auto f = [&]<class Scalar>(std::span<const Scalar> x, auto& /*watch*/) {
+      auto near = lifted<Scalar>(scene);
+      for (std::size_t k = 0; k < x.size(); ++k) near.profile[k].omega = x[k];
+      Observer nobody;
+      return simulate(near, nobody).time;
+    };
+    Vector x(static_cast<Eigen::Index>(profile.size()));
+    for (Eigen::Index k = 0; k < x.size(); ++k) x[k] = profile[static_cast<std::size_t>(k)].omega;
+    const Hessian exact = hessian_of(f, x);
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const auto at = static_cast<long double>(x[k]);
+      const Difference slope = x[k] == 0 ? one_sided_difference(along(f, x, k), at, 1e-4L)
+                                         : difference<>(along(f, x, k), at, 1e-4L);
+      EXPECT_NEAR(exact.gradient[k], slope.slope, 1e-11);
+      EXPECT_NEAR(gradient_of(f, x, x).gradient[k], slope.slope, 1e-11);
+    }
+  }
+}
+
+/// The derivative of a function with respect to variable j, along variable i, with 19 digits.
+template <class Function>
+auto slope_along(const Function& f, const Vector& x, Eigen::Index j, Eigen::Index i) {
+  return [&f, x, i, j](long double at) {
+    using Jet = ceres::Jet<long double, 1>;
+    std::vector<Jet> duals;
+    for (Eigen::Index k = 0; k < x.size(); ++k) duals.emplace_back(k == i ? at : x[k]);
+    duals[static_cast<std::size_t>(j)].v[0] = 1;
+    Unwatched nobody;
+    return f(std::span<const Jet>(duals), nobody).v[0];
+  };
+}
+
+TEST(Derivatives, OfSecondOrderAreThoseOfDifferencesOfTheFirst) {
+  RandomScenes draws(4);
+  int compared = 0;
+  for (int n = 0; n < 12; ++n) {
+    SCOPED_TRACE(n);
+    const Scene scene = inner_scene(draws, n % 2 == 1);
+    const auto f = outcome_of(scene);
+    const Vector x = values_of(scene);
+    const Hessian exact = hessian_of(f, x);
+    EXPECT_EQ(exact.hessian, exact.hessian.transpose());
+    EXPECT_LT((exact.gradient - gradient_of(f, x, x).gradient).norm(),
+              1e-10 * exact.gradient.norm());
+    for (int k = 0; k < 4; ++k) {
+      const int i = draws.below(static_cast<int>(x.size()));
+      const int j = draws.below(static_cast<int>(x.size()));
+      const auto h = static_cast<long double>(1e-6 * (x[i] == 0 ? 1 : std::abs(x[i])));
+      const Difference slope =
+          difference<>(slope_along(f, x, j, i), static_cast<long double>(x[i]), h);
+      const double size = std::abs(slope.slope) + 1e-3;
+      if (!(slope.error < 1e-8 * size)) continue;  // a kink is near
+      EXPECT_NEAR(exact.hessian(i, j), slope.slope, 1e-7 * size) << i << " " << j;
+      ++compared;
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(compared, 30);
+}
+
+TEST(Derivatives, DoNotMindHowManyVariablesThereAre) {
+  // More knots than a block has room for.
+  Scene scene = full_scene(false);
+  scene.window = Seconds{0.4};
+  for (int k = 0; k < 21; ++k) scene.profile.push_back({0.015 * k, 5 + std::sin(k)});
+  const auto f = outcome_of(scene);
+  const Vector x = values_of(scene);
+  const Hessian exact = hessian_of(f, x);
+  const Gradient gradient = gradient_of(f, x, x);
+  EXPECT_LT((exact.gradient - gradient.gradient).norm(), 1e-10 * gradient.gradient.norm());
+  for (const Eigen::Index i : {3, 35}) {
+    for (const Eigen::Index j : {0, 21, 30}) {
+      const Difference slope = difference<>(slope_along(f, x, j, i), static_cast<long double>(x[i]),
+                                            static_cast<long double>(1e-6 * std::abs(x[i])));
+      EXPECT_NEAR(exact.hessian(i, j), slope.slope, 1e-7 * (1e-3 + std::abs(slope.slope)))
+          << i << " " << j;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

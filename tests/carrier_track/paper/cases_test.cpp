@@ -1,0 +1,81 @@
+#include "problems/carrier_track/paper/cases.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "src/core/error.h"
+#include "tests/carrier_track/questions/exploratory_scene.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+TEST(Cases, AreTwelveOfDistinctIdAndConstants) {
+  std::set<std::string> ids;
+  std::set<std::vector<double>> constants;
+  for (const Case& c : all_cases()) {
+    ids.insert(c.id);
+    constants.insert({c.restitution, c.friction, c.disturbance});
+  }
+  EXPECT_EQ(all_cases().size(), 12U);
+  EXPECT_EQ(ids.size(), 12U);
+  EXPECT_EQ(constants.size(), 12U) << "every combination of 2 x 2 x 3 values";
+}
+
+TEST(Cases, ClaimThresholdsBetweenTheSpeedsOfTheirFigures) {
+  int claims = 0;
+  for (const Case& c : all_cases()) {
+    ASSERT_EQ(c.claim.threshold.has_value(), c.claim.figure.has_value()) << c.id;
+    ASSERT_EQ(c.claim.threshold.has_value(), c.claim.quiet_count.has_value()) << c.id;
+    if (!c.claim.threshold) continue;
+    EXPECT_LT(c.claim.figure->quiet, *c.claim.threshold) << c.id;
+    EXPECT_GT(c.claim.figure->loud, *c.claim.threshold) << c.id;
+    EXPECT_EQ(c.claim.figure->number, 5 + claims) << "figures 5 to 14 follow the cases";
+    ++claims;
+  }
+  EXPECT_EQ(claims, 10);
+}
+
+TEST(Cases, ClaimThatBouncierIsLouderSooner) {
+  // Conclusion (A): at equal friction and disturbance the threshold falls as restitution rises.
+  for (const Case& dull : all_cases()) {
+    for (const Case& bouncy : all_cases()) {
+      if (!dull.claim.threshold || !bouncy.claim.threshold) continue;
+      if (dull.friction != bouncy.friction || dull.disturbance != bouncy.disturbance) continue;
+      if (dull.restitution < bouncy.restitution) {
+        EXPECT_GT(*dull.claim.threshold, *bouncy.claim.threshold) << dull.id << " " << bouncy.id;
+      }
+    }
+  }
+}
+
+TEST(Cases, AreFoundByTheirId) {
+  EXPECT_EQ(find_case("C11").restitution, 0.9);
+  EXPECT_EQ(find_case("C11").disturbance, 1.0);
+  EXPECT_EQ(find_case("C3").claim.threshold, 13.0);
+  try {
+    find_case("C13");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("C13"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("C1, C2, C3"));
+    EXPECT_THAT(error.what(), testing::EndsWith("C12"));
+  }
+}
+
+TEST(Cases, PutTheirConstantsIntoAReading) {
+  const Scene reading = exploratory_scene();
+  const Scene scene = scene_of(find_case("C8"), reading);
+  EXPECT_EQ(scene.restitution_lower, 0.9);
+  EXPECT_EQ(scene.restitution_upper, 0.9);
+  EXPECT_EQ(scene.friction, 0.4);
+  EXPECT_EQ(scene.disturbance, 0.1);
+  EXPECT_EQ(scene.pull, reading.pull);
+  EXPECT_EQ(scene.slowest, reading.slowest);
+  EXPECT_EQ(scene.wall_upper, reading.wall_upper);
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,110 @@
+#include "problems/carrier_track/paper/open_constants.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "problems/carrier_track/scene/contact_law.h"
+#include "problems/carrier_track/scene/scene_check.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+bool has(const std::vector<Open>& open, Open constant) {
+  return std::find(open.begin(), open.end(), constant) != open.end();
+}
+
+Scene scene_with(const Reading& reading, const char* id = "C11") {
+  return scene_of(find_case(id), reading, natural_constants());
+}
+
+TEST(OpenConstants, AreAsManyAsTheirNames) {
+  ASSERT_EQ(open_constants().size(), open_size);
+  EXPECT_EQ(open_constants()[static_cast<std::size_t>(Open::clearance)].name, "clearance");
+  EXPECT_EQ(open_constants()[static_cast<std::size_t>(Open::slowest)].name, "slowest");
+  EXPECT_EQ(open_constants()[static_cast<std::size_t>(Open::contact_speed)].name, "contact_speed");
+}
+
+TEST(OpenConstants, HaveNaturalValuesWithinTheirBounds) {
+  const Constants natural = natural_constants();
+  for (std::size_t i = 0; i < open_size; ++i) {
+    const OpenConstant& c = open_constants()[i];
+    EXPECT_LT(c.lower, c.upper) << c.name;
+    EXPECT_GE(natural[i], c.lower) << c.name;
+    EXPECT_LE(natural[i], c.upper) << c.name;
+    EXPECT_TRUE(!c.logarithmic || c.lower > 0) << c.name;
+  }
+}
+
+TEST(OpenConstants, AreThoseThatTheReadingUses) {
+  Reading r;
+  EXPECT_EQ(open_of(r).size(), 9U);
+  EXPECT_TRUE(has(open_of(r), Open::revolutions));
+  EXPECT_FALSE(has(open_of(r), Open::seconds));
+  r.window = WindowUnit::seconds;
+  EXPECT_TRUE(has(open_of(r), Open::seconds));
+  r.normal_force = NormalForce::weight;
+  EXPECT_FALSE(has(open_of(r), Open::normal_force));
+  r.rule = Rule::peaks_1mm;
+  EXPECT_FALSE(has(open_of(r), Open::slowest));
+}
+
+TEST(OpenConstants, MakeValidScenesOfEveryReadingAndCase) {
+  for (const Reading& core : core_readings()) {
+    for (const Reading& r : variations(core)) {
+      for (const Case& c : all_cases()) {
+        const Scene scene = scene_of(c, r, natural_constants());
+        EXPECT_NO_THROW(check(scene_at(scene, r, natural_constants(), 3.0), name_of(r)));
+      }
+    }
+  }
+}
+
+TEST(OpenConstants, PutEveryAnswerIntoTheScene) {
+  Reading r;
+  EXPECT_EQ(scene_with(r).mass, 1.2);
+  EXPECT_EQ(scene_with(r).restitution_lower, 0.9);
+  EXPECT_EQ(scene_with(r).friction, 0.4);
+  EXPECT_EQ(scene_with(r).disturbance, 1.0);
+  EXPECT_DOUBLE_EQ(scene_with(r).start_position, 1e-3);
+
+  r.base = Base::spindle;
+  r.disturbance = DisturbanceKind::acceleration;
+  EXPECT_EQ(scene_with(r).mass, 1.8);
+  EXPECT_EQ(scene_with(r).disturbance, 1.8);
+
+  r = {};
+  r.normal_force = NormalForce::weight;
+  EXPECT_DOUBLE_EQ(scene_with(r).normal_force, 1.2 * 9.81);
+  r.normal_force = NormalForce::contact;
+  EXPECT_TRUE(scene_with(r).contact_friction);
+
+  r = {};
+  r.recovery = Recovery::hunt_crossley;
+  EXPECT_DOUBLE_EQ(scene_with(r, "C1").restitution_lower,
+                   returned_restitution(dissipation(ContactLaw::hunt_crossley, 0.1)));
+  r.recovery = Recovery::contact_speed;
+  EXPECT_EQ(scene_with(r).fidelity, Fidelity::compliant);
+  EXPECT_EQ(scene_with(r).contact_speed, 0.1);
+
+  r = {};
+  r.rule = Rule::peaks_100um;
+  EXPECT_EQ(scene_with(r).rule, CountRule::peaks);
+  EXPECT_EQ(scene_with(r).peak_low, 1e-4);
+  EXPECT_EQ(scene_with(r).peak_high, 3e-3);
+}
+
+TEST(OpenConstants, TurnASpeedIntoAProfileWhereThereAreCrossings) {
+  Reading r;
+  r.transition = Transition::crossing;
+  const Constants constants = natural_constants();
+  const Scene scene = scene_at(scene_with(r), r, constants, 5.0);
+  ASSERT_FALSE(scene.profile.empty());
+  double fastest = 0;
+  for (const auto& knot : scene.profile) fastest = std::max(fastest, knot.omega);
+  EXPECT_NEAR(fastest, 5.0 / std::pow(std::cos(0.4), 2), 1e-12);
+  EXPECT_TRUE(scene_at(scene, Reading{}, constants, 4.0).profile.empty());
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

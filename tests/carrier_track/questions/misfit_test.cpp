@@ -1,0 +1,118 @@
+#include "problems/carrier_track/questions/misfit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+/// A score that is the claim, word for word.
+CoarseScore perfect(const Claim& claim) {
+  return {*claim.quiet_count, 1.0, *claim.threshold, 0.0, 2.0, 0, 0.0};
+}
+
+TEST(Misfit, IsZeroForTheClaimItself) {
+  for (const Case& c : all_cases()) {
+    if (!c.claim.threshold) continue;
+    EXPECT_EQ(misfit_of(perfect(c.claim), c.claim), 0) << c.id;
+  }
+}
+
+TEST(Misfit, CountsADistanceOfATolerance) {
+  const Claim claim = find_case("C1").claim;
+  CoarseScore s = perfect(claim);
+  s.threshold *= std::exp(0.05);
+  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  s = perfect(claim);
+  s.purity = 0.75;
+  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  s = perfect(claim);
+  s.misclassified = 0.07;
+  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  s = perfect(claim);
+  s.loudness = 1.5 * std::exp(-0.2);
+  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  s = perfect(claim);
+  s.wrong_examples = 1;
+  s.shape = 0.5;
+  EXPECT_NEAR(misfit_of(s, claim), 3.5, 1e-12);
+  s = perfect(claim);
+  s.quiet_count = 6;
+  EXPECT_NEAR(misfit_of(s, claim), std::log(6.3 / 5.3) / 0.15, 1e-12);
+  s = perfect(claim);
+  s.threshold *= std::exp(0.05 * 10);  // far off: 3, and the logarithm of what is more
+  EXPECT_NEAR(misfit_of(s, claim), 3 + std::log(8.0), 1e-12);
+}
+
+TEST(Misfit, LooksAtTheWholeRangeEvenly) {
+  for (const double threshold : {1.9, 3.1, 9.0, 13.0}) {
+    double edge = 0;
+    for (const SpeedCell& cell : speed_cells(threshold)) {
+      EXPECT_NEAR(cell.omega, edge + cell.width / 2, 1e-12);
+      edge += cell.width;
+    }
+    EXPECT_NEAR(edge, 18.0, 1e-9);
+  }
+}
+
+TEST(Misfit, SeesWhatAJudgementSees) {
+  const FittedReading& fitted = default_reading();
+  for (const char* id : {"C1", "C2", "C4", "C9"}) {
+    const Case c = find_case(id);
+    const Scene scene = scene_of(c, fitted.reading, fitted.constants);
+    const Score judged = score(scene, c.claim, ScanOptions{0.01, 1, 18.0});
+    const CoarseScore seen = coarse_score(fitted.reading, fitted.constants, c);
+    EXPECT_NEAR(seen.quiet_count, judged.quiet_count, 1) << id;
+    EXPECT_NEAR(seen.threshold / judged.threshold.value_or(18), 1, 0.06) << id;
+    EXPECT_NEAR(seen.misclassified, judged.misclassified, 0.03) << id;
+    EXPECT_NEAR(seen.loudness / judged.loudness.value_or(0), 1, 0.2) << id;
+  }
+}
+
+TEST(Misfit, OfALeftOutCaseIsTheRest) {
+  const FittedReading& fitted = default_reading();
+  const double all = misfit(fitted.reading, fitted.constants);
+  for (const char* id : {"C3", "C4"}) {
+    const Case c = find_case(id);
+    const double its = misfit_of(coarse_score(fitted.reading, fitted.constants, c), c.claim);
+    EXPECT_NEAR(misfit(fitted.reading, fitted.constants, id), all - its, 1e-9) << id;
+  }
+}
+
+TEST(Misfit, HasASmoothStandInWithTheSlopesOfDifferences) {
+  const FittedReading& fitted = default_reading();
+  const std::vector<Open> freed = {Open::pull, Open::clearance, Open::phase, Open::slowest,
+                                   Open::revolutions};
+  const SmoothMisfit at = smooth_misfit(fitted.reading, fitted.constants, freed, default_width);
+  ASSERT_EQ(at.slopes.cols(), 5);
+  int compared = 0;
+  int close = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto i = static_cast<std::size_t>(freed[k]);
+    const double h = 1e-7 * (freed[k] == Open::phase ? 1.0 : fitted.constants[i]);
+    Constants more = fitted.constants;
+    Constants less = fitted.constants;
+    more[i] += h;
+    less[i] -= h;
+    const Vector slope = (smooth_misfit(fitted.reading, more, {}, default_width).residuals -
+                          smooth_misfit(fitted.reading, less, {}, default_width).residuals) /
+                         (2 * h);
+    for (Eigen::Index r = 0; r < slope.size(); ++r) {
+      const double exact = at.slopes(r, static_cast<Eigen::Index>(k));
+      ++compared;
+      close += std::abs(exact - slope[r]) <= 1e-3 * std::abs(exact) + 1e-11 / h ? 1 : 0;
+    }
+  }
+  // A difference fails where it meets a jump or a near graze.
+  EXPECT_GT(compared, 1000);
+  EXPECT_GT(close, 0.95 * compared);
+  EXPECT_EQ(at.slopes.col(4).norm(), 0);  // the window
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,115 @@
+#include "src/studies/best_values/best_values.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/core/error.h"
+#include "src/core/text_file.h"
+#include "tests/studies/best_values/some_questions.h"
+
+namespace ricochet::studies::best_values {
+namespace {
+
+using carrier_track::BestValues;
+
+std::filesystem::path fresh_file() {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("ricochet-certification-" +
+                       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder / "best.toml";
+}
+
+BestValues read(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return carrier_track::parse_best_values({std::istreambuf_iterator<char>(stream), {}}, "file");
+}
+
+std::vector<Question> questions() {
+  return {{"stairs", {stairs()}}, {"speeds", {speeds()}}};
+}
+
+TEST(Certification, MatchesByPartsAndByPatterns) {
+  EXPECT_TRUE(matches("profile-wear-8-C1", ""));
+  EXPECT_TRUE(matches("profile-wear-8-C1", "wear"));
+  EXPECT_TRUE(matches("profile-wear-8-C1", "profile-*-C1"));
+  EXPECT_FALSE(matches("profile-wear-8-C12", "profile-*-C1"));
+  EXPECT_FALSE(matches("profile-wear-8-C1", "design"));
+}
+
+TEST(Certification, WritesTheBestValuesAndLeavesNothingElse) {
+  const auto file = fresh_file();
+  const Outcome outcome = certify(questions(), {}, file);
+  EXPECT_EQ(outcome.wanted, 2U);
+  EXPECT_EQ(outcome.finished, 2U);
+  EXPECT_EQ(outcome.improved, 2U);
+  const BestValues values = read(file);
+  EXPECT_EQ(values.of.at("stairs").value, -3);
+  EXPECT_EQ(values.reading, carrier_track::default_reading().name);
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
+}
+
+TEST(Certification, GoesOnWhereItWasStopped) {
+  const auto file = fresh_file();
+  Plan plan;
+  plan.problems = "stairs";
+  certify(questions(), plan, file);
+  std::filesystem::rename(file, file.string() + ".part");  // as if it had been stopped then
+  std::vector<Question> all = questions();
+  all[0].forms[0].evaluate = [](const Vector&) -> Values { throw std::logic_error("again"); };
+  const Outcome outcome = certify(all, {}, file);
+  EXPECT_EQ(outcome.finished, 2U);
+  EXPECT_EQ(read(file).of.at("stairs").value, -3);
+}
+
+TEST(Certification, BeginsNothingWithoutTime) {
+  const auto file = fresh_file();
+  Plan plan;
+  plan.seconds = -1;
+  const Outcome outcome = certify(questions(), plan, file);
+  EXPECT_EQ(outcome.finished, 0U);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Certification, NeverReplacesABetterValueByAWorseOne) {
+  const auto file = fresh_file();
+  Plan plan;
+  plan.effort.step = 0.3;  // misses the best stair
+  std::vector<Question> known = questions();
+  known[0].forms[0].best_point = Vector::Constant(1, 2.003);
+  known[0].forms[0].best_known = -3;
+  known[0].forms[0].provenance = "by hand";
+  const Outcome outcome = certify(known, plan, file);
+  EXPECT_EQ(outcome.improved, 1U);
+  EXPECT_EQ(read(file).of.at("stairs").provenance, "by hand");
+  // And once more from the file.
+  certify(questions(), plan, file);
+  EXPECT_EQ(read(file).of.at("stairs").provenance, "by hand");
+}
+
+/// A value is worth what it is worth today.
+TEST(Certification, ForgetsAValueThatDoesNotComeOutAgain) {
+  const auto file = fresh_file();
+  std::vector<Question> known = questions();
+  known[0].forms[0].best_point = Vector::Constant(1, 3.0);
+  known[0].forms[0].best_known = -100;
+  known[0].forms[0].provenance = "of another reading";
+  certify(known, {}, file);
+  EXPECT_EQ(read(file).of.at("stairs").value, -3);
+}
+
+TEST(Certification, RefusesAPatternThatNothingMatchesAndAFileThatIsNone) {
+  const auto file = fresh_file();
+  Plan plan;
+  plan.problems = "nothing";
+  EXPECT_THROW(certify(questions(), plan, file), InputError);
+  write_text_file(file, "no values");
+  EXPECT_THROW(certify(questions(), {}, file), InputError);
+}
+
+}  // namespace
+}  // namespace ricochet::studies::best_values

@@ -1,0 +1,49 @@
+#include "src/studies/calibration/appraisal.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "problems/carrier_track/paper/fitted_reading.h"
+
+namespace ricochet::studies::calibration {
+namespace {
+
+using namespace carrier_track;
+
+TEST(Appraisal, IsTheScoreOfEveryCase) {
+  const FittedReading& fitted = default_reading();
+  const Fit fit{fitted.reading, fitted.freed, fitted.constants, 0, ""};
+  const Appraisal a = appraise(fit, 0.05);
+  ASSERT_EQ(a.cases.size(), 12U);
+  double squares = 0;
+  int right = 0;
+  double purity = 1;
+  for (const CaseAppraisal& c : a.cases) {
+    const Score expected =
+        score(scene_of(c.the_case, fitted.scene), c.the_case.claim, ScanOptions{0.05, 1, 18.0});
+    EXPECT_EQ(c.score.threshold, expected.threshold);
+    EXPECT_EQ(c.score.quiet_count, expected.quiet_count);
+    if (!c.the_case.claim.threshold) continue;
+    squares += std::pow(std::log(*expected.threshold / *c.the_case.claim.threshold), 2);
+    for (const Example& e : expected.examples) right += e.right ? 1 : 0;
+    purity = std::min(purity, *expected.purity);
+  }
+  EXPECT_NEAR(a.threshold_error, std::sqrt(squares / 10), 1e-12);
+  EXPECT_EQ(a.right_examples, right);
+  EXPECT_EQ(a.purity, purity);
+  EXPECT_GE(a.worst_threshold, a.threshold_error);
+}
+
+TEST(Appraisal, WeighsErrorAgainstConstants) {
+  // n ln(s / n) + 2 p + 2 p (p + 1) / (n - p - 1) by hand: n = 20, s = 0.2, p = 6.
+  EXPECT_NEAR(selection_criterion(0.2, 20, 5), 20 * std::log(0.01) + 12 + 84.0 / 13, 1e-12);
+  EXPECT_EQ(selection_criterion(0.2, 20, 18), std::numeric_limits<double>::infinity());
+  // A constant more must pay for itself.
+  EXPECT_GT(selection_criterion(0.2, 20, 6), selection_criterion(0.2, 20, 5));
+  EXPECT_LT(selection_criterion(0.1, 20, 6), selection_criterion(0.2, 20, 5));
+}
+
+}  // namespace
+}  // namespace ricochet::studies::calibration

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "src/studies/calibration/study.h"
+#include "tests/studies/calibration/some_search.h"
+
+namespace ricochet::studies::calibration {
+
+/// Two readings and nothing that converges.
+inline Plan tiny_plan() {
+  Plan plan;
+  plan.search = some_search(1);
+  plan.finalist_evaluations = plan.pin_evaluations = 1;
+  plan.left_out_evaluations = plan.profile_evaluations = 1;
+  plan.fewest_constants = 8;
+  plan.step = 0.2;
+  plan.readings = {carrier_track::find_reading("projected-constant-revolutions"),
+                   carrier_track::find_reading("inward-rotating-seconds")};
+  Search other = some_search(1);
+  other.seed = 2;
+  plan.checks = {other};
+  return plan;
+}
+
+}  // namespace ricochet::studies::calibration

@@ -1,0 +1,76 @@
+#include "src/studies/reproduction/study.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "solvers/solvers.h"
+#include "tests/studies/reproduction/tiny_plan.h"
+
+namespace ricochet::studies::reproduction {
+namespace {
+
+using carrier_track::Example;
+
+TEST(Study, HoldsEveryCaseEveryFigureAndEveryContest) {
+  const Study study = make_study(tiny_plan(), all_solvers());
+  ASSERT_EQ(study.cases.size(), 12U);
+  int figures = 0;
+  for (const CaseStudy& c : study.cases) {
+    EXPECT_EQ(c.scan.counts.size(), 180U);
+    EXPECT_EQ(c.paths.has_value(), c.the_case.claim.figure.has_value());
+    if (!c.paths) continue;
+    ++figures;
+    ASSERT_EQ(c.score.examples.size(), 2U);
+    EXPECT_EQ(c.paths->quiet.count, c.score.examples[0].count);
+    EXPECT_EQ(c.paths->loud.count, c.score.examples[1].count);
+  }
+  EXPECT_EQ(figures, 10);
+  ASSERT_EQ(study.contests.size(), 4U);
+  for (const ContestResult& contest : study.contests) {
+    EXPECT_GT(contest.standings.size(), 10U);
+    for (const Standing& s : contest.standings) EXPECT_EQ(s.failed, 0) << s.solver;
+  }
+}
+
+TEST(Study, IsTheSameOnAnyNumberOfThreads) {
+  Study one;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    one = make_study(tiny_plan(), all_solvers());
+  }
+  const Study two = make_study(tiny_plan(), all_solvers());
+  for (std::size_t i = 0; i < one.cases.size(); ++i) {
+    EXPECT_EQ(one.cases[i].scan.counts, two.cases[i].scan.counts);
+    EXPECT_EQ(one.cases[i].score.threshold, two.cases[i].score.threshold);
+  }
+  EXPECT_EQ(one.grid.means, two.grid.means);
+  for (std::size_t i = 0; i < one.contests.size(); ++i) {
+    const auto& a = one.contests[i];
+    const auto& b = two.contests[i];
+    for (std::size_t k = 0; k < a.standings.size(); ++k) {
+      EXPECT_EQ(a.standings[k].regrets, b.standings[k].regrets) << a.standings[k].solver;
+      EXPECT_EQ(a.by_evaluations[k].median, b.by_evaluations[k].median);
+      EXPECT_EQ(a.by_evaluations[k].lower, b.by_evaluations[k].lower);
+    }
+  }
+}
+
+TEST(Study, AgreesWithThePaperByTheLogarithmOfTheRatio) {
+  std::vector<CaseStudy> cases(3);
+  cases[0].the_case.claim.threshold = 2.0;
+  cases[0].score.threshold = 4.0;
+  cases[1].the_case.claim.threshold = 9.0;
+  cases[1].score.threshold = 9.0;
+  cases[2].score.threshold = 5.0;  // the paper has none
+  cases[0].score.examples = {Example{1.0, false, 3, true}, Example{8.0, true, 3, false}};
+  const Agreement agreement = agreement_of(cases);
+  EXPECT_EQ(agreement.thresholds, 2);
+  EXPECT_DOUBLE_EQ(agreement.relative_error, std::log(2.0) / std::sqrt(2.0));
+  EXPECT_EQ(agreement.examples, 2);
+  EXPECT_EQ(agreement.right, 1);
+}
+
+}  // namespace
+}  // namespace ricochet::studies::reproduction

@@ -1,0 +1,259 @@
+#include "src/studies/reproduction/theory.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problems/carrier_track/paper/sustained_bouncing.h"
+#include "src/studies/reproduction/sections.h"
+
+namespace ricochet::studies::reproduction {
+namespace {
+
+using carrier_track::Scene;
+using testing::HasSubstr;
+
+double loss(double restitution) {
+  return (1 - restitution) / (1 + restitution);
+}
+
+/// Two restitutions, two frictions, three disturbances; thresholds by `threshold(point)`.
+template <class Threshold>
+std::vector<ThresholdPoint> made_by(Threshold threshold) {
+  std::vector<ThresholdPoint> points;
+  for (const double e : {0.1, 0.9}) {
+    for (const double mu : {0.1, 0.4}) {
+      for (const double disturbance : {0.0, 0.1, 1.0}) {
+        ThresholdPoint point{fmt::format("P{}", points.size()), e, mu, disturbance, 1.0};
+        point.threshold = threshold(point);
+        points.push_back(point);
+      }
+    }
+  }
+  return points;
+}
+
+Formula formula_of(const std::string& words) {
+  for (const Formula& formula : all_formulas()) {
+    if (formula.words == words) return formula;
+  }
+  throw std::out_of_range(words);
+}
+
+void expect_recovered(const std::string& words, const std::vector<ThresholdPoint>& points,
+                      const std::vector<double>& constants, double tolerance = 1e-10) {
+  const auto fit = fitted(formula_of(words), points);
+  ASSERT_TRUE(fit) << words;
+  ASSERT_EQ(fit->constants.size(), constants.size()) << words;
+  for (std::size_t k = 0; k < constants.size(); ++k) {
+    EXPECT_NEAR(fit->constants[k], constants[k], tolerance) << words << " " << k;
+  }
+  EXPECT_NEAR(fit->errors.rms, 0, tolerance) << words;
+  EXPECT_NEAR(fit->errors.explained.value(), 1, tolerance) << words;
+  EXPECT_NEAR(fit->left_out.value(), 0, tolerance) << words;
+}
+
+TEST(Theory, RecoversTheConstantsThatMadeThePoints) {
+  expect_recovered("w = c sqrt(R)",
+                   made_by([](const auto& p) { return 7 * std::sqrt(loss(p.restitution)); }), {7});
+  expect_recovered("w = c R^p",
+                   made_by([](const auto& p) { return 7 * std::pow(loss(p.restitution), 0.3); }),
+                   {7, 0.3});
+  expect_recovered("w = c sqrt(R) exp(k mu)", made_by([](const auto& p) {
+                     return 7 * std::sqrt(loss(p.restitution)) * std::exp(1.2 * p.friction);
+                   }),
+                   {7, 1.2});
+  const auto all = made_by([](const auto& p) {
+    return 7 * std::sqrt(loss(p.restitution)) * std::exp(1.2 * p.friction - 0.4 * p.disturbance);
+  });
+  expect_recovered("w = c sqrt(R) exp(k mu + d D)", all, {7, 1.2, -0.4});
+  expect_recovered("w = c R^p exp(k mu + d D)", all, {7, 0.5, 1.2, -0.4});
+}
+
+TEST(Theory, RecoversTheRatioOfNormalForceAndPullOfSustainedBouncing) {
+  for (const double ratio : {0.3, 1.7}) {
+    const auto points = made_by([&](const auto& p) {
+      return 3 *
+             std::sqrt(
+                 carrier_track::sustained_bouncing(1.0, ratio * p.friction, p.restitution)->force);
+    });
+    expect_recovered("w = c sqrt(S(r mu))", points, {3, ratio}, 1e-6);
+  }
+}
+
+TEST(Theory, FindsNoFrictionInSustainedBouncingWithoutIt) {
+  const auto points = made_by([](const auto& p) { return std::sqrt(loss(p.restitution)); });
+  const auto fit = fitted(formula_of("w = c sqrt(S(r mu))"), points);
+  EXPECT_NEAR(fit->constants[1], 0, 1e-8);
+}
+
+TEST(Theory, SaysOfAConstantThatItExplainsNothing) {
+  // ln w is 0 and 2 by halves: their mean is 1, and without a point of four it is 4/3 or 2/3.
+  const double high = std::exp(2.0);
+  const std::vector<ThresholdPoint> points = {{"A", 0.1, 0.1, 0, 1.0},
+                                              {"B", 0.1, 0.1, 0, 1.0},
+                                              {"C", 0.1, 0.1, 0, high},
+                                              {"D", 0.1, 0.1, 0, high}};
+  const auto fit = fitted(formula_of("w = c"), points);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->constants.at(0), std::exp(1.0), 1e-12);
+  EXPECT_NEAR(fit->errors.explained.value(), 0, 1e-12);
+  EXPECT_NEAR(fit->errors.rms, 1, 1e-12);
+  EXPECT_NEAR(fit->left_out.value(), 4.0 / 3, 1e-12);
+}
+
+TEST(Theory, MeasuresErrorsInTheLogarithm) {
+  const std::vector<ThresholdPoint> points = {{"A", 0.1, 0.1, 0, 1.0}, {"B", 0.1, 0.1, 0, 4.0}};
+  const PredictionErrors errors = errors_of(points, {2.0, 1.0});
+  const double ln2 = std::log(2.0);
+  EXPECT_NEAR(errors.rms, ln2 * std::sqrt(2.5), 1e-12);   // ln 2 and -ln 4
+  EXPECT_NEAR(errors.explained.value(), 1 - 2.5, 1e-12);  // variance (ln 2)^2: worse than the mean
+  EXPECT_NEAR(errors.worst, -2 * ln2, 1e-12);
+  EXPECT_EQ(errors.worst_id, "B");
+}
+
+TEST(Theory, ExplainsNoShareOfAVarianceThatIsNotThere) {
+  EXPECT_FALSE(errors_of({{"A", 0.1, 0.1, 0, 2.0}}, {3.0}).explained);
+}
+
+TEST(Theory, FitsNothingThatThePointsDoNotDetermine) {
+  std::vector<ThresholdPoint> points = {
+      {"A", 0.1, 0.1, 0, 1.0}, {"B", 0.9, 0.1, 0, 2.0}, {"C", 0.5, 0.1, 0, 3.0}};
+  EXPECT_FALSE(fitted(friction_formula(), points)) << "one friction only";
+  EXPECT_TRUE(fitted(square_root_formula(), points));
+  points.pop_back();
+  EXPECT_FALSE(fitted(formula_of("w = c R^p"), points)) << "no more points than constants";
+  points = {{"A", 0.1, 0.1, 0, 1.0}, {"B", 0.1, 0.1, 0, 2.0}, {"C", 0.9, 0.1, 0, 3.0}};
+  const auto fit = fitted(formula_of("w = c R^p"), points);
+  ASSERT_TRUE(fit);
+  EXPECT_FALSE(fit->left_out) << "without C there is one restitution";
+  points = made_by([](const auto& p) {
+    return std::sqrt(carrier_track::sustained_bouncing(1.0, 2 * p.friction, p.restitution)->force);
+  });
+  for (ThresholdPoint& point : points) point.friction /= 4;  // up to 0.1: the ratio is 8
+  points.push_back({"X", 0.5, 0.4, 0.0, 1.0});
+  EXPECT_TRUE(fitted(formula_of("w = c sqrt(S(r mu))"), points));
+  EXPECT_FALSE(fitted(formula_of("w = c sqrt(S(r mu))"), points)->left_out)
+      << "without X its friction is beyond the pull";
+  for (ThresholdPoint& point : points) point.friction = 0;
+  EXPECT_FALSE(fitted(formula_of("w = c sqrt(S(r mu))"), points));
+}
+
+/// The paper's cases, with thresholds twice the formula's and a scene of hops higher than its gap.
+std::vector<CaseStudy> made_cases() {
+  Scene reading;
+  reading.mass = 1.0;
+  reading.pull = 1.0;
+  reading.normal_force = 1.0;
+  reading.wall_upper = 1e-3;
+  reading.centrifugal_mass_radius = 0.1;
+  std::vector<CaseStudy> cases;
+  for (const auto& it : carrier_track::all_cases()) {
+    CaseStudy& c = cases.emplace_back();
+    c.the_case = it;
+    c.scene = scene_of(it, reading);
+    c.score.threshold = 2 * std::sqrt(loss(it.restitution)) * std::exp(it.friction);
+  }
+  return cases;
+}
+
+TEST(TheorySection, SetsEveryFormulaBesideBothThresholds) {
+  const report::Section section = theory_section(made_cases());
+  ASSERT_EQ(section.tables.size(), 1U);
+  const auto& rows = section.tables[0].rows;
+  ASSERT_EQ(rows.size(), 2 * (all_formulas().size() + 2));
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.size(), section.tables[0].columns.size());
+  }
+  EXPECT_EQ(rows[0][0].text, "w = c");
+  EXPECT_EQ(rows[0][1].text, "paper");
+  EXPECT_EQ(rows[0][4].text, "0.0 %");
+  EXPECT_EQ(rows[7][0].text, "w = c sqrt(R) exp(k mu)");
+  EXPECT_EQ(rows[7][1].text, "computed");
+  EXPECT_EQ(rows[7][3].text, "c\u00a0=\u00a02, k\u00a0=\u00a01");
+  EXPECT_EQ(rows[7][4].text, "100.0 %");
+  EXPECT_EQ(rows[7][5].text, "0 %");
+}
+
+TEST(TheorySection, PredictsWithoutAConstantFromTheScene) {
+  auto cases = made_cases();
+  for (CaseStudy& c : cases) c.score.threshold = 1.1 * *sustained_bouncing_speed(c.scene);
+  const auto rows = theory_section(cases).tables[0].rows;
+  const auto& row = rows[rows.size() - 3];
+  EXPECT_EQ(row[0].text, "sustained bouncing");
+  EXPECT_EQ(row[1].text, "computed");
+  EXPECT_EQ(row[5].text, "10 %");
+  EXPECT_THAT(row[7].text, HasSubstr("-9 %"));
+}
+
+TEST(TheorySection, SaysForHowManyCasesTheSceneHasASpeed) {
+  auto cases = made_cases();
+  cases[2].scene.friction = 1.5;  // beyond the pull
+  const auto rows = theory_section(cases).tables[0].rows;
+  EXPECT_EQ(rows[rows.size() - 4][0].text, "sustained bouncing (9 of 10 cases)");
+  EXPECT_EQ(rows[rows.size() - 2][0].text, "lift-off");
+}
+
+TEST(TheorySection, SetsThePredictedRatioBesideThePapers) {
+  const report::Section section = theory_section(made_cases());
+  const std::string& words = section.paragraphs.at(2);
+  EXPECT_THAT(words, HasSubstr("3.94 times"));
+  EXPECT_THAT(words, HasSubstr("In the paper it is 3.65 to 4.50 times"));
+  EXPECT_THAT(words, HasSubstr("In the computed thresholds it is 3.94 times"));
+  EXPECT_THAT(words, HasSubstr("comes out at 0.500 if left free."));
+  const std::string& friction = section.paragraphs.at(3);
+  EXPECT_THAT(friction, HasSubstr("1.44 to 1.49 and 1.55 to 1.58 (paper)"));
+  EXPECT_THAT(friction, HasSubstr("1.35 and 1.35 (computed)"));  // exp(0.3)
+}
+
+TEST(TheorySection, NamesTheSpeedOfTheModelThatTheThresholdIs) {
+  auto cases = made_cases();
+  const auto words = [&](double low, double high) {
+    for (CaseStudy& c : cases) {
+      c.score.threshold =
+          (c.the_case.restitution < 0.5 ? low : high) * lift_off_speed(c.scene).value();
+    }
+    return theory_section(cases).paragraphs.at(4);
+  };
+  EXPECT_THAT(words(3, 1.09), HasSubstr("they are 3.00 times the speed of lift-off at restitution "
+                                        "0.1, and 1.09 times it at 0.9; at 0.9 the threshold is"));
+  EXPECT_THAT(words(0.91, 3), HasSubstr("; at 0.1 the threshold is that speed"));
+  EXPECT_THAT(words(1, 1), HasSubstr("1.00 times it at 0.9; within a tenth the threshold is"));
+  EXPECT_THAT(words(1.11, 0.89), HasSubstr("0.89 times it at 0.9. For the other, they"));
+  for (CaseStudy& c : cases) c.score.threshold.reset();
+  EXPECT_THAT(theory_section(cases).paragraphs.at(4), HasSubstr("no lift-off"));
+}
+
+TEST(TheorySection, SaysWhetherTheCarrierHasTheRoom) {
+  auto cases = made_cases();
+  EXPECT_THAT(theory_section(cases).paragraphs.back(), HasSubstr("So it has not"));
+  for (CaseStudy& c : cases) c.scene.wall_upper = 1e3;
+  EXPECT_THAT(theory_section(cases).paragraphs.back(), HasSubstr("can move as the formula"));
+  for (CaseStudy& c : cases) c.scene.pull_rotates = true;
+  EXPECT_THAT(theory_section(cases).paragraphs.back(),
+              HasSubstr("not those of sustained bouncing"));
+}
+
+TEST(TheorySection, DrawsWhatThereIs) {
+  auto cases = made_cases();
+  const auto chart = theory_section(cases).figures.at(0).chart;
+  report::check(chart);
+  ASSERT_EQ(chart.series.size(), 6U);
+  EXPECT_NEAR(chart.series[0].samples[0].position, std::sqrt(0.9 / 1.1), 1e-12);
+  EXPECT_EQ(chart.series[0].samples[0].value, 9.0);
+  EXPECT_EQ(chart.series[0].samples.size(), 6U);
+  EXPECT_EQ(chart.series[1].samples.size(), 4U);
+  const auto& line = chart.series[5].samples;  // 2 exp(the mean friction)
+  EXPECT_NEAR(line[1].value.value(), 2 * std::exp(0.22), 1e-12);
+  EXPECT_NEAR(*line[1].value / *line[0].value, line[1].position / line[0].position, 1e-12);
+  for (CaseStudy& c : cases) c.score.threshold.reset();
+  const auto section = theory_section(cases);
+  report::check(section.figures.at(0).chart);
+  EXPECT_EQ(section.figures[0].chart.series.size(), 3U);
+  EXPECT_EQ(section.tables[0].rows[1][4].text, "–");
+}
+
+}  // namespace
+}  // namespace ricochet::studies::reproduction

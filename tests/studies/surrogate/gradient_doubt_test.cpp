@@ -1,0 +1,57 @@
+#include "src/studies/surrogate/gradient_doubt.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "src/core/problem.h"
+
+namespace ricochet::studies::surrogate {
+namespace {
+
+const GradientDoubtStudy& study() {
+  static const GradientDoubtStudy made =
+      study_gradient_doubt({6, 4, {0.25, 1e-7}, {1e-4, 1e-6, 1e-8}});
+  return made;
+}
+
+TEST(Validity, CountsEveryPointOnce) {
+  ASSERT_EQ(study().rows.size(), 12U);
+  for (const ValidityRow& row : study().rows) {
+    ASSERT_EQ(row.cells.size(), 6U);
+    for (const Validity& v : row.cells) {
+      EXPECT_EQ(v.points, 4);
+      EXPECT_EQ(std::accumulate(v.doubts.begin(), v.doubts.end(), 0), 4);
+      EXPECT_LE(v.right, v.trending);
+      EXPECT_LE(v.trending, v.points);
+    }
+  }
+  EXPECT_EQ(study().by_width[0].points, 12 * 6 * 4);
+}
+
+TEST(Validity, FindsTheDerivativesRightWhereTheyAreNotFlat) {
+  const Validity& usual = study().by_width[0];
+  const int flat = usual.doubts[static_cast<std::size_t>(GradientDoubt::flat)];
+  EXPECT_GE(usual.agreeing + flat, 0.97 * usual.points);
+  EXPECT_LT(flat, 0.2 * usual.points);
+}
+
+TEST(Validity, FindsNearlyEverythingFlatNextToTheCount) {
+  const Validity& narrow = study().by_width[1];
+  EXPECT_GT(narrow.doubts[static_cast<std::size_t>(GradientDoubt::flat)], 0.95 * narrow.points);
+}
+
+TEST(Validity, FindsDifferencesWorstAtTheLongestAndTheShortestStep) {
+  ASSERT_EQ(study().step_errors.size(), 3U);
+  EXPECT_LT(study().step_errors[1].median, study().step_errors[0].median);
+  EXPECT_LT(study().step_errors[1].median, study().step_errors[2].median);
+}
+
+TEST(Validity, HasChartsThatCanBeDrawn) {
+  const report::Section section = gradient_doubt_section(study());
+  EXPECT_EQ(section.figures.size(), 5U);
+  for (const auto& figure : section.figures) EXPECT_NO_THROW(report::check(figure.chart));
+}
+
+}  // namespace
+}  // namespace ricochet::studies::surrogate

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <set>
 
@@ -17,6 +18,8 @@
 #include "src/cli/threshold.h"
 #include "src/cli/verify.h"
 #include "src/core/error.h"
+#include "src/report/report.h"
+#include "src/studies/study.h"
 
 namespace ricochet::cli {
 namespace {
@@ -35,6 +38,12 @@ void add_format(CLI::App& command, bool& json) {
       ->each([&json](const std::string& format) { json = format == "json"; });
 }
 
+/// What every study is asked.
+struct StudyOptions {
+  bool quick;
+  std::string out;
+};
+
 class Program {
  public:
   Program() {
@@ -51,6 +60,7 @@ class Program {
     add_list();
     add_problems();
     add_certify();
+    add_report();
     add_bench();
   }
 
@@ -76,6 +86,34 @@ class Program {
       return app_.remaining().front() + " is no command; allowed: " + known;
     }
     return error.what();
+  }
+
+  /// A study's command; further options may be added to it.
+  CLI::App* add_study(const studies::Study& study) {
+    CLI::App* command = app_.add_subcommand(study.command, study.summary);
+    StudyOptions& options = studies_.emplace_back(StudyOptions{false, "reports/" + study.name});
+    if (!study.quick.empty()) command->add_flag("--quick", options.quick, study.quick);
+    command->add_option("--out", options.out, "Folder for the report")->capture_default_str();
+    command->callback([this, study, &options] {
+      work_ = [study, &options] {
+        studies::run(study, options.quick, options.out);
+        return 0;
+      };
+    });
+    return command;
+  }
+
+  void add_report() {
+    CLI::App* command =
+        app_.add_subcommand("report", "Draws a report again, from the data beside it");
+    command->add_option("folder", report_from_, "Where its data.json is")->required();
+    command->add_option("--out", report_out_, "Another folder for what is drawn");
+    command->callback([this] {
+      work_ = [this] {
+        report::redraw_report(report_from_, report_out_.empty() ? report_from_ : report_out_);
+        return 0;
+      };
+    });
   }
 
   void add_reproduce() {
@@ -210,6 +248,8 @@ class Program {
   }
 
   CLI::App app_{"ricochet: the fastest quiet speed of a braiding machine, and solvers put to it"};
+  std::deque<StudyOptions> studies_;  // stay where they are
+  std::string report_from_, report_out_;
   ReproduceOptions reproduce_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "embedded/page_template.h"
-#include "src/report/file_set.h"
 #include "src/report/gnuplot.h"
 #include "src/report/text.h"
 
@@ -98,13 +97,13 @@ std::string summary(const Page& page) {
 
 }  // namespace
 
-void write_page(const Page& page, const std::filesystem::path& folder) {
+void write_page(const Page& page, const std::filesystem::path& folder, FileSet beside) {
   check(page);
   std::vector<Chart> charts;
   for (const Section& section : page.sections)
     for (const Figure& figure : section.figures) charts.push_back(figure.chart);
   const std::vector<std::string> svgs = to_svgs(charts);
-  FileSet files;
+  FileSet files = std::move(beside);
   for (std::size_t i = 0; i < charts.size(); ++i) files[charts[i].name + ".svg"] = svgs[i];
   files["index.html"] = html(page, files);
   files["summary.md"] = summary(page);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/report/chart.h"
+#include "src/report/file_set.h"
 #include "src/report/table.h"
 
 namespace ricochet::report {
@@ -30,10 +31,11 @@ struct Page {
 };
 
 /// Writes index.html, which needs no other file and no network, summary.md and one SVG a chart into
-/// the folder, which is made if missing. Replaces those of an earlier report, its other charts
-/// included, and leaves every other file alone. Throws InputError, with nothing changed, where the
-/// folder cannot be written; std::invalid_argument where ids or charts' names repeat or a chart or
-/// table is wrong; std::runtime_error where charts cannot be drawn.
-void write_page(const Page& page, const std::filesystem::path& folder);
+/// the folder, which is made if missing, and the files that `beside` names. Replaces those of an
+/// earlier report, its other charts included, and leaves every other file alone. Throws InputError,
+/// with nothing changed, where the folder cannot be written; std::invalid_argument where ids or
+/// charts' names repeat or a chart or table is wrong; std::runtime_error where charts cannot be
+/// drawn.
+void write_page(const Page& page, const std::filesystem::path& folder, FileSet beside = {});
 
 }  // namespace ricochet::report

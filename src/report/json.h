@@ -1,0 +1,11 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace ricochet::report {
+
+/// What a report is drawn from: the results of a study, in the order in which they were computed.
+/// Numbers keep all their digits; what is missing is null.
+using Json = nlohmann::ordered_json;
+
+}  // namespace ricochet::report

@@ -1,0 +1,208 @@
+#include "src/report/page_template.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <stdexcept>
+
+#include "src/report/chart_data.h"
+#include "src/report/filled_text.h"
+
+namespace ricochet::report {
+namespace {
+
+/// A table of the template; its keys are asked for by name.
+class Part {
+ public:
+  explicit Part(const toml::table& table) : table_(table) {}
+
+  bool has(std::string_view key) const { return table_.contains(key); }
+
+  std::string text(std::string_view key) const {
+    const auto value = table_[key].value<std::string>();
+    if (!value) throw std::logic_error(fmt::format("a template's {} must be a text", key));
+    return *value;
+  }
+
+  std::string text_or_none(std::string_view key) const { return has(key) ? text(key) : ""; }
+
+  std::vector<std::string> texts(std::string_view key) const {
+    std::vector<std::string> list;
+    if (const toml::array* array = table_[key].as_array()) {
+      for (const toml::node& node : *array) list.push_back(node.value<std::string>().value());
+    }
+    return list;
+  }
+
+  std::vector<Part> parts(std::string_view key) const {
+    std::vector<Part> list;
+    if (const toml::array* array = table_[key].as_array()) {
+      for (const toml::node& node : *array) list.emplace_back(*node.as_table());
+    }
+    return list;
+  }
+
+ private:
+  const toml::table& table_;
+};
+
+/// The scopes in which a part stands: none, one, or one for each entry of its list.
+std::vector<Scopes> places_of(const Part& part, const Scopes& scopes) {
+  std::vector<Scopes> places;
+  if (part.has("each")) {
+    for (const Json& entry : found_in(scopes, part.text("each"))) {
+      places.push_back(scopes);
+      places.back().push_back(&entry);
+    }
+  } else {
+    places.push_back(scopes);
+  }
+  if (part.has("when")) {
+    std::erase_if(places,
+                  [&](const Scopes& place) { return !is_yes(found_in(place, part.text("when"))); });
+  }
+  return places;
+}
+
+std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
+                                       const Scopes& scopes) {
+  std::vector<std::string> paragraphs;
+  for (const std::string& text : part.texts(key)) {
+    std::string paragraph = filled(text, scopes);
+    if (!paragraph.empty()) paragraphs.push_back(std::move(paragraph));
+  }
+  return paragraphs;
+}
+
+/// One column of the page, which a column of the template may make several of.
+struct PlacedColumn {
+  const Part* part;
+  std::size_t entry;  ///< of the list that repeats it
+};
+
+Scopes with(Scopes scopes, const Json& data) {
+  scopes.push_back(&data);
+  return scopes;
+}
+
+Cell cell_of(const PlacedColumn& column, const Scopes& scopes, const Json& row) {
+  Scopes in_cell = with(scopes, row);
+  if (column.part->has("cells")) {
+    in_cell.push_back(&found_in(in_cell, column.part->text("cells")).at(column.entry));
+  }
+  Cell cell{filled(column.part->text("value"), in_cell)};
+  if (column.part->has("state")) {
+    const Json& state = found_in(in_cell, column.part->text("state"));
+    if (!state.is_null()) cell.state = state.get<bool>() ? State::good : State::bad;
+  }
+  return cell;
+}
+
+Table table_of(const Part& part, const Scopes& scopes) {
+  Table table{filled(part.text("caption"), scopes), {}, {}};
+  const std::vector<Part> columns = part.parts("columns");
+  std::vector<PlacedColumn> placed;
+  for (const Part& column : columns) {
+    const std::vector<Scopes> places = places_of(column, scopes);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      table.columns.push_back(
+          {filled(column.text("title"), places[i]),
+           column.text_or_none("align") == "left" ? Alignment::left : Alignment::right});
+      placed.push_back({&column, i});
+    }
+  }
+  for (const Json& row : found_in(scopes, part.text("rows"))) {
+    auto& cells = table.rows.emplace_back();
+    for (const PlacedColumn& column : placed) cells.push_back(cell_of(column, scopes, row));
+  }
+  return table;
+}
+
+std::string csv_field(const Json& data) {
+  if (data.is_null()) return "";
+  if (!data.is_string()) return data.dump();
+  const auto& text = data.get_ref<const std::string&>();
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+/// The rows with all their members, those within members too; the first row has every name.
+std::string csv_of(const Json& rows) {
+  std::string text;
+  std::vector<std::string> names;
+  for (const Json& row : rows) {
+    const Json flat = row.flatten();
+    for (const auto& [name, value] : flat.items()) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+  }
+  for (const std::string& name : names) {
+    std::string title = name.substr(1);
+    std::replace(title.begin(), title.end(), '/', '.');
+    text += (text.empty() ? "" : ",") + title;
+  }
+  text += "\n";
+  for (const Json& row : rows) {
+    const Json flat = row.flatten();
+    std::string line;
+    for (const std::string& name : names) {
+      if (&name != &names.front()) line += ",";
+      if (flat.contains(name)) line += csv_field(flat[name]);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+void add_charts(const Part& part, const Scopes& scopes, Section& section) {
+  const Json& found = found_in(scopes, part.text("chart"));
+  const auto add = [&](const Json& data) {
+    const Scopes in_chart = with(scopes, data);
+    Figure figure{chart_of(data), filled(part.text_or_none("caption"), in_chart)};
+    if (part.has("title")) figure.chart.title = filled(part.text("title"), in_chart);
+    section.figures.push_back(std::move(figure));
+  };
+  if (!found.is_array()) return add(found);
+  for (const Json& data : found) add(data);
+}
+
+Section section_of(const Part& part, Scopes scopes, DrawnPage& result) {
+  if (part.has("data")) scopes = with(scopes, found_in(scopes, part.text("data")));
+  Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
+  section.paragraphs = paragraphs_of(part, "text", scopes);
+  for (const Part& table : part.parts("table")) {
+    for (const Scopes& place : places_of(table, scopes)) {
+      section.tables.push_back(table_of(table, place));
+      const std::string name = filled(table.text("csv"), place) + ".csv";
+      if (!result.tables.emplace(name, csv_of(found_in(place, table.text("rows")))).second) {
+        throw std::logic_error("two tables of a template have the file " + name);
+      }
+    }
+  }
+  for (const Part& chart : part.parts("chart")) {
+    for (const Scopes& place : places_of(chart, scopes)) add_charts(chart, place, section);
+  }
+  return section;
+}
+
+}  // namespace
+
+DrawnPage drawn(const std::string& page_template, const Json& data) {
+  const toml::table file = toml::parse(page_template);
+  const Part root(file);
+  const Scopes scopes = {&data};
+  DrawnPage result;
+  result.page.title = filled(root.text("title"), scopes);
+  result.page.intro = paragraphs_of(root, "intro", scopes);
+  for (const Part& section : root.parts("section")) {
+    for (const Scopes& place : places_of(section, scopes)) {
+      result.page.sections.push_back(section_of(section, place, result));
+    }
+  }
+  result.epilogue = filled(root.text_or_none("epilogue"), scopes);
+  return result;
+}
+
+}  // namespace ricochet::report

@@ -1,0 +1,73 @@
+#include "src/report/report.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "embedded/template_surrogate.h"
+#include "src/core/error.h"
+#include "src/report/page_template.h"
+
+namespace ricochet::report {
+namespace {
+
+constexpr std::pair<std::string_view, const char*> templates[] = {
+    {"surrogate", embedded::template_surrogate},
+};
+
+constexpr const char* data_file = "data.json";
+
+std::string write_text(const std::string& text, const std::filesystem::path& folder) {
+  // What is drawn is what was kept: the data as they are read back, not as they were computed.
+  const Json data = Json::parse(text);
+  DrawnPage drawing = drawn(page_template(data.at("report").get<std::string>()), data);
+  FileSet files = std::move(drawing.tables);
+  files[data_file] = text;
+  write_page(drawing.page, folder, std::move(files));
+  return drawing.epilogue;
+}
+
+}  // namespace
+
+std::string write_report(Json data, const std::filesystem::path& folder) {
+  if (data.contains("pages")) {
+    for (Json& page : data["pages"]) {
+      const std::string name = page.at("folder").get<std::string>();
+      write_report(std::move(page.at("data")), folder / name);
+      page = name;
+    }
+  }
+  return write_text(data.dump(0) + "\n", folder);
+}
+
+std::string redraw_report(const std::filesystem::path& from, const std::filesystem::path& folder) {
+  const std::filesystem::path file = from / data_file;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw InputError(
+        fmt::format("{}: cannot be read: must be the data of a report", file.string()));
+  }
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  try {
+    for (const Json& name : Json::parse(text).value("pages", Json::array())) {
+      redraw_report(from / name.get<std::string>(), folder / name.get<std::string>());
+    }
+    return write_text(text, folder);
+  } catch (const Json::exception& error) {
+    throw InputError(
+        fmt::format("{}: must be the data of a report: {}", file.string(), error.what()));
+  }
+}
+
+std::string page_template(const std::string& name) {
+  std::string known;
+  for (const auto& [own, text] : templates) {
+    if (own == name) return text;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", own);
+  }
+  throw InputError(fmt::format("report \"{}\": there is no such report; allowed: {}", name, known));
+}
+
+}  // namespace ricochet::report

@@ -1,0 +1,41 @@
+#include "src/studies/study.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+
+#include "src/report/file_set.h"
+#include "src/report/report.h"
+
+namespace ricochet::studies {
+namespace {
+
+#ifdef __clang__
+constexpr const char* compiler = "Clang " __VERSION__;
+#else
+constexpr const char* compiler = "GCC " __VERSION__;
+#endif
+
+}  // namespace
+
+void run(const Study& study, bool quick, const std::filesystem::path& folder) {
+  report::require_writable(folder);
+  const auto start = std::chrono::steady_clock::now();
+  report::Json results = study.compute(quick);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  report::Json data = {{"report", study.name},
+                       {"made",
+                        {{"version", RICOCHET_VERSION},
+                         {"compiler", compiler},
+                         {"threads", std::thread::hardware_concurrency()},
+                         {"seconds", elapsed.count()},
+                         {"quick", quick}}}};
+  data.update(results);
+  const std::string epilogue = report::write_report(std::move(data), folder);
+  if (!epilogue.empty()) fmt::print("{}\n", epilogue);
+  fmt::print("The report: {}\n",
+             (std::filesystem::absolute(folder) / "index.html").lexically_normal().string());
+}
+
+}  // namespace ricochet::studies

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "src/report/json.h"
+
+namespace ricochet::studies {
+
+/// A study: a folder of src/studies, a command, and a report that is drawn from its results.
+struct Study {
+  std::string name;     ///< of its folder, of its report and of the report's template
+  std::string command;  ///< on the command line
+  std::string summary;  ///< of the command, one line
+  std::string quick;    ///< what --quick does; empty where there is no such thing
+  /// Computes the results: what the template asks for. Shows its progress. The same every time, but
+  /// for measured times.
+  std::function<report::Json(bool quick)> compute;
+};
+
+/// Computes a study, writes its report into the folder and prints the template's epilogue and where
+/// the report is. To the results it adds `report`, the study's name, and `made`: version, compiler,
+/// threads, seconds (elapsed), quick. Throws InputError, before any work, where the folder cannot
+/// be written.
+void run(const Study& study, bool quick, const std::filesystem::path& folder);
+
+}  // namespace ricochet::studies

@@ -1,0 +1,117 @@
+#include "src/report/page_template.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "src/report/chart_data.h"
+#include "tests/report/sample_charts.h"
+
+namespace ricochet::report {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+using testing::ThrowsMessage;
+
+Json sample() {
+  Chart chart = line_chart({{0, 1}, {1, 2.5}});
+  chart.name = "one";
+  Json drawn_chart = data_of(chart);
+  drawn_chart["id"] = "C1";
+  return {{"total", 2},
+          {"absent", nullptr},
+          {"cases",
+           {{{"id", "C1"},
+             {"rows",
+              {{{"name", "a, \"b\""}, {"speed", 8.275}, {"good", true}, {"costs", {1.5, nullptr}}},
+               {{"name", "c"}, {"speed", nullptr}, {"good", nullptr}, {"costs", {2.0, 3.0}}}}}},
+            {{"id", "C2"}, {"rows", Json::array()}}}},
+          {"solvers", {{{"name", "x"}}, {{"name", "y"}}}},
+          {"charts", {drawn_chart}}};
+}
+
+constexpr const char* sheet = R"(
+title = "{{total}} cases"
+intro = ["First.", "{{#absent}}never{{/absent}}"]
+epilogue = "{{total}} done"
+[[section]]
+id = "all"
+heading = "All {{total}}"
+text = ["Found {{total}}."]
+[[section.table]]
+each = "cases"
+rows = "rows"
+csv = "rows-{{id}}"
+caption = "Of {{id}}"
+columns = [
+  { title = "name", value = "{{name}}", align = "left" },
+  { title = "speed", value = "{{speed:.2f}}", state = "good" },
+  { each = "solvers", title = "{{name}}", cells = "costs", value = "{{.:.1f}}" },
+]
+[[section.chart]]
+chart = "charts"
+title = "Case {{id}}"
+caption = "{{id}} of {{total}}"
+[[section]]
+when = "absent"
+id = "never"
+heading = "Never"
+)";
+
+TEST(PageTemplate, MakesAPageOfData) {
+  const DrawnPage drawing = drawn(sheet, sample());
+  EXPECT_EQ(drawing.page.title, "2 cases");
+  EXPECT_THAT(drawing.page.intro, ElementsAre("First."));
+  EXPECT_EQ(drawing.epilogue, "2 done");
+  ASSERT_EQ(drawing.page.sections.size(), 1u);
+  const Section& section = drawing.page.sections.front();
+  EXPECT_EQ(section.heading, "All 2");
+  EXPECT_THAT(section.paragraphs, ElementsAre("Found 2."));
+  ASSERT_EQ(section.tables.size(), 2u);
+  EXPECT_EQ(section.tables[0].caption, "Of C1");
+  EXPECT_EQ(section.tables[1].rows.size(), 0u);
+}
+
+TEST(PageTemplate, MakesTheCellsOfATable) {
+  const DrawnPage drawing = drawn(sheet, sample());
+  const Table& table = drawing.page.sections.front().tables.front();
+  std::vector<std::string> titles;
+  for (const Column& column : table.columns) titles.push_back(column.title);
+  EXPECT_THAT(titles, ElementsAre("name", "speed", "x", "y"));
+  ASSERT_EQ(table.rows.size(), 2u);
+  std::vector<std::string> texts;
+  for (const auto& row : table.rows) {
+    for (const Cell& cell : row) texts.push_back(cell.text);
+  }
+  EXPECT_THAT(texts, ElementsAre("a, \"b\"", "8.28", "1.5", "–", "c", "–", "2.0", "3.0"));
+  EXPECT_EQ(table.rows[0][1].state, State::good);
+  EXPECT_EQ(table.rows[1][1].state, State::neutral);
+}
+
+TEST(PageTemplate, KeepsTheRowsOfATableWithAllTheirDigits) {
+  EXPECT_THAT(drawn(sheet, sample()).tables, ElementsAre(Pair("rows-C1.csv",
+                                                              "name,speed,good,costs.0,costs.1\n"
+                                                              "\"a, \"\"b\"\"\",8.275,true,1.5,\n"
+                                                              "c,,,2.0,3.0\n"),
+                                                         Pair("rows-C2.csv", "\n")));
+}
+
+TEST(PageTemplate, MakesTheChartsWithTheirWords) {
+  const DrawnPage drawing = drawn(sheet, sample());
+  const auto& figures = drawing.page.sections.front().figures;
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_EQ(figures[0].chart.title, "Case C1");
+  EXPECT_EQ(figures[0].caption, "C1 of 2");
+  EXPECT_EQ(figures[0].chart.series[0].samples[1].value, 2.5);
+}
+
+TEST(PageTemplate, RefusesWhatTheDataDoNotHave) {
+  Json data = sample();
+  data.erase("solvers");
+  EXPECT_THAT([&] { drawn(sheet, data); }, ThrowsMessage<std::logic_error>(HasSubstr("solvers")));
+}
+
+}  // namespace
+}  // namespace ricochet::report

@@ -20,6 +20,7 @@
 #include "src/core/error.h"
 #include "src/report/report.h"
 #include "src/studies/study.h"
+#include "src/studies/verification/study.h"
 
 namespace ricochet::cli {
 namespace {
@@ -96,7 +97,7 @@ class Program {
     command->add_option("--out", options.out, "Folder for the report")->capture_default_str();
     command->callback([this, study, &options] {
       work_ = [study, &options] {
-        studies::run(study, options.quick, options.out);
+        std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
         return 0;
       };
     });
@@ -185,15 +186,34 @@ class Program {
   }
 
   void add_verify() {
-    CLI::App* command =
-        app_.add_subcommand("verify", "The impact model against an oracle in extended precision");
-    command->add_option("--scenes", verify_.scenes, "How many random and hostile scenes")
+    CLI::App* command = add_study(studies::verification_study({}));
+    command->add_option("--scenes", verification_.scenes, "How many random and hostile scenes")
         ->capture_default_str();
-    command->add_option("--seed", verify_.seed, "Of the scenes")->capture_default_str();
-    command->add_option("--scene-index", verify_.scene_index,
+    command->add_option("--seed", verification_.seed, "Of the scenes")->capture_default_str();
+    command->add_option("--scene-index", scene_index_,
                         "Prints this scene and both lists of impacts instead");
-    add_format(*command, verify_.json);
-    command->callback([this] { work_ = [this] { return verify(verify_); }; });
+    add_format(*command, verification_json_);
+    StudyOptions& options = studies_.back();
+    command->callback([this, &options] { work_ = [this, &options] { return verify(options); }; });
+  }
+
+  int verify(const StudyOptions& options) const {
+    if (scene_index_) {
+      show_hostile_scene(verification_.seed, *scene_index_, verification_json_);
+      return 0;
+    }
+    studies::Finished finished =
+        studies::run(studies::verification_study(verification_), options.quick, options.out);
+    const bool failed = finished.data["failed"].get<bool>();
+    if (verification_json_) {
+      const report::Json seconds = finished.data["made"]["seconds"];
+      for (const char* key : {"report", "made", "failed"}) finished.data.erase(key);
+      finished.data["seconds"] = seconds;
+      std::fputs((finished.data.dump(2) + "\n").c_str(), stdout);
+    } else {
+      std::fputs(finished.epilogue.c_str(), stdout);
+    }
+    return failed ? 1 : 0;
   }
 
   void add_scene() {
@@ -256,7 +276,9 @@ class Program {
   CalibrateOptions calibrate_;
   DynamicsOptions dynamics_;
   SurrogateOptions surrogate_;
-  VerifyOptions verify_;
+  studies::VerificationOptions verification_;
+  std::optional<int> scene_index_;
+  bool verification_json_ = false;
   ProblemsOptions problems_;
   CertifyOptions certify_;
   SceneChoice scene_;

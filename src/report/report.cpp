@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "embedded/template_surrogate.h"
+#include "embedded/template_verification.h"
 #include "src/core/error.h"
 #include "src/report/page_template.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
     {"surrogate", embedded::template_surrogate},
+    {"verification", embedded::template_verification},
 };
 
 constexpr const char* data_file = "data.json";

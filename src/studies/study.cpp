@@ -19,7 +19,7 @@ constexpr const char* compiler = "GCC " __VERSION__;
 
 }  // namespace
 
-void run(const Study& study, bool quick, const std::filesystem::path& folder) {
+Finished run(const Study& study, bool quick, const std::filesystem::path& folder) {
   report::require_writable(folder);
   const auto start = std::chrono::steady_clock::now();
   report::Json results = study.compute(quick);
@@ -32,10 +32,12 @@ void run(const Study& study, bool quick, const std::filesystem::path& folder) {
                          {"seconds", elapsed.count()},
                          {"quick", quick}}}};
   data.update(results);
-  const std::string epilogue = report::write_report(std::move(data), folder);
-  if (!epilogue.empty()) fmt::print("{}\n", epilogue);
-  fmt::print("The report: {}\n",
-             (std::filesystem::absolute(folder) / "index.html").lexically_normal().string());
+  std::string epilogue = report::write_report(data, folder);
+  if (!epilogue.empty()) epilogue += "\n";
+  epilogue +=
+      fmt::format("The report: {}\n",
+                  (std::filesystem::absolute(folder) / "index.html").lexically_normal().string());
+  return {std::move(data), std::move(epilogue)};
 }
 
 }  // namespace ricochet::studies

@@ -19,10 +19,15 @@ struct Study {
   std::function<report::Json(bool quick)> compute;
 };
 
-/// Computes a study, writes its report into the folder and prints the template's epilogue and where
-/// the report is. To the results it adds `report`, the study's name, and `made`: version, compiler,
-/// threads, seconds (elapsed), quick. Throws InputError, before any work, where the folder cannot
-/// be written.
-void run(const Study& study, bool quick, const std::filesystem::path& folder);
+/// What came of a study.
+struct Finished {
+  report::Json data;     ///< the results, as in the report's data.json
+  std::string epilogue;  ///< lines for who called, with where the report is
+};
+
+/// Computes a study and writes its report into the folder. To the results it adds `report`, the
+/// study's name, and `made`: version, compiler, threads, seconds (elapsed), quick. Throws
+/// InputError, before any work, where the folder cannot be written.
+Finished run(const Study& study, bool quick, const std::filesystem::path& folder);
 
 }  // namespace ricochet::studies

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "src/report/process.h"
+#include "src/report/svg.h"
 #include "tests/report/sample_charts.h"
 
 namespace ricochet::report {
@@ -40,7 +41,7 @@ std::string visible_text(const Tree& tree) {
 }
 
 std::vector<std::string> ids(const std::string& svg) {
-  static const std::regex pattern("[ <]id=['\"]([^'\"]*)['\"]");
+  static const std::regex pattern("[ <]id=\"([^\"]*)\"");
   std::vector<std::string> found;
   for (std::sregex_iterator it(svg.begin(), svg.end(), pattern), end; it != end; ++it)
     found.push_back((*it)[1]);
@@ -69,7 +70,7 @@ TEST(Gnuplot, WritesWellFormedXmlForEveryKindOfChart) {
   for (const std::string& svg : to_svgs(gallery())) {
     EXPECT_NO_THROW(parse(svg)) << svg;
     EXPECT_THAT(svg, AllOf(HasSubstr("role=\"img\""), Not(HasSubstr("<script")),
-                           Not(HasSubstr("font-family=\"Body")), Not(HasSubstr("href='file"))));
+                           Not(HasSubstr("font-family=\"Body")), Not(HasSubstr("href=\"file"))));
   }
 }
 
@@ -89,7 +90,7 @@ TEST(Gnuplot, GivesEveryIdOfEveryChartAName) {
 }
 
 TEST(Gnuplot, PointsOnlyToIdsThatExist) {
-  static const std::regex pattern("(?:href='#|url\\(#)([^')]*)");
+  static const std::regex pattern("(?:href=\"#|url\\(#)([^\")]*)");
   int references = 0;
   for (const std::string& svg : to_svgs(gallery())) {
     const std::vector<std::string> found = ids(svg);
@@ -151,7 +152,7 @@ TEST(Gnuplot, IsNotFooledByLabelsThatLookLikeSvg) {
 
 TEST(Gnuplot, LeavesAGapWhereAValueIsMissing) {
   const auto strokes = [](const Chart& chart) {
-    static const std::regex pattern("stroke='rgb\\(  0, 114, 178\\)'[^>]*d='([^']*)'");
+    static const std::regex pattern("stroke=\"rgb\\(  0, 114, 178\\)\"[^>]*d=\"([^\"]*)\"");
     const std::string svg = to_svg(chart);
     std::smatch match;
     EXPECT_TRUE(std::regex_search(svg, match, pattern));
@@ -163,7 +164,7 @@ TEST(Gnuplot, LeavesAGapWhereAValueIsMissing) {
 
 TEST(Gnuplot, HatchesCellsWithoutAValueAndSaysSo) {
   const auto hatched = [](const std::string& svg) {
-    static const std::regex pattern("fill = 'url\\(#");
+    static const std::regex pattern("fill=\"url\\(#");
     return std::distance(std::sregex_iterator(svg.begin(), svg.end(), pattern), {});
   };
   const std::string svg = to_svg(heat_map_chart({{1, {}, 3}, {{}, 5, 6}}));
@@ -220,6 +221,11 @@ TEST(Gnuplot, PassesOnWhatAFailingOneSaid) {
         to_svg(line_chart({{0, 1}}));
       },
       ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("exit code 3"), HasSubstr("out of ink"))));
+}
+
+TEST(Svg, IsRefusedIfItIsCutOff) {
+  EXPECT_THAT([] { finish_svg("<svg><title>Gnuplot</title><g>", "chart", "", ""); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("chart chart: no SVG")));
 }
 
 TEST(Process, CarriesMoreThanAPipeHolds) {

@@ -4,32 +4,22 @@
 #include <tbb/parallel_for.h>
 
 #include <stdexcept>
-#include <system_error>
 
 #include "src/report/process.h"
 #include "src/report/script.h"
 #include "src/report/svg.h"
 
 namespace ricochet::report {
-namespace {
-
-ProcessResult run_gnuplot(const std::string& script) {
-  try {
-    // Without the user's own settings: they would change how a chart looks.
-    return run_process({"gnuplot", "--default-settings"}, script);
-  } catch (const std::system_error& error) {
-    throw std::runtime_error(fmt::format("{} (charts need the package gnuplot-nox)", error.what()));
-  }
-}
-
-}  // namespace
 
 std::string to_svg(const Chart& chart) {
   check(chart);
-  const ProcessResult result = run_gnuplot(gnuplot_script(chart));
+  // Without the user's own settings: they would change how a chart looks.
+  const ProcessResult result = run_process({"gnuplot", "--default-settings"}, gnuplot_script(chart),
+                                           std::chrono::minutes(1));
   if (result.status != 0 || result.output.find("</svg>") == std::string::npos)
-    throw std::runtime_error(fmt::format("chart {}: gnuplot ended with exit code {}: {}",
-                                         chart.name, result.status, result.errors));
+    throw std::runtime_error(
+        fmt::format("chart {}: gnuplot (package gnuplot-nox) ended with exit code {}: {}",
+                    chart.name, result.status, result.errors));
   return finish_svg(result.output, chart.name, chart.title, description(chart));
 }
 

@@ -21,6 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::ThrowsMessage;
+constexpr std::chrono::minutes plenty(1);
 using Tree = boost::property_tree::ptree;
 
 Tree parse(const std::string& svg) {
@@ -207,7 +208,8 @@ TEST(Gnuplot, NamesThePackageIfItIsMissing) {
       [] {
         to_svg(line_chart({{0, 1}}));
       },
-      ThrowsMessage<std::runtime_error>(HasSubstr("gnuplot-nox")));
+      ThrowsMessage<std::runtime_error>(
+          AllOf(HasSubstr("gnuplot-nox"), HasSubstr("No such file"))));
 }
 
 TEST(Gnuplot, PassesOnWhatAFailingOneSaid) {
@@ -230,11 +232,37 @@ TEST(Svg, IsRefusedIfItIsCutOff) {
 
 TEST(Process, CarriesMoreThanAPipeHolds) {
   const std::string text(1 << 20, 'x');
-  EXPECT_EQ(run_process({"cat"}, text).output, text);
+  EXPECT_EQ(run_process({"cat"}, text, plenty).output, text);
 }
 
 TEST(Process, SurvivesAProgramThatDoesNotRead) {
-  EXPECT_EQ(run_process({"true"}, std::string(1 << 20, 'x')).status, 0);
+  EXPECT_EQ(run_process({"true"}, std::string(1 << 20, 'x'), plenty).status, 0);
+}
+
+TEST(Process, IsEndedAtItsLimit) {
+  EXPECT_EQ(run_process({"sleep", "1000"}, "", std::chrono::milliseconds(50)).status, 124);
+}
+
+TEST(Process, SaysWhichSignalEndedIt) {
+  EXPECT_EQ(run_process({"sh", "-c", "kill -SEGV $$"}, "", plenty).status, 128 + 11);
+}
+
+TEST(Process, SeesNothingOfTheEnvironmentButPathAndLocale) {
+  setenv("GNUPLOT_LIB", "/nonexistent", 1);
+  const std::string seen = run_process({"env"}, "", plenty).output;
+  unsetenv("GNUPLOT_LIB");
+  EXPECT_THAT(seen, AllOf(HasSubstr("LC_ALL=C.UTF-8\n"), HasSubstr("PATH="),
+                          Not(HasSubstr("GNUPLOT_LIB"))));
+}
+
+TEST(Process, LeavesNoFileOpen) {
+  const auto open_files = [] {
+    return std::ranges::distance(std::filesystem::directory_iterator("/proc/self/fd"));
+  };
+  const auto before = open_files();
+  run_process({"cat"}, "text", plenty);
+  run_process({"no such program"}, "text", plenty);
+  EXPECT_EQ(open_files(), before);
 }
 
 }  // namespace

@@ -52,19 +52,24 @@ std::string axis_script(const Chart& chart, const Frame& frame, bool x) {
   const Range& range = x ? frame.x : frame.y;
   const bool down = !x && has_rows(chart);
   const int room = x ? plot_width(chart, frame) : plot_height(chart);
-  std::vector<Tick> marks;
+  std::string marks;
   std::string style = x ? "scale 0.5,0.3 offset 0,0.3" : "scale 0.5,0.3";
   if (axis.categories.empty()) {
+    const int wanted = std::max(2, room / (x ? 65 : 38));
     const bool whole = !chart.series.empty() && whole_numbers(chart, x != has_rows(chart));
-    marks = ticks(range, axis.scale, std::max(2, room / (x ? 65 : 38)), whole);
+    marks = axis.scale == Scale::logarithmic
+                ? tick_list(logarithmic_ticks(range, wanted))
+                : fmt::format("{:.10g}", tick_step(range, wanted, whole));
   } else {
     const auto count = static_cast<int>(axis.categories.size());
     const int slot = std::max(1, room / count);
     const int needed = x ? widest(axis.categories) + 8 : 13;
     const bool turned = x && needed > slot && needed > 50;
     const int stride = 1 + ((turned ? 16 : needed) - 1) / slot;
+    std::vector<Tick> names;
     for (int i = 0; i < count; i += stride)
-      marks.push_back({static_cast<double>(i), axis.categories[static_cast<std::size_t>(i)]});
+      names.push_back({static_cast<double>(i), axis.categories[static_cast<std::size_t>(i)]});
+    marks = tick_list(names);
     style = turned ? "scale 0 rotate by 35 right" : x ? "scale 0 offset 0,0.3" : "scale 0";
   }
   const char which = x ? 'x' : 'y';
@@ -76,15 +81,14 @@ std::string axis_script(const Chart& chart, const Frame& frame, bool x) {
       which, quoted(axis.label), distance, x ? "0,0.8" : "0,0", down ? range.upper : range.lower,
       down ? range.lower : range.upper,
       axis.scale == Scale::logarithmic ? fmt::format("set logscale {}\n", which) : "", style,
-      tick_list(marks));
+      marks);
 }
 
 std::string colour_script(const HeatMap& map, const Range& colours) {
   return fmt::format(
       "set palette defined {}\nset cbrange [{:.6g}:{:.6g}]\nset cblabel {} offset 0.8,0\n"
-      "set cbtics scale 0.5 tc rgb '#444444' {}\n",
-      palette(), colours.lower, colours.upper, quoted(map.label),
-      tick_list(ticks(colours, Scale::linear, 6, false)));
+      "set cbtics scale 0.5 tc rgb '#444444' {:.10g}\n",
+      palette(), colours.lower, colours.upper, quoted(map.label), tick_step(colours, 6, false));
 }
 
 std::string legend_script(const Chart& chart, const Frame& frame) {
@@ -115,7 +119,7 @@ int plot_height(const Chart& chart) {
 
 std::string frame_script(const Chart& chart, const Frame& frame) {
   std::string script = fmt::format(
-      "set encoding utf8\n"
+      "set encoding utf8\nset minussign\nset format '%.10g'\n"
       "set terminal svg noenhanced size {},{} font '{},12' background 'white'\n"
       "set label 1 {} at screen 0, screen 1 offset 1,-1.3 left font '{},14'\nset tmargin 3\n"
       "set border {} lc rgb '#888888'\n",

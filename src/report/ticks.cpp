@@ -8,58 +8,11 @@
 namespace ricochet::report {
 namespace {
 
-/// A true minus sign is as wide as the digits; the hyphen is easily overlooked.
-std::string number(double value) {
-  const std::string digits = fmt::format("{:.10g}", std::abs(value));
-  return value < 0 ? "−" + digits : digits;
-}
-
 std::string power_of_ten(int exponent) {
   static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = exponent < 0 ? "10⁻" : "10";
   for (const char c : std::to_string(std::abs(exponent))) text += digits[c - '0'];
   return text;
-}
-
-/// The smallest of 1, 2, 5 times a power of ten that is no smaller than `raw` > 0.
-double round_step(double raw) {
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= raw * (1 - 1e-9)) return factor * power;
-  return 10 * power;
-}
-
-std::vector<Tick> linear_ticks(const Range& limits, int wanted, bool whole_numbers) {
-  double step = round_step((limits.upper - limits.lower) / wanted);
-  if (whole_numbers) step = std::max(step, 1.0);
-  std::vector<Tick> ticks;
-  const double slack = 1e-9 * (limits.upper - limits.lower);
-  for (double k = std::ceil((limits.lower - slack) / step); k * step <= limits.upper + slack; ++k)
-    ticks.push_back({k * step, number(k * step)});
-  return ticks;
-}
-
-std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted) {
-  const int first = static_cast<int>(std::floor(std::log10(limits.lower)));
-  const int last = static_cast<int>(std::ceil(std::log10(limits.upper)));
-  const double decades = std::log10(limits.upper / limits.lower);
-  const int stride = std::max(1, static_cast<int>(std::ceil(decades / wanted)));
-  const bool plain = limits.lower >= 1e-3 && limits.upper < 1e5;
-  std::vector<Tick> ticks;
-  const auto add = [&](double position, const std::string& label) {
-    if (position >= limits.lower && position <= limits.upper) ticks.push_back({position, label});
-  };
-  for (int exponent = first; exponent <= last; ++exponent) {
-    const double power = std::pow(10, exponent);
-    const bool labelled = exponent % stride == 0;
-    add(power, !labelled ? "" : plain ? number(power) : power_of_ten(exponent));
-    for (int digit = 2; digit <= 9 && decades <= 8; ++digit) {
-      // Less than two decades have too few powers of ten to read a value from.
-      const bool label_digit = (decades < 2 && (digit == 2 || digit == 5)) || decades < 0.5;
-      add(digit * power, label_digit ? fmt::format("{:g}", digit * power) : "");
-    }
-  }
-  return ticks;
 }
 
 }  // namespace
@@ -79,9 +32,36 @@ Range limits(const std::vector<double>& values, Scale scale) {
   return {least - room, most + room};
 }
 
-std::vector<Tick> ticks(const Range& limits, Scale scale, int wanted, bool whole_numbers) {
-  return scale == Scale::logarithmic ? logarithmic_ticks(limits, wanted)
-                                     : linear_ticks(limits, wanted, whole_numbers);
+double tick_step(const Range& limits, int wanted, bool whole_numbers) {
+  const double raw = (limits.upper - limits.lower) / wanted;
+  const double power = std::pow(10, std::floor(std::log10(raw)));
+  double step = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0})
+    if (factor * power >= raw * (1 - 1e-9)) step = factor * power;
+  return whole_numbers ? std::max(step, 1.0) : step;
+}
+
+std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted) {
+  const int first = static_cast<int>(std::floor(std::log10(limits.lower)));
+  const int last = static_cast<int>(std::ceil(std::log10(limits.upper)));
+  const double decades = std::log10(limits.upper / limits.lower);
+  const int stride = std::max(1, static_cast<int>(std::ceil(decades / wanted)));
+  const bool plain = limits.lower >= 1e-3 && limits.upper < 1e5;
+  std::vector<Tick> ticks;
+  const auto add = [&](double position, const std::string& label) {
+    if (position >= limits.lower && position <= limits.upper) ticks.push_back({position, label});
+  };
+  for (int exponent = first; exponent <= last; ++exponent) {
+    const double power = std::pow(10, exponent);
+    const bool labelled = exponent % stride == 0;
+    add(power, !labelled ? "" : plain ? fmt::format("{:g}", power) : power_of_ten(exponent));
+    for (int digit = 2; digit <= 9 && decades <= 8; ++digit) {
+      // Less than two decades have too few powers of ten to read a value from.
+      const bool label_digit = (decades < 2 && (digit == 2 || digit == 5)) || decades < 0.5;
+      add(digit * power, label_digit ? fmt::format("{:g}", digit * power) : "");
+    }
+  }
+  return ticks;
 }
 
 }  // namespace ricochet::report

@@ -15,8 +15,11 @@ struct Tick {
 /// Limits that leave a little room around the values; all of them if there are none.
 Range limits(const std::vector<double>& values, Scale scale);
 
-/// Round positions within the limits, about `wanted` of them labelled. Whole numbers get no
-/// fractions between them.
-std::vector<Tick> ticks(const Range& limits, Scale scale, int wanted, bool whole_numbers);
+/// Distance of about `wanted` round ticks of a linear axis. Whole numbers get none between them.
+double tick_step(const Range& limits, int wanted, bool whole_numbers);
+
+/// About `wanted` labels of a logarithmic axis, and minor ticks. gnuplot's own label powers of ten
+/// alone, and could write their exponents only where it reads markup in every text.
+std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted);
 
 }  // namespace ricochet::report

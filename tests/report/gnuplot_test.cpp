@@ -117,6 +117,13 @@ TEST(Gnuplot, DrawsLinesAcrossPlotsWhoseLimitsHaveManyDigits) {
   }
 }
 
+TEST(Gnuplot, LabelsTicksByPlainNumbersWithATrueMinus) {
+  Chart chart = line_chart({{-0.3, -2e6}, {0.3, 2e6}});
+  EXPECT_THAT(visible_text(parse(to_svg(chart))),
+              AllOf(HasSubstr("−0.2\n"), HasSubstr("\n0\n"), HasSubstr("\n0.2\n"),
+                    HasSubstr("−2000000\n"), HasSubstr("\n2000000\n"), Not(HasSubstr("-"))));
+}
+
 TEST(Gnuplot, KeepsSpecialCharactersInEveryLabel) {
   const std::string odd = R"(<b> & "q" 'p' a_b^{c} @d \n 50 % `date` $x #1 ω²)";
   Chart chart = line_chart({{0, 1}, {1, 2}});

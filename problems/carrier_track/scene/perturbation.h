@@ -10,7 +10,8 @@ inline constexpr double perturbation_size = 1e-9;
 
 /// A valid scene with all its constants changed at once, each by 0.5 to 1 times
 /// perturbation_size one way or the other. `stride`, an irrational number within 0..1, makes the
-/// pattern of amounts and signs; `sign`, 1 or -1, turns all of them round.
+/// pattern of amounts and signs; `sign`, 1 or -1, turns all of them round. The amounts are drawn in
+/// the order of the list of fields: one put among others shifts those of the fields after it.
 ///
 /// Zeros stay, and so do the exponent of a contact, the limits of the rule, the window,
 /// restitutions of 1 from above, and the contact of a body that starts on a wall. Lengths change by

@@ -62,6 +62,7 @@ Scene unusual_scene() {
   const Numbers change{[](const Field&, double& x) { x = 0.75 * x + 0.1875; }};
   visit_fields(change, scene);
   visit_across_fields(change, *scene.across);
+  scene.restitution_upper = scene.across->restitution_upper = 0.5;  // unlike that of the lower wall
   scene.centrifugal = Centrifugal::outward;
   scene.window = Seconds{2.5};
   scene.rule = CountRule::peaks;

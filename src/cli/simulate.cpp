@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
+#include <utility>
+#include <vector>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
@@ -84,6 +87,37 @@ std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
   return report::to_svg(chart);
 }
 
+/// Prints a line for each element, up to a limit.
+template <class Element, class Print>
+void print_first(const std::vector<Element>& all, const Print& print) {
+  constexpr std::size_t shown = 40;
+  for (std::size_t i = 0; i < std::min(shown, all.size()); ++i) print(all[i]);
+  if (all.size() <= shown) return;
+  fmt::print("... and {} more; --format json lists all\n", all.size() - shown);
+}
+
+/// The impacts or the maxima, whichever the rule looks at, and which of them count.
+void print_features(const Scene& scene, const Recording& recording) {
+  bool counts = false;
+  const auto note = [&counts](double margin, double /*left*/) { counts |= margin > 0; };
+  Features<double, decltype(note)> features(scene, note);
+  const auto mark = [&counts] { return std::exchange(counts, false) ? "  counts" : ""; };
+  if (scene.rule == CountRule::impacts) {
+    fmt::print("{:>14} {:>6} {:>13}\n", "time [s]", "wall", "speed [m/s]");
+    print_first(recording.impacts, [&](const Impact& impact) {
+      features.impact(impact.time, impact.wall, impact.speed);
+      fmt::print("{:>14.8f} {:>6} {:>13.6g}{}\n", impact.time, name_of(impact.wall), impact.speed,
+                 mark());
+    });
+  } else {
+    fmt::print("{:>14} {:>13}\n", "time [s]", "maximum [m]");
+    print_first(recording.peaks, [&](const Peak& peak) {
+      features.peak(peak.time, peak.position);
+      fmt::print("{:>14.8f} {:>13.6g}{}\n", peak.time, peak.position, mark());
+    });
+  }
+}
+
 void print(const ChosenScene& chosen, const Recording& recording) {
   const Certainty& certainty = recording.certainty;
   fmt::print("{} at {}: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
@@ -104,16 +138,7 @@ void print(const ChosenScene& chosen, const Recording& recording) {
   }
   fmt::print("{} impacts, slow ones included; {} maxima of x\n", recording.impacts.size(),
              recording.peaks.size());
-  constexpr std::size_t shown = 40;
-  fmt::print("{:>14} {:>6} {:>13}\n", "time [s]", "wall", "speed [m/s]");
-  for (std::size_t i = 0; i < std::min(shown, recording.impacts.size()); ++i) {
-    const Impact& impact = recording.impacts[i];
-    fmt::print("{:>14.8f} {:>6} {:>13.6g}{}\n", impact.time, name_of(impact.wall), impact.speed,
-               impact.speed > chosen.scene.slowest ? "  counts" : "");
-  }
-  if (recording.impacts.size() > shown) {
-    fmt::print("... and {} more; --format json lists all\n", recording.impacts.size() - shown);
-  }
+  print_features(chosen.scene, recording);
 }
 
 }  // namespace

@@ -2,8 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "problems/carrier_track/scene/scene_fields.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
@@ -22,18 +27,79 @@ TEST(Readme, ShowsASolverThatIsReallyThere) {
   EXPECT_THAT(read(RICOCHET_SOURCE "/solvers/random_search.cpp"), testing::HasSubstr(code));
 }
 
-TEST(Readme, ListsTheKeysOfAScene) {
-  const std::string text = readme();
-  const std::string scene = call("scene --case C1").out;
-  int keys = 0;
-  std::istringstream lines(scene);
+/// A row of the table of the scene's keys; its cells after the keys.
+struct Row {
+  std::string unit, allowed, missing;
+};
+
+/// The rows by table and key, such as "scene.mass".
+std::map<std::string, Row> rows_of_scene_keys() {
+  std::map<std::string, Row> rows;
+  std::string table;
+  std::istringstream lines(readme());
   for (std::string line; std::getline(lines, line);) {
-    const auto end = line.find(" = ");
-    if (end == std::string::npos) continue;
-    EXPECT_THAT(text, testing::HasSubstr(fmt::format("`{}`", line.substr(0, end))));
-    ++keys;
+    if (line.starts_with("| **[")) table = line.substr(5, line.find(']') - 5);
+    if (table.empty() || !line.starts_with("| `")) continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line.substr(1));
+    for (std::string cell; std::getline(row, cell, '|');) {
+      const auto first = cell.find_first_not_of(' ');
+      cells.push_back(first == std::string::npos
+                          ? ""
+                          : cell.substr(first, cell.find_last_not_of(' ') + 1 - first));
+    }
+    if (cells.size() != 4) throw std::runtime_error("not a row of four cells: " + line);
+    std::istringstream keys(cells[0]);
+    std::string key;
+    while (std::getline(keys, key, '`') && std::getline(keys, key, '`')) {
+      rows[table + "." + key] = {cells[1], cells[2], cells[3]};
+    }
   }
-  EXPECT_GT(keys, 20);
+  return rows;
+}
+
+std::string in_words(carrier_track::Range range) {
+  switch (range) {
+    case carrier_track::Range::finite:
+      return "finite";
+    case carrier_track::Range::not_negative:
+      return ">= 0";
+    case carrier_track::Range::positive:
+      return "> 0";
+    case carrier_track::Range::fraction:
+      return "0..1";
+    case carrier_track::Range::any:
+    case carrier_track::Range::by_rule:
+      break;
+  }
+  return "";
+}
+
+TEST(Readme, SaysOfASceneWhatItsListOfFieldsSays) {
+  const std::map<std::string, Row> rows = rows_of_scene_keys();
+  std::vector<std::string> keys = {"window.revolutions", "window.seconds"};
+  const auto expect_row_in = [&](const std::string& table) {
+    return [&rows, &keys, table](const carrier_track::Field& field) {
+      const std::string key = fmt::format("{}.{}", table, field.key);
+      keys.push_back(key);
+      ASSERT_TRUE(rows.contains(key)) << key;
+      Row row = rows.at(key);
+      if (row.allowed == "as in [scene]") row = rows.at(fmt::format("scene.{}", field.key));
+      const std::string unit(field.unit == "1" ? "" : field.unit);
+      EXPECT_THAT(row.unit, testing::StartsWith(unit)) << key;
+      EXPECT_EQ(row.unit.empty(), unit.empty()) << key;
+      EXPECT_THAT(row.allowed, testing::HasSubstr(in_words(field.range))) << key;
+      EXPECT_EQ(row.missing == "must be given", field.presence == carrier_track::Presence::required)
+          << key;
+    };
+  };
+  carrier_track::visit_scene_fields(expect_row_in("scene"));
+  carrier_track::visit_across_fields(expect_row_in("across"));
+  carrier_track::visit_count_fields(expect_row_in("count"));
+  carrier_track::visit_model_fields(expect_row_in("model"));
+  std::vector<std::string> documented;
+  for (const auto& [key, row] : rows) documented.push_back(key);
+  EXPECT_THAT(documented, testing::UnorderedElementsAreArray(keys));
 }
 
 TEST(Readme, BringsAMachineOfYourOwnByCommandsThatWork) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "tests/cli/tool.h"
@@ -53,6 +54,30 @@ TEST(Simulate, ExplainsItselfToPeople) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("C1 at 3 rad/s: 5 collisions"));
   EXPECT_THAT(outcome.out, HasSubstr("counts"));
+}
+
+/// How many of the lines of features are marked.
+int marked(const std::string& text) {
+  int marks = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) marks += line.ends_with("  counts") ? 1 : 0;
+  return marks;
+}
+
+TEST(Simulate, MarksWhatTheRuleCounts) {
+  const auto folder = fresh_folder();
+  const std::string scene = call("scene --case C1").out;
+  const std::string impacts = "rule = \"impacts\"";
+  std::string by_peaks = scene;
+  by_peaks.replace(scene.find(impacts), impacts.size(), "rule = \"peaks\"");
+  for (const std::string& text : {scene, by_peaks}) {
+    const std::string file = write(folder, "machine.toml", text).string();
+    const auto json = ordered_json::parse(call("simulate --format json --scene " + file).out);
+    const std::string shown = call("simulate --scene " + file).out;
+    EXPECT_GT(json["count"], 0);
+    EXPECT_EQ(marked(shown), json["count"]) << shown;
+    EXPECT_THAT(shown, HasSubstr(text == scene ? "speed [m/s]" : "maximum [m]"));
+  }
 }
 
 TEST(Simulate, WritesThePathAndItsPicture) {

@@ -9,94 +9,25 @@
 #include <stdexcept>
 #include <variant>
 
-#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/scene/perturbation.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
 using Feature = FeatureTrace::Feature;
 
-/// Two features are the same if they lie as near as this in time, as a share of the window, and in
-/// the scaled margin. From a growth of 1e6 on, where the last of these distances is near, a path is
-/// called sensitive.
+/// Features of two simulations are the same if they differ by no more than this in time, as a share
+/// of the window, and in the scaled margin.
 constexpr double same_time = 1e-4;
 constexpr double same_margin = 0.1;
+
+/// From this growth on a path is called sensitive: perturbation_size then moves a scaled margin by a
+/// hundredth of same_margin.
 constexpr double sensitive_growth = 1e6;
 
 /// The changed windows are longer, so that what comes just after the end is seen.
 constexpr double longer = 1 + same_time;
-
-/// Relative changes of constants, of 0.5 to 1 times constants_change either way: unequal, so that
-/// those of a mass and a force do not cancel.
-class Changes {
- public:
-  Changes(double stride, double sign) : stride_(stride), sign_(sign) {}
-
-  double next() {
-    share_ = std::fmod(share_ + stride_, 1.0);
-    const double weight = 2 * share_ - 1;
-    return sign_ * constants_change * std::copysign(0.5 + 0.5 * std::abs(weight), weight);
-  }
-
-  void change(double& constant) { constant *= 1 + next(); }
-
-  void change_angle(double& angle) { angle += std::max(1.0, std::abs(angle)) * next(); }
-
-  void change_restitution(double& restitution) {
-    restitution = std::min(1.0, restitution * (1 + next()));
-  }
-
-  /// Two walls and what starts on one of them or between them.
-  void change_track(double& lower, double& upper, double& start) {
-    double scale = 0;
-    for (const double x : {lower, upper, start}) {
-      if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
-    }
-    const bool on_lower = start == lower;
-    const bool on_upper = start == upper;
-    lower += scale * next();
-    upper += scale * next();
-    start += scale * next();
-    if (on_lower) start = lower;
-    if (on_upper) start = upper;
-    start = std::max(lower, std::min(start, upper));
-  }
-
- private:
-  double stride_, sign_;
-  double share_ = 0;
-};
-
-Scene changed(Scene scene, Changes changes) {
-  changes.change(scene.mass);
-  changes.change_track(scene.wall_lower, scene.wall_upper, scene.start_position);
-  changes.change_restitution(scene.restitution_lower);
-  changes.change_restitution(scene.restitution_upper);
-  changes.change(scene.friction);
-  changes.change(scene.normal_force);
-  changes.change(scene.pull);
-  changes.change(scene.centrifugal_mass_radius);
-  changes.change(scene.slider_mass_radius);
-  changes.change_angle(scene.phase);
-  changes.change(scene.disturbance);
-  changes.change(scene.disturbance_frequency);
-  changes.change(scene.start_velocity);
-  changes.change(scene.omega);
-  for (auto& knot : scene.profile) changes.change(knot.omega);
-  changes.change(scene.stiffness);
-  if (scene.contact_speed) changes.change(*scene.contact_speed);
-  if (scene.across) {
-    Across<double>& y = *scene.across;
-    changes.change(y.pull);
-    changes.change_track(y.wall_lower, y.wall_upper, y.start_position);
-    changes.change_restitution(y.restitution_lower);
-    changes.change_restitution(y.restitution_upper);
-    changes.change(y.start_velocity);
-  }
-  changes.change_angle(scene.pull_phase);
-  changes.change_angle(scene.disturbance_phase);
-  return scene;
-}
 
 void lengthen(Window& window) {
   std::visit([](auto& w) { w.count *= longer; }, window);
@@ -164,7 +95,7 @@ class Comparison {
       const double change = std::abs(other->scaled - f.scaled);
       pairs_.push_back({f.time, change});
       moved_ = std::max(moved_, std::abs(other->time / other_end - f.time / given_end));
-      if (std::abs(f.scaled) <= std::max(change, constants_change)) {
+      if (std::abs(f.scaled) <= std::max(change, perturbation_size)) {
         suspect(kind, f, Doubt::margin, given_end);
       }
     }
@@ -181,7 +112,7 @@ class Comparison {
     for (auto f = features.rbegin(); f != features.rend(); ++f) {
       if (f->time < (1 - same_time) * end) break;
       if (f->margin > 0 &&
-          std::abs(end - f->time) <= 10 * end * std::max(moved_, constants_change)) {
+          std::abs(end - f->time) <= 10 * end * std::max(moved_, perturbation_size)) {
         suspect(kind, *f, Doubt::window, end);
       }
     }
@@ -270,33 +201,6 @@ std::optional<double> smallest_margin(const FeatureTrace& trace) {
 
 }  // namespace
 
-void FeatureTrace::impact(double time, Wall wall, double speed) {
-  if (ahead_ == wall) ahead_.reset();
-  now_ = time;
-  const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
-  impacts_[kind].push_back(time);
-  const auto keep = [&](double z, double /*left*/) { tell(kind, z); };
-  Features<double, decltype(keep)>(scene_, keep).impact(time, wall, speed);
-}
-
-void FeatureTrace::peak(double time, double position) {
-  // It is told when the body moves down from it, which is now.
-  std::size_t kind = high_peak;
-  const auto keep = [&](double z, double /*left*/) { tell(kind++, z); };
-  Features<double, decltype(keep)>(scene_, keep).peak(time, position);
-}
-
-void FeatureTrace::tell(std::size_t kind, double margin) {
-  features_[kind].push_back({now_, margin, margin > 0 ? margin : std::expm1(margin)});
-}
-
-void FeatureTrace::turn(double time, double position) {
-  const double distance =
-      *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
-  if (!(distance > 0) || std::isinf(distance)) return;
-  if (!graze_ || distance < graze_->distance) graze_ = Graze{time, *ahead_, distance};
-}
-
 Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
   Certainty certainty;
   certainty.margin = smallest_margin(trace);
@@ -309,7 +213,7 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
   // Strides of the golden ratio and of the root of two.
   for (const double stride : {0.6180339887498949, 0.4142135623730950}) {
     for (const double sign : {+1.0, -1.0}) {
-      Scene near = changed(scene, {stride, sign});
+      Scene near = perturbed(scene, stride, sign);
       const double near_end = duration_of(near);
       lengthen(near.window);
       FeatureTrace other(near);
@@ -333,7 +237,7 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
   }
   for (const Pair& pair : pairs) {
     if (pair.time > first.time) continue;
-    certainty.growth = std::max(certainty.growth, pair.change / constants_change);
+    certainty.growth = std::max(certainty.growth, pair.change / perturbation_size);
   }
   if (first.doubt == Doubt::none) return certainty;
   if (graze && graze->time > first.time + same_time * duration) graze.reset();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "problems/carrier_track/models/impact_model.h"
+
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "problems/carrier_track/reference_integrators/fixed_step.h"
 
+#include "problems/carrier_track/models/impact_model.h"
+
 namespace ricochet::carrier_track::inline reference_integrators {
 
 bool plan_steps(const Scene& scene, double longest, StepPlan& plan, Outcome& outcome) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/reference_integrators/root.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/reference_integrators/fixed_step.h"
 #include "problems/carrier_track/reference_integrators/flight_method.h"
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <optional>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scalar.h"
+#include "problems/carrier_track/scene/scene_fields.h"
 
 namespace ricochet::carrier_track::inline scene {
 
@@ -64,7 +65,8 @@ struct Across {
 /// contact_friction a wall's force F has friction F to overcome on the way in, and so much less is
 /// left on the way out: the wall returns sqrt((1 - friction) / (1 + friction)) of its restitution.
 ///
-/// The defaults are a body at rest between two elastic walls with no force on it.
+/// The defaults are a body at rest between two elastic walls with no force on it. Every field that
+/// a file holds is in the list of scene_fields.h, too.
 template <class Scalar>
 struct BasicScene {
   Scalar mass = constant<Scalar>(1.0);               ///< [kg], > 0
@@ -130,56 +132,39 @@ Scalar upper_restitution(const BasicScene<Scalar>& scene) {
   return scene.restitution_upper * returned_share(scene);
 }
 
+/// Copies a field of a scene into one of another scalar.
+struct LiftField {
+  template <class From, class To>
+  void operator()(const Field& /*field*/, const From& from, To& to) const {
+    if constexpr (std::same_as<From, To>) {
+      to = from;
+    } else {
+      to = constant<To>(from);
+    }
+  }
+  template <class To>
+  void operator()(const Field& field, Walls<const double> from, Walls<To> to) const {
+    (*this)(field, from.lower, to.lower);
+    (*this)(field, from.upper, to.upper);
+  }
+  template <class To, class From, class Lifted>
+  void operator()(const Field& field, PlateSpeed<const double, From> from,
+                  PlateSpeed<To, Lifted> to) const {
+    (*this)(field, from.omega, to.omega);
+    for (const auto& knot : from.profile) {
+      to.profile.push_back({knot.time, constant<To>(knot.omega)});
+    }
+  }
+};
+
 /// The same scene with every constant as a Scalar, for instance a dual number.
 template <class Scalar>
 BasicScene<Scalar> lifted(const Scene& scene) {
-  const auto lift = [](double x) { return constant<Scalar>(x); };
-  std::vector<SpeedKnot<Scalar>> profile;
-  for (const auto& knot : scene.profile) profile.push_back({knot.time, lift(knot.omega)});
-  std::optional<Across<Scalar>> across;
-  if (scene.across) {
-    const Across<double>& y = *scene.across;
-    across = Across<Scalar>{lift(y.pull),
-                            lift(y.wall_lower),
-                            lift(y.wall_upper),
-                            lift(y.restitution_lower),
-                            lift(y.restitution_upper),
-                            lift(y.start_position),
-                            lift(y.start_velocity)};
-  }
-  return {lift(scene.mass),
-          lift(scene.wall_lower),
-          lift(scene.wall_upper),
-          lift(scene.restitution_lower),
-          lift(scene.restitution_upper),
-          lift(scene.friction),
-          lift(scene.normal_force),
-          scene.contact_friction,
-          lift(scene.pull),
-          scene.pull_rotates,
-          lift(scene.pull_phase),
-          scene.centrifugal,
-          lift(scene.centrifugal_mass_radius),
-          lift(scene.slider_mass_radius),
-          lift(scene.phase),
-          lift(scene.disturbance),
-          lift(scene.disturbance_frequency),
-          lift(scene.disturbance_phase),
-          lift(scene.start_position),
-          lift(scene.start_velocity),
-          lift(scene.omega),
-          std::move(profile),
-          scene.window,
-          scene.rule,
-          lift(scene.slowest),
-          lift(scene.peak_high),
-          lift(scene.peak_low),
-          scene.fidelity,
-          scene.contact_law,
-          scene.stiffness,
-          scene.contact_exponent,
-          scene.contact_speed,
-          std::move(across)};
+  BasicScene<Scalar> result;
+  visit_fields(LiftField{}, scene, result);
+  result.window = scene.window;
+  if (scene.across) visit_across_fields(LiftField{}, *scene.across, result.across.emplace());
+  return result;
 }
 
 /// The same scene at a constant speed [rad/s].

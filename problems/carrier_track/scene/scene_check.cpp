@@ -3,138 +3,154 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "src/core/error.h"
 
 namespace ricochet::carrier_track::inline scene {
 namespace {
 
+/// Complains of the fields of one table.
 class Checker {
  public:
-  explicit Checker(const std::string& origin) : origin_(origin) {}
+  Checker(const std::string& origin, std::string_view table) : origin_(origin), table_(table) {}
 
-  void require(bool holds, const std::string& key, double value, const std::string& allowed) const {
-    if (!holds)
-      throw InputError(fmt::format("{}: {} = {}: must be {}", origin_, key, value, allowed));
+  void require(bool holds, std::string_view key, double value, std::string_view allowed) const {
+    if (holds) return;
+    throw InputError(
+        fmt::format("{}: {}{} = {}: must be {}", origin_, table_, key, value, allowed));
   }
-  void finite(const std::string& key, double value, const char* unit) const {
-    require(std::isfinite(value), key, value, fmt::format("a finite number [{}]", unit));
+
+  /// That a field is within its range of the list.
+  void operator()(const Field& field, double x) const {
+    const auto number = [&](bool holds, const char* bound) {
+      require(std::isfinite(x) && holds, field.key, x,
+              fmt::format("a finite number{} [{}]", bound, field.unit));
+    };
+    switch (field.range) {
+      case Range::finite:
+        return number(true, "");
+      case Range::not_negative:
+        return number(x >= 0, " >= 0");
+      case Range::positive:
+        return number(x > 0, " > 0");
+      case Range::fraction:
+        return require(x >= 0 && x <= 1, field.key, x, "within 0..1");
+      case Range::any:
+      case Range::by_rule:
+        return;
+    }
   }
-  void positive(const std::string& key, double value, const char* unit) const {
-    require(std::isfinite(value) && value > 0, key, value,
-            fmt::format("a finite number > 0 [{}]", unit));
+  void operator()(const Field& field, Walls<const double> x) const {
+    (*this)(field, x.lower);
+    (*this)(field, x.upper);
   }
-  void not_negative(const std::string& key, double value, const char* unit) const {
-    require(std::isfinite(value) && value >= 0, key, value,
-            fmt::format("a finite number >= 0 [{}]", unit));
+  void operator()(const Field& field, const std::optional<double>& x) const {
+    if (x) (*this)(field, *x);
   }
-  const std::string& origin() const { return origin_; }
-  void fraction(const std::string& key, double value) const {
-    require(value >= 0 && value <= 1, key, value, "within 0..1");
+  template <class Other>
+  void operator()(const Field& /*field*/, const Other& /*x*/) const {}
+
+  /// The walls of a scene, or of its second direction, and the start between them.
+  template <class Track>
+  void walls(const Track& track) const {
+    const double lower = track.wall_lower;
+    const double upper = track.wall_upper;
+    const double start = track.start_position;
+    require(upper > lower, "wall_upper", upper,
+            fmt::format("> wall_lower = {} [m], or inf", lower));
+    require(start >= lower && start <= upper && std::isfinite(start), "start_position", start,
+            fmt::format("within the walls, {}..{} [m]", lower, upper));
   }
 
  private:
   const std::string& origin_;
+  std::string_view table_;
 };
-
-void check_walls(const Checker& checker, const std::string& table, double lower, double upper,
-                 double start) {
-  const auto key = [&](const char* name) { return fmt::format("{}.{}", table, name); };
-  checker.finite(key("wall_lower"), lower, "m");
-  checker.require(upper > lower, key("wall_upper"), upper,
-                  fmt::format("> wall_lower = {} [m], or inf", lower));
-  checker.require(start >= lower && start <= upper && std::isfinite(start), key("start_position"),
-                  start, fmt::format("within the walls, {}..{} [m]", lower, upper));
-}
-
-void check_across(const Scene& scene, const Checker& checker) {
-  if (!scene.across) {
-    if (scene.fidelity != Fidelity::planar) return;
-    throw InputError(checker.origin() +
-                     ": model.fidelity = planar: must have the table [across], for y");
-  }
-  const Across<double>& y = *scene.across;
-  checker.require(!scene.contact_friction, "scene.contact_friction", 1,
-                  "false, because [across] has friction in contact of its own");
-  checker.finite("across.pull", y.pull, "N");
-  checker.require(y.pull == 0 || !scene.pull_rotates, "across.pull", y.pull,
-                  "0, because scene.pull_rotates turns scene.pull into this direction");
-  check_walls(checker, "across", y.wall_lower, y.wall_upper, y.start_position);
-  checker.fraction("across.restitution", y.restitution_lower);
-  checker.fraction("across.restitution", y.restitution_upper);
-  checker.finite("across.start_velocity", y.start_velocity, "m/s");
-}
 
 void check_profile(const Scene& scene, const Checker& checker) {
   double before = -1;
   for (const auto& knot : scene.profile) {
     checker.require(std::isfinite(knot.time) && knot.time >= 0 && knot.time > before,
-                    "scene.omega's time", knot.time,
+                    "omega's time", knot.time,
                     "a finite number >= 0 [s], later than the one before");
-    checker.not_negative("scene.omega", knot.omega, "rad/s");
+    checker(Field{"omega", "rad/s", "", Range::not_negative}, knot.omega);
     before = knot.time;
   }
 }
 
-void check_contact_law(const Scene& scene, const Checker& checker) {
+void check_across(const Scene& scene, const std::string& origin) {
+  if (!scene.across) {
+    if (scene.fidelity != Fidelity::planar) return;
+    throw InputError(origin + ": model.fidelity = planar: must have the table [across], for y");
+  }
+  Checker(origin, "scene.")
+      .require(!scene.contact_friction, "contact_friction", 1,
+               "false, because [across] has friction in contact of its own");
+  const Checker checker(origin, "across.");
+  const auto check_field = [&](const Field& field, const auto& x) {
+    checker(field, x);
+    if (field.key == "wall_upper") checker.walls(*scene.across);
+    if (field.key == "pull") {
+      checker.require(scene.across->pull == 0 || !scene.pull_rotates, "pull", scene.across->pull,
+                      "0, because scene.pull_rotates turns scene.pull into this direction");
+    }
+  };
+  visit_across_fields(check_field, *scene.across);
+}
+
+void check_contact_law(const Scene& scene, const std::string& origin) {
   if (scene.fidelity == Fidelity::impact || scene.fidelity == Fidelity::planar) return;
-  checker.require(scene.contact_law != ContactLaw::kelvin_voigt || scene.contact_exponent == 1,
-                  "model.contact_exponent", scene.contact_exponent,
-                  "1, because kelvin-voigt is linear");
+  Checker(origin, "model.")
+      .require(scene.contact_law != ContactLaw::kelvin_voigt || scene.contact_exponent == 1,
+               "contact_exponent", scene.contact_exponent, "1, because kelvin-voigt is linear");
   for (const double restitution : {scene.restitution_lower, scene.restitution_upper}) {
-    checker.require(restitution > 0 || !needs_restitution(scene.contact_law), "scene.restitution",
-                    restitution,
-                    "> 0, because the damping of this model.contact_law is infinite at 0");
+    Checker(origin, "scene.")
+        .require(restitution > 0 || !needs_restitution(scene.contact_law), "restitution",
+                 restitution,
+                 "> 0, because the damping of this model.contact_law is infinite at 0");
   }
 }
 
 }  // namespace
 
 void check_omega(const Scene& scene, const std::string& origin, const std::string& name) {
-  const Checker checker(origin);
+  const Checker checker(origin, "");
   if (std::holds_alternative<Revolutions>(scene.window)) {
     checker.require(std::isfinite(scene.omega) && scene.omega > 0, name, scene.omega,
                     "a finite number > 0 [rad/s], because the window is in revolutions");
   } else {
-    checker.not_negative(name, scene.omega, "rad/s");
+    checker(Field{name, "rad/s", "", Range::not_negative}, scene.omega);
   }
 }
 
 void check(const Scene& scene, const std::string& origin) {
-  const Checker checker(origin);
-  checker.positive("scene.mass", scene.mass, "kg");
-  check_walls(checker, "scene", scene.wall_lower, scene.wall_upper, scene.start_position);
-  checker.fraction("scene.restitution", scene.restitution_lower);
-  checker.fraction("scene.restitution", scene.restitution_upper);
-  checker.not_negative("scene.friction", scene.friction, "1");
-  checker.require(!scene.contact_friction || scene.friction <= 1, "scene.friction", scene.friction,
-                  "within 0..1, because scene.contact_friction");
-  checker.not_negative("scene.normal_force", scene.normal_force, "N");
-  checker.finite("scene.pull", scene.pull, "N");
-  checker.finite("scene.pull_phase", scene.pull_phase, "rad");
-  checker.not_negative("scene.centrifugal_mass_radius", scene.centrifugal_mass_radius, "kg m");
-  checker.not_negative("scene.slider_mass_radius", scene.slider_mass_radius, "kg m");
-  checker.finite("scene.phase", scene.phase, "rad");
-  checker.finite("scene.disturbance", scene.disturbance, "N");
-  checker.not_negative("scene.disturbance_frequency", scene.disturbance_frequency, "rad/s");
-  checker.finite("scene.disturbance_phase", scene.disturbance_phase, "rad");
-  checker.finite("scene.start_velocity", scene.start_velocity, "m/s");
-  check_profile(scene, checker);
-  check_omega(at_speed(scene, scene.profile.empty() ? scene.omega : scene.profile.back().omega),
-              origin, "scene.omega");
-  check_across(scene, checker);
+  const Checker checker(origin, "scene.");
+  const auto check_field = [&](const Field& field, const auto& x) {
+    checker(field, x);
+    if (field.key == "wall_upper") checker.walls(scene);
+    if (field.key == "friction") {
+      checker.require(!scene.contact_friction || scene.friction <= 1, "friction", scene.friction,
+                      "within 0..1, because scene.contact_friction");
+    }
+    if (field.key == "omega") {
+      check_profile(scene, checker);
+      const double last = scene.profile.empty() ? scene.omega : scene.profile.back().omega;
+      check_omega(at_speed(scene, last), origin, "scene.omega");
+    }
+  };
+  visit_scene_fields(check_field, scene);
+  check_across(scene, origin);
+  const Checker window(origin, "window.");
   if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
-    checker.positive("window.revolutions", turns->count, "1");
+    window(Field{"revolutions", "1", "", Range::positive}, turns->count);
   } else {
-    checker.positive("window.seconds", std::get<Seconds>(scene.window).count, "s");
+    window(Field{"seconds", "s", "", Range::positive}, std::get<Seconds>(scene.window).count);
   }
-  checker.positive("count.slowest", scene.slowest, "m/s");
-  checker.positive("count.peak_high", scene.peak_high, "m");
-  checker.positive("count.peak_low", scene.peak_low, "m");
-  checker.positive("model.stiffness", scene.stiffness, "N/m^contact_exponent");
-  checker.positive("model.contact_exponent", scene.contact_exponent, "1");
-  checker.positive("model.contact_speed", scene.contact_speed.value_or(1.0), "m/s");
-  check_contact_law(scene, checker);
+  visit_count_fields(Checker(origin, "count."), scene);
+  visit_model_fields(Checker(origin, "model."), scene);
+  check_contact_law(scene, origin);
 }
 
 }  // namespace ricochet::carrier_track::inline scene

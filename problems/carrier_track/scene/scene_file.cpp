@@ -31,42 +31,46 @@ toml::table parse(const std::filesystem::path& path) {
   return parse_toml(std::string(std::istreambuf_iterator<char>(stream), {}), path.string());
 }
 
-void read_scene_table(TomlTable& table, Scene& scene) {
-  table.required("mass", scene.mass);
-  table.required("wall_lower", scene.wall_lower);
-  table.required("wall_upper", scene.wall_upper);
-  table.pair("restitution", scene.restitution_lower, scene.restitution_upper);
-  table.number("friction", scene.friction);
-  table.number("normal_force", scene.normal_force);
-  table.boolean("contact_friction", scene.contact_friction);
-  table.number("pull", scene.pull);
-  table.boolean("pull_rotates", scene.pull_rotates);
-  table.number("pull_phase", scene.pull_phase);
-  table.choice("centrifugal", centrifugal_names(), scene.centrifugal);
-  table.number("centrifugal_mass_radius", scene.centrifugal_mass_radius);
-  table.number("slider_mass_radius", scene.slider_mass_radius);
-  table.number("phase", scene.phase);
-  table.number("disturbance", scene.disturbance);
-  table.number("disturbance_frequency", scene.disturbance_frequency);
-  table.number("disturbance_phase", scene.disturbance_phase);
-  table.required("start_position", scene.start_position);
-  table.number("start_velocity", scene.start_velocity);
-  table.number_or_knots("omega", scene.omega, scene.profile);
-  table.finish();
+const EnumNames<Centrifugal>& names_of(Centrifugal /*value*/) {
+  return centrifugal_names();
+}
+const EnumNames<CountRule>& names_of(CountRule /*value*/) {
+  return rule_names();
+}
+const EnumNames<Fidelity>& names_of(Fidelity /*value*/) {
+  return fidelity_names();
+}
+const EnumNames<ContactLaw>& names_of(ContactLaw /*value*/) {
+  return contact_law_names();
 }
 
-void read_across(TomlTable& table, Scene& scene) {
-  if (table.exists()) {
-    Across<double>& y = scene.across.emplace();
-    table.number("pull", y.pull);
-    table.required("wall_lower", y.wall_lower);
-    table.required("wall_upper", y.wall_upper);
-    table.pair("restitution", y.restitution_lower, y.restitution_upper);
-    table.required("start_position", y.start_position);
-    table.number("start_velocity", y.start_velocity);
+/// What a file says in the place of a number that it leaves open.
+constexpr std::string_view open_number = "each";
+
+/// Reads the fields of a table, each in its own way.
+struct FieldReader {
+  TomlTable& table;
+
+  void operator()(const Field& field, double& x) const {
+    if (field.presence == Presence::required) table.need(field.key);
+    table.number(field.key, x);
   }
-  table.finish();
-}
+  void operator()(const Field& field, Walls<double> x) const {
+    table.pair(field.key, x.lower, x.upper);
+  }
+  void operator()(const Field& field,
+                  PlateSpeed<double, std::vector<SpeedKnot<double>>> speed) const {
+    table.number_or_knots(field.key, speed.omega, speed.profile);
+  }
+  void operator()(const Field& field, std::optional<double>& x) const {
+    table.number_or(field.key, open_number, x);
+  }
+  void operator()(const Field& field, bool& x) const { table.boolean(field.key, x); }
+  template <class Enum>
+  void operator()(const Field& field, Enum& x) const {
+    table.choice(field.key, names_of(x), x);
+  }
+};
 
 void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
   double count = 0;
@@ -84,30 +88,44 @@ void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
   }
 }
 
-void read_model(TomlTable& table, Scene& scene) {
-  table.choice("fidelity", fidelity_names(), scene.fidelity);
-  table.choice("contact_law", contact_law_names(), scene.contact_law);
-  table.number("stiffness", scene.stiffness);
-  if (scene.contact_law == ContactLaw::kelvin_voigt) scene.contact_exponent = 1;
-  table.number("contact_exponent", scene.contact_exponent);
-  table.number_or("contact_speed", "each", scene.contact_speed);
-  table.finish();
-}
+/// Writes the fields of a table, a line each.
+struct FieldWriter {
+  std::string& text;
 
-std::string line_of(std::string_view key, double value, std::string_view unit) {
-  return fmt::format("{} = {}  # {}\n", key, toml_float(value), unit);
-}
+  static std::string comment(const Field& field) {
+    return fmt::format("{}{}", field.unit == "1" ? "" : field.unit, field.remark);
+  }
+  void line(const Field& field, std::string_view value, std::string_view comment) const {
+    text += fmt::format("{} = {}{}{}\n", field.key, value, comment.empty() ? "" : "  # ", comment);
+  }
 
-std::string lines_of(const Across<double>& y) {
-  return "\n[across]  # the second direction, y\n" +
-         line_of("pull", y.pull, "N, towards wall_upper") +
-         line_of("wall_lower", y.wall_lower, "m") +
-         line_of("wall_upper", y.wall_upper, "m; may be inf") +
-         fmt::format("restitution = [{}, {}]  # lower wall, upper wall\n",
-                     toml_float(y.restitution_lower), toml_float(y.restitution_upper)) +
-         line_of("start_position", y.start_position, "m") +
-         line_of("start_velocity", y.start_velocity, "m/s");
-}
+  void operator()(const Field& field, double x) const {
+    line(field, toml_float(x), comment(field));
+  }
+  void operator()(const Field& field, Walls<const double> x) const {
+    line(field, fmt::format("[{}, {}]", toml_float(x.lower), toml_float(x.upper)), comment(field));
+  }
+  void operator()(const Field& field,
+                  PlateSpeed<const double, const std::vector<SpeedKnot<double>>> speed) const {
+    if (speed.profile.empty()) return (*this)(field, speed.omega);
+    std::vector<std::string> knots;
+    for (const auto& knot : speed.profile) {
+      knots.push_back(fmt::format("[{}, {}]", toml_float(knot.time), toml_float(knot.omega)));
+    }
+    line(field, fmt::format("[{}]", fmt::join(knots, ", ")), "s, " + comment(field));
+  }
+  void operator()(const Field& field, const std::optional<double>& x) const {
+    if (x) return (*this)(field, *x);
+    line(field, fmt::format("\"{}\"", open_number), "");
+  }
+  void operator()(const Field& field, bool x) const {
+    line(field, x ? "true" : "false", comment(field));
+  }
+  template <class Enum>
+  void operator()(const Field& field, Enum x) const {
+    line(field, fmt::format("\"{}\"", name_of(names_of(x), x)), comment(field));
+  }
+};
 
 }  // namespace
 
@@ -130,75 +148,40 @@ Scene read_scene(const std::filesystem::path& path) {
   TomlTable model(file, "model", origin);
   if (!scene.exists()) throw InputError(origin + ": the table [scene] is missing");
   if (!window.exists()) throw InputError(origin + ": the table [window] is missing");
-  read_scene_table(scene, result);
-  read_across(across, result);
+  visit_scene_fields(FieldReader{scene}, result);
+  scene.finish();
+  if (across.exists()) visit_across_fields(FieldReader{across}, result.across.emplace());
+  across.finish();
   read_window(window, origin, result);
-  count.choice("rule", rule_names(), result.rule);
-  count.number("slowest", result.slowest);
-  count.number("peak_high", result.peak_high);
-  count.number("peak_low", result.peak_low);
+  visit_count_fields(FieldReader{count}, result);
   count.finish();
-  read_model(model, result);
+  visit_model_fields(FieldReader{model}, result);
+  model.finish();
+  if (result.contact_law == ContactLaw::kelvin_voigt && !model.has("contact_exponent")) {
+    result.contact_exponent = 1;
+  }
   check(result, origin);
   return result;
 }
 
 std::string write_scene(const Scene& scene) {
   std::string text = "[scene]\n";
-  const auto line = [&text](std::string_view key, double value, std::string_view unit) {
-    text += line_of(key, value, unit);
-  };
-  line("mass", scene.mass, "kg");
-  line("wall_lower", scene.wall_lower, "m");
-  line("wall_upper", scene.wall_upper, "m; may be inf");
-  text += fmt::format("restitution = [{}, {}]  # lower wall, upper wall\n",
-                      toml_float(scene.restitution_lower), toml_float(scene.restitution_upper));
-  line("friction", scene.friction, "Coulomb coefficient");
-  line("normal_force", scene.normal_force, "N, what the friction coefficient multiplies");
-  text += fmt::format("contact_friction = {}  # true: and a wall's own force\n",
-                      scene.contact_friction);
-  line("pull", scene.pull, "N, towards wall_lower");
-  text += fmt::format("pull_rotates = {}\n", scene.pull_rotates);
-  line("pull_phase", scene.pull_phase, "rad, of a pull that rotates");
-  text += fmt::format("centrifugal = \"{}\"  # projected, inward or outward\n",
-                      name_of(centrifugal_names(), scene.centrifugal));
-  line("centrifugal_mass_radius", scene.centrifugal_mass_radius, "kg m");
-  line("slider_mass_radius", scene.slider_mass_radius, "kg m");
-  line("phase", scene.phase, "rad");
-  line("disturbance", scene.disturbance, "N");
-  line("disturbance_frequency", scene.disturbance_frequency, "rad/s");
-  line("disturbance_phase", scene.disturbance_phase, "rad");
-  line("start_position", scene.start_position, "m");
-  line("start_velocity", scene.start_velocity, "m/s");
-  if (scene.profile.empty()) {
-    line("omega", scene.omega, "rad/s");
-  } else {
-    std::string knots;
-    for (const auto& knot : scene.profile) {
-      knots += fmt::format("{}[{}, {}]", knots.empty() ? "" : ", ", toml_float(knot.time),
-                           toml_float(knot.omega));
-    }
-    text += fmt::format("omega = [{}]  # s, rad/s\n", knots);
+  const FieldWriter write{text};
+  visit_scene_fields(write, scene);
+  if (scene.across) {
+    text += "\n[across]  # the second direction, y\n";
+    visit_across_fields(write, *scene.across);
   }
-  if (scene.across) text += lines_of(*scene.across);
   text += "\n[window]  # revolutions or seconds\n";
   if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
     text += fmt::format("revolutions = {}\n", toml_float(turns->count));
   } else {
     text += fmt::format("seconds = {}\n", toml_float(std::get<Seconds>(scene.window).count));
   }
-  text += fmt::format("\n[count]\nrule = \"{}\"  # impacts or peaks\n",
-                      name_of(rule_names(), scene.rule));
-  line("slowest", scene.slowest, "m/s, rule impacts: the slowest impact that counts");
-  line("peak_high", scene.peak_high, "m, rule peaks: a maximum from here on counts");
-  line("peak_low", scene.peak_low, "m, rule peaks: a maximum up to here counts");
-  text += fmt::format("\n[model]\nfidelity = \"{}\"\n", name_of(fidelity_names(), scene.fidelity));
-  text += fmt::format("contact_law = \"{}\"\n", name_of(contact_law_names(), scene.contact_law));
-  line("stiffness", scene.stiffness, "N/m^contact_exponent");
-  line("contact_exponent", scene.contact_exponent, "1 for kelvin-voigt");
-  text += scene.contact_speed
-              ? fmt::format("contact_speed = {}  # m/s\n", toml_float(*scene.contact_speed))
-              : "contact_speed = \"each\"\n";
+  text += "\n[count]\n";
+  visit_count_fields(write, scene);
+  text += "\n[model]\n";
+  visit_model_fields(write, scene);
   return text;
 }
 

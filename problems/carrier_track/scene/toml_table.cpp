@@ -37,11 +37,6 @@ void TomlTable::number(std::string_view key, double& target) {
   target = number_of(key, *table_->get(key), "a number");
 }
 
-void TomlTable::required(std::string_view key, double& target) {
-  need(key);
-  number(key, target);
-}
-
 void TomlTable::boolean(std::string_view key, bool& target) {
   if (!has(key)) return;
   const toml::node& node = *table_->get(key);

@@ -30,7 +30,6 @@ class TomlTable {
   void need(std::string_view key);
 
   void number(std::string_view key, double& target);
-  void required(std::string_view key, double& target);
   void boolean(std::string_view key, bool& target);
 
   /// One number for both, or an array of two; must be there.

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "problems/carrier_track/models/observer.h"
+#include "problems/carrier_track/scene/scene.h"
+
+namespace ricochet::carrier_track::inline counting {
+
+/// A turning point that comes near the wall ahead of it without touching it.
+struct Graze {
+  double time;  ///< [s]
+  Wall wall;
+  double distance;  ///< [m], > 0
+};
+
+/// What is kept of a simulation to compare it with that of a scene a little different: its features
+/// (collisions.h), impacts and nearest graze.
+class FeatureTrace : public Observer {
+ public:
+  struct Feature {
+    double time;    ///< [s], from which on it is known to count
+    double margin;  ///< z
+    /// z where the feature counts, else exp(z) - 1, under the rule of impacts the missing share of
+    /// the speed: it hardly moves for features that are far from counting.
+    double scaled;
+  };
+  enum Kind : std::size_t { lower_impact, upper_impact, high_peak, low_peak, kinds };
+
+  /// Of a scene that outlives the trace.
+  explicit FeatureTrace(const Scene& scene) : scene_(scene) {}
+
+  void impact(double time, Wall wall, double speed);
+  void peak(double time, double position);
+  void contact(double time, double /*position*/, double /*velocity*/) { now_ = time; }
+
+  /// A stretch without reversal; a turning point lies between one and the next if no impact does.
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    const auto start = path.at(0.0);
+    if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * start.velocity > 0)) {
+      turn(time, start.position);
+    }
+    ahead_.reset();
+    now_ = time + duration;
+    const double velocity = start.velocity != 0 ? start.velocity : path.at(0.5 * duration).velocity;
+    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
+  }
+
+  /// Of a Kind, in order of time.
+  const std::vector<Feature>& features(std::size_t kind) const { return features_[kind]; }
+  const std::vector<double>& impacts(Wall wall) const {
+    return impacts_[wall == Wall::lower ? lower_impact : upper_impact];
+  }
+  const std::optional<Graze>& graze() const { return graze_; }
+
+ private:
+  void tell(std::size_t kind, double margin);
+  void turn(double time, double position);
+
+  const Scene& scene_;
+  std::array<std::vector<Feature>, kinds> features_;
+  std::array<std::vector<double>, 2> impacts_;  // times [s]
+  std::optional<Graze> graze_;
+  double now_ = 0;             // [s]
+  std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
+};
+
+}  // namespace ricochet::carrier_track::inline counting

@@ -1,0 +1,98 @@
+#include "problems/carrier_track/scene/perturbation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ricochet::carrier_track::inline scene {
+namespace {
+
+/// Changes the fields of a scene as the list says.
+class FieldPerturbation {
+ public:
+  FieldPerturbation(double stride, double sign) : stride_(stride), sign_(sign) {}
+
+  void change(const Field& field, double& x) {
+    switch (field.perturbation) {
+      case Perturbation::relative:
+        x *= 1 + next();
+        break;
+      case Perturbation::angle:
+      case Perturbation::late_angle:
+        x += std::max(1.0, std::abs(x)) * next();
+        break;
+      case Perturbation::restitution:
+        x = std::min(1.0, x * (1 + next()));
+        break;
+      case Perturbation::none:
+      case Perturbation::track:
+      case Perturbation::with_the_track:
+        break;
+    }
+  }
+  void change(const Field& field, Walls<double> x) {
+    change(field, x.lower);
+    change(field, x.upper);
+  }
+  template <class Knots>
+  void change(const Field& field, PlateSpeed<double, Knots> speed) {
+    change(field, speed.omega);
+    for (auto& knot : speed.profile) change(field, knot.omega);
+  }
+  void change(const Field& field, std::optional<double>& x) {
+    if (x) change(field, *x);
+  }
+  template <class Choice>
+  void change(const Field& /*field*/, Choice& /*x*/) {}
+
+  /// Two walls and what starts on one of them or between them.
+  void change_track(double& lower, double& upper, double& start) {
+    double scale = 0;
+    for (const double x : {lower, upper, start}) {
+      if (std::isfinite(x)) scale = std::max(scale, std::abs(x));
+    }
+    const bool on_lower = start == lower;
+    const bool on_upper = start == upper;
+    lower += scale * next();
+    upper += scale * next();
+    start += scale * next();
+    if (on_lower) start = lower;
+    if (on_upper) start = upper;
+    start = std::max(lower, std::min(start, upper));
+  }
+
+ private:
+  /// Unequal changes, so that those of a mass and a force do not cancel.
+  double next() {
+    share_ = std::fmod(share_ + stride_, 1.0);
+    const double weight = 2 * share_ - 1;
+    return sign_ * perturbation_size * std::copysign(0.5 + 0.5 * std::abs(weight), weight);
+  }
+
+  double stride_, sign_;
+  double share_ = 0;
+};
+
+}  // namespace
+
+Scene perturbed(Scene scene, double stride, double sign) {
+  FieldPerturbation perturbation(stride, sign);
+  const auto early = [&perturbation](auto& owner) {
+    return [&](const Field& field, auto&& x) {
+      if (field.perturbation == Perturbation::track) {
+        perturbation.change_track(owner.wall_lower, owner.wall_upper, owner.start_position);
+      } else if (field.perturbation != Perturbation::late_angle) {
+        perturbation.change(field, x);
+      }
+    };
+  };
+  visit_fields(early(scene), scene);
+  if (scene.across) visit_across_fields(early(*scene.across), *scene.across);
+  const auto late = [&perturbation](const Field& field, auto&& x) {
+    if (field.perturbation == Perturbation::late_angle) perturbation.change(field, x);
+  };
+  visit_fields(late, scene);
+  return scene;
+}
+
+}  // namespace ricochet::carrier_track::inline scene

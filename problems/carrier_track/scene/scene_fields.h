@@ -1,0 +1,148 @@
+#pragma once
+
+#include <string_view>
+
+/// The one list of what the file of a scene holds. Reading, writing, checking, lifting to dual
+/// numbers and the perturbation by which counts are judged all go through it, in its order. What
+/// concerns several fields at once is a rule of its own in the file that does it.
+namespace ricochet::carrier_track::inline scene {
+
+/// The values that a number of a scene may have.
+enum class Range {
+  any,
+  finite,
+  not_negative,  ///< and finite
+  positive,      ///< and finite
+  fraction,      ///< within 0..1
+  by_rule        ///< depends on other fields, see check()
+};
+
+/// How a number changes in a perturbed scene, see perturbed().
+enum class Perturbation {
+  none,
+  relative,
+  angle,          ///< by a share of itself, or of a radian if that is more
+  late_angle,     ///< the same, drawn after all other fields, as it came to the list later
+  restitution,    ///< relative, but never above 1
+  track,          ///< of wall_lower: both walls and the start move
+  with_the_track  ///< with wall_lower
+};
+
+enum class Presence { optional, required };
+
+/// What the list says of a field besides its name in the structs of scene.h.
+struct Field {
+  std::string_view key;
+  std::string_view unit = "";    ///< "1" of a number without one, "" of what is not a number
+  std::string_view remark = "";  ///< follows the unit in a written file
+  Range range = Range::any;
+  Perturbation perturbation = Perturbation::none;
+  Presence presence = Presence::optional;  ///< without a key the default of the struct holds
+};
+
+/// The two numbers behind one key, of the lower and the upper wall.
+template <class T>
+struct Walls {
+  T& lower;
+  T& upper;
+};
+template <class T>
+Walls(T&, T&) -> Walls<T>;
+
+/// The speed of the driver plate and its profile, behind one key.
+template <class T, class Knots>
+struct PlateSpeed {
+  T& omega;
+  Knots& profile;
+};
+template <class T, class Knots>
+PlateSpeed(T&, Knots&) -> PlateSpeed<T, Knots>;
+
+/// Calls visit(field, member...) for every field of the table [scene], with its member of each of
+/// `s`, BasicScenes of any scalars. Walls and PlateSpeed stand for the members of a key that has
+/// two.
+template <class Visit, class... S>
+void visit_scene_fields(const Visit& visit, S&... s) {
+  using enum Range;
+  using enum Perturbation;
+  using enum Presence;
+  visit(Field{"mass", "kg", "", positive, relative, required}, s.mass...);
+  visit(Field{"wall_lower", "m", "", finite, track, required}, s.wall_lower...);
+  visit(Field{"wall_upper", "m", "; may be inf", by_rule, with_the_track, required},
+        s.wall_upper...);
+  visit(Field{"restitution", "1", "lower wall, upper wall", fraction, restitution, required},
+        Walls{s.restitution_lower, s.restitution_upper}...);
+  visit(Field{"friction", "1", "Coulomb coefficient", not_negative, relative}, s.friction...);
+  visit(Field{"normal_force", "N", ", what the friction coefficient multiplies", not_negative,
+              relative},
+        s.normal_force...);
+  visit(Field{"contact_friction", "", "true: and a wall's own force"}, s.contact_friction...);
+  visit(Field{"pull", "N", ", towards wall_lower", finite, relative}, s.pull...);
+  visit(Field{"pull_rotates"}, s.pull_rotates...);
+  visit(Field{"pull_phase", "rad", ", of a pull that rotates", finite, late_angle},
+        s.pull_phase...);
+  visit(Field{"centrifugal", "", "projected, inward or outward"}, s.centrifugal...);
+  visit(Field{"centrifugal_mass_radius", "kg m", "", not_negative, relative},
+        s.centrifugal_mass_radius...);
+  visit(Field{"slider_mass_radius", "kg m", "", not_negative, relative}, s.slider_mass_radius...);
+  visit(Field{"phase", "rad", "", finite, angle}, s.phase...);
+  visit(Field{"disturbance", "N", "", finite, relative}, s.disturbance...);
+  visit(Field{"disturbance_frequency", "rad/s", "", not_negative, relative},
+        s.disturbance_frequency...);
+  visit(Field{"disturbance_phase", "rad", "", finite, late_angle}, s.disturbance_phase...);
+  visit(Field{"start_position", "m", "", by_rule, with_the_track, required}, s.start_position...);
+  visit(Field{"start_velocity", "m/s", "", finite, relative}, s.start_velocity...);
+  visit(Field{"omega", "rad/s", "", by_rule, relative}, PlateSpeed{s.omega, s.profile}...);
+}
+
+/// The same for the table [across] and the struct Across.
+template <class Visit, class... Y>
+void visit_across_fields(const Visit& visit, Y&... y) {
+  using enum Range;
+  using enum Perturbation;
+  using enum Presence;
+  visit(Field{"pull", "N", ", towards wall_upper", finite, relative}, y.pull...);
+  visit(Field{"wall_lower", "m", "", finite, track, required}, y.wall_lower...);
+  visit(Field{"wall_upper", "m", "; may be inf", by_rule, with_the_track, required},
+        y.wall_upper...);
+  visit(Field{"restitution", "1", "lower wall, upper wall", fraction, restitution, required},
+        Walls{y.restitution_lower, y.restitution_upper}...);
+  visit(Field{"start_position", "m", "", by_rule, with_the_track, required}, y.start_position...);
+  visit(Field{"start_velocity", "m/s", "", finite, relative}, y.start_velocity...);
+}
+
+/// The same for the table [count]. A margin must exceed a perturbation anyway, so that the limits
+/// of the rule keep still.
+template <class Visit, class... S>
+void visit_count_fields(const Visit& visit, S&... s) {
+  using enum Range;
+  visit(Field{"rule", "", "impacts or peaks"}, s.rule...);
+  visit(Field{"slowest", "m/s", ", rule impacts: the slowest impact that counts", positive},
+        s.slowest...);
+  visit(Field{"peak_high", "m", ", rule peaks: a maximum from here on counts", positive},
+        s.peak_high...);
+  visit(Field{"peak_low", "m", ", rule peaks: a maximum up to here counts", positive},
+        s.peak_low...);
+}
+
+/// The same for the table [model].
+template <class Visit, class... S>
+void visit_model_fields(const Visit& visit, S&... s) {
+  using enum Range;
+  using enum Perturbation;
+  visit(Field{"fidelity"}, s.fidelity...);
+  visit(Field{"contact_law"}, s.contact_law...);
+  visit(Field{"stiffness", "N/m^contact_exponent", "", positive, relative}, s.stiffness...);
+  visit(Field{"contact_exponent", "1", "1 for kelvin-voigt", positive}, s.contact_exponent...);
+  visit(Field{"contact_speed", "m/s", "", positive, relative}, s.contact_speed...);
+}
+
+/// The fields of all tables but [across] and [window].
+template <class Visit, class... S>
+void visit_fields(const Visit& visit, S&... s) {
+  visit_scene_fields(visit, s...);
+  visit_count_fields(visit, s...);
+  visit_model_fields(visit, s...);
+}
+
+}  // namespace ricochet::carrier_track::inline scene

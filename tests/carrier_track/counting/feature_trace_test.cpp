@@ -1,0 +1,89 @@
+#include "problems/carrier_track/counting/feature_trace.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problems/carrier_track/models/simulate.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+FeatureTrace trace_of(const Scene& scene) {
+  FeatureTrace trace(scene);
+  simulate(scene, trace);
+  return trace;
+}
+
+/// A body that flies freely between walls 1 m apart: at 1 s it is on the upper, at 5 s on the
+/// lower.
+Scene slowing_body() {
+  Scene scene;
+  scene.start_velocity = 0.5;
+  scene.restitution_lower = scene.restitution_upper = 0.5;
+  scene.window = Seconds{10.0};
+  scene.slowest = 0.4;
+  return scene;
+}
+
+/// A body thrown up, which is highest at 0.5 s: 0.625 m.
+Scene thrown_body() {
+  Scene scene;
+  scene.pull = 1.0;
+  scene.start_velocity = 0.5;
+  scene.window = Seconds{1.0};
+  return scene;
+}
+
+TEST(FeatureTrace, KeepsImpactsByTheirWall) {
+  const Scene scene = slowing_body();
+  const FeatureTrace trace = trace_of(scene);
+  const auto& upper = trace.features(FeatureTrace::upper_impact);
+  ASSERT_EQ(upper.size(), 1U);
+  EXPECT_DOUBLE_EQ(upper[0].time, 1.0);
+  EXPECT_DOUBLE_EQ(upper[0].margin, std::log(0.5 / 0.4));
+  EXPECT_EQ(upper[0].scaled, upper[0].margin);
+  const auto& lower = trace.features(FeatureTrace::lower_impact);
+  ASSERT_EQ(lower.size(), 1U);
+  EXPECT_DOUBLE_EQ(lower[0].time, 5.0);
+  EXPECT_DOUBLE_EQ(lower[0].margin, std::log(0.25 / 0.4));
+  EXPECT_DOUBLE_EQ(lower[0].scaled, 0.25 / 0.4 - 1);  // too slow to count
+  EXPECT_EQ(trace.impacts(Wall::upper).size(), 1U);
+  EXPECT_EQ(trace.impacts(Wall::lower).size(), 1U);
+  EXPECT_TRUE(trace.features(FeatureTrace::high_peak).empty());
+  EXPECT_FALSE(trace.graze());
+}
+
+TEST(FeatureTrace, KeepsEveryMaximumWithBothItsMargins) {
+  Scene scene = thrown_body();
+  scene.rule = CountRule::peaks;
+  scene.peak_high = 0.5;
+  scene.peak_low = 0.5;
+  const FeatureTrace trace = trace_of(scene);
+  const auto& high = trace.features(FeatureTrace::high_peak);
+  ASSERT_EQ(high.size(), 1U);
+  EXPECT_NEAR(high[0].time, 0.5, 1e-12);
+  EXPECT_NEAR(high[0].margin, 0.25, 1e-12);
+  const auto& low = trace.features(FeatureTrace::low_peak);
+  ASSERT_EQ(low.size(), 1U);
+  EXPECT_NEAR(low[0].margin, -0.25, 1e-12);
+  EXPECT_NEAR(low[0].scaled, std::exp(-0.25) - 1, 1e-12);
+  EXPECT_TRUE(trace.features(FeatureTrace::upper_impact).empty());
+}
+
+TEST(FeatureTrace, TellsTheNearestWallMissed) {
+  Scene scene = thrown_body();
+  scene.wall_upper = 0.75;
+  const FeatureTrace missed = trace_of(scene);
+  ASSERT_TRUE(missed.graze());
+  EXPECT_EQ(missed.graze()->wall, Wall::upper);
+  EXPECT_NEAR(missed.graze()->time, 0.5, 1e-12);
+  EXPECT_NEAR(missed.graze()->distance, 0.125, 1e-12);
+  scene.wall_upper = 0.6;
+  const FeatureTrace hit = trace_of(scene);
+  EXPECT_EQ(hit.impacts(Wall::upper).size(), 1U);
+  EXPECT_FALSE(hit.graze());
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

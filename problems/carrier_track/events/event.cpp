@@ -63,8 +63,8 @@ class Search {
       const double step = std::min(-direction_ * there_.velocity / slope, latest - time_);
       advance(step);
       // Newton's next error is below J step^2 / (2 |a|).
-      const bool resolve_fidelity = jerk_bound_ * step * step <= -2 * epsilon * slope * time_;
-      if (resolve_fidelity && time_ > 0) return true;
+      const bool converged = jerk_bound_ * step * step <= -2 * epsilon * slope * time_;
+      if (converged && time_ > 0) return true;
     }
     there_ = start;
     time_ = 0;

@@ -35,7 +35,7 @@ enum class ContactEvent {
 };
 
 /// Motion of a body in a wall under harmonic forces, friction and the contact force: steps of
-/// automatic length to a relative tolerance, which refine_event on events.
+/// automatic length to a relative tolerance, the last of which ends on an event.
 ///
 /// The state is y = sqrt(d), u = d' and t, and the independent variable s has dt = 2 y ds:
 ///   dy/ds = u,   du/ds = 2 y (forces - contact force),   dt/ds = 2 y.

@@ -59,8 +59,7 @@ class ContactMotion {
              double speed_scale);
 
   /// One step under `push`, whose friction must act against `direction`, +1 inward, -1 outward, no
-  /// longer than `horizon` [s]. Throws std::runtime_error
-  /// where no step is small enough.
+  /// longer than `horizon` [s]. Throws std::runtime_error where no step is small enough.
   ContactEvent step(const ContactPush& push, int direction, double horizon,
                     std::int64_t& evaluations);
 
@@ -100,10 +99,10 @@ class ContactMotion {
   double crossing(ContactEvent event, double length, const State& end) const;
   ContactEvent first_event(double length, const State& end, double& share) const;
   bool passed_any(const State& state) const;
-  bool land_on(ContactEvent event, double length);
+  bool step_to(ContactEvent event, double length);
   ContactEvent finish(double length, State end);
   void update_scales();
-  void refine_event(ContactEvent event, const State& end);
+  void end_at(ContactEvent event, const State& end);
 
   double tolerance_;
   ContactForce force_{};

@@ -11,7 +11,6 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/gradients/derivatives.h"
-#include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 

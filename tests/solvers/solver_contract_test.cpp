@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/questions/count.h"
 #include "solvers/solvers.h"

@@ -2,8 +2,7 @@
 
 #include <stdexcept>
 
-#include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/counting/certainty.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -11,7 +10,9 @@ namespace {
 bool is_certain(Scene scene, Fidelity level) {
   scene.fidelity = level;
   try {
-    return record(scene, default_width, 0).certainty.certain;
+    FeatureTrace trace(scene);
+    simulate(scene, trace);
+    return certainty_of(scene, trace).certain;
   } catch (const std::runtime_error&) {  // more impacts or steps than a simulation may have
     return false;
   }

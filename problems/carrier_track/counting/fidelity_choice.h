@@ -1,5 +1,8 @@
 #pragma once
 
+#include <type_traits>
+
+#include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/scene/scene.h"
 
 namespace ricochet::carrier_track::inline counting {
@@ -18,5 +21,15 @@ Fidelity needed_fidelity(const Scene& scene);
 
 /// The scene at its needed level, where it leaves that open.
 Scene resolve_fidelity(const Scene& scene);
+
+/// simulate() for a scene that may leave its level open: the needed one is chosen for this very
+/// scene, so that it may differ from one speed to the next.
+template <class Scalar, class SomeObserver>
+End<Scalar> simulate_at_needed_fidelity(const BasicScene<Scalar>& scene, SomeObserver& observer) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    if (scene.fidelity == Fidelity::automatic) return simulate(resolve_fidelity(scene), observer);
+  }
+  return simulate(scene, observer);
+}
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -26,8 +26,7 @@ struct Sample {
 
 /// One simulation with all that there is to say of it.
 struct Recording {
-  Fidelity fidelity =
-      Fidelity::impact;  ///< the level simulated, for auto the one it resolve_fidelity on
+  Fidelity fidelity = Fidelity::impact;  ///< the level simulated; for auto the one needed
   int count = 0;
   double surrogate = 0;
   Certainty certainty;  ///< of the count

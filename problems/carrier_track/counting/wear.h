@@ -44,7 +44,7 @@ template <class Scalar, class Also>
 Scalar wear(const BasicScene<Scalar>& scene, Also& also) {
   EnergyLost<Scalar> lost(scene);
   ObserverPair both(lost, also);
-  simulate(scene, both);
+  simulate_at_needed_fidelity(scene, both);
   return constant<Scalar>(1e3) * lost.sum();
 }
 

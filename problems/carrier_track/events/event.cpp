@@ -35,8 +35,8 @@ class Search {
 
   Event first() {
     if (short_turn()) return {EventKind::turn, time_, direction_};
-    if (short_arrival() || swift_arrival()) return {EventKind::wall, time_, direction_};
-    return crawl();
+    if (short_arrival() || fast_arrival()) return {EventKind::wall, time_, direction_};
+    return advance_conservatively();
   }
 
  private:
@@ -63,8 +63,8 @@ class Search {
       const double step = std::min(-direction_ * there_.velocity / slope, latest - time_);
       advance(step);
       // Newton's next error is below J step^2 / (2 |a|).
-      const bool resolve_fidelity = jerk_bound_ * step * step <= -2 * epsilon * slope * time_;
-      if (resolve_fidelity && time_ > 0) return true;
+      const bool converged = jerk_bound_ * step * step <= -2 * epsilon * slope * time_;
+      if (converged && time_ > 0) return true;
     }
     there_ = start;
     time_ = 0;
@@ -93,8 +93,9 @@ class Search {
     return true;
   }
 
-  /// The same where the forces swing while the body crosses, but cannot hold it up.
-  bool swift_arrival() {
+  /// The same where the forces go through whole periods on the way, but cannot slow the body to a
+  /// stop.
+  bool fast_arrival() {
     if (!(speed_ > 0)) return false;
     const double latest = 2 * ahead_ / speed_;
     if (!(latest < horizon_)) return false;
@@ -106,10 +107,11 @@ class Search {
     return true;
   }
 
-  /// Steps no longer than the bound on the jerk proves that the speed stays positive.
-  Event crawl() {
+  /// Conservative advancement: no step is longer than the bound on the jerk proves that the speed
+  /// stays positive.
+  Event advance_conservatively() {
     const ForceBounds bounds = there_.bounds(horizon_);
-    double patience = bounds.shortest_step;
+    double least_step = bounds.shortest_step;
     double step = step_bound(speed_, acceleration_, bounds.jerk);
     if (speed_ <= 0) {  // setting out from rest with the force just beyond friction
       if (jerk_ > 0) step = std::max(step, 3 * jerk_ / bounds.snap);
@@ -122,7 +124,7 @@ class Search {
       step = last ? horizon_ - time_ : step;
       advance(step);
       if (distance() > 2 * ahead_) {
-        // From too far behind the wall, the way back to it would be lost in rounding.
+        // So far behind the wall, rounding would be large beside the way to it.
         there_ = here;
         time_ = before;
         step /= 2;
@@ -141,9 +143,9 @@ class Search {
         speed = std::max(speed, 0.0);
       }
       step = std::max(step_bound(speed, acceleration, bounds.jerk), epsilon * time_);
-      // A speed that stays lost in rounding is left behind by steps that double.
-      patience = speed <= noise ? 2 * patience : bounds.shortest_step;
-      if (speed <= noise) step = std::max(step, patience);
+      // Where the speed stays within rounding of zero, steps double until it is not.
+      least_step = speed <= noise ? 2 * least_step : bounds.shortest_step;
+      if (speed <= noise) step = std::max(step, least_step);
     }
   }
 

@@ -18,7 +18,7 @@ Event next_release(const Path& applied, double friction, bool may_rise, bool may
   const double slope_noise = 4 * epsilon * bounds.jerk;
   if (bounds.jerk <= 0) return {EventKind::horizon, horizon, 0};
   double time = 0;
-  double patience = bounds.shortest_step;
+  double least_step = bounds.shortest_step;
   for (;;) {
     const auto [push, slope] = applied.applied_at(time);
     ++evaluations;
@@ -37,9 +37,9 @@ Event next_release(const Path& applied, double friction, bool may_rise, bool may
       step = std::min(step, step_bound(std::max(reserve, 0.0), reserve_slope, bounds.snap));
       at_the_edge = at_the_edge || reserve <= noise;
     }
-    // A force that stays within rounding of the band's edge is left behind by steps that double.
-    patience = at_the_edge ? 2 * patience : bounds.shortest_step;
-    if (at_the_edge) step = std::max(step, patience);
+    // Where the force stays within rounding of the band's edge, steps double until it does not.
+    least_step = at_the_edge ? 2 * least_step : bounds.shortest_step;
+    if (at_the_edge) step = std::max(step, least_step);
     if (time >= horizon || step == infinity) return {EventKind::horizon, horizon, 0};
     time = std::min(time + std::max(step, epsilon * time), horizon);
   }

@@ -7,10 +7,6 @@
 
 namespace ricochet::carrier_track::inline gradients {
 
-/// Smoothing width where nobody asks for another: an impact counts half at the limit, 0.9 at 1.73
-/// times its speed.
-inline constexpr double default_width = 0.25;
-
 /// The objective of collisions.h at a constant speed, x[0] [rad/s]; a Function of derivatives.h.
 struct ObjectiveAtSpeed {
   static constexpr int jet_size = 1;

@@ -50,7 +50,7 @@ ContactForce CompliantModel<Forces>::contact_force(double approach_speed) const 
           factor / scene_.contact_speed.value_or(approach_speed), false};
 }
 
-/// Puts the body that has arrived exactly at the wall, and returns its speed.
+/// Puts the body exactly on the wall that it has reached, and returns its speed.
 template <class Forces>
 double CompliantModel<Forces>::reach_wall() {
   count_impact(impacts_);

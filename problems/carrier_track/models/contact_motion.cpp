@@ -246,15 +246,15 @@ bool ContactMotion::passed_any(const State& state) const {
                      [&](ContactEvent event) { return passed(event, state); });
 }
 
-/// Lands on an event that the slope of its function promises within `length`, if one step in the
+/// Steps to an event that the slope of its function promises within `length`, if one step in the
 /// function reaches it and it comes before any other.
-bool ContactMotion::land_on(ContactEvent event, double length) {
+bool ContactMotion::step_to(ContactEvent event, double length) {
   const double left = -value(event, state_) / slope(event, state_, start_rate_);
   State end{};
   if (!(left > 0 && left < length) || !(attempt_to(event, end) <= 1) || passed_any(end)) {
     return false;
   }
-  refine_event(event, end);
+  end_at(event, end);
   return true;
 }
 
@@ -271,13 +271,13 @@ ContactEvent ContactMotion::finish(double length, State end) {
     }
     if (event == ContactEvent::turn && value(event, state_) < 0) {
       // The speed has drifted through zero within its noise: it has turned by now.
-      refine_event(event, state_);
+      end_at(event, state_);
       return event;
     }
     length *= share;
-    if (land_on(event, 2 * length)) return event;
+    if (step_to(event, 2 * length)) return event;
     if (length < 1e-13 * whole) {
-      refine_event(event, end);
+      end_at(event, end);
       return event;
     }
     length *= 0.8;
@@ -285,7 +285,7 @@ ContactEvent ContactMotion::finish(double length, State end) {
   }
 }
 
-void ContactMotion::refine_event(ContactEvent event, const State& end) {
+void ContactMotion::end_at(ContactEvent event, const State& end) {
   state_ = end;
   if (event == ContactEvent::turn) state_[1] = 0;
   if (event == ContactEvent::release) state_[0] = 0;
@@ -311,7 +311,7 @@ ContactEvent ContactMotion::step(const ContactPush& push, int direction, double 
   slopes_ = slopes();
   stiffness_ = stiffness_of(slopes_);
   for (const ContactEvent event : {ContactEvent::turn, ContactEvent::release}) {
-    if (!land_on(event, length_)) continue;
+    if (!step_to(event, length_)) continue;
     update_scales();
     return event;
   }

@@ -35,7 +35,7 @@ enum class ContactEvent {
 };
 
 /// Motion of a body in a wall under harmonic forces, friction and the contact force: steps of
-/// automatic length to a relative tolerance, which refine_event on events.
+/// automatic length to a relative tolerance, the last of which ends on an event.
 ///
 /// The state is y = sqrt(d), u = d' and t, and the independent variable s has dt = 2 y ds:
 ///   dy/ds = u,   du/ds = 2 y (forces - contact force),   dt/ds = 2 y.
@@ -59,8 +59,7 @@ class ContactMotion {
              double speed_scale);
 
   /// One step under `push`, whose friction must act against `direction`, +1 inward, -1 outward, no
-  /// longer than `horizon` [s]. Throws std::runtime_error
-  /// where no step is small enough.
+  /// longer than `horizon` [s]. Throws std::runtime_error where no step is small enough.
   ContactEvent step(const ContactPush& push, int direction, double horizon,
                     std::int64_t& evaluations);
 
@@ -100,10 +99,10 @@ class ContactMotion {
   double crossing(ContactEvent event, double length, const State& end) const;
   ContactEvent first_event(double length, const State& end, double& share) const;
   bool passed_any(const State& state) const;
-  bool land_on(ContactEvent event, double length);
+  bool step_to(ContactEvent event, double length);
   ContactEvent finish(double length, State end);
   void update_scales();
-  void refine_event(ContactEvent event, const State& end);
+  void end_at(ContactEvent event, const State& end);
 
   double tolerance_;
   ContactForce force_{};

@@ -1,15 +1,18 @@
 #include "problems/carrier_track/models/planar_model.h"
 
+#include "problems/carrier_track/scene/window.h"
+
 namespace ricochet::carrier_track::inline models {
 namespace {
 
-PlanarFriction friction_of(const Scene& scene) {
+template <class Forces>
+PlanarFriction<Forces> friction_of(const Scene& scene) {
   return {scene.friction, scene.friction * scene.normal_force / scene.mass};
 }
 
 /// What x and y name alike.
 template <class Direction>
-Clearance clearance_of(const Direction& direction) {
+Clearance<double> clearance_of(const Direction& direction) {
   return {direction.wall_lower,        direction.wall_upper,     direction.restitution_lower,
           direction.restitution_upper, direction.start_position, direction.start_velocity};
 }
@@ -19,9 +22,9 @@ Clearance clearance_of(const Direction& direction) {
 template <class Forces>
 PlanarModel<Forces>::PlanarModel(const Scene& scene)
     : duration_(duration_of(scene)),
-      x_(Forces(scene), clearance_of(scene), friction_of(scene), duration_),
-      y_(Forces::across(scene), clearance_of(scene.across.value()), friction_of(scene), duration_) {
-}
+      x_(Forces(scene), clearance_of(scene), friction_of<Forces>(scene), duration_),
+      y_(Forces::across(scene), clearance_of(scene.across.value()), friction_of<Forces>(scene),
+         duration_) {}
 
 template class PlanarModel<AppliedForces<double>>;
 template class PlanarModel<ProfileForces<double>>;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/models/planar_axis.h"
 #include "problems/carrier_track/scene/scene.h"
 

@@ -103,7 +103,7 @@ int count_of(const Scene& scene, const Reading& reading, const Constants& consta
     if (at.fidelity == Fidelity::impact && at.profile.empty() && at.rule == CountRule::impacts) {
       ImpactModel<double>(at, resting_share * at.slowest).run(features);
     } else {
-      simulate(at, features);
+      simulate_at_needed_fidelity(at, features);
     }
   } catch (const Enough&) {
     // Louder than anything in the paper.

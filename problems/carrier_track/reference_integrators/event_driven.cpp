@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/counting/fidelity_choice.h"
 #include "problems/carrier_track/reference_integrators/methods.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
@@ -24,8 +24,8 @@ Outcome run(const Scene& scene, double /*control*/) {
   ImpactCollector collector(outcome.impacts);
   try {
     const bool compliant = scene.fidelity == Fidelity::compliant && scene.profile.empty();
-    const End<double> end =
-        compliant ? CompliantModel(scene, 1e-12).run(collector) : simulate(scene, collector);
+    const End<double> end = compliant ? CompliantModel(scene, 1e-12).run(collector)
+                                      : simulate_at_needed_fidelity(scene, collector);
     outcome.end = {end.time, end.position, end.velocity};
     outcome.force_evaluations = end.evaluations;
     outcome.finished = true;

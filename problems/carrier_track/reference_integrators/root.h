@@ -43,9 +43,9 @@ double fall(Function f, double lower, double upper) {
   double time = upper;
   while (upper - lower > width) {
     if (!(next > lower && next < upper)) next = lower + 0.5 * (upper - lower);
-    const bool resolve_fidelity = std::abs(next - time) <= width;
+    const bool converged = std::abs(next - time) <= width;
     time = next;
-    if (resolve_fidelity) break;
+    if (converged) break;
     const auto [value, slope] = f(time);
     (value > 0 ? lower : upper) = time;
     next = time - value / slope;

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"

@@ -156,10 +156,10 @@ std::string impacts_against_springs(const StabilityStudy& study) {
 }
 
 std::string rest(const StabilityStudy& study) {
-  std::string resolve_fidelity, restless;
+  std::string settled, restless;
   for (const RestCost& cost : study.rests) {
     const auto& error = cost.rests.back().depth_error;
-    std::string& names = error && *error < 1e-9 ? resolve_fidelity : restless;
+    std::string& names = error && *error < 1e-9 ? settled : restless;
     names += (names.empty() ? "" : ", ") + cost.method;
   }
   return fmt::format(
@@ -167,8 +167,7 @@ std::string rest(const StabilityStudy& study) {
       "pressed with 10 N onto a damped wall, and has {} s to come to rest. On the stiffest wall "
       "the depth is right to 1e-9 by {}; by {} it is not: they go on trembling within their "
       "tolerance, and pay for every swing.",
-      rest_seconds, resolve_fidelity.empty() ? "none" : resolve_fidelity,
-      restless.empty() ? "none" : restless);
+      rest_seconds, settled.empty() ? "none" : settled, restless.empty() ? "none" : restless);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/questions/count.h"
 #include "problems/carrier_track/questions/speed_range.h"
 #include "problems/carrier_track/questions/top_speed.h"

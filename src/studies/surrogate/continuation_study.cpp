@@ -4,7 +4,7 @@
 #include <deque>
 #include <limits>
 
-#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/questions/top_speed.h"
 #include "solvers/solvers.h"
 #include "src/campaign/runner.h"

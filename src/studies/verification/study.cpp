@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/oracle/hostile_scenes.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"

@@ -6,7 +6,6 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/models/watch.h"
 
@@ -107,6 +106,20 @@ TEST(Level, IsThatOfTheSceneUnlessLeftOpen) {
     Scene scene = ball(1e-13);
     scene.fidelity = level;
     EXPECT_EQ(resolve_fidelity(scene).fidelity, level);
+  }
+}
+
+TEST(Level, IsChosenAnewForEverySceneThatLeavesItOpen) {
+  for (const double excess : {1e-3, 1e-13}) {
+    Watched<double> open, fixed;
+    simulate_at_needed_fidelity(ball(excess), open);
+    Scene scene = ball(excess);
+    scene.fidelity = needed_fidelity(scene);
+    simulate(scene, fixed);
+    ASSERT_EQ(open.hits.size(), fixed.hits.size());
+    for (std::size_t k = 0; k < fixed.hits.size(); ++k) {
+      EXPECT_EQ(open.hits[k].time, fixed.hits[k].time);
+    }
   }
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
@@ -81,33 +80,6 @@ TEST(ProfileForces, DoNotMindAKnotWithinALeg) {
     ++compared;
   }
   EXPECT_GT(compared, 150);
-}
-
-TEST(ProfileForces, EndAWindowOfRevolutionsWhenThePlateHasTurnedSoFar) {
-  RandomScenes draws(3);
-  for (int i = 0; i < 200; ++i) {
-    Scene scene = draws.next();
-    scene.profile = random_profile(draws, scene.omega);
-    scene.window = Revolutions{draws.within(0.01, 1.0)};
-    const double end = duration_of(scene);
-    // The angle by the midpoint rule, exact on the pieces of a straight line.
-    double angle = 0;
-    const int pieces = 20000;
-    for (int k = 0; k < pieces; ++k) {
-      const double t = end * (k + 0.5) / pieces;
-      std::size_t next = 0;
-      while (next < scene.profile.size() && scene.profile[next].time <= t) ++next;
-      double omega = scene.profile[next > 0 ? next - 1 : 0].omega;
-      if (next > 0 && next < scene.profile.size()) {
-        const auto& [from, low] = scene.profile[next - 1];
-        const auto& [to, high] = scene.profile[next];
-        omega = low + (high - low) * (t - from) / (to - from);
-      }
-      angle += omega * end / pieces;
-    }
-    const double turns = std::get<Revolutions>(scene.window).count;
-    EXPECT_NEAR(angle / (2 * std::numbers::pi), turns, 1e-6 * turns);
-  }
 }
 
 TEST(ProfileForces, ASpinUpWithoutOtherForcesActsThroughTheSlidersAlone) {

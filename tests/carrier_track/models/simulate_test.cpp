@@ -40,6 +40,15 @@ TEST(Simulate, RecordsThePathInACompliantWall) {
   EXPECT_LT(deepest, -1e-6);
 }
 
+TEST(Simulate, RefusesASceneThatLeavesItsLevelOpen) {
+  Scene open = compliant(1e10);
+  open.fidelity = Fidelity::automatic;
+  Observer nobody;
+  EXPECT_THROW(simulate(open, nobody), std::invalid_argument);
+  open.profile = {{0.0, 2.0}};
+  EXPECT_THROW(simulate(open, nobody), std::invalid_argument);
+}
+
 TEST(Simulate, HasNoDerivativesInACompliantWall) {
   EXPECT_THROW(surrogate_slope(compliant(1e8), 0.25), std::invalid_argument);
 }

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 
 namespace ricochet::carrier_track {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/reference_integrators/accuracy.h"
 #include "tests/carrier_track/reference_integrators/scenes.h"

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "problems/carrier_track/scene/scene.h"
+
+namespace ricochet::carrier_track::inline scene {
+
+/// [s] until the driver plate of a speed profile has turned by an angle [rad] > 0. The last speed
+/// of the profile must be > 0.
+template <class Scalar>
+Scalar time_to_turn(const std::vector<SpeedKnot<Scalar>>& profile, Scalar angle) {
+  using std::sqrt;
+  const Scalar two = constant<Scalar>(2.0);
+  const Scalar first = constant<Scalar>(profile.front().time) * profile.front().omega;
+  if (value(first) >= value(angle)) return angle / profile.front().omega;
+  angle -= first;
+  for (std::size_t k = 1; k < profile.size(); ++k) {
+    const auto& [start, omega] = profile[k - 1];
+    const Scalar span = constant<Scalar>(profile[k].time - start);
+    const Scalar rise = profile[k].omega - omega;
+    const Scalar leg = span * (omega + rise / two);
+    if (value(leg) >= value(angle)) {
+      const Scalar slope = rise / span;
+      const Scalar end = sqrt(omega * omega + two * slope * angle);
+      return constant<Scalar>(start) + two * angle / (omega + end);
+    }
+    angle -= leg;
+  }
+  return constant<Scalar>(profile.back().time) + angle / profile.back().omega;
+}
+
+/// [s]; the window of a scene. Revolutions need omega > 0.
+template <class Scalar>
+Scalar duration_of(const BasicScene<Scalar>& scene) {
+  const auto* turns = std::get_if<Revolutions>(&scene.window);
+  if (turns == nullptr) return constant<Scalar>(std::get<Seconds>(scene.window).count);
+  const Scalar angle = constant<Scalar>(2 * std::numbers::pi * turns->count);
+  return scene.profile.empty() ? angle / scene.omega : time_to_turn(scene.profile, angle);
+}
+
+}  // namespace ricochet::carrier_track::inline scene

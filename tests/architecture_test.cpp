@@ -1,0 +1,329 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// CONTRIBUTING.md draws which part may include which, and which files may include a library. Here
+/// the drawing is held against the #include lines of all files.
+namespace ricochet {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct File {
+  std::string path;
+  std::vector<std::string> includes;   ///< in quotes
+  std::vector<std::string> libraries;  ///< in angle brackets
+};
+
+/// One line of the drawing: `left arrow right`.
+struct Line {
+  std::vector<std::string> left, right;
+};
+
+struct Drawing {
+  std::vector<Line> parts;      ///< a part -> the parts below that it includes
+  std::vector<Line> libraries;  ///< beginnings of headers <- the only places that include them
+};
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// The drawing in the fenced blocks after a heading.
+Drawing drawing_in(const std::string& text, const std::string& heading) {
+  Drawing drawing;
+  const auto start = text.find(heading + "\n");
+  if (start == std::string::npos) return drawing;
+  std::istringstream lines(text.substr(start + heading.size()));
+  bool fenced = false;
+  for (std::string line; std::getline(lines, line) && !line.starts_with("## ");) {
+    if (line.starts_with("```")) fenced = !fenced;
+    if (!fenced || line.starts_with("```") || line.empty()) continue;
+    const auto split = [&](std::size_t at) {
+      return at == std::string::npos ? Line{words(line), {}}
+                                     : Line{words(line.substr(0, at)), words(line.substr(at + 4))};
+    };
+    const auto by = line.find(" <- ");
+    if (by != std::string::npos) {
+      drawing.libraries.push_back(split(by));
+    } else {
+      drawing.parts.push_back(split(line.find(" -> ")));
+    }
+  }
+  return drawing;
+}
+
+std::string folder_of(const std::string& path) {
+  return std::filesystem::path(path).parent_path().string();
+}
+
+std::string without_ending(const std::string& path) {
+  return path.substr(0, path.rfind('.'));
+}
+
+/// What is wrong with the files, or with the drawing, as sentences.
+class Audit {
+ public:
+  Audit(const std::vector<File>& files, const Drawing& drawing) : files_(files) {
+    for (const File& file : files) {
+      paths_.insert(file.path);
+      folders_.insert(folder_of(file.path));
+      stems_.insert(without_ending(file.path));
+    }
+    read(drawing.parts);
+    check_includes();
+    for (const auto& [arrow, used] : arrows_) {
+      if (!used) complain(arrow.first + " -> " + arrow.second + " is used by no file");
+    }
+    check_libraries(drawing.libraries);
+  }
+
+  const std::vector<std::string>& complaints() const { return complaints_; }
+
+ private:
+  void complain(const std::string& sentence) { complaints_.push_back(sentence); }
+
+  /// The folder, or else the file without its ending, that a name means: the whole of its path, or
+  /// the end of just one.
+  std::optional<std::string> place_named(const std::string& name) {
+    for (const auto* places : {&folders_, &stems_}) {
+      if (places->contains(name)) return name;
+      std::vector<std::string> found;
+      std::copy_if(places->begin(), places->end(), std::back_inserter(found),
+                   [&](const std::string& place) { return place.ends_with("/" + name); });
+      if (found.size() == 1) return found[0];
+      if (found.size() > 1) {
+        complain(name + " may be " + found[0] + " or " + found[1]);
+        return std::nullopt;
+      }
+    }
+    complain(name + " is neither a folder nor a file");
+    return std::nullopt;
+  }
+
+  /// The lines from the bottom up, so that every arrow leads to what is known.
+  void read(const std::vector<Line>& lines) {
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+      const auto part = place_named(line->left.at(0));
+      if (!part) continue;
+      std::set<std::string> below;
+      for (const std::string& name : line->right) {
+        const auto target = place_named(name);
+        if (!target) continue;
+        if (!below_.contains(*target)) {
+          complain(line->left[0] + " -> " + name + " does not lead to a line below");
+          continue;
+        }
+        arrows_[{*part, *target}] = false;
+        below.insert(*target);
+        below.insert(below_[*target].begin(), below_[*target].end());
+      }
+      if (!below_.emplace(*part, below).second) complain(*part + " has two lines");
+    }
+  }
+
+  /// The part that a file belongs to: itself, or its folder.
+  std::optional<std::string> part_of(const std::string& path) const {
+    for (const std::string& part : {without_ending(path), folder_of(path)}) {
+      if (below_.contains(part)) return part;
+    }
+    return std::nullopt;
+  }
+
+  void check_includes() {
+    for (const File& file : files_) {
+      const auto part = part_of(file.path);
+      if (!part) {
+        complain(file.path + " is in no part of the drawing");
+        continue;
+      }
+      for (const std::string& include : file.includes) {
+        if (include.starts_with("embedded/")) continue;  // made by the build
+        if (!paths_.contains(include)) {
+          complain(file.path + " includes " + include + ", which is not there");
+          continue;
+        }
+        const auto target = part_of(include);
+        if (!target || target == part) continue;
+        const auto arrow = arrows_.find({*part, *target});
+        if (arrow != arrows_.end()) arrow->second = true;
+        if (!below_[*part].contains(*target)) {
+          complain(file.path + " includes " + include + ": no arrow leads from " + *part + " to " +
+                   *target);
+        }
+      }
+    }
+  }
+
+  void check_libraries(const std::vector<Line>& lines) {
+    std::map<std::string, std::size_t> line_of;  // by the beginning of a header
+    std::map<std::pair<std::size_t, std::string>, bool> used;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      for (const std::string& beginning : lines[k].left) line_of[beginning] = k;
+      for (const std::string& name : lines[k].right) {
+        if (const auto place = place_named(name)) used[{k, *place}] = false;
+      }
+    }
+    for (const File& file : files_) {
+      for (const std::string& header : file.libraries) {
+        // In the order of the map the last beginning is the longest.
+        std::optional<std::size_t> line;
+        for (const auto& [beginning, k] : line_of) {
+          if (header.starts_with(beginning)) line = k;
+        }
+        if (!line) continue;
+        bool allowed = false;
+        for (const std::string& place : {without_ending(file.path), folder_of(file.path)}) {
+          const auto permission = used.find({*line, place});
+          if (permission == used.end()) continue;
+          permission->second = allowed = true;
+        }
+        if (!allowed) complain(file.path + " includes <" + header + ">, which others adapt");
+      }
+    }
+    for (const auto& [permission, is_used] : used) {
+      if (is_used) continue;
+      complain(permission.second + " does not include " + lines[permission.first].left.at(0));
+    }
+  }
+
+  const std::vector<File>& files_;
+  std::set<std::string> paths_, folders_, stems_;
+  std::map<std::string, std::set<std::string>> below_;  // of each part all that it may include
+  std::map<std::pair<std::string, std::string>, bool> arrows_;  // whether a file uses it
+  std::vector<std::string> complaints_;
+};
+
+std::vector<std::string> complaints(const std::vector<File>& files, const std::string& block) {
+  return Audit(files, drawing_in("## Parts\n```text\n" + block + "```\n", "## Parts")).complaints();
+}
+
+File file_at(const std::filesystem::path& root, const std::filesystem::path& path) {
+  static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  File file{path.lexically_relative(root).string(), {}, {}};
+  std::ifstream stream(path);
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (line.find('#') == std::string::npos || !std::regex_match(line, match, include)) continue;
+    (match[1] == "<" ? file.libraries : file.includes).push_back(match[2]);
+  }
+  return file;
+}
+
+std::vector<File> all_files() {
+  const std::filesystem::path root(RICOCHET_SOURCE);
+  std::vector<File> files;
+  for (const char* const folder : {"bench", "problems", "solvers", "src"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending == ".h" || ending == ".cpp") files.push_back(file_at(root, entry.path()));
+    }
+  }
+  return files;
+}
+
+TEST(Architecture, IsAsContributingDrawsIt) {
+  std::ifstream stream(RICOCHET_SOURCE "/CONTRIBUTING.md");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::vector<File> files = all_files();
+  ASSERT_GT(files.size(), 300U);
+  const Drawing drawing = drawing_in(text, "## What may include what");
+  ASSERT_GT(drawing.parts.size(), 20U);
+  ASSERT_GT(drawing.libraries.size(), 5U);
+  EXPECT_THAT(Audit(files, drawing).complaints(), IsEmpty());
+}
+
+/// A small tree that is as drawn: a study of a solver of a core, one file of which stands alone.
+const std::vector<File> tree = {{"src/core/box.h", {}, {"vector"}},
+                                {"src/core/run.h", {"src/core/box.h"}, {}},
+                                {"solvers/climb.h", {"src/core/run.h"}, {}},
+                                {"solvers/climb.cpp", {"solvers/climb.h"}, {"nlopt.h"}},
+                                {"src/studies/hill/page.cpp",
+                                 {"solvers/climb.h", "src/core/run.h", "embedded/page.h"},
+                                 {"nlopt_names.h"}}};
+const std::string drawn =
+    "hill    -> solvers\n"
+    "solvers -> core\n"
+    "core    -> box\n"
+    "box\n"
+    "\n"
+    "nlopt       <- climb\n"
+    "nlopt_names <- hill\n";
+
+std::vector<File> with(const File& file) {
+  std::vector<File> files = tree;
+  files.push_back(file);
+  return files;
+}
+
+std::string redrawn(const std::string& from, const std::string& to) {
+  std::string text = drawn;
+  const auto at = text.find(from);
+  return text.replace(at, from.size(), to);
+}
+
+TEST(Architecture, MayBeAsDrawn) {
+  EXPECT_THAT(complaints(tree, drawn), IsEmpty());
+}
+
+TEST(Architecture, KnowsEveryFolder) {
+  EXPECT_THAT(complaints(with({"src/new/file.h", {}, {}}), drawn),
+              ElementsAre("src/new/file.h is in no part of the drawing"));
+  EXPECT_THAT(complaints(tree, redrawn("core    ->", "coer    ->")),
+              ElementsAre("coer is neither a folder nor a file",
+                          "solvers -> core does not lead to a line below",
+                          "src/core/run.h is in no part of the drawing"))
+      << "also a folder that is not there";
+}
+
+TEST(Architecture, HasEveryFileThatIsIncluded) {
+  EXPECT_THAT(complaints(with({"src/core/seed.h", {"src/core/sead.h"}, {}}), drawn),
+              ElementsAre("src/core/seed.h includes src/core/sead.h, which is not there"));
+}
+
+TEST(Architecture, HasNoArrowUp) {
+  EXPECT_THAT(complaints(with({"src/core/seed.h", {"solvers/climb.h"}, {}}), drawn),
+              ElementsAre(HasSubstr("no arrow leads from src/core to solvers")));
+  EXPECT_THAT(complaints(tree, redrawn("core    -> box", "core    -> solvers box")),
+              ElementsAre("core -> solvers does not lead to a line below"));
+}
+
+TEST(Architecture, HasNoArrowPastAFileThatStandsAlone) {
+  EXPECT_THAT(complaints(with({"src/core/box.cpp", {"src/core/run.h"}, {}}), drawn),
+              ElementsAre(HasSubstr("no arrow leads from src/core/box to src/core")));
+}
+
+TEST(Architecture, HasNoArrowThatNobodyUses) {
+  EXPECT_THAT(complaints(tree, redrawn("-> solvers", "-> solvers box")),
+              ElementsAre("src/studies/hill -> src/core/box is used by no file"));
+}
+
+TEST(Architecture, HasNoNameWithTwoMeanings) {
+  EXPECT_THAT(complaints(with({"problems/hill/box.h", {}, {}}), drawn),
+              testing::Contains("hill may be problems/hill or src/studies/hill"));
+}
+
+TEST(Architecture, KeepsLibrariesWithThoseWhoAdaptThem) {
+  EXPECT_THAT(complaints(with({"solvers/walk.cpp", {}, {"nlopt.h"}}), drawn),
+              ElementsAre("solvers/walk.cpp includes <nlopt.h>, which others adapt"));
+  EXPECT_THAT(complaints(tree, redrawn("nlopt       <- climb", "nlopt       <- climb run")),
+              ElementsAre("src/core/run does not include nlopt"));
+}
+
+}  // namespace
+}  // namespace ricochet

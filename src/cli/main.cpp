@@ -7,8 +7,8 @@
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/bench.h"
+#include "src/cli/best_values.h"
 #include "src/cli/calibrate.h"
-#include "src/cli/certify.h"
 #include "src/cli/dynamics.h"
 #include "src/cli/list.h"
 #include "src/cli/problems.h"
@@ -60,7 +60,7 @@ class Program {
     add_scene();
     add_list();
     add_problems();
-    add_certify();
+    add_best_values();
     add_report();
     add_bench();
   }
@@ -230,31 +230,32 @@ class Program {
 
   void add_list() {
     CLI::App* command = app_.add_subcommand("list", "What there is");
-    command->add_option("what", list_, "cases, problems, solvers or readings")
+    command->add_option("what", list_, "cases, questions, solvers or readings")
         ->required()
-        ->check(CLI::IsMember({"cases", "problems", "solvers", "readings"}));
-    command->add_option("--scene", list_scene_, "Of problems: a machine of your own, a TOML file");
+        ->check(CLI::IsMember({"cases", "questions", "problems", "solvers", "readings"}));
+    command->add_option("--scene", list_scene_, "Of questions: a machine of your own, a TOML file");
     add_format(*command, list_json_);
     command->callback([this] { work_ = [this] { return list(list_, list_scene_, list_json_); }; });
   }
 
   void add_problems() {
-    CLI::App* command = app_.add_subcommand("problems", "What every problem asks, as a report");
+    CLI::App* command = app_.add_subcommand("problems", "What every question asks, as a report");
     command->add_option("--scene", problems_.scene_file,
                         "A machine of your own, a TOML file, for the paper's cases");
     command->add_option("--out", problems_.out, "Folder for the report")->capture_default_str();
     command->callback([this] { work_ = [this] { return problems(problems_); }; });
   }
 
-  void add_certify() {
+  void add_best_values() {
     CLI::App* command = app_.add_subcommand(
-        "certify", "The best known value of every problem, looked for at length");
-    command->add_option("--problems", certify_.problems,
-                        "A pattern such as profile-*-C4, or a part of their names");
-    command->add_option("--seconds", certify_.seconds,
+        "best-values", "The best known value of every question, looked for at length");
+    command->alias("certify");  // as it was called
+    command->add_option("--questions,--problems", best_values_.questions,
+                        "A pattern such as robust-*-C4, or a part of their names");
+    command->add_option("--seconds", best_values_.seconds,
                         "Begin nothing later; the same command then goes on");
-    command->add_option("--out", certify_.out, "The file of the values")->capture_default_str();
-    command->callback([this] { work_ = [this] { return certify(certify_); }; });
+    command->add_option("--out", best_values_.out, "The file of the values")->capture_default_str();
+    command->callback([this] { work_ = [this] { return best_values(best_values_); }; });
   }
 
   void add_bench() {
@@ -280,7 +281,7 @@ class Program {
   std::optional<int> scene_index_;
   bool verification_json_ = false;
   ProblemsOptions problems_;
-  CertifyOptions certify_;
+  BestValuesOptions best_values_;
   SceneChoice scene_;
   std::string list_, list_scene_;
   bool list_json_ = false;

@@ -20,7 +20,7 @@ int problems(const ProblemsOptions& options) {
                         std::filesystem::path(options.scene_file).filename().string());
   report::write_page(studies::problems::overview_of(families, machines), options.out);
   for (const Family& family : families) {
-    if (family.problems.empty()) continue;
+    if (family.questions.empty()) continue;
     report::write_page(studies::problems::page_of(family),
                        std::filesystem::path(options.out) / family.name);
   }

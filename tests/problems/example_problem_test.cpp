@@ -28,9 +28,9 @@ TEST(ExampleProblem, IsWhatContributingShows) {
 
 TEST(ExampleProblem, HasDerivatives) {
   const Family family = gentle_family({machine_of(find_case("C1"), exploratory_scene())});
-  ASSERT_EQ(family.problems.size(), 1U);
-  EXPECT_EQ(family.problems[0].name, "gentle-C1");
-  expect_derivatives_of_values(family.problems[0], Vector::Constant(1, 4.321), 1e-7, 1e-6);
+  ASSERT_EQ(family.questions.size(), 1U);
+  EXPECT_EQ(family.questions[0].name(), "gentle-C1");
+  expect_derivatives_of_values(family.questions[0].stated, Vector::Constant(1, 4.321), 1e-7, 1e-6);
 }
 
 }  // namespace

@@ -88,9 +88,9 @@ Problem calibration_problem(const Freedom& freedom, const std::string& left_out)
 
 Family calibration_family(const FittedReading& fitted) {
   Family family;
-  family.name = family.judged_as = "calibration";
+  family.name = "calibration";
   family.title = "The paper's open constants";
-  family.question =
+  family.asks =
       "Which values of the constants that the paper leaves open give the thresholds and counts "
       "that it reports?";
   family.formula =
@@ -114,7 +114,7 @@ Family calibration_family(const FittedReading& fitted) {
     problem.best_known = problem.evaluate(*problem.best_point).objective;
     problem.provenance = fitted.provenance;
   }
-  family.problems = {std::move(problem)};
+  family.questions = {{.stated = std::move(problem), .tolerance = 0.01}};
   return family;
 }
 

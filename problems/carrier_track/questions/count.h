@@ -8,13 +8,10 @@
 /// The speed with the fewest collisions.
 namespace ricochet::carrier_track::inline questions {
 
-/// Minimise the collision count over the speed: an integer staircase, no derivatives.
-Problem count_problem(const Machine& machine);
-
-/// The same shown the smooth surrogate, width > 0, with derivatives; judged by the true count.
-Problem surrogate_problem(const Machine& machine, double width);
+/// Minimise the collision count over the speed: an integer staircase, no derivatives. The smooth
+/// surrogate has them.
+Question count_question(const Machine& machine);
 
 Family count_family(const std::vector<Machine>& machines);
-Family surrogate_family(const std::vector<Machine>& machines);
 
 }  // namespace ricochet::carrier_track::inline questions

@@ -13,20 +13,13 @@ namespace ricochet::carrier_track::inline questions {
 std::vector<Family> families_of(const std::vector<Machine>& machines) {
   return {
       count_family(machines),
-      surrogate_family(machines),
       top_speed_family(machines),
-      top_speed_surrogate_family(machines),
       profile_count_family(machines),
-      profile_family(machines),
       profile_wear_family(machines),
       design_count_family(machines),
-      design_family(machines),
       robust_family(machines, RiskMeasure::mean),
-      robust_surrogate_family(machines, RiskMeasure::mean),
       robust_family(machines, RiskMeasure::worst),
-      robust_surrogate_family(machines, RiskMeasure::worst),
       robust_family(machines, RiskMeasure::cvar),
-      robust_surrogate_family(machines, RiskMeasure::cvar),
   };
 }
 

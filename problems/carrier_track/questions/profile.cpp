@@ -59,12 +59,11 @@ Problem shape_problem(const std::string& family, const Machine& machine, std::si
   return problem;
 }
 
-/// What the three families share.
+/// What the two families share.
 Family shape_family(std::string name) {
   Family family;
   family.name = std::move(name);
-  family.judged_as = family.name;
-  family.question =
+  family.asks =
       "At a given mean speed, how should the speed vary during a turn so that the carrier hits its "
       "track least?";
   family.formula =
@@ -81,59 +80,45 @@ Family shape_family(std::string name) {
 template <class Make>
 void fill(Family& family, const std::vector<Machine>& machines, Make make) {
   for (const Machine& machine : machines) {
-    for (const std::size_t n : profile_sizes) family.problems.push_back(make(machine, n));
+    for (const std::size_t n : profile_sizes) family.questions.push_back(make(machine, n));
   }
 }
 
 }  // namespace
 
-Problem profile_count_problem(const Machine& machine, std::size_t n) {
-  Problem problem = shape_problem("profile-count", machine, n, "collision count of a profile");
-  define(problem, ObjectiveOfShape{machine.scene, profile_frame(machine), 0.0}, false);
-  return problem;
+Question profile_count_question(const Machine& machine, std::size_t n) {
+  const auto define_at = [scene = machine.scene, frame = profile_frame(machine)](Problem& problem,
+                                                                                 double width) {
+    define(problem, ObjectiveOfShape{scene, frame, width}, width > 0 && carries_derivatives(scene));
+  };
+  return {
+      .stated = smoothable(
+          shape_problem("profile-count", machine, n, "collision count of a profile"), define_at),
+      .machine = machine.id,
+      .width = default_width,
+      .tolerance = 0.5};  // a count must be met
 }
 
-Problem profile_problem(const Machine& machine, std::size_t n, double width) {
-  Problem problem = judged_as_it_is(profile_count_problem(machine, n));
-  problem.name = fmt::format("profile-{}-{}", n, machine.id);
-  problem.source = "smooth surrogate of the collision count of a profile";
-  define(problem, ObjectiveOfShape{machine.scene, profile_frame(machine), width},
-         carries_derivatives(machine.scene));
-  problem.smoothed = [machine, n](double other) { return profile_problem(machine, n, other); };
-  return problem;
-}
-
-Problem profile_wear_problem(const Machine& machine, std::size_t n) {
+Question profile_wear_question(const Machine& machine, std::size_t n) {
   Problem problem =
       shape_problem("profile-wear", machine, n, "energy that the impacts of a profile lose, mJ");
   define(problem, WearOfShape{machine.scene, profile_frame(machine)},
          carries_derivatives(machine.scene));
-  return problem;
+  return {.stated = std::move(problem), .machine = machine.id, .tolerance = 0.01};
 }
 
 Family profile_count_family(const std::vector<Machine>& machines) {
   Family family = shape_family("profile-count");
-  family.title = "The speed profile of the fewest collisions, shown the count";
+  family.title = "The speed profile of the fewest collisions";
   family.formula += "Minimise the collision count.";
-  family.users = "Whoever compares how solvers without derivatives bear many variables.";
-  fill(family, machines, profile_count_problem);
-  return family;
-}
-
-Family profile_family(const std::vector<Machine>& machines) {
-  Family family = shape_family("profile");
-  family.judged_as = "profile-count";
-  family.title = "The speed profile of the fewest collisions, shown the surrogate";
-  family.formula += "Minimise the smooth surrogate of the count; judged by the true count.";
+  family.surrogate = "The smooth surrogate of the count.";
   family.derivatives =
-      "Exact, by dual numbers carried through the simulation, to every knot. The plate's "
-      "acceleration, which a constant speed does not have, enters the slider's force.";
+      "Exact, of the surrogate, by dual numbers carried through the simulation, to every knot. The "
+      "plate's acceleration, which a constant speed does not have, enters the slider's force.";
   family.users =
-      "A designer of a servo drive; whoever compares how solvers with derivatives bear many "
-      "variables.";
-  fill(family, machines, [](const Machine& machine, std::size_t n) {
-    return profile_problem(machine, n, default_width);
-  });
+      "A designer of a servo drive; whoever compares how solvers, with derivatives or without, "
+      "bear many variables.";
+  fill(family, machines, profile_count_question);
   return family;
 }
 
@@ -148,7 +133,7 @@ Family profile_wear_family(const std::vector<Machine>& machines) {
   family.users =
       "A designer whose track wears out rather than makes noise; whoever wants a smooth, "
       "multimodal, simulated objective that scales.";
-  fill(family, machines, profile_wear_problem);
+  fill(family, machines, profile_wear_question);
   return family;
 }
 

@@ -13,6 +13,7 @@
 #include "problems/carrier_track/questions/problem_from_function.h"
 #include "problems/carrier_track/questions/speed_problem.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
+#include "src/core/random.h"
 #include "src/core/seed.h"
 
 namespace ricochet::carrier_track::inline questions {
@@ -78,17 +79,13 @@ struct RiskAtSpeed {
   }
 };
 
-RiskAtSpeed risk_at_speed(const Machine& machine, RiskMeasure risk, double width) {
-  return {std::make_shared<const std::vector<Scene>>(sampled_scenes(machine.scene)), risk, width};
-}
-
-/// The half_level of a risk, whose steps are as fine as its smallest weight.
-double level_of(RiskMeasure risk, double quiet_limit) {
+/// The smallest step of a risk: what the least weighty impact adds.
+double step_of(RiskMeasure risk) {
   double least = 1;
   for (const double w : risk_weights(risk, robust_samples)) {
     if (w > 0) least = std::min(least, w);
   }
-  return half_level(quiet_limit / least + 1e-9) * least;
+  return least;
 }
 
 std::string prefix(RiskMeasure risk) {
@@ -142,34 +139,35 @@ std::vector<Scene> sampled_scenes(const Scene& scene) {
   return scenes;
 }
 
-Problem robust_problem(const Machine& machine, RiskMeasure risk) {
-  Problem problem = speed_problem(
-      prefix(risk), machine,
-      fmt::format("fastest speed whose {} of 32 sampled counts is quiet", name_of(risk)));
-  problem.constraints = 1;
-  define(problem, Slowness{}, risk_at_speed(machine, risk, 0.0), machine.quiet_limit, false);
-  return problem;
-}
-
-Problem robust_surrogate_problem(const Machine& machine, RiskMeasure risk, double width) {
-  Problem problem = judged_as_it_is(robust_problem(machine, risk));
-  problem.name = fmt::format("{}-surrogate-{}", prefix(risk), machine.id);
-  problem.source =
-      fmt::format("fastest speed whose {} of 32 sampled surrogates is quiet", name_of(risk));
-  define(problem, Slowness{}, risk_at_speed(machine, risk, width),
-         level_of(risk, machine.quiet_limit), carries_derivatives(machine.scene));
-  problem.smoothed = [machine, risk](double other) {
-    return robust_surrogate_problem(machine, risk, other);
-  };
-  return problem;
+Question robust_question(const Machine& machine, RiskMeasure risk) {
+  const double step = step_of(risk);
+  const double limit = machine.quiet_limit;
+  const auto define_at =
+      [scenes = std::make_shared<const std::vector<Scene>>(sampled_scenes(machine.scene)), risk,
+       limit,
+       half_a_step_above = half_level(limit / step + 1e-9) * step](Problem& problem, double width) {
+        define(problem, Slowness{}, RiskAtSpeed{scenes, risk, width},
+               width > 0 ? half_a_step_above : limit,
+               width > 0 && carries_derivatives(scenes->front()));
+      };
+  return {.stated = smoothable(
+              speed_problem(prefix(risk), machine,
+                            fmt::format("fastest speed whose {} of 32 sampled counts is quiet",
+                                        name_of(risk))),
+              define_at),
+          .machine = machine.id,
+          .width = default_width,
+          .tolerance = speed_tolerance,
+          .penalty_weight = speed_penalty / step,
+          .scan_step = 1e-2,
+          .cost = robust_samples};
 }
 
 Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
   Family family;
-  family.name = family.judged_as = prefix(risk);
-  family.title = fmt::format("The fastest speed quiet in spite of tolerances, {}, shown the counts",
-                             in_title(risk));
-  family.question = fmt::format(
+  family.name = prefix(risk);
+  family.title = fmt::format("The fastest speed quiet in spite of tolerances, {}", in_title(risk));
+  family.asks = fmt::format(
       "How fast may the machine turn if the {} of the counts is to be quiet, when the disturbance "
       "and how the machine was made are not known exactly?",
       measure(risk));
@@ -180,6 +178,13 @@ Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
       "shifted Sobol sequence, the same for every speed and machine, so that no solver is shown "
       "noise.";
   family.constraints = fmt::format("The {} of the 32 counts <= quiet limit.", name_of(risk));
+  family.surrogate = fmt::format(
+      "The {} of the 32 smooth surrogates <= half a step above the highest quiet value, where a "
+      "step is what the least weighty impact adds.",
+      name_of(risk));
+  family.derivatives =
+      "Exact, of the surrogate, by dual numbers carried through all 32 simulations; one-sided "
+      "where two scenes change places in the order.";
   family.instances = "One for each machine, with a limit of its own and the same draws.";
   family.users =
       risk == RiskMeasure::mean
@@ -188,26 +193,8 @@ Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
           ? "An engineer who must promise that no machine is loud; whoever compares solvers on a "
             "maximum of functions, with its kinks."
           : "An engineer who wants to be safe without being ruled by a single machine.";
-  for (const Machine& machine : machines) family.problems.push_back(robust_problem(machine, risk));
-  return family;
-}
-
-Family robust_surrogate_family(const std::vector<Machine>& machines, RiskMeasure risk) {
-  Family family = robust_family({}, risk);
-  family.name += "-surrogate";
-  family.title = fmt::format(
-      "The fastest speed quiet in spite of tolerances, {}, shown the surrogates", in_title(risk));
-  family.constraints = fmt::format(
-      "The {} of the 32 smooth surrogates <= half a step above the highest quiet value, where a "
-      "step is what the least weighty impact adds. Judged by the true counts.",
-      name_of(risk));
-  family.derivatives =
-      "Exact, by dual numbers carried through all 32 simulations; one-sided where two scenes "
-      "change "
-      "places in the order.";
-  for (const Machine& machine : machines) {
-    family.problems.push_back(robust_surrogate_problem(machine, risk, default_width));
-  }
+  for (const Machine& machine : machines)
+    family.questions.push_back(robust_question(machine, risk));
   return family;
 }
 

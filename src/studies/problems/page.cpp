@@ -40,34 +40,49 @@ std::string text_of(const Truth& truth) {
   return text_of(truth.objective);
 }
 
+/// The one with the most constraints, and so with every form that there is in the family.
+const Question& most_constrained(const Family& family) {
+  return *std::max_element(family.questions.begin(), family.questions.end(),
+                           [](const Question& a, const Question& b) {
+                             return a.stated.constraints < b.stated.constraints;
+                           });
+}
+
 report::Table table_of_families(const std::vector<Family>& families) {
   report::Table table{"All families.",
                       {{"family", Alignment::left},
                        {"asks for", Alignment::left},
-                       {"problems"},
+                       {"questions"},
                        {"variables"},
                        {"constraints"},
-                       {"derivatives", Alignment::left},
-                       {"judged as", Alignment::left}},
+                       {"shown as", Alignment::left},
+                       {"derivatives", Alignment::left}},
                       {}};
   for (const Family& family : families) {
-    if (family.problems.empty()) continue;
+    if (family.questions.empty()) continue;
     const auto range_of = [&family](const auto& of) {
-      Eigen::Index fewest = of(family.problems.front());
+      Eigen::Index fewest = of(family.questions.front().stated);
       Eigen::Index most = fewest;
-      for (const Problem& problem : family.problems) {
-        fewest = std::min(fewest, of(problem));
-        most = std::max(most, of(problem));
+      for (const Question& question : family.questions) {
+        fewest = std::min(fewest, of(question.stated));
+        most = std::max(most, of(question.stated));
       }
       return fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most);
     };
+    const Question& first = most_constrained(family);
+    std::string forms;
+    bool derivatives = false;
+    for (const Form& form : first.forms()) {
+      forms += (forms.empty() ? "" : ", ") + first.name_of(form);
+      derivatives = derivatives || first.problem(form).differentiate;
+    }
     table.rows.push_back({{family.name},
                           {family.title},
-                          {fmt::format("{}", family.problems.size())},
+                          {fmt::format("{}", family.questions.size())},
                           {range_of([](const Problem& problem) { return problem.dimension(); })},
                           {range_of([](const Problem& problem) { return problem.constraints; })},
-                          {yes_or_no(static_cast<bool>(family.problems.front().differentiate))},
-                          {family.judged_as == family.name ? "itself" : family.judged_as}});
+                          {forms},
+                          {yes_or_no(derivatives)}});
   }
   return table;
 }
@@ -93,17 +108,38 @@ report::Table table_of_variables(const Problem& problem) {
   return table;
 }
 
+report::Table table_of_forms(const Family& family) {
+  const Question& question = most_constrained(family);
+  report::Table table{fmt::format("The forms in which solvers can be shown {}. Penalised, each "
+                                  "constraint adds {} times its violation to the objective.",
+                                  question.name(), text_of(question.penalty_weight)),
+                      {{"shown as", Alignment::left},
+                       {"constraints"},
+                       {"derivatives", Alignment::left},
+                       {"residuals", Alignment::left}},
+                      {}};
+  for (const Form& form : question.forms()) {
+    const Problem problem = question.problem(form);
+    table.rows.push_back({{question.name_of(form)},
+                          {fmt::format("{}", problem.constraints)},
+                          {yes_or_no(static_cast<bool>(problem.differentiate))},
+                          {yes_or_no(static_cast<bool>(problem.residuals))}});
+  }
+  return table;
+}
+
 report::Table table_of_best(const Family& family) {
   report::Table table{
       "What is known: true values at the start and at the best point. A violation is how "
       "much the largest true constraint is above 0.",
-      {{"problem", Alignment::left},
+      {{"question", Alignment::left},
        {"at the start"},
        {"best known"},
        {"at", Alignment::left},
        {"found by", Alignment::left}},
       {}};
-  for (const Problem& problem : family.problems) {
+  for (const Question& question : family.questions) {
+    const Problem& problem = question.stated;
     table.rows.push_back({{problem.name},
                           {text_of(truth_at(problem, problem.start))},
                           {report::text_or_dash(problem.best_known, "{:.6g}")},
@@ -113,62 +149,55 @@ report::Table table_of_best(const Family& family) {
   return table;
 }
 
-/// What a solver sees of a problem of one variable, and what is true.
+/// What is true of a question of one variable, and what a solver sees where it is smoothed.
 report::Figure chart_of(const Family& family) {
-  const Problem& problem = family.problems.at(family.problems.size() > 3 ? 3 : 0);
-  const bool constrained = problem.constraints > 0;
+  const Question& question = family.questions.at(family.questions.size() > 3 ? 3 : 0);
+  const Problem& stated = question.stated;
+  const bool constrained = stated.constraints > 0;
   report::Chart chart;
   chart.name = "problem-" + family.name;
-  chart.title = problem.name;
-  const Variable variable =
-      problem.variables.empty() ? Variable{"x", ""} : problem.variables.front();
+  chart.title = stated.name;
+  const Variable variable = stated.variables.empty() ? Variable{"x", ""} : stated.variables.front();
   chart.x = {
       variable.unit.empty() ? variable.name : fmt::format("{} [{}]", variable.name, variable.unit),
-      report::Scale::linear, report::Range{problem.lower[0], problem.upper[0]}};
+      report::Scale::linear, report::Range{stated.lower[0], stated.upper[0]}};
   chart.y = {constrained ? "constraint, quiet up to 0" : "objective"};
-  const Mark mark = problem.truth ? Mark::line : Mark::steps;
-  report::Series shown{problem.truth ? "as a solver sees it" : "", mark, {}};
-  report::Series truth{"in truth", Mark::steps, {}};
-  for (int k = 0; k <= chart_samples; ++k) {
-    const Vector x =
-        problem.lower + (problem.upper - problem.lower) * static_cast<double>(k) / chart_samples;
-    const Values values = problem.evaluate(x);
-    shown.samples.push_back({x[0], constrained ? values.constraints[0] : values.objective});
-    if (!problem.truth) continue;
-    const Truth t = problem.truth(x);
-    if (!constrained || t.violation > 0) {
-      truth.samples.push_back({x[0], constrained ? t.violation : t.objective});
-    } else {
-      truth.samples.push_back({x[0], 0.0});
+  const auto add = [&](const Form& form, Mark mark) {
+    const Problem problem = question.problem(form);
+    report::Series series{question.name_of(form), mark, {}};
+    for (int k = 0; k <= chart_samples; ++k) {
+      const Vector x =
+          problem.lower + (problem.upper - problem.lower) * static_cast<double>(k) / chart_samples;
+      const Values values = problem.evaluate(x);
+      series.samples.push_back({x[0], constrained ? values.constraints[0] : values.objective});
     }
-  }
-  if (problem.truth) chart.series.push_back(std::move(truth));
-  chart.series.push_back(std::move(shown));
+    chart.series.push_back(std::move(series));
+  };
+  add({}, Mark::steps);
+  if (stated.smoothed) add({question.width}, Mark::line);
   if (constrained) chart.lines = {{report::Direction::horizontal, 0.0, "limit"}};
-  if (problem.best_point) {
-    chart.lines.push_back({report::Direction::vertical, (*problem.best_point)[0], "best known"});
+  if (stated.best_point) {
+    chart.lines.push_back({report::Direction::vertical, (*stated.best_point)[0], "best known"});
   }
   chart.width = 780;
-  return {chart, constrained && problem.truth
-                     ? "The true constraint is shown as its violation, 0 where there is none."
-                     : ""};
+  return {chart, ""};
 }
 
 }  // namespace
 
 report::Page overview_of(const std::vector<Family>& families, const std::string& machines) {
-  std::size_t problems = 0;
-  for (const Family& family : families) problems += family.problems.size();
+  std::size_t questions = 0;
+  for (const Family& family : families) questions += family.questions.size();
   report::Page page;
   page.title = "The problems";
   page.intro = {
-      fmt::format("{} problems in {} families, of {}. Each family has a page of its own, in the "
+      fmt::format("{} questions in {} families, of {}. Each family has a page of its own, in the "
                   "folder of its name beside this one. Whatever counts impacts counts them by one "
                   "definition, from one simulation.",
-                  problems, families.size(), machines),
-      "Solvers minimise. A constraint holds where it is at most 0. What a solver is shown may be "
-      "smooth; it is judged by the truth, which families that are judged as one share, with its "
-      "best values."};
+                  questions, families.size(), machines),
+      "Solvers minimise. A constraint holds where it is at most 0. A question can be shown in "
+      "several forms: as it is, or smoothed; with its constraints, or with a penalty for them. It "
+      "is judged by the truth, which its forms share, with its best value."};
   report::Section section{"families", "Families"};
   section.tables = {table_of_families(families)};
   page.sections = {std::move(section)};
@@ -178,19 +207,21 @@ report::Page overview_of(const std::vector<Family>& families, const std::string&
 report::Page page_of(const Family& family) {
   report::Page page;
   page.title = family.title;
-  page.intro = {family.question, family.formula};
+  page.intro = {family.asks, family.formula};
   report::Section section{"facts", "What it is"};
   const auto add = [&section](const char* what, const std::string& text) {
     section.paragraphs.push_back(fmt::format("{}: {}", what, text.empty() ? "none." : text));
   };
   add("Constraints", family.constraints);
+  add("Surrogate", family.surrogate);
   add("Derivatives", family.derivatives);
   add("Instances", family.instances +
                        " Each has numbered instances: the box moved and reflected, the start drawn "
                        "anew, so that no solver gains from where things lie.");
   add("Who would use it", family.users);
-  section.tables = {table_of_variables(family.problems.front()), table_of_best(family)};
-  if (family.problems.front().dimension() == 1) section.figures = {chart_of(family)};
+  section.tables = {table_of_variables(family.questions.front().stated), table_of_forms(family),
+                    table_of_best(family)};
+  if (family.questions.front().stated.dimension() == 1) section.figures = {chart_of(family)};
   page.sections = {std::move(section)};
   return page;
 }

@@ -84,13 +84,19 @@ TEST(Families, ShowOneTruthInEveryForm) {
     for (const Question* question : {&family.questions.front(), &family.questions.back()}) {
       const Problem& stated = question->stated;
       EXPECT_FALSE(stated.truth) << stated.name;
+      if (stated.smoothed) {  // to width 0 it is what is judged
+        const Values exact =
+            question->problem({question->width}).smoothed(0).evaluate(stated.start);
+        EXPECT_EQ(exact.objective, stated.evaluate(stated.start).objective) << stated.name;
+        EXPECT_EQ(exact.constraints, stated.evaluate(stated.start).constraints) << stated.name;
+      }
       for (const Form& form : question->forms()) {
         const Problem shown = question->problem(form);
         EXPECT_EQ(shown.name, stated.name);
         EXPECT_EQ(shown.start, stated.start);
         EXPECT_EQ(shown.best_known, stated.best_known);
         const Truth truth = truth_at(shown, shown.start);
-        const Truth expected = truth_of(stated.evaluate(stated.start));
+        const Truth expected = truth_at(stated, stated.start);
         EXPECT_EQ(truth.objective, expected.objective) << shown.name;
         EXPECT_EQ(truth.violation, expected.violation) << shown.name;
       }

@@ -69,12 +69,12 @@ report::Table table_of_families(const std::vector<Family>& families) {
       }
       return fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most);
     };
-    const Question& first = most_constrained(family);
+    const Question& question = most_constrained(family);
     std::string forms;
     bool derivatives = false;
-    for (const Form& form : first.forms()) {
-      forms += (forms.empty() ? "" : ", ") + first.name_of(form);
-      derivatives = derivatives || first.problem(form).differentiate;
+    for (const Form& form : question.forms()) {
+      forms += (forms.empty() ? "" : ", ") + question.name_of(form);
+      derivatives = derivatives || question.problem(form).differentiate;
     }
     table.rows.push_back({{family.name},
                           {family.title},
@@ -110,9 +110,14 @@ report::Table table_of_variables(const Problem& problem) {
 
 report::Table table_of_forms(const Family& family) {
   const Question& question = most_constrained(family);
-  report::Table table{fmt::format("The forms in which solvers can be shown {}. Penalised, each "
-                                  "constraint adds {} times its violation to the objective.",
-                                  question.name(), text_of(question.penalty_weight)),
+  std::string caption =
+      fmt::format("The forms in which {} can be shown to a solver.", question.name());
+  if (question.stated.constraints > 0) {
+    caption +=
+        fmt::format(" Penalised, each constraint adds {} times its violation to the objective.",
+                    text_of(question.penalty_weight));
+  }
+  report::Table table{std::move(caption),
                       {{"shown as", Alignment::left},
                        {"constraints"},
                        {"derivatives", Alignment::left},

@@ -6,8 +6,8 @@
 
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/families.h"
 #include "solvers/solvers.h"
-#include "src/cli/families_choice.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"
 
@@ -31,7 +31,7 @@ Json cases() {
 
 Json questions(const std::string& scene_file) {
   Json rows = Json::array();
-  for (const Family& family : choose_families(scene_file)) {
+  for (const Family& family : all_families(scene_file)) {
     for (const Question& q : family.questions) {
       Json forms = Json::array();
       bool derivatives = false;

@@ -7,17 +7,9 @@
 
 namespace ricochet {
 
-/// Questions of one kind, and what there is to say of them; text is plain.
+/// Questions of one kind. What there is to say of them stands in reports/templates/families.toml.
 struct Family {
-  std::string name;         ///< what the names of its questions begin with, e.g. "top-speed"
-  std::string title;        ///< e.g. "The fastest quiet speed"
-  std::string asks;         ///< what it asks
-  std::string formula;      ///< objective and variables, in words
-  std::string constraints;  ///< empty where it has none
-  std::string surrogate;    ///< what is shown where it is smoothed; empty where it never is
-  std::string derivatives;  ///< empty where it has none
-  std::string instances;    ///< what the questions differ in
-  std::string users;        ///< who would use it
+  std::string name;  ///< what the names of its questions begin with, e.g. "top-speed"
   std::vector<Question> questions;
 };
 

@@ -35,31 +35,6 @@ TEST(Families, HaveDistinctNamesAndSoDoTheirQuestions) {
   EXPECT_EQ(questions.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 1 + 27 + 33 + 53);
 }
 
-TEST(Families, SayWhatTheyAsk) {
-  for (const Family& family : families()) {
-    for (const std::string& text :
-         {family.title, family.asks, family.formula, family.instances, family.users}) {
-      EXPECT_GT(text.size(), 10U) << family.name;
-    }
-    const auto any_form = [&family](const auto& of) {
-      return std::any_of(family.questions.begin(), family.questions.end(), [&](const Question& q) {
-        const auto forms = q.forms();
-        return std::any_of(forms.begin(), forms.end(),
-                           [&](const Form& form) { return of(q.problem(form)); });
-      });
-    };
-    EXPECT_EQ(family.constraints.empty(),
-              !any_form([](const Problem& p) { return p.constraints > 0; }))
-        << family.name;
-    EXPECT_EQ(family.surrogate.empty(),
-              !any_form([](const Problem& p) { return static_cast<bool>(p.smoothed); }))
-        << family.name;
-    EXPECT_EQ(family.derivatives.empty(),
-              !any_form([](const Problem& p) { return p.differentiate || p.residuals; }))
-        << family.name;
-  }
-}
-
 TEST(Families, HaveProblemsThatHoldTogether) {
   for (const Family& family : families()) {
     for (const Question& question : family.questions) {

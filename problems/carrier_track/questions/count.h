@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "problems/carrier_track/questions/machine.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// The speed with the fewest collisions.
 namespace ricochet::carrier_track::inline questions {
@@ -11,7 +11,5 @@ namespace ricochet::carrier_track::inline questions {
 /// Minimise the collision count over the speed: an integer staircase, no derivatives. The smooth
 /// surrogate has them.
 Question count_question(const Machine& machine);
-
-Family count_family(const std::vector<Machine>& machines);
 
 }  // namespace ricochet::carrier_track::inline questions

@@ -48,11 +48,11 @@ double greatest_pull(const Machine& machine) {
   return std::max(0.0, 2 * machine.scene.pull) + further_pull;
 }
 
+}  // namespace
+
 bool has_clearance(const Machine& machine) {
   return std::isfinite(machine.scene.wall_upper);
 }
-
-}  // namespace
 
 DesignScale design_scale(const Machine& machine) {
   return {loud_speed(machine), machine.scene.pull, greatest_pull(machine) - least_pull(machine),
@@ -86,39 +86,6 @@ Question design_count_question(const Machine& machine) {
           .width = default_width,
           .tolerance = 0.01,
           .penalty_weight = 10};  // a collision too many costs more than any speed earns
-}
-
-Family design_count_family(const std::vector<Machine>& machines) {
-  Family family;
-  family.name = "design-count";
-  family.title = "The machine and its speed together";
-  family.asks =
-      "Which speed, yarn pull, clearance, friction and restitution together make the best machine "
-      "that is still quiet?";
-  family.formula =
-      "Minimise a cost without dimension. Speed earns, -speed / nominal. A small clearance costs "
-      "precision, 0.5 nominal / clearance. Strong damping costs 0.25 ln(1 / restitution): layers "
-      "that each keep the same share of the speed. Friction costs heat, 0.5 friction (speed / "
-      "nominal)^3: its power, under a press that grows as centrifugal force does. A pull that "
-      "departs from its nominal value costs the braid's quality, the square "
-      "of the departure over the span of the bounds. Nominal are the machine's own pull and "
-      "clearance, and the speed of the profiles.";
-  family.constraints = "Collision count <= the quiet limit of the machine as it is.";
-  family.surrogate = "Smooth surrogate <= the highest quiet count and a half.";
-  family.derivatives =
-      "Exact, of the surrogate, by dual numbers carried through the simulation, to all five "
-      "variables.";
-  family.instances =
-      "One for each machine with two walls, by its nominal values, window and quiet limit. The "
-      "machine's own friction and restitution are but the start: cases that differ in nothing else "
-      "ask nearly the same.";
-  family.users =
-      "A designer of machines; whoever compares solvers on five variables of different kinds, a "
-      "smooth objective and one constraint that is active at the best.";
-  for (const Machine& machine : machines) {
-    if (has_clearance(machine)) family.questions.push_back(design_count_question(machine));
-  }
-  return family;
 }
 
 }  // namespace ricochet::carrier_track::inline questions

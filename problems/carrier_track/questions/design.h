@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/questions/machine.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// The machine and its speed, designed together.
 namespace ricochet::carrier_track::inline questions {
@@ -77,7 +77,7 @@ DesignCost<Scalar> design_cost(const DesignScale& scale, std::span<const Scalar>
 /// them, must stay below the half_level of the limit. The machine must have two walls.
 Question design_count_question(const Machine& machine);
 
-/// Without the machines that have but one wall: they have no clearance to design.
-Family design_count_family(const std::vector<Machine>& machines);
+/// Whether it has two walls, so that it can be asked: a clearance is a variable.
+bool has_clearance(const Machine& machine);
 
 }  // namespace ricochet::carrier_track::inline questions

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "problems/carrier_track/questions/machine.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// How the speed should vary in time, at a given mean: problems of as many variables as one likes.
 namespace ricochet::carrier_track::inline questions {
@@ -55,8 +55,5 @@ Question profile_count_question(const Machine& machine, std::size_t n);
 
 /// Minimise the wear (wear.h) over the shape, with derivatives.
 Question profile_wear_question(const Machine& machine, std::size_t n);
-
-Family profile_count_family(const std::vector<Machine>& machines);
-Family profile_wear_family(const std::vector<Machine>& machines);
 
 }  // namespace ricochet::carrier_track::inline questions

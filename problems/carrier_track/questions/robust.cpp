@@ -92,29 +92,6 @@ std::string prefix(RiskMeasure risk) {
   return fmt::format("robust-{}", name_of(risk));
 }
 
-std::string_view in_title(RiskMeasure risk) {
-  switch (risk) {
-    case RiskMeasure::mean:
-      return "on average";
-    case RiskMeasure::worst:
-      return "at worst";
-    default:
-      return "in the worst tenth";
-  }
-}
-
-std::string measure(RiskMeasure risk) {
-  switch (risk) {
-    case RiskMeasure::mean:
-      return "mean";
-    case RiskMeasure::worst:
-      return "worst";
-    default:
-      return "mean of the worst tenth (the conditional value at risk of Rockafellar and Uryasev, "
-             "2000, https://doi.org/10.21314/JOR.2000.038)";
-  }
-}
-
 }  // namespace
 
 std::vector<Scene> sampled_scenes(const Scene& scene) {
@@ -161,41 +138,6 @@ Question robust_question(const Machine& machine, RiskMeasure risk) {
           .penalty_weight = speed_penalty / step,
           .scan_step = 1e-2,
           .cost = robust_samples};
-}
-
-Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
-  Family family;
-  family.name = prefix(risk);
-  family.title = fmt::format("The fastest speed quiet in spite of tolerances, {}", in_title(risk));
-  family.asks = fmt::format(
-      "How fast may the machine turn if the {} of the counts is to be quiet, when the disturbance "
-      "and how the machine was made are not known exactly?",
-      measure(risk));
-  family.formula =
-      "Minimise the speed's negative. 32 scenes stand for all that there may be: the phase of the "
-      "disturbance uniform, its amplitude within 20 % and 0.05 N higher, clearance within 5 %, "
-      "mass within 2 %, friction within 10 %, restitution within 5 %. They are 32 points of a "
-      "shifted Sobol sequence, the same for every speed and machine, so that no solver is shown "
-      "noise.";
-  family.constraints = fmt::format("The {} of the 32 counts <= quiet limit.", name_of(risk));
-  family.surrogate = fmt::format(
-      "The {} of the 32 smooth surrogates <= half a step above the highest quiet value, where a "
-      "step is what the least weighty impact adds.",
-      name_of(risk));
-  family.derivatives =
-      "Exact, of the surrogate, by dual numbers carried through all 32 simulations; one-sided "
-      "where two scenes change places in the order.";
-  family.instances = "One for each machine, with a limit of its own and the same draws.";
-  family.users =
-      risk == RiskMeasure::mean
-          ? "An engineer with many machines, who cares for their noise together."
-      : risk == RiskMeasure::worst
-          ? "An engineer who must promise that no machine is loud; whoever compares solvers on a "
-            "maximum of functions, with its kinks."
-          : "An engineer who wants to be safe without being ruled by a single machine.";
-  for (const Machine& machine : machines)
-    family.questions.push_back(robust_question(machine, risk));
-  return family;
 }
 
 }  // namespace ricochet::carrier_track::inline questions

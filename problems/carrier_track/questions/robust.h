@@ -4,7 +4,7 @@
 
 #include "problems/carrier_track/questions/machine.h"
 #include "problems/carrier_track/questions/risk_measure.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// The fastest speed that is quiet in spite of what nobody knows: the disturbance, and how the
 /// machine was made.
@@ -24,7 +24,5 @@ std::vector<Scene> sampled_scenes(const Scene& scene);
 /// Minimise -speed subject to risk of the counts of the sampled scenes <= quiet limit, without
 /// derivatives. The surrogates have them.
 Question robust_question(const Machine& machine, RiskMeasure risk);
-
-Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk);
 
 }  // namespace ricochet::carrier_track::inline questions

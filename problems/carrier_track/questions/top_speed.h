@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "problems/carrier_track/questions/machine.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// The fastest quiet speed.
 namespace ricochet::carrier_track::inline questions {
@@ -11,7 +11,5 @@ namespace ricochet::carrier_track::inline questions {
 /// Minimise -speed subject to count <= quiet limit, without derivatives. The surrogate, which has
 /// them, must stay below the half_level of the limit.
 Question top_speed_question(const Machine& machine);
-
-Family top_speed_family(const std::vector<Machine>& machines);
 
 }  // namespace ricochet::carrier_track::inline questions

@@ -1,11 +1,14 @@
 #include "src/studies/problems/family_data.h"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 
+#include "embedded/families.h"
 #include "src/core/verdict.h"
 #include "src/report/chart_data.h"
+#include "src/report/filled_text.h"
 
 namespace ricochet::studies::problems {
 namespace {
@@ -120,6 +123,33 @@ Json range_of(const Family& family, Of of) {
           {"one", of(least->stated) == of(most->stated)}};
 }
 
+/// The members of a table that are texts.
+void add_texts(const toml::table& table, Json& texts) {
+  for (const auto& [key, value] : table) {
+    if (value.is_string()) texts[std::string(key.str())] = value.as_string()->get();
+  }
+}
+
+/// What families.toml says of a family; of one that it does not know, nothing but the name.
+Json texts_of(const Family& family) {
+  static const toml::table all = toml::parse(embedded::families);
+  Json texts = {{"title", family.name}};
+  for (const char* key :
+       {"asks", "formula", "constraints", "surrogate", "derivatives", "instances", "users"}) {
+    texts[key] = "";
+  }
+  if (const toml::table* own = all[family.name].as_table()) {
+    if (const auto like = (*own)["like"].value<std::string>()) {
+      add_texts(*all[*like].as_table(), texts);
+    }
+    add_texts(*own, texts);
+  }
+  Json names = texts;
+  names["width"] = family.questions.front().width;
+  for (Json& text : texts) text = report::filled(text.get<std::string>(), {&names});
+  return texts;
+}
+
 }  // namespace
 
 Json family_data(const Family& family) {
@@ -127,14 +157,6 @@ Json family_data(const Family& family) {
   const Question& constrained = most_constrained(family);
   Json data = {{"report", "family"},
                {"name", family.name},
-               {"title", family.title},
-               {"asks", family.asks},
-               {"formula", family.formula},
-               {"constraints", family.constraints},
-               {"surrogate", family.surrogate},
-               {"derivatives", family.derivatives},
-               {"instances", family.instances},
-               {"users", family.users},
                {"first", first.name()},
                {"variables", variables_of(first.stated)},
                {"shown", constrained.name()},
@@ -143,6 +165,7 @@ Json family_data(const Family& family) {
                {"forms", forms_of(constrained)},
                {"questions", Json::array()},
                {"charts", Json::array()}};
+  data.update(texts_of(family));
   for (const Question& question : family.questions) data["questions"].push_back(row_of(question));
   if (first.stated.dimension() == 1) data["charts"].push_back(chart_of(family));
   return data;
@@ -154,7 +177,7 @@ Json family_row(const Family& family) {
     return form["derivatives"].template get<bool>();
   });
   return {{"name", family.name},
-          {"title", family.title},
+          {"title", texts_of(family)["title"]},
           {"questions", family.questions.size()},
           {"variables", range_of(family, [](const Problem& p) { return p.dimension(); })},
           {"constraints", range_of(family, [](const Problem& p) { return p.constraints; })},

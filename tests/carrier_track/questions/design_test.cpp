@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/questions/families.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
 
@@ -80,7 +81,7 @@ TEST(Design, IsJudgedByTheTrueCount) {
 TEST(Design, IsNotAskedOfAMachineWithOneWall) {
   Machine m = machine();
   m.scene.wall_upper = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(design_count_family({machine(), m}).questions.size(), 1U);
+  EXPECT_EQ(families_of({machine(), m})[4].questions.size(), 1U);
 }
 
 }  // namespace

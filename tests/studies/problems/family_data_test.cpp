@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "problems/carrier_track/questions/families.h"
+#include "problems/families.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
@@ -26,6 +28,49 @@ std::vector<Family> families() {
 
 report::Section facts_of(const Family& family) {
   return report::drawn(report::page_template("family"), family_data(family)).page.sections.at(0);
+}
+
+/// What is said agrees with what there is.
+TEST(FamilyData, SayWhatEveryFamilyAsks) {
+  for (const Family& whole : all_families()) {
+    // A chart of a family takes long, and is not asked for with more than one variable.
+    if (whole.name.rfind("robust-", 0) == 0) continue;
+    const report::Json data = family_data(whole);
+    for (const char* text : {"title", "asks", "formula", "instances", "users"}) {
+      EXPECT_GT(data[text].get<std::string>().size(), 10U) << whole.name << ' ' << text;
+    }
+    const auto any_form = [&whole](const auto& of) {
+      return std::any_of(whole.questions.begin(), whole.questions.end(), [&](const Question& q) {
+        const auto forms = q.forms();
+        return std::any_of(forms.begin(), forms.end(),
+                           [&](const Form& form) { return of(q.problem(form)); });
+      });
+    };
+    EXPECT_EQ(data["constraints"].get<std::string>().empty(),
+              !any_form([](const Problem& p) { return p.constraints > 0; }))
+        << whole.name;
+    EXPECT_EQ(data["surrogate"].get<std::string>().empty(),
+              !any_form([](const Problem& p) { return static_cast<bool>(p.smoothed); }))
+        << whole.name;
+    EXPECT_EQ(data["derivatives"].get<std::string>().empty(),
+              !any_form([](const Problem& p) { return p.differentiate || p.residuals; }))
+        << whole.name;
+  }
+}
+
+TEST(FamilyData, FillInTheTextsOfAFamilyThatIsLikeAnother) {
+  Family family = families()[0];
+  family.name = "robust-mean";
+  const report::Json data = family_data(family);
+  EXPECT_EQ(data["title"], "The fastest speed quiet in spite of tolerances, on average");
+  EXPECT_EQ(data["constraints"], "The mean of the 32 counts <= quiet limit.");
+}
+
+TEST(FamilyData, SayNothingOfAFamilyThatNobodyDescribed) {
+  Family family = families()[0];
+  family.name = "mine";
+  EXPECT_EQ(family_data(family)["title"], "mine");
+  EXPECT_EQ(family_data(family)["asks"], "");
 }
 
 TEST(FamilyData, MakeARowOfTheTableOfAllFamilies) {

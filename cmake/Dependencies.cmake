@@ -2,6 +2,9 @@
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Ceres 2.1 REQUIRED)
+add_library(ricochet_dual_numbers INTERFACE)  # ceres/jet.h: headers alone
+target_include_directories(ricochet_dual_numbers SYSTEM INTERFACE
+  $<TARGET_PROPERTY:Ceres::ceres,INTERFACE_INCLUDE_DIRECTORIES>)
 # With both NLopt packages installed a plain search finds the C build, which lacks StoGO and AGS.
 find_package(NLopt 2.7 CONFIG REQUIRED NO_DEFAULT_PATH
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx)

@@ -1,11 +1,16 @@
 #include "problems/families.h"
 
 #include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/scene/scene_file.h"
 #include "problems/classic/families.h"
 
 namespace ricochet {
 
-std::vector<Family> all_families() {
+std::vector<Family> all_families(const std::string& scene_file) {
+  if (!scene_file.empty()) {
+    const carrier_track::Scene scene = carrier_track::read_scene(scene_file);
+    return carrier_track::families_of({carrier_track::machine_of(scene, scene_file)});
+  }
   std::vector<Family> families = carrier_track::case_families();
   for (Family& family : classic::families()) families.push_back(std::move(family));
   return families;

@@ -63,7 +63,7 @@ Solver continuation(Solver solver) {
   Solver result = solver;
   result.name = fmt::format("continuation-{}", solver.name);
   result.accepts = [accepts = solver.accepts](const Problem& problem) {
-    return problem.smoothed && problem.differentiate && accepts(problem);
+    return problem.smoothed && problem.differentiate && problem.equalities == 0 && accepts(problem);
   };
   result.solve = [solve = solver.solve](Evaluator& evaluator, const Vector& start,
                                         Random& random) -> SolverExit {

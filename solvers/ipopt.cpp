@@ -24,7 +24,8 @@ class UnitProblem : public Ipopt::TNLP {
   UnitProblem(Evaluator& evaluator, const Vector& start)
       : box_(evaluator),
         start_(box_.to_unit(start)),
-        constraints_(evaluator.problem().constraints) {}
+        constraints_(evaluator.problem().constraints),
+        equalities_(evaluator.problem().equalities) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian_entries, Index& hessian_entries,
                     IndexStyleEnum& index_style) override {
@@ -40,7 +41,9 @@ class UnitProblem : public Ipopt::TNLP {
                        Number* c_upper) override {
     std::fill_n(u_lower, n, 0.0);
     std::fill_n(u_upper, n, 1.0);
-    std::fill_n(c_lower, m, -2e19);  // beyond 1e19 is no bound to Ipopt
+    const auto equalities = static_cast<Index>(equalities_);
+    std::fill_n(c_lower, equalities, 0.0);
+    std::fill_n(c_lower + equalities, m - equalities, -2e19);  // beyond 1e19 is no bound to Ipopt
     std::fill_n(c_upper, m, 0.0);
     return true;
   }
@@ -103,7 +106,7 @@ class UnitProblem : public Ipopt::TNLP {
 
   UnitBox box_;
   Vector start_;
-  Eigen::Index constraints_;
+  Eigen::Index constraints_, equalities_;
 };
 
 SolverExit in_words(Ipopt::ApplicationReturnStatus status) {

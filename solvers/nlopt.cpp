@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solvers/unit_box.h"
 
@@ -23,7 +24,7 @@ constexpr std::int64_t direct_points = 500'000;   // NLopt's own default
 constexpr std::int64_t all_points = 200'000'000;  // ten times as many are still an int
 
 enum class Reach { local, global };
-enum class Constraints { no, yes };
+enum class Constraints { no, inequalities, all };
 enum class Draws { no, yes };
 
 struct Algorithm {
@@ -38,18 +39,18 @@ struct Algorithm {
 // DIRECT is the original code: the other one in NLopt takes no constraints.
 // BOBYQA interpolates at n + 2 points at least, more than it can place in one dimension.
 constexpr Algorithm without_derivatives[] = {
-    {"direct-l", NLOPT_GN_ORIG_DIRECT_L, Reach::global, Constraints::yes, Draws::no, 1},
+    {"direct-l", NLOPT_GN_ORIG_DIRECT_L, Reach::global, Constraints::inequalities, Draws::no, 1},
     {"crs2", NLOPT_GN_CRS2_LM, Reach::global, Constraints::no, Draws::yes, 1},
-    {"isres", NLOPT_GN_ISRES, Reach::global, Constraints::yes, Draws::yes, 1},
+    {"isres", NLOPT_GN_ISRES, Reach::global, Constraints::all, Draws::yes, 1},
     {"esch", NLOPT_GN_ESCH, Reach::global, Constraints::no, Draws::yes, 1},
-    {"cobyla", NLOPT_LN_COBYLA, Reach::local, Constraints::yes, Draws::no, 1},
+    {"cobyla", NLOPT_LN_COBYLA, Reach::local, Constraints::all, Draws::no, 1},
     {"bobyqa", NLOPT_LN_BOBYQA, Reach::local, Constraints::no, Draws::no, 2},
     {"nelder-mead", NLOPT_LN_NELDERMEAD, Reach::local, Constraints::no, Draws::no, 1},
     {"sbplx", NLOPT_LN_SBPLX, Reach::local, Constraints::no, Draws::no, 1},
 };
 constexpr Algorithm with_derivatives[] = {
-    {"slsqp", NLOPT_LD_SLSQP, Reach::local, Constraints::yes, Draws::no, 1},
-    {"mma", NLOPT_LD_MMA, Reach::local, Constraints::yes, Draws::no, 1},
+    {"slsqp", NLOPT_LD_SLSQP, Reach::local, Constraints::all, Draws::no, 1},
+    {"mma", NLOPT_LD_MMA, Reach::local, Constraints::inequalities, Draws::no, 1},
     {"lbfgs", NLOPT_LD_LBFGS, Reach::local, Constraints::no, Draws::no, 1},
 };
 
@@ -64,8 +65,12 @@ class Search {
 
  private:
   static double objective(unsigned n, const double* u, double* gradient, void* self);
-  static void constraints(unsigned m, double* result, unsigned n, const double* u, double* jacobian,
-                          void* self);
+  static void equalities(unsigned m, double* result, unsigned n, const double* u, double* jacobian,
+                         void* self);
+  static void inequalities(unsigned m, double* result, unsigned n, const double* u,
+                           double* jacobian, void* self);
+  void constraints(Eigen::Index first, Eigen::Index count, double* result, const double* u,
+                   double* jacobian);
   std::optional<Derivatives> look(const double* point, bool slopes);
   void end(SolverExit why);
 
@@ -87,10 +92,13 @@ Search::Search(const Algorithm& algorithm, Evaluator& evaluator)
   nlopt_set_lower_bounds1(nlopt, 0.0);
   nlopt_set_upper_bounds1(nlopt, 1.0);
   nlopt_set_min_objective(nlopt, objective, this);
-  if (evaluator.problem().constraints > 0) {
-    nlopt_add_inequality_mconstraint(nlopt, static_cast<unsigned>(evaluator.problem().constraints),
-                                     constraints, this, nullptr);
+  const auto m = static_cast<unsigned>(evaluator.problem().equalities);
+  const auto others = static_cast<unsigned>(evaluator.problem().constraints) - m;
+  if (m > 0) {
+    const std::vector<double> tolerances(m, equality_tolerance);
+    nlopt_add_equality_mconstraint(nlopt, m, equalities, this, tolerances.data());
   }
+  if (others > 0) nlopt_add_inequality_mconstraint(nlopt, others, inequalities, this, nullptr);
   nlopt_set_initial_step1(nlopt, initial_step);
   nlopt_set_xtol_abs1(nlopt, step_tolerance);
   if (algorithm.id == NLOPT_LD_LBFGS) nlopt_set_vector_storage(nlopt, lbfgs_memory);
@@ -145,19 +153,31 @@ double Search::objective(unsigned n, const double* u, double* gradient, void* se
   return seen ? seen->values.objective : HUGE_VAL;
 }
 
-void Search::constraints(unsigned m, double* result, unsigned n, const double* u, double* jacobian,
-                         void* self) {
-  const auto seen = static_cast<Search*>(self)->look(u, jacobian);
-  Eigen::Map<Vector> values(result, m);
+void Search::equalities(unsigned m, double* result, unsigned, const double* u, double* jacobian,
+                        void* self) {
+  static_cast<Search*>(self)->constraints(0, m, result, u, jacobian);
+}
+
+void Search::inequalities(unsigned m, double* result, unsigned, const double* u, double* jacobian,
+                          void* self) {
+  auto* search = static_cast<Search*>(self);
+  search->constraints(search->evaluator_.problem().equalities, m, result, u, jacobian);
+}
+
+/// `count` of the constraints, from the `first` on.
+void Search::constraints(Eigen::Index first, Eigen::Index count, double* result, const double* u,
+                         double* jacobian) {
+  const auto seen = look(u, jacobian);
+  Eigen::Map<Vector> values(result, count);
   if (seen) {
-    values = seen->values.constraints;
+    values = seen->values.constraints.segment(first, count);
   } else {
     values.setConstant(HUGE_VAL);
   }
   if (jacobian) {
-    Eigen::Map<RowMajor> slopes(jacobian, m, n);
+    Eigen::Map<RowMajor> slopes(jacobian, count, evaluator_.problem().dimension());
     if (seen) {
-      slopes = seen->jacobian;
+      slopes = seen->jacobian.middleRows(first, count);
     } else {
       slopes.setZero();
     }
@@ -210,7 +230,8 @@ Solver adapter(const Algorithm& algorithm, bool derivatives) {
   solver.stochastic = algorithm.draws == Draws::yes;
   solver.accepts = [algorithm, derivatives](const Problem& problem) {
     return has_room(problem) && problem.dimension() >= algorithm.least_dimension &&
-           (problem.constraints == 0 || algorithm.constraints == Constraints::yes) &&
+           (problem.constraints == 0 || algorithm.constraints != Constraints::no) &&
+           (problem.equalities == 0 || algorithm.constraints == Constraints::all) &&
            (problem.differentiate || !derivatives);
   };
   solver.solve = [algorithm](Evaluator& evaluator, const Vector& start, Random& random) {

@@ -10,7 +10,9 @@ Solver random_search() {
   solver.name = "random-search";
   solver.version = "ricochet " RICOCHET_VERSION;
   solver.stochastic = true;
-  solver.accepts = has_room;
+  solver.accepts = [](const Problem& problem) {
+    return has_room(problem) && problem.equalities == 0;
+  };
   solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
     Vector x = start;
     while (evaluator.values(x)) x = uniform_point(evaluator.problem(), random);

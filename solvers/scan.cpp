@@ -17,7 +17,7 @@ Solver scan() {
   solver.name = "scan";
   solver.version = "ricochet " RICOCHET_VERSION;
   solver.accepts = [](const Problem& problem) {
-    return problem.dimension() == 1 && has_room(problem);
+    return problem.dimension() == 1 && problem.equalities == 0 && has_room(problem);
   };
   solver.solve = [](Evaluator& evaluator, const Vector&, Random&) -> SolverExit {
     const Problem& problem = evaluator.problem();

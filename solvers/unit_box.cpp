@@ -21,10 +21,15 @@ Vector UnitBox::from_unit(const Vector& u) const {
   return lower_ + width_.cwiseProduct(u);
 }
 
+void UnitBox::keep_inside(Values& values) const {
+  const Eigen::Index inequalities = values.constraints.size() - evaluator_.problem().equalities;
+  values.constraints.tail(inequalities).array() += feasibility_margin;
+}
+
 std::optional<Values> UnitBox::values(const Vector& u) {
   if (!u.allFinite()) return std::nullopt;
   auto shown = evaluator_.values(from_unit(u));
-  if (shown) shown->constraints.array() += feasibility_margin;
+  if (shown) keep_inside(*shown);
   return shown;
 }
 
@@ -32,7 +37,7 @@ std::optional<Derivatives> UnitBox::derivatives(const Vector& u) {
   if (!u.allFinite()) return std::nullopt;
   auto shown = evaluator_.derivatives(from_unit(u));
   if (!shown) return std::nullopt;
-  shown->values.constraints.array() += feasibility_margin;
+  keep_inside(shown->values);
   shown->gradient.array() *= width_.array();
   shown->jacobian *= width_.asDiagonal();
   return shown;

@@ -31,7 +31,7 @@ class UnitBox {
   Vector to_unit(const Vector& x) const;
   Vector from_unit(const Vector& u) const;
 
-  /// Objective and constraints at u, the constraints raised by feasibility_margin. Nothing once the
+  /// Objective and constraints at u, but equalities, raised by feasibility_margin. Nothing once the
   /// run is over, or where u is not finite: the evaluator would end the run, but only this start
   /// has failed.
   std::optional<Values> values(const Vector& u);
@@ -45,6 +45,8 @@ class UnitBox {
   bool over() const { return evaluator_.over(); }
 
  private:
+  void keep_inside(Values& values) const;
+
   Evaluator& evaluator_;
   Vector lower_, width_;
 };

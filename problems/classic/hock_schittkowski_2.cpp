@@ -65,6 +65,34 @@ Problem hs_5() {
       });
 }
 
+Problem hs_6() {
+  Problem problem = from_formulas(
+      hock_schittkowski(6, "Betts", Vector::Constant(2, -10), Vector::Constant(2, 10),
+                        Vector{{-1.2, 1}}, {0, Vector{{1, 1}}, in_closed_form, true}),
+      []<class Scalar>(const Point<Scalar>& x) { return (1.0 - x[0]) * (1.0 - x[0]); },
+      []<class Scalar>(const Point<Scalar>& x) { return Scalar(10.0 * (x[1] - x[0] * x[0])); });
+  problem.equalities = 1;
+  return problem;
+}
+
+Problem hs_7() {
+  Problem problem = from_formulas(
+      hock_schittkowski(
+          7, "Miele, Tietze and Levy", Vector::Constant(2, -10), Vector::Constant(2, 10),
+          Vector{{2, 2}},
+          {-std::numbers::sqrt3, Vector{{0, std::numbers::sqrt3}}, in_closed_form, true}),
+      []<class Scalar>(const Point<Scalar>& x) {
+        using std::log;
+        return Scalar(log(1.0 + x[0] * x[0]) - x[1]);
+      },
+      []<class Scalar>(const Point<Scalar>& x) {
+        const Scalar a = 1.0 + x[0] * x[0];
+        return Scalar(a * a + x[1] * x[1] - 4.0);
+      });
+  problem.equalities = 1;
+  return problem;
+}
+
 Problem hs_10() {
   return from_formulas(
       hock_schittkowski(10, "Biggs", Vector{{-20, -20}}, Vector{{20, 20}}, Vector{{-10, 10}},
@@ -171,8 +199,8 @@ Problem hs_24() {
 }  // namespace
 
 std::vector<Problem> hock_schittkowski_2() {
-  return {hs_1(),  hs_2(),  hs_3(),  hs_4(),  hs_5(),  hs_10(), hs_11(),
-          hs_12(), hs_15(), hs_18(), hs_21(), hs_22(), hs_23(), hs_24()};
+  return {hs_1(),  hs_2(),  hs_3(),  hs_4(),  hs_5(),  hs_6(),  hs_7(),  hs_10(),
+          hs_11(), hs_12(), hs_15(), hs_18(), hs_21(), hs_22(), hs_23(), hs_24()};
 }
 
 }  // namespace ricochet::classic

@@ -8,7 +8,6 @@
 namespace ricochet::classic {
 namespace {
 
-using std::numbers::ln10;
 using std::numbers::sqrt2;
 using std::numbers::sqrt3;
 
@@ -64,11 +63,20 @@ Problem hs_33() {
       });
 }
 
+/// ln y, or the number next below whose exponential is not beyond y.
+double log_within(double y) {
+  double x = std::log(y);
+  while (std::exp(x) > y) x = std::nextafter(x, 0.0);
+  return x;
+}
+
 Problem hs_34() {
+  const double second = log_within(10);
+  const double first = log_within(second);
   return from_formulas(
       hock_schittkowski(34, "Eckhardt", Vector::Zero(3), Vector{{100, 100, 10}},
                         Vector{{0, 1.05, 2.9}},
-                        {-std::log(ln10), Vector{{std::log(ln10), ln10, 10}}, in_closed_form}),
+                        {-first, Vector{{first, second, 10}}, in_closed_form}),
       []<class Scalar>(const Point<Scalar>& x) { return Scalar(-x[0]); }, above_exponentials);
 }
 

@@ -6,8 +6,8 @@
 
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/families.h"
 #include "solvers/solvers.h"
-#include "src/cli/families_choice.h"
 #include "src/cli/format.h"
 #include "src/core/error.h"
 
@@ -29,16 +29,23 @@ Json cases() {
   return rows;
 }
 
-Json problems(const std::string& scene_file) {
+Json questions(const std::string& scene_file) {
   Json rows = Json::array();
-  for (const Family& family : choose_families(scene_file)) {
-    for (const Problem& p : family.problems) {
-      rows.push_back({{"problem", p.name},
-                      {"dimension", p.dimension()},
-                      {"constraints", p.constraints},
-                      {"derivatives", static_cast<bool>(p.differentiate)},
-                      {"best_known", json_of(p.best_known)},
-                      {"source", p.source}});
+  for (const Family& family : all_families(scene_file)) {
+    for (const Question& q : family.questions) {
+      Json forms = Json::array();
+      bool derivatives = false;
+      for (const Form& form : q.forms()) {
+        forms.push_back(q.name_of(form));
+        derivatives = derivatives || q.problem(form).differentiate;
+      }
+      rows.push_back({{"question", q.name()},
+                      {"dimension", q.stated.dimension()},
+                      {"constraints", q.stated.constraints},
+                      {"forms", forms},
+                      {"derivatives", derivatives},
+                      {"best_known", json_of(q.stated.best_known)},
+                      {"source", q.stated.source}});
     }
   }
   return rows;
@@ -67,8 +74,10 @@ Json readings() {
   return rows;
 }
 
-/// A cell as text: strings without quotes, missing values as a dash.
+/// A cell as text: strings without quotes, lists without brackets, missing values as a dash.
 std::string cell(const Json& value) {
+  if (value.is_array())
+    return fmt::format("{}", fmt::join(value.get<std::vector<std::string>>(), " "));
   if (value.is_string()) return value.get<std::string>();
   return value.is_null() ? "-" : value.dump();
 }
@@ -97,13 +106,14 @@ void print_table(const Json& rows) {
 }  // namespace
 
 int list(const std::string& what, const std::string& scene_file, bool json) {
-  if (!scene_file.empty() && what != "problems") {
-    throw InputError(fmt::format("--scene: has problems alone, not {}", what));
+  const bool asks = what == "questions" || what == "problems";
+  if (!scene_file.empty() && !asks) {
+    throw InputError(fmt::format("--scene: has questions alone, not {}", what));
   }
-  const Json rows = what == "cases"      ? cases()
-                    : what == "problems" ? problems(scene_file)
-                    : what == "solvers"  ? solvers()
-                                         : readings();
+  const Json rows = what == "cases"     ? cases()
+                    : asks              ? questions(scene_file)
+                    : what == "solvers" ? solvers()
+                                        : readings();
   if (json) {
     fmt::print("{}\n", rows.dump(2));
   } else {

@@ -7,11 +7,10 @@
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/bench.h"
+#include "src/cli/best_values.h"
 #include "src/cli/calibrate.h"
-#include "src/cli/certify.h"
 #include "src/cli/dynamics.h"
 #include "src/cli/list.h"
-#include "src/cli/problems.h"
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
 #include "src/cli/surrogate.h"
@@ -19,6 +18,7 @@
 #include "src/cli/verify.h"
 #include "src/core/error.h"
 #include "src/report/report.h"
+#include "src/studies/problems/study.h"
 #include "src/studies/study.h"
 #include "src/studies/verification/study.h"
 
@@ -60,7 +60,7 @@ class Program {
     add_scene();
     add_list();
     add_problems();
-    add_certify();
+    add_best_values();
     add_report();
     add_bench();
   }
@@ -89,15 +89,16 @@ class Program {
     return error.what();
   }
 
-  /// A study's command; further options may be added to it.
-  CLI::App* add_study(const studies::Study& study) {
+  /// The command of the study that `make` makes when it is called; further options may be added.
+  CLI::App* add_study(const std::function<studies::Study()>& make) {
+    const studies::Study study = make();
     CLI::App* command = app_.add_subcommand(study.command, study.summary);
     StudyOptions& options = studies_.emplace_back(StudyOptions{false, "reports/" + study.name});
     if (!study.quick.empty()) command->add_flag("--quick", options.quick, study.quick);
     command->add_option("--out", options.out, "Folder for the report")->capture_default_str();
-    command->callback([this, study, &options] {
-      work_ = [study, &options] {
-        std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+    command->callback([this, make, &options] {
+      work_ = [make, &options] {
+        std::fputs(studies::run(make(), options.quick, options.out).epilogue.c_str(), stdout);
         return 0;
       };
     });
@@ -186,7 +187,7 @@ class Program {
   }
 
   void add_verify() {
-    CLI::App* command = add_study(studies::verification_study({}));
+    CLI::App* command = add_study([this] { return studies::verification_study(verification_); });
     command->add_option("--scenes", verification_.scenes, "How many random and hostile scenes")
         ->capture_default_str();
     command->add_option("--seed", verification_.seed, "Of the scenes")->capture_default_str();
@@ -230,31 +231,30 @@ class Program {
 
   void add_list() {
     CLI::App* command = app_.add_subcommand("list", "What there is");
-    command->add_option("what", list_, "cases, problems, solvers or readings")
+    command->add_option("what", list_, "cases, questions, solvers or readings")
         ->required()
-        ->check(CLI::IsMember({"cases", "problems", "solvers", "readings"}));
-    command->add_option("--scene", list_scene_, "Of problems: a machine of your own, a TOML file");
+        ->check(CLI::IsMember({"cases", "questions", "problems", "solvers", "readings"}));
+    command->add_option("--scene", list_scene_, "Of questions: a machine of your own, a TOML file");
     add_format(*command, list_json_);
     command->callback([this] { work_ = [this] { return list(list_, list_scene_, list_json_); }; });
   }
 
   void add_problems() {
-    CLI::App* command = app_.add_subcommand("problems", "What every problem asks, as a report");
-    command->add_option("--scene", problems_.scene_file,
+    CLI::App* command = add_study([this] { return studies::problems_study(problems_scene_); });
+    command->add_option("--scene", problems_scene_,
                         "A machine of your own, a TOML file, for the paper's cases");
-    command->add_option("--out", problems_.out, "Folder for the report")->capture_default_str();
-    command->callback([this] { work_ = [this] { return problems(problems_); }; });
   }
 
-  void add_certify() {
+  void add_best_values() {
     CLI::App* command = app_.add_subcommand(
-        "certify", "The best known value of every problem, looked for at length");
-    command->add_option("--problems", certify_.problems,
-                        "A pattern such as profile-*-C4, or a part of their names");
-    command->add_option("--seconds", certify_.seconds,
+        "best-values", "The best known value of every question, looked for at length");
+    command->alias("certify");  // as it was called
+    command->add_option("--questions,--problems", best_values_.questions,
+                        "A pattern such as robust-*-C4, or a part of their names");
+    command->add_option("--seconds", best_values_.seconds,
                         "Begin nothing later; the same command then goes on");
-    command->add_option("--out", certify_.out, "The file of the values")->capture_default_str();
-    command->callback([this] { work_ = [this] { return certify(certify_); }; });
+    command->add_option("--out", best_values_.out, "The file of the values")->capture_default_str();
+    command->callback([this] { work_ = [this] { return best_values(best_values_); }; });
   }
 
   void add_bench() {
@@ -279,8 +279,8 @@ class Program {
   studies::VerificationOptions verification_;
   std::optional<int> scene_index_;
   bool verification_json_ = false;
-  ProblemsOptions problems_;
-  CertifyOptions certify_;
+  std::string problems_scene_;
+  BestValuesOptions best_values_;
   SceneChoice scene_;
   std::string list_, list_scene_;
   bool list_json_ = false;

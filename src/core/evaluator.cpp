@@ -21,12 +21,14 @@ void Evaluator::allow(std::int64_t evaluations) {
 }
 
 bool Evaluator::admits(const Vector& x, std::int64_t price) {
-  if (over()) return false;
-  ledger_.seconds = processor_seconds() - started_;
-  if (ledger_.charged + price > pause_) refusal_ = Refusal::paused;
-  if (ledger_.charged + price > budget_.evaluations) refusal_ = Refusal::evaluations;
-  if (ledger_.seconds >= budget_.seconds) refusal_ = Refusal::seconds;
-  if (x.size() != problem_.dimension() || !x.allFinite()) refusal_ = Refusal::bad_point;
+  if (!over()) {
+    ledger_.seconds = processor_seconds() - started_;
+    if (ledger_.charged + price > pause_) refusal_ = Refusal::paused;
+    if (ledger_.charged + price > budget_.evaluations) refusal_ = Refusal::evaluations;
+    if (ledger_.seconds >= budget_.seconds) refusal_ = Refusal::seconds;
+    if (x.size() != problem_.dimension() || !x.allFinite()) refusal_ = Refusal::bad_point;
+  }
+  if (over()) ++ledger_.refused;
   return !over();
 }
 
@@ -48,7 +50,7 @@ void Evaluator::charge(std::int64_t price) {
 }
 
 void Evaluator::look(const Vector& x, const Values& values) {
-  const Truth taken_for = truth_of(values);
+  const Truth taken_for = truth_of(values, problem_.equalities);
   if (!best_shown_ || better(taken_for, best_shown_->taken_for)) best_shown_ = {taken_for, x};
 }
 
@@ -65,8 +67,8 @@ void Evaluator::smooth(double width) {
 void Evaluator::score(const Vector& x, const Values* known) {
   const double before = processor_seconds();
   const Truth truth = problem_.truth        ? problem_.truth(x)
-                      : known && !smoothed_ ? truth_of(*known)
-                                            : truth_of(problem_.evaluate(x));
+                      : known && !smoothed_ ? truth_of(*known, problem_.equalities)
+                                            : truth_of(problem_.evaluate(x), problem_.equalities);
   const bool is_number = !std::isnan(truth.objective) && !std::isnan(truth.violation);
   if (is_number && (trace_.empty() || better(truth, trace_.back().truth))) {
     trace_.push_back({ledger_.charged, ledger_.seconds, truth, x});
@@ -75,7 +77,7 @@ void Evaluator::score(const Vector& x, const Values* known) {
 }
 
 std::optional<Values> Evaluator::values(const Vector& x) {
-  if (values_ && values_point_ == x) return over() ? std::nullopt : values_;
+  if (!over() && values_ && values_point_ == x) return values_;
   if (!admits(x, 1)) return std::nullopt;
   const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
   const bool done = guarded([&] {
@@ -95,7 +97,7 @@ std::optional<double> Evaluator::objective(const Vector& x) {
 }
 
 std::optional<Derivatives> Evaluator::derivatives(const Vector& x) {
-  if (derivatives_ && derivatives_point_ == x) return over() ? std::nullopt : derivatives_;
+  if (!over() && derivatives_ && derivatives_point_ == x) return derivatives_;
   const bool known = values_ && values_point_ == x;
   const std::int64_t price = problem_.dimension() + (known ? 0 : 1);
   if (!admits(x, price)) return std::nullopt;
@@ -115,7 +117,7 @@ std::optional<Derivatives> Evaluator::derivatives(const Vector& x) {
 }
 
 std::optional<Residuals> Evaluator::residuals(const Vector& x) {
-  if (residuals_ && residuals_point_ == x) return over() ? std::nullopt : residuals_;
+  if (!over() && residuals_ && residuals_point_ == x) return residuals_;
   const std::int64_t price = 1 + problem_.dimension();
   if (!admits(x, price)) return std::nullopt;
   const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);

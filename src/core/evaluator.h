@@ -32,6 +32,7 @@ struct Ledger {
   std::int64_t values = 0;       ///< calls of evaluate
   std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
   std::int64_t charged = 0;      ///< evaluations: 1 for values, 1 + n for derivatives or residuals
+  std::int64_t refused = 0;      ///< calls that were refused
   double seconds = 0;            ///< processor time since the start, scoring left out
 };
 
@@ -57,7 +58,7 @@ class Evaluator {
 
   const Problem& problem() const { return problem_; }
 
-  /// Objective and constraints at x (length n), or nothing once the run is over.
+  /// Objective and constraints, equalities first, at x (length n), or nothing once the run is over.
   std::optional<Values> values(const Vector& x);
 
   /// values(x)->objective.
@@ -72,8 +73,8 @@ class Evaluator {
   /// function.
   std::optional<Residuals> residuals(const Vector& x);
 
-  /// Shows the problem at this smoothing width from here on; it is judged as before. The problem
-  /// must have the knob.
+  /// Shows the problem at this smoothing width, >= 0, from here on; it is judged as before. The
+  /// problem must have the knob.
   void smooth(double width);
 
   /// The best point as shown since the start, or since the last call of smooth: all that a solver

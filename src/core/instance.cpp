@@ -32,11 +32,9 @@ struct Frame {
 /// A random orthogonal matrix, of the uniform (Haar) distribution: normal columns, made orthogonal
 /// one after the other, twice for the sake of rounding.
 Matrix random_turn(Eigen::Index n, Random& random) {
-  std::normal_distribution<double> normal;
-  Matrix turn(n, n);
+  Matrix turn = normal(n * n, random).reshaped(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    Vector column(n);
-    for (double& x : column) x = normal(random);
+    Vector column = turn.col(k);
     for (int pass = 0; pass < 2; ++pass) {
       for (Eigen::Index j = 0; j < k; ++j) column -= turn.col(j).dot(column) * turn.col(j);
     }
@@ -50,7 +48,7 @@ Matrix random_turn(Eigen::Index n, Random& random) {
 Vector uniform_point(const Problem& problem, Random& random) {
   Vector x(problem.dimension());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    x[i] = std::uniform_real_distribution<double>(problem.lower[i], problem.upper[i])(random);
+    x[i] = uniform(random) * (problem.upper[i] - problem.lower[i]) + problem.lower[i];
   }
   return x;
 }
@@ -63,8 +61,8 @@ Problem instance(const Problem& problem, int number) {
   const Eigen::Index n = problem.dimension();
   Frame frame{Vector(n), Vector(n), problem.rotates && n > 1, Matrix(), Vector()};
   for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
-    const bool reflected = std::bernoulli_distribution(0.5)(random);
-    const double shift = width[i] * std::uniform_real_distribution<double>(-1.0, 1.0)(random);
+    const bool reflected = uniform(random) < 0.5;
+    const double shift = width[i] * (2 * uniform(random) - 1);
     frame.direction[i] = reflected ? -1.0 : 1.0;
     frame.offset[i] = (reflected ? problem.lower[i] + problem.upper[i] : 0.0) + shift;
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/core/problem.h"
-#include "src/core/seed.h"
+#include "src/core/random.h"
 
 namespace ricochet {
 

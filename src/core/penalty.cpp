@@ -3,25 +3,31 @@
 namespace ricochet {
 namespace {
 
-Values penalise(const Values& values, double weight) {
-  return {values.objective + weight * values.constraints.cwiseMax(0).sum(), {}};
+/// What the constraints are broken by, with its sign.
+Vector broken(const Vector& constraints, Eigen::Index equalities) {
+  Vector result = constraints;
+  const Eigen::Index inequalities = result.size() - equalities;
+  result.tail(inequalities) = result.tail(inequalities).cwiseMax(0);
+  return result;
 }
 
 }  // namespace
 
 Problem penalised(const Problem& problem, double weight) {
   Problem result = problem;
-  result.name += "-penalised";
-  result.constraints = 0;
-  result.evaluate = [evaluate = problem.evaluate, weight](const Vector& x) {
-    return penalise(evaluate(x), weight);
+  result.constraints = result.equalities = 0;
+  const auto penalise = [weight, m = problem.equalities](const Values& values) {
+    return Values{values.objective + weight * broken(values.constraints, m).lpNorm<1>(), {}};
+  };
+  result.evaluate = [evaluate = problem.evaluate, penalise](const Vector& x) {
+    return penalise(evaluate(x));
   };
   if (problem.differentiate) {
-    result.differentiate = [differentiate = problem.differentiate, weight](const Vector& x) {
+    result.differentiate = [differentiate = problem.differentiate, penalise, weight,
+                            m = problem.equalities](const Vector& x) {
       const Derivatives d = differentiate(x);
-      const Vector violated = (d.values.constraints.array() > 0).cast<double>();
-      return Derivatives{penalise(d.values, weight),
-                         d.gradient + weight * d.jacobian.transpose() * violated,
+      const Vector sides = broken(d.values.constraints, m).cwiseSign();
+      return Derivatives{penalise(d.values), d.gradient + weight * d.jacobian.transpose() * sides,
                          Matrix(0, d.gradient.size()), d.trust};
     };
   }
@@ -32,7 +38,9 @@ Problem penalised(const Problem& problem, double weight) {
     };
   }
   if (!problem.truth) {
-    result.truth = [evaluate = problem.evaluate](const Vector& x) { return truth_of(evaluate(x)); };
+    result.truth = [evaluate = problem.evaluate, m = problem.equalities](const Vector& x) {
+      return truth_of(evaluate(x), m);
+    };
   }
   return result;
 }

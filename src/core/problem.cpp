@@ -1,12 +1,21 @@
 #include "src/core/problem.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace ricochet {
 
-Truth truth_of(const Values& values) {
-  const double violation = values.constraints.size() > 0 ? values.constraints.maxCoeff() : 0.0;
-  return {values.objective, std::max(0.0, violation)};
+Truth truth_of(const Values& values, Eigen::Index equalities) {
+  double violation = 0;
+  for (Eigen::Index i = 0; i < values.constraints.size(); ++i) {
+    double excess = values.constraints[i];
+    if (i < equalities) {
+      excess = std::abs(excess);
+      if (excess <= equality_tolerance) continue;
+    }
+    // What is not a number stays, and is no feasible point.
+    if (excess > violation || std::isnan(excess)) violation = excess;
+  }
+  return {values.objective, violation};
 }
 
 bool better(const Truth& a, const Truth& b) {

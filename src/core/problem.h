@@ -11,7 +11,8 @@
 
 namespace ricochet {
 
-/// Objective and constraints at one point; a point is feasible where every constraint is <= 0.
+/// Objective and constraints at one point; a point is feasible where the equalities, which come
+/// first, are 0 and every other constraint is <= 0.
 struct Values {
   double objective = 0;
   Vector constraints;  ///< length Problem::constraints
@@ -46,10 +47,13 @@ struct Residuals {
   Matrix jacobian;  ///< residuals x n
 };
 
+/// An equality holds where it is not further from 0 than this: rounding breaks every equation.
+inline constexpr double equality_tolerance = 1e-6;
+
 /// What a point is really worth, whatever the solver was shown.
 struct Truth {
   double objective = 0;
-  double violation = 0;  ///< largest true constraint value, 0 where feasible
+  double violation = 0;  ///< largest true constraint value, of an equality its size; 0 if feasible
 };
 
 /// What a coordinate is.
@@ -67,6 +71,7 @@ struct Problem {
   std::vector<Variable> variables;  ///< one a coordinate, or none where they have no names
   Vector lower, upper, start;
   Eigen::Index constraints = 0;
+  Eigen::Index equalities = 0;  ///< so many of the constraints, the first ones, must be 0
 
   /// What a solver sees.
   std::function<Values(const Vector&)> evaluate;
@@ -77,8 +82,8 @@ struct Problem {
   std::function<Residuals(const Vector&)> residuals;
   /// What the suite judges by; empty where `evaluate` is the truth.
   std::function<Truth(const Vector&)> truth;
-  /// The same problem, of the same name, box and truth, shown at a smoothing width > 0: the wider,
-  /// the smoother. Empty where there is no such knob.
+  /// The same problem, of the same name, box and truth, shown at a smoothing width >= 0: the wider,
+  /// the smoother; 0 is what is judged. Empty where there is no such knob.
   std::function<Problem(double width)> smoothed;
   /// The best true objective of a feasible point, where it is known, a point that attains it, and
   /// how it was found.
@@ -92,8 +97,8 @@ struct Problem {
   Eigen::Index dimension() const { return lower.size(); }
 };
 
-/// Values taken at their word.
-Truth truth_of(const Values& values);
+/// Values taken at their word, of which so many constraints are equalities.
+Truth truth_of(const Values& values, Eigen::Index equalities = 0);
 
 /// Whether `a` is strictly better than `b`: less violated, or equally so and lower.
 bool better(const Truth& a, const Truth& b);

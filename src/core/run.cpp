@@ -1,6 +1,7 @@
 #include "src/core/run.h"
 
 #include "src/core/instance.h"
+#include "src/core/seed.h"
 
 namespace ricochet {
 namespace {

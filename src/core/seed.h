@@ -1,12 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <string_view>
 
 namespace ricochet {
-
-using Random = std::mt19937_64;
 
 /// A seed that depends on what a run is, never on when or where it executes: a 64-bit FNV-1a hash
 /// of the names and numbers, each closed by a separator.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "src/core/evaluator.h"
-#include "src/core/seed.h"
+#include "src/core/random.h"
 
 namespace ricochet {
 
@@ -17,7 +17,8 @@ struct Solver {
   std::string version;  ///< of the library behind it
   bool stochastic = false;
 
-  /// Whether it can be put to work on this problem: dimension, constraints, derivatives.
+  /// Whether it can be put to work on this problem: dimension, constraints (equalities and
+  /// others), derivatives.
   std::function<bool(const Problem&)> accepts;
 
   /// Minimises from `start` with what the evaluator grants. Returns when it is done or when the

@@ -3,7 +3,7 @@
 namespace ricochet {
 
 Truth truth_at(const Problem& problem, const Vector& x) {
-  return problem.truth ? problem.truth(x) : truth_of(problem.evaluate(x));
+  return problem.truth ? problem.truth(x) : truth_of(problem.evaluate(x), problem.equalities);
 }
 
 Verdict judge(const RunRecord& record, const Problem& problem, double tolerance) {

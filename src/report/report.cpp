@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "embedded/template_family.h"
+#include "embedded/template_problems.h"
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
 #include "src/core/error.h"
@@ -15,6 +17,8 @@ namespace ricochet::report {
 namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
+    {"family", embedded::template_family},
+    {"problems", embedded::template_problems},
     {"surrogate", embedded::template_surrogate},
     {"verification", embedded::template_verification},
 };

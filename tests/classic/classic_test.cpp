@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "src/core/seed.h"
 #include "tests/classic/claims.h"
 
 namespace ricochet::classic {

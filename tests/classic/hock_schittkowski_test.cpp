@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/classic/classic.h"
+#include "src/core/verdict.h"
 #include "tests/classic/claims.h"
 
 namespace ricochet::classic {
@@ -28,6 +29,8 @@ TEST(HockSchittkowski, HasThePublishedValues) {
       {"hs-3", Vector{{10, 1}}, 1.00081, 0},
       {"hs-4", Vector{{1.125, 0.125}}, 3.323568, 2.6666666667},
       {"hs-5", all(2, 0), 1, -1.9132229550},
+      {"hs-6", Vector{{-1.2, 1}}, 4.84, 0},
+      {"hs-7", Vector{{2, 2}}, std::log(5.0) - 2, -1.7320508076},
       {"hs-10", Vector{{-10, 10}}, -20, -1},
       {"hs-11", Vector{{4.9, 0.1}}, -24.98, -8.498464223},
       {"hs-12", all(2, 0), 0, -30},
@@ -73,13 +76,15 @@ TEST(HockSchittkowski, HasConstraintsWorkedByHand) {
   struct Worked {
     const char* name;
     Vector x;
-    Vector slack;  // as in the source, >= 0 where feasible
+    Vector slack;  // as in the source, >= 0 where feasible; of an equation minus what must be 0
   };
   const Vector two{{2, 3}};
   const Vector three{{1, 2, 3}};
   const Vector four{{1, 2, 3, 4}};
   const double root = std::sqrt(3.0);
   const std::vector<Worked> all = {
+      {"hs-6", two, Vector{{10}}},
+      {"hs-7", two, Vector{{-30}}},
       {"hs-10", two, Vector{{-12 + 12 - 9 + 1}}},
       {"hs-11", two, Vector{{-1}}},
       {"hs-12", two, Vector{{0}}},
@@ -116,6 +121,15 @@ TEST(HockSchittkowski, HasConstraintsWorkedByHand) {
   }
 }
 
+TEST(HockSchittkowski, TellsEquationsFromInequalities) {
+  for (const Problem& problem : classic_problems()) {
+    const bool has_one = problem.name == "hs-6" || problem.name == "hs-7";
+    EXPECT_EQ(problem.equalities, has_one ? 1 : 0) << problem.name;
+  }
+  const Problem circle = named(classic_problems(), "hs-7");
+  EXPECT_EQ(truth_at(circle, Vector::Zero(2)).violation, 3);  // on its inner side
+}
+
 TEST(HockSchittkowski, HasStartsWithinTheirBoundsButForThree) {
   const std::vector<Problem> problems = classic_problems();
   EXPECT_EQ(named(problems, "hs-2").start, (Vector{{-2, 1.5}}));
@@ -123,7 +137,7 @@ TEST(HockSchittkowski, HasStartsWithinTheirBoundsButForThree) {
   EXPECT_EQ(named(problems, "hs-65").start, (Vector{{-4.5, 4.5, 0}}));
 }
 
-/// The gradients of the constraints and bounds that hold with equality, one a row.
+/// The gradients of the constraints and bounds that hold with equality, one a row; equations first.
 Matrix active(const Problem& problem, const Derivatives& d) {
   std::vector<Vector> rows;
   for (Eigen::Index i = 0; i < problem.constraints; ++i) {
@@ -154,7 +168,9 @@ TEST(HockSchittkowski, MeetsTheConditionsOfKarushKuhnAndTucker) {
     const Vector multipliers =
         rows.transpose().completeOrthogonalDecomposition().solve(-d.gradient);
     EXPECT_LT((d.gradient + rows.transpose() * multipliers).norm(), 1e-12 * size) << problem.name;
-    EXPECT_GE(multipliers.minCoeff(), -1e-12 * size) << problem.name;
+    const Eigen::Index inequalities = rows.rows() - problem.equalities;
+    if (inequalities == 0) continue;
+    EXPECT_GE(multipliers.tail(inequalities).minCoeff(), -1e-12 * size) << problem.name;
   }
 }
 

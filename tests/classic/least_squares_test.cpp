@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <set>
 
+#include "src/core/seed.h"
 #include "tests/classic/claims.h"
 
 namespace ricochet::classic {

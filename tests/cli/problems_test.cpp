@@ -15,9 +15,9 @@ TEST(Problems, WritesAPageForAMachineOfOnesOwn) {
   EXPECT_THAT(outcome.out, testing::HasSubstr("index.html"));
   const std::string text = read(folder / "page" / "summary.md");
   EXPECT_THAT(text, testing::HasSubstr("machine.toml"));
-  EXPECT_THAT(text, testing::HasSubstr("robust-cvar-surrogate"));
-  EXPECT_THAT(read(folder / "page" / "robust-cvar-surrogate" / "summary.md"),
-              testing::HasSubstr("robust-cvar-surrogate-scene"));
+  EXPECT_THAT(text, testing::HasSubstr("robust-cvar"));
+  EXPECT_THAT(read(folder / "page" / "robust-cvar" / "summary.md"),
+              testing::HasSubstr("robust-cvar-scene"));
 }
 
 TEST(Problems, RefusesABadScene) {

@@ -51,6 +51,19 @@ TEST(Penalty, HasTheGradientOfItsValues) {
   }
 }
 
+TEST(Penalty, ChargesAnEquationForEitherSign) {
+  Problem original = constrained();
+  original.equalities = 1;  // x0 = 1
+  const Problem problem = penalised(original, 10);
+  EXPECT_EQ(problem.equalities, 0);
+  for (const Vector& x : {Vector{{-1.0, 4.0}}, Vector{{3.0, 4.0}}}) {
+    const Derivatives d = problem.differentiate(x);
+    EXPECT_EQ(d.values.objective, x[0] * x[0] + x[1] + 10 * (2.0 + 2.0));
+    EXPECT_EQ(d.gradient[0], 2 * x[0] + (x[0] > 1 ? 10 : -10));
+    EXPECT_EQ(problem.truth(x).violation, 2.0);
+  }
+}
+
 TEST(Penalty, HasNoResiduals) {
   Problem original = constrained();
   original.residuals = [](const Vector&) { return Residuals{Vector::Ones(1), Matrix::Ones(1, 2)}; };

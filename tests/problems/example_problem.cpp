@@ -21,25 +21,12 @@ struct WearAtSpeed {
   }
 };
 
-Problem gentle_problem(const Machine& machine) {
-  Problem problem = speed_problem("gentle", machine, "energy that the impacts lose, mJ");
-  define(problem, WearAtSpeed{machine.scene}, carries_derivatives(machine.scene));
-  return problem;
-}
-
 }  // namespace
 
-Family gentle_family(const std::vector<Machine>& machines) {
-  Family family;
-  family.name = family.judged_as = "gentle";
-  family.title = "The gentlest speed";
-  family.question = "At which speed do the impacts of a turn take the least energy?";
-  family.formula = "Minimise the wear over the speed.";
-  family.derivatives = "Exact, by dual numbers carried through the simulation.";
-  family.instances = "One for each machine.";
-  family.users = "A designer whose track wears out rather than makes noise.";
-  for (const Machine& machine : machines) family.problems.push_back(gentle_problem(machine));
-  return family;
+Question gentle_question(const Machine& machine) {
+  Problem problem = speed_problem("gentle", machine, "energy that the impacts lose, mJ");
+  define(problem, WearAtSpeed{machine.scene}, carries_derivatives(machine.scene));
+  return {.stated = problem, .machine = machine.id};
 }
 
 }  // namespace ricochet::carrier_track

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <vector>
-
 #include "problems/carrier_track/questions/machine.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
-/// The problem that CONTRIBUTING.md shows how to add.
+/// The question that CONTRIBUTING.md shows how to add.
 namespace ricochet::carrier_track {
 
-Family gentle_family(const std::vector<Machine>& machines);
+Question gentle_question(const Machine& machine);
 
 }  // namespace ricochet::carrier_track

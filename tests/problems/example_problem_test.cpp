@@ -27,10 +27,9 @@ TEST(ExampleProblem, IsWhatContributingShows) {
 }
 
 TEST(ExampleProblem, HasDerivatives) {
-  const Family family = gentle_family({machine_of(find_case("C1"), exploratory_scene())});
-  ASSERT_EQ(family.problems.size(), 1U);
-  EXPECT_EQ(family.problems[0].name, "gentle-C1");
-  expect_derivatives_of_values(family.problems[0], Vector::Constant(1, 4.321), 1e-7, 1e-6);
+  const Question question = gentle_question(machine_of(find_case("C1"), exploratory_scene()));
+  EXPECT_EQ(question.name(), "gentle-C1");
+  expect_derivatives_of_values(question.stated, Vector::Constant(1, 4.321), 1e-7, 1e-6);
 }
 
 }  // namespace

@@ -27,6 +27,13 @@ TEST(Ipopt, EndsOnACurvedConstraintWithoutViolatingIt) {
   EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
 }
 
+TEST(Ipopt, KeepsAnEquationAndAnInequality) {
+  const RunRecord record = run(arc(), ipopt(), {300}, 0);
+  EXPECT_EQ(record.exits.front(), "solved");
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-6);
+}
+
 TEST(Ipopt, StopsAtWhateverCallTheEvaluatorRefuses) {
   for (std::int64_t budget = 0; budget < 60; ++budget) {
     const Problem problem = disc();

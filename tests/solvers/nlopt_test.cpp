@@ -70,6 +70,14 @@ TEST_P(NloptConstrained, EndsOnACurvedConstraintWithoutViolatingIt) {
   EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
 }
 
+class NloptEquations : public testing::TestWithParam<std::string> {};
+
+TEST_P(NloptEquations, EndsOnTheEquationWithinItsTolerance) {
+  const RunRecord record = run(arc(), named(GetParam()), {500}, 0);
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-5);
+}
+
 TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBox) {
   const Problem metres = sphere(2, 3);
   Problem millimetres = metres;
@@ -102,6 +110,16 @@ INSTANTIATE_TEST_SUITE_P(All, NloptLocal,
 INSTANTIATE_TEST_SUITE_P(All, NloptConstrained,
                          testing::Values("nlopt-cobyla", "nlopt-slsqp", "nlopt-mma"),
                          [](const auto& tested) { return test_name(tested.param); });
+
+INSTANTIATE_TEST_SUITE_P(All, NloptEquations, testing::Values("nlopt-cobyla", "nlopt-slsqp"),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+/// The evolution strategy comes near the equation, if not within its tolerance.
+TEST(Nlopt, ComesNearAnEquationByIsres) {
+  const RunRecord record = run(arc(), named("nlopt-isres"), {5000}, 0);
+  EXPECT_LT(record.trace.back().truth.violation, 1e-3);
+  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 0.5);
+}
 
 class NloptGlobal : public testing::TestWithParam<std::string> {};
 

@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <future>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/questions/count.h"
 #include "solvers/solvers.h"
@@ -72,7 +70,8 @@ std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, s
   return asked;
 }
 
-using Clock = std::chrono::steady_clock;
+/// So often a solver may ask after it was refused: some finish a generation.
+constexpr std::int64_t most_refused = 50;
 
 class SolverContract : public testing::TestWithParam<Solver> {
  protected:
@@ -109,9 +108,8 @@ TEST_P(SolverContract, SpendsItsBudgetAndNoMore) {
 TEST_P(SolverContract, EndsAtOnceWhereTheEvaluatorRefusesAtOnce) {
   for (const Problem& problem : accepted()) {
     for (const std::int64_t budget : {0, 1, 2}) {
-      const auto begun = Clock::now();
       const RunRecord record = run(problem, solver(), {budget}, 0);
-      EXPECT_LT(Clock::now() - begun, std::chrono::seconds(1)) << problem.name;
+      EXPECT_LE(record.ledger.refused, most_refused) << problem.name;
       EXPECT_LE(record.ledger.charged, budget) << problem.name;
       EXPECT_EQ(record.exits.back(), "stopped by the evaluator") << problem.name;
     }
@@ -119,9 +117,8 @@ TEST_P(SolverContract, EndsAtOnceWhereTheEvaluatorRefusesAtOnce) {
 }
 
 TEST_P(SolverContract, EndsWhenTheTimeIsSpent) {
-  const auto begun = Clock::now();
   const RunRecord record = run(easy(), solver(), {1'000'000'000, 0.02}, 0);
-  EXPECT_LT(Clock::now() - begun, std::chrono::seconds(1));
+  EXPECT_LE(record.ledger.refused, most_refused);
   EXPECT_EQ(record.refusal, Refusal::seconds);
   EXPECT_EQ(record.exits.back(), "stopped by the evaluator");
 }
@@ -214,8 +211,8 @@ TEST_P(SolverContract, GivesTheSameTracesInTwoThreads) {
 TEST_P(SolverContract, RunsOnTheCarrierTrack) {
   using namespace carrier_track;
   const Machine machine = machine_of(find_case("C1"), exploratory_scene());
-  for (const Problem& problem :
-       {count_problem(machine), surrogate_problem(machine, default_width)}) {
+  const Question question = count_question(machine);
+  for (const Problem& problem : {question.stated, question.problem({question.width})}) {
     if (!solver().accepts(problem)) continue;
     const RunRecord record = run(problem, solver(), {100}, 0);
     EXPECT_EQ(record.failure, "") << problem.name;

@@ -90,6 +90,22 @@ inline Problem disc() {
   return with_idle_knob(problem);
 }
 
+/// x + y on the part of the unit circle where x >= -1/2, on [-2, 2]^2; optimum -(1 + sqrt(3)) / 2
+/// at the end of the arc, (-1, -sqrt(3)) / 2. Its first constraint is an equation.
+inline Problem arc() {
+  Problem problem = box_problem("arc", 2, -2, 2, 1.5, [](const Vector& x) { return x.sum(); });
+  problem.constraints = 2;
+  problem.equalities = 1;
+  problem.best_known = -(1 + std::sqrt(3.0)) / 2;
+  problem.evaluate = [](const Vector& x) {
+    return Values{x.sum(), Vector{{x.squaredNorm() - 1, -0.5 - x[0]}}};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), Vector::Ones(2), Matrix{{2 * x[0], 2 * x[1]}, {-1, 0}}};
+  };
+  return with_idle_knob(problem);
+}
+
 /// The same value everywhere.
 inline Problem plateau(Eigen::Index n) {
   Problem problem = box_problem("plateau", n, 0, 18, 9, [](const Vector&) { return 7.0; });

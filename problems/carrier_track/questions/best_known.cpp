@@ -43,7 +43,7 @@ BestValues parse_best_values(const std::string& text, const std::string& origin)
 
 std::string write_best_values(const BestValues& values) {
   std::string text = fmt::format(
-      "# The best values known, from `ricochet certify`.\nreading = \"{}\"\n", values.reading);
+      "# The best values known, from `ricochet best-values`.\nreading = \"{}\"\n", values.reading);
   for (const auto& [name, best] : values.of) {
     std::string point;
     for (const double x : best.point) {
@@ -56,8 +56,8 @@ std::string write_best_values(const BestValues& values) {
 }
 
 const BestValues& best_values() {
-  static const BestValues values =
-      parse_best_values(embedded::best_known_text, "problems/carrier_track/best_known.toml");
+  static const BestValues values = parse_best_values(
+      embedded::best_known_text, "problems/carrier_track/questions/best_known.toml");
   return values;
 }
 

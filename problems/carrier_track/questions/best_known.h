@@ -26,7 +26,7 @@ BestValues parse_best_values(const std::string& text, const std::string& origin)
 /// The text that is read back to the same values, bit for bit.
 std::string write_best_values(const BestValues& values);
 
-/// best_known.toml, which `ricochet certify` regenerates.
+/// best_known.toml, which `ricochet best-values` regenerates.
 const BestValues& best_values();
 
 /// Tells the problem, of a case in this reading, its best value, where best_values() are of that

@@ -86,25 +86,7 @@ Problem calibration_problem(const Freedom& freedom, const std::string& left_out)
   return problem;
 }
 
-Family calibration_family(const FittedReading& fitted) {
-  Family family;
-  family.name = family.judged_as = "calibration";
-  family.title = "The paper's open constants";
-  family.question =
-      "Which values of the constants that the paper leaves open give the thresholds and counts "
-      "that it reports?";
-  family.formula =
-      "Minimise the misfit: for each of C1 to C10 how far its quiet count, threshold, share of "
-      "loud speeds and example speeds are from what the paper says, each over a tolerance. A "
-      "variable is the place of a constant within its bounds, from 0 to 1, on a logarithmic scale "
-      "where its size is unknown.";
-  family.derivatives =
-      "None of the misfit. As a sum of squares it has residuals of a smooth stand-in, with exact "
-      "derivatives.";
-  family.instances = "One, of the reading that every command uses.";
-  family.users =
-      "Whoever compares solvers on a parameter fit: costly, jagged, of variables that matter very "
-      "differently.";
+Question calibration_question(const FittedReading& fitted) {
   const Freedom freedom{fitted.reading, fitted.freed, natural_constants()};
   Problem problem = calibration_problem(freedom);
   problem.name = "calibration-default";
@@ -114,8 +96,7 @@ Family calibration_family(const FittedReading& fitted) {
     problem.best_known = problem.evaluate(*problem.best_point).objective;
     problem.provenance = fitted.provenance;
   }
-  family.problems = {std::move(problem)};
-  return family;
+  return {.stated = std::move(problem), .tolerance = 0.01};
 }
 
 }  // namespace ricochet::carrier_track::inline questions

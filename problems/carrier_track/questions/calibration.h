@@ -5,8 +5,8 @@
 
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/paper/open_constants.h"
-#include "problems/family.h"
 #include "src/core/problem.h"
+#include "src/core/question.h"
 
 namespace ricochet::carrier_track::inline questions {
 
@@ -26,7 +26,7 @@ Freedom full_freedom(const Reading& reading);
 Problem calibration_problem(const Freedom& freedom, const std::string& left_out = "");
 
 /// The calibration of a reading: the constants that were fitted, from their natural values on.
-Family calibration_family(const FittedReading& fitted);
+Question calibration_question(const FittedReading& fitted);
 
 /// The constants of a point of that problem.
 Constants constants_at(const Freedom& freedom, const Vector& x);

@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/questions/machine.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// The machine and its speed, designed together.
 namespace ricochet::carrier_track::inline questions {
@@ -73,16 +73,11 @@ DesignCost<Scalar> design_cost(const DesignScale& scale, std::span<const Scalar>
           number(0.5) * x[design_friction] * speed * speed * speed, departure * departure};
 }
 
-/// Minimise the cost subject to count <= quiet limit. No derivatives. The machine must have two
-/// walls.
-Problem design_count_problem(const Machine& machine);
+/// Minimise the cost subject to count <= quiet limit, without derivatives. The surrogate, which has
+/// them, must stay below the half_level of the limit. The machine must have two walls.
+Question design_count_question(const Machine& machine);
 
-/// The same shown the surrogate, width > 0, with derivatives, in the constraint: it must stay below
-/// the half_level of the limit. Judged by the true count.
-Problem design_problem(const Machine& machine, double width);
-
-/// Without the machines that have but one wall: they have no clearance to design.
-Family design_count_family(const std::vector<Machine>& machines);
-Family design_family(const std::vector<Machine>& machines);
+/// Whether it has two walls, so that it can be asked: a clearance is a variable.
+bool has_clearance(const Machine& machine);
 
 }  // namespace ricochet::carrier_track::inline questions

@@ -1,5 +1,10 @@
 #include "problems/carrier_track/questions/families.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/questions/calibration.h"
 #include "problems/carrier_track/questions/count.h"
@@ -10,29 +15,51 @@
 
 namespace ricochet::carrier_track::inline questions {
 
+namespace {
+
+/// One question for each machine.
+template <class Ask>
+std::vector<Question> of_each(const std::vector<Machine>& machines, Ask ask) {
+  std::vector<Question> questions;
+  for (const Machine& machine : machines) questions.push_back(ask(machine));
+  return questions;
+}
+
+/// One for each machine and size of a profile.
+std::vector<Question> of_each_size(const std::vector<Machine>& machines,
+                                   Question (*ask)(const Machine&, std::size_t)) {
+  std::vector<Question> questions;
+  for (const Machine& machine : machines) {
+    for (const std::size_t n : profile_sizes) questions.push_back(ask(machine, n));
+  }
+  return questions;
+}
+
+Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
+  return {fmt::format("robust-{}", name_of(risk)),
+          of_each(machines, [risk](const Machine& m) { return robust_question(m, risk); })};
+}
+
+}  // namespace
+
 std::vector<Family> families_of(const std::vector<Machine>& machines) {
+  std::vector<Machine> with_clearance;
+  std::copy_if(machines.begin(), machines.end(), std::back_inserter(with_clearance), has_clearance);
   return {
-      count_family(machines),
-      surrogate_family(machines),
-      top_speed_family(machines),
-      top_speed_surrogate_family(machines),
-      profile_count_family(machines),
-      profile_family(machines),
-      profile_wear_family(machines),
-      design_count_family(machines),
-      design_family(machines),
+      {"count", of_each(machines, count_question)},
+      {"top-speed", of_each(machines, top_speed_question)},
+      {"profile-count", of_each_size(machines, profile_count_question)},
+      {"profile-wear", of_each_size(machines, profile_wear_question)},
+      {"design-count", of_each(with_clearance, design_count_question)},
       robust_family(machines, RiskMeasure::mean),
-      robust_surrogate_family(machines, RiskMeasure::mean),
       robust_family(machines, RiskMeasure::worst),
-      robust_surrogate_family(machines, RiskMeasure::worst),
       robust_family(machines, RiskMeasure::cvar),
-      robust_surrogate_family(machines, RiskMeasure::cvar),
   };
 }
 
 std::vector<Family> case_families() {
   std::vector<Family> families = families_of(all_machines());
-  families.push_back(calibration_family(default_reading()));
+  families.push_back({"calibration", {calibration_question(default_reading())}});
   return families;
 }
 

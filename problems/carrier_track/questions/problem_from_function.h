@@ -5,14 +5,8 @@
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "src/core/problem.h"
 
-/// The same question, shown to solvers as functions of derivatives.h instead.
+/// Problems shown to solvers as functions of derivatives.h.
 namespace ricochet::carrier_track::inline questions {
-
-/// The problem judged by what it shows now, so that it can be shown in another way.
-inline Problem judged_as_it_is(Problem problem) {
-  problem.truth = [evaluate = problem.evaluate](const Vector& x) { return truth_of(evaluate(x)); };
-  return problem;
-}
 
 /// Shows this objective; with its exact derivatives if `derivatives`.
 template <class Function>
@@ -31,6 +25,7 @@ void define(Problem& problem, const Function& objective, bool derivatives) {
 template <class Objective, class Constraint>
 void define(Problem& problem, const Objective& objective, const Constraint& constraint,
             double level, bool derivatives) {
+  problem.constraints = 1;
   problem.evaluate = [objective, constraint, level](const Vector& x) {
     return Values{value_of(objective, x), Vector::Constant(1, value_of(constraint, x) - level)};
   };
@@ -44,6 +39,24 @@ void define(Problem& problem, const Objective& objective, const Constraint& cons
                        of_constraint.gradient.transpose(),
                        of_constraint.trust};
   };
+}
+
+/// The problem with the functions that `define_at(problem, width)` gives it at this width and, by
+/// its knob, at any other; judged by those of width 0.
+template <class DefineAt>
+Problem smoothable(const Problem& frame, const DefineAt& define_at, double width = 0) {
+  Problem problem = frame;
+  if (width > 0) {
+    define_at(problem, 0.0);
+    problem.truth = [evaluate = problem.evaluate](const Vector& x) {
+      return truth_of(evaluate(x));
+    };
+  }
+  define_at(problem, width);
+  problem.smoothed = [frame, define_at](double other) {
+    return smoothable(frame, define_at, other);
+  };
+  return problem;
 }
 
 }  // namespace ricochet::carrier_track::inline questions

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "problems/carrier_track/questions/machine.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// How the speed should vary in time, at a given mean: problems of as many variables as one likes.
 namespace ricochet::carrier_track::inline questions {
@@ -49,17 +49,11 @@ BasicScene<Scalar> with_profile(BasicScene<Scalar> scene, const ProfileFrame& fr
   return scene;
 }
 
-/// Minimise the collision count over the shape of n >= 2 knots. No derivatives.
-Problem profile_count_problem(const Machine& machine, std::size_t n);
-
-/// The same shown the surrogate, width > 0, with derivatives; judged by the true count.
-Problem profile_problem(const Machine& machine, std::size_t n, double width);
+/// Minimise the collision count over the shape of n >= 2 knots, without derivatives. The surrogate
+/// has them.
+Question profile_count_question(const Machine& machine, std::size_t n);
 
 /// Minimise the wear (wear.h) over the shape, with derivatives.
-Problem profile_wear_problem(const Machine& machine, std::size_t n);
-
-Family profile_count_family(const std::vector<Machine>& machines);
-Family profile_family(const std::vector<Machine>& machines);
-Family profile_wear_family(const std::vector<Machine>& machines);
+Question profile_wear_question(const Machine& machine, std::size_t n);
 
 }  // namespace ricochet::carrier_track::inline questions

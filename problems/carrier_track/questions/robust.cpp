@@ -13,6 +13,7 @@
 #include "problems/carrier_track/questions/problem_from_function.h"
 #include "problems/carrier_track/questions/speed_problem.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
+#include "src/core/random.h"
 #include "src/core/seed.h"
 
 namespace ricochet::carrier_track::inline questions {
@@ -78,44 +79,17 @@ struct RiskAtSpeed {
   }
 };
 
-RiskAtSpeed risk_at_speed(const Machine& machine, RiskMeasure risk, double width) {
-  return {std::make_shared<const std::vector<Scene>>(sampled_scenes(machine.scene)), risk, width};
-}
-
-/// The half_level of a risk, whose steps are as fine as its smallest weight.
-double level_of(RiskMeasure risk, double quiet_limit) {
+/// The smallest step of a risk: what the least weighty impact adds.
+double step_of(RiskMeasure risk) {
   double least = 1;
   for (const double w : risk_weights(risk, robust_samples)) {
     if (w > 0) least = std::min(least, w);
   }
-  return half_level(quiet_limit / least + 1e-9) * least;
+  return least;
 }
 
 std::string prefix(RiskMeasure risk) {
   return fmt::format("robust-{}", name_of(risk));
-}
-
-std::string_view in_title(RiskMeasure risk) {
-  switch (risk) {
-    case RiskMeasure::mean:
-      return "on average";
-    case RiskMeasure::worst:
-      return "at worst";
-    default:
-      return "in the worst tenth";
-  }
-}
-
-std::string measure(RiskMeasure risk) {
-  switch (risk) {
-    case RiskMeasure::mean:
-      return "mean";
-    case RiskMeasure::worst:
-      return "worst";
-    default:
-      return "mean of the worst tenth (the conditional value at risk of Rockafellar and Uryasev, "
-             "2000, https://doi.org/10.21314/JOR.2000.038)";
-  }
 }
 
 }  // namespace
@@ -142,73 +116,28 @@ std::vector<Scene> sampled_scenes(const Scene& scene) {
   return scenes;
 }
 
-Problem robust_problem(const Machine& machine, RiskMeasure risk) {
-  Problem problem = speed_problem(
-      prefix(risk), machine,
-      fmt::format("fastest speed whose {} of 32 sampled counts is quiet", name_of(risk)));
-  problem.constraints = 1;
-  define(problem, Slowness{}, risk_at_speed(machine, risk, 0.0), machine.quiet_limit, false);
-  return problem;
-}
-
-Problem robust_surrogate_problem(const Machine& machine, RiskMeasure risk, double width) {
-  Problem problem = judged_as_it_is(robust_problem(machine, risk));
-  problem.name = fmt::format("{}-surrogate-{}", prefix(risk), machine.id);
-  problem.source =
-      fmt::format("fastest speed whose {} of 32 sampled surrogates is quiet", name_of(risk));
-  define(problem, Slowness{}, risk_at_speed(machine, risk, width),
-         level_of(risk, machine.quiet_limit), carries_derivatives(machine.scene));
-  problem.smoothed = [machine, risk](double other) {
-    return robust_surrogate_problem(machine, risk, other);
-  };
-  return problem;
-}
-
-Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
-  Family family;
-  family.name = family.judged_as = prefix(risk);
-  family.title = fmt::format("The fastest speed quiet in spite of tolerances, {}, shown the counts",
-                             in_title(risk));
-  family.question = fmt::format(
-      "How fast may the machine turn if the {} of the counts is to be quiet, when the disturbance "
-      "and how the machine was made are not known exactly?",
-      measure(risk));
-  family.formula =
-      "Minimise the speed's negative. 32 scenes stand for all that there may be: the phase of the "
-      "disturbance uniform, its amplitude within 20 % and 0.05 N higher, clearance within 5 %, "
-      "mass within 2 %, friction within 10 %, restitution within 5 %. They are 32 points of a "
-      "shifted Sobol sequence, the same for every speed and machine, so that no solver is shown "
-      "noise.";
-  family.constraints = fmt::format("The {} of the 32 counts <= quiet limit.", name_of(risk));
-  family.instances = "One for each machine, with a limit of its own and the same draws.";
-  family.users =
-      risk == RiskMeasure::mean
-          ? "An engineer with many machines, who cares for their noise together."
-      : risk == RiskMeasure::worst
-          ? "An engineer who must promise that no machine is loud; whoever compares solvers on a "
-            "maximum of functions, with its kinks."
-          : "An engineer who wants to be safe without being ruled by a single machine.";
-  for (const Machine& machine : machines) family.problems.push_back(robust_problem(machine, risk));
-  return family;
-}
-
-Family robust_surrogate_family(const std::vector<Machine>& machines, RiskMeasure risk) {
-  Family family = robust_family({}, risk);
-  family.name += "-surrogate";
-  family.title = fmt::format(
-      "The fastest speed quiet in spite of tolerances, {}, shown the surrogates", in_title(risk));
-  family.constraints = fmt::format(
-      "The {} of the 32 smooth surrogates <= half a step above the highest quiet value, where a "
-      "step is what the least weighty impact adds. Judged by the true counts.",
-      name_of(risk));
-  family.derivatives =
-      "Exact, by dual numbers carried through all 32 simulations; one-sided where two scenes "
-      "change "
-      "places in the order.";
-  for (const Machine& machine : machines) {
-    family.problems.push_back(robust_surrogate_problem(machine, risk, default_width));
-  }
-  return family;
+Question robust_question(const Machine& machine, RiskMeasure risk) {
+  const double step = step_of(risk);
+  const double limit = machine.quiet_limit;
+  const auto define_at =
+      [scenes = std::make_shared<const std::vector<Scene>>(sampled_scenes(machine.scene)), risk,
+       limit,
+       half_a_step_above = half_level(limit / step + 1e-9) * step](Problem& problem, double width) {
+        define(problem, Slowness{}, RiskAtSpeed{scenes, risk, width},
+               width > 0 ? half_a_step_above : limit,
+               width > 0 && carries_derivatives(scenes->front()));
+      };
+  return {.stated = smoothable(
+              speed_problem(prefix(risk), machine,
+                            fmt::format("fastest speed whose {} of 32 sampled counts is quiet",
+                                        name_of(risk))),
+              define_at),
+          .machine = machine.id,
+          .width = default_width,
+          .tolerance = speed_tolerance,
+          .penalty_weight = speed_penalty / step,
+          .scan_step = 1e-2,
+          .cost = robust_samples};
 }
 
 }  // namespace ricochet::carrier_track::inline questions

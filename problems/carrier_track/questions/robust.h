@@ -4,7 +4,7 @@
 
 #include "problems/carrier_track/questions/machine.h"
 #include "problems/carrier_track/questions/risk_measure.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// The fastest speed that is quiet in spite of what nobody knows: the disturbance, and how the
 /// machine was made.
@@ -21,15 +21,8 @@ inline constexpr std::size_t robust_samples = 32;
 /// (1976) 904): the same for every machine, speed and risk.
 std::vector<Scene> sampled_scenes(const Scene& scene);
 
-/// Minimise -speed subject to risk of the counts of the sampled scenes <= quiet limit. No
-/// derivatives.
-Problem robust_problem(const Machine& machine, RiskMeasure risk);
-
-/// The same shown the surrogates, width > 0, with derivatives, in the constraint. Judged by the
-/// true counts.
-Problem robust_surrogate_problem(const Machine& machine, RiskMeasure risk, double width);
-
-Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk);
-Family robust_surrogate_family(const std::vector<Machine>& machines, RiskMeasure risk);
+/// Minimise -speed subject to risk of the counts of the sampled scenes <= quiet limit, without
+/// derivatives. The surrogates have them.
+Question robust_question(const Machine& machine, RiskMeasure risk);
 
 }  // namespace ricochet::carrier_track::inline questions

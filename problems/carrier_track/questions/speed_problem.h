@@ -20,6 +20,12 @@ struct Slowness {
   }
 };
 
+/// [rad/s] short of the fastest speed that still counts as solved.
+inline constexpr double speed_tolerance = 0.01;
+
+/// [rad/s] that a collision too many costs: no gain of speed in the box outweighs half a collision.
+inline constexpr double speed_penalty = 2 * fastest_speed;
+
 /// A problem over the speed alone, still without an objective, "<family>-<id>".
 Problem speed_problem(const std::string& family, const Machine& machine, std::string source);
 

@@ -3,19 +3,13 @@
 #include <vector>
 
 #include "problems/carrier_track/questions/machine.h"
-#include "problems/family.h"
+#include "src/core/question.h"
 
 /// The fastest quiet speed.
 namespace ricochet::carrier_track::inline questions {
 
-/// Minimise -speed subject to count <= quiet limit. No derivatives.
-Problem top_speed_problem(const Machine& machine);
-
-/// The same shown the surrogate, width > 0, with derivatives, in the constraint: it must stay below
-/// the half_level of the limit. Judged by the true count.
-Problem top_speed_surrogate_problem(const Machine& machine, double width);
-
-Family top_speed_family(const std::vector<Machine>& machines);
-Family top_speed_surrogate_family(const std::vector<Machine>& machines);
+/// Minimise -speed subject to count <= quiet limit, without derivatives. The surrogate, which has
+/// them, must stay below the half_level of the limit.
+Question top_speed_question(const Machine& machine);
 
 }  // namespace ricochet::carrier_track::inline questions

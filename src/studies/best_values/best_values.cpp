@@ -43,26 +43,27 @@ BestValues known_values(const std::vector<Question>& questions, const std::files
   BestValues known{default_reading().name, {}};
   const BestValues in_file = read_if_there(file);
   for (const Question& question : questions) {
-    const Problem& problem = question.forms.front();
+    const Problem& problem = question.stated;
     std::vector<BestKnown> candidates;
     if (problem.best_point) candidates.push_back({0, *problem.best_point, problem.provenance});
-    const auto found = in_file.of.find(question.name);
+    const auto found = in_file.of.find(question.name());
     if (found != in_file.of.end()) candidates.push_back(found->second);
     for (BestKnown& best : candidates) {
       best.value = worth(problem, best);
-      const auto before = known.of.find(question.name);
+      const auto before = known.of.find(question.name());
       const double so_far =
           before == known.of.end() ? std::numeric_limits<double>::infinity() : before->second.value;
-      if (best.value < so_far) known.of.insert_or_assign(question.name, best);
+      if (best.value < so_far) known.of.insert_or_assign(question.name(), best);
     }
   }
   return known;
 }
 
-/// The work of a question, to show progress: about proportional to the time.
+/// The work of a question, to show progress: about proportional to the time. A scan by steps of
+/// 1e-3 takes as long as a search over two variables.
 double work_of(const Question& question) {
-  const double n = static_cast<double>(question.forms.front().dimension());
-  return n * n + (question.name.rfind("robust-", 0) == 0 ? 20 : 5);
+  const double n = static_cast<double>(question.stated.dimension());
+  return n == 1 ? 6e-3 * question.cost / question.scan_step : n * n + 5;
 }
 
 }  // namespace
@@ -74,19 +75,19 @@ bool matches(const std::string& name, const std::string& pattern) {
   return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
-Outcome certify(const std::vector<Question>& questions, const Plan& plan,
-                const std::filesystem::path& file) {
+Outcome find_best_values(const std::vector<Question>& questions, const Plan& plan,
+                         const std::filesystem::path& file) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<const Question*> wanted;
   double work = 0;
   for (const Question& question : questions) {
-    if (!matches(question.name, plan.problems)) continue;
+    if (!matches(question.name(), plan.questions)) continue;
     wanted.push_back(&question);
     work += work_of(question);
   }
   if (wanted.empty()) {
-    throw InputError(
-        fmt::format("--problems {}: nothing matches; see ricochet list problems", plan.problems));
+    throw InputError(fmt::format("--questions {}: nothing matches; see ricochet list questions",
+                                 plan.questions));
   }
   const std::filesystem::path part = file.string() + ".part";
   BestValues known = known_values(questions, file);
@@ -102,7 +103,7 @@ Outcome certify(const std::vector<Question>& questions, const Plan& plan,
       {
         const std::lock_guard lock(mutex);
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-        if (finished.of.contains(question.name) || passed.count() > plan.seconds) {
+        if (finished.of.contains(question.name()) || passed.count() > plan.seconds) {
           progress.advance(work_of(question));
           return;
         }
@@ -112,7 +113,7 @@ Outcome certify(const std::vector<Question>& questions, const Plan& plan,
       BestKnown best =
           tbb::this_task_arena::isolate([&] { return best_of(question, plan.effort); });
       const std::lock_guard lock(mutex);
-      finished.of.insert_or_assign(question.name, std::move(best));
+      finished.of.insert_or_assign(question.name(), std::move(best));
       write_text_file(part, write_best_values(finished));
       progress.advance(work_of(question));
     };
@@ -121,17 +122,17 @@ Outcome certify(const std::vector<Question>& questions, const Plan& plan,
   Outcome outcome;
   outcome.wanted = wanted.size();
   for (const Question* question : wanted) {
-    const auto found = finished.of.find(question->name);
+    const auto found = finished.of.find(question->name());
     if (found == finished.of.end()) continue;
     ++outcome.finished;
     const BestKnown& best = found->second;
-    const auto before = known.of.find(question->name);
+    const auto before = known.of.find(question->name());
     if (std::isfinite(best.value) &&
         (before == known.of.end() || best.value < before->second.value)) {
       ++outcome.improved;
-      known.of.insert_or_assign(question->name, best);
+      known.of.insert_or_assign(question->name(), best);
     }
-    if (!known.of.contains(question->name)) ++outcome.infeasible;
+    if (!known.of.contains(question->name())) ++outcome.infeasible;
   }
   if (outcome.finished == outcome.wanted) {
     write_text_file(file, write_best_values(known));

@@ -12,7 +12,7 @@ namespace ricochet::studies::best_values {
 
 /// Which best values are looked for, and how long.
 struct Plan {
-  std::string problems;  ///< a pattern of the shell, or a part of the name; empty: all
+  std::string questions;  ///< a pattern of the shell, or a part of the name; empty: all
   double seconds = std::numeric_limits<double>::infinity();  ///< nothing is begun later
   Effort effort = {};
 };
@@ -33,7 +33,7 @@ bool matches(const std::string& name, const std::string& pattern);
 /// call that was stopped goes on. Values that are known already, in the file or in the program, are
 /// computed anew at their points, and stay unless a better one was found. Throws InputError for a
 /// pattern that nothing matches, or a file that cannot be read or written.
-Outcome certify(const std::vector<Question>& questions, const Plan& plan,
-                const std::filesystem::path& file);
+Outcome find_best_values(const std::vector<Question>& questions, const Plan& plan,
+                         const std::filesystem::path& file);
 
 }  // namespace ricochet::studies::best_values

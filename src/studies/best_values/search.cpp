@@ -4,24 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "solvers/solvers.h"
-#include "src/core/penalty.h"
 #include "src/core/run.h"
 #include "src/core/verdict.h"
 
 namespace ricochet::studies::best_values {
 namespace {
 
-/// A violation by one collision costs more than any speed within the bounds earns.
-constexpr double penalty_weight = 10.0;
-
 constexpr double bisected_to = 1e-7;
 
-/// Smoothing widths at which solvers with derivatives are shown a smooth form.
+/// Smoothing widths of what solvers with derivatives are shown.
 constexpr double widths[] = {0.25, 0.1};
 
 /// The best point so far, and who found it.
@@ -40,12 +38,12 @@ const Solver& solver_named(const std::string& name) {
 }
 
 /// Runs the solver, from the best point on if `on`, and keeps what is better.
-void improve(Problem problem, const std::string& solver_name, std::int64_t evaluations, bool on,
-             Best& best) {
+void improve(const Question& question, double width, const std::string& solver_name,
+             std::int64_t evaluations, bool on, Best& best) {
   const Solver& solver = solver_named(solver_name);
-  if (problem.constraints > 0 && !solver.accepts(problem)) {
-    problem = penalised(problem, penalty_weight);
-  }
+  Problem problem = question.problem({width});
+  if (problem.constraints > 0 && !solver.accepts(problem))
+    problem = question.problem({width, true});
   if (!solver.accepts(problem)) return;
   if (on && best.truth) problem.start = best.x;
   const RunRecord record = run(problem, solver, Budget{evaluations}, 0);
@@ -97,37 +95,32 @@ BestKnown scan_for_best(const Problem& problem, double step) {
 }
 
 BestKnown search_for_best(const Question& question, const Effort& effort) {
-  const Problem& judged = question.forms.front();
   const std::int64_t evaluations =
-      effort.evaluations + effort.evaluations_per_variable * judged.dimension();
+      effort.evaluations + effort.evaluations_per_variable * question.stated.dimension();
   Best best;
   for (const char* solver : {"pagmo-cmaes", "pagmo-sade", "fireworks"}) {
-    improve(judged, solver, evaluations, false, best);
+    improve(question, 0, solver, evaluations, false, best);
   }
-  for (const Problem& form : question.forms) {
-    for (const double width : widths) {
-      if (!form.smoothed && width != widths[0]) continue;
-      const Problem shown = form.smoothed ? form.smoothed(width) : form;
-      for (const char* solver : {"nlopt-slsqp", "ipopt"}) {
-        improve(shown, solver, evaluations, false, best);
-        improve(shown, solver, evaluations / 2, true, best);
-      }
+  std::vector<double> shown = {0};
+  if (question.stated.smoothed) shown.insert(shown.end(), std::begin(widths), std::end(widths));
+  for (const double width : shown) {
+    for (const char* solver : {"nlopt-slsqp", "ipopt"}) {
+      improve(question, width, solver, evaluations, false, best);
+      improve(question, width, solver, evaluations / 2, true, best);
     }
   }
-  improve(judged, "ceres-trust-region", evaluations, true, best);
+  improve(question, 0, "ceres-trust-region", evaluations, true, best);
   for (const char* solver : {"nlopt-sbplx", "nlopt-cobyla"}) {
-    improve(judged, solver, evaluations / 2, true, best);
+    improve(question, 0, solver, evaluations / 2, true, best);
   }
-  if (!best.truth) throw std::runtime_error(question.name + ": no solver has found a point");
+  if (!best.truth) throw std::runtime_error(question.name() + ": no solver has found a point");
   // Dual numbers round otherwise than plain ones: the value is that of the plain evaluation.
-  return known(truth_at(judged, best.x), best.x, best.finder);
+  return known(truth_at(question.stated, best.x), best.x, best.finder);
 }
 
 BestKnown best_of(const Question& question, const Effort& effort) {
-  const bool robust = question.name.rfind("robust-", 0) == 0;
-  return question.forms.front().dimension() == 1
-             ? scan_for_best(question.forms.front(), robust ? effort.robust_step : effort.step)
-             : search_for_best(question, effort);
+  return question.stated.dimension() == 1 ? scan_for_best(question.stated, question.scan_step)
+                                          : search_for_best(question, effort);
 }
 
 }  // namespace ricochet::studies::best_values

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "problems/carrier_track/questions/best_known.h"
-#include "src/studies/best_values/question.h"
+#include "src/core/question.h"
 
 namespace ricochet::studies::best_values {
 
@@ -11,8 +11,6 @@ using carrier_track::BestKnown;
 
 /// How much is done for a best value. Evaluations, not seconds: the same comes out again.
 struct Effort {
-  double step = 1e-3;         ///< of a scan, in the units of the variable
-  double robust_step = 1e-2;  ///< of a scan of problems "robust-...", which cost 32 times as much
   std::int64_t evaluations = 1500;             ///< of each run of a solver
   std::int64_t evaluations_per_variable = 40;  ///< and so many more for each variable
 };
@@ -22,8 +20,8 @@ struct Effort {
 BestKnown scan_for_best(const Problem& problem, double step);
 
 /// The best truth that several solvers find of a question of several variables: those without
-/// derivatives on its first form, those with derivatives on its smooth forms at several widths, and
-/// local ones from the best point on. Constraints are penalised for those that take none.
+/// derivatives on it as stated, those with derivatives on it smoothed by several widths, and local
+/// ones from the best point on. Constraints are penalised for those that take none.
 BestKnown search_for_best(const Question& question, const Effort& effort);
 
 /// The one or the other.

@@ -15,13 +15,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-const Form* form_for(const Contest& contest, const Solver& solver) {
-  const auto accepted =
-      std::find_if(contest.forms.begin(), contest.forms.end(),
-                   [&](const Form& form) { return solver.accepts(form.problem); });
-  return accepted == contest.forms.end() ? nullptr : &*accepted;
-}
-
 /// Best feasible true objective reached at no more than `price`; infinite if none.
 template <class PriceOf>
 double reached(const RunRecord& record, double price, PriceOf price_of) {
@@ -55,12 +48,13 @@ Progression progression(const std::vector<RunRecord>& records, double least, dou
   return result;
 }
 
-Standing standing(const std::vector<RunRecord>& records, const Form& form, double tolerance) {
+Standing standing(const std::vector<RunRecord>& records, const Question& question,
+                  const Form& form) {
   Standing result;
   result.solver = records.front().solver;
-  result.form = form.label;
+  result.form = question.name_of(form);
   for (const RunRecord& record : records) {
-    const Verdict verdict = judge(record, form.problem, tolerance);
+    const Verdict verdict = judge(record, question.stated, question.tolerance);
     result.failed += record.failure.empty() ? 0 : 1;
     result.regrets.push_back(verdict.regret.value_or(infinity));
     const auto spent =
@@ -72,19 +66,24 @@ Standing standing(const std::vector<RunRecord>& records, const Form& form, doubl
   return result;
 }
 
-/// The runs of one solver in one contest.
+/// The runs of one solver on one question.
 struct Entry {
-  std::size_t contest;
+  std::size_t question;
   const Solver* solver;
-  const Form* form;
+  Form form;
 };
 
-std::vector<Entry> entries_of(const std::vector<Contest>& contests,
+/// Each solver with the first form of each question that it accepts.
+std::vector<Entry> entries_of(const std::vector<Question>& questions,
                               const std::vector<Solver>& solvers) {
   std::vector<Entry> entries;
-  for (std::size_t c = 0; c < contests.size(); ++c) {
+  for (std::size_t q = 0; q < questions.size(); ++q) {
     for (const Solver& solver : solvers) {
-      if (const Form* form = form_for(contests[c], solver)) entries.push_back({c, &solver, form});
+      for (const Form& form : questions[q].forms()) {
+        if (!solver.accepts(questions[q].problem(form))) continue;
+        entries.push_back({q, &solver, form});
+        break;
+      }
     }
   }
   return entries;
@@ -92,14 +91,15 @@ std::vector<Entry> entries_of(const std::vector<Contest>& contests,
 
 }  // namespace
 
-std::vector<ContestResult> compare(const std::vector<Contest>& contests,
+std::vector<ContestResult> compare(const std::vector<Question>& questions,
                                    const std::vector<Solver>& solvers, const ComparisonPlan& plan) {
-  const auto entries = entries_of(contests, solvers);
+  const auto entries = entries_of(questions, solvers);
   std::deque<Problem> problems;  // stays in place while the jobs point into it
   std::vector<Job> jobs;
   for (const Entry& entry : entries) {
+    const Problem shown = questions[entry.question].problem(entry.form);
     for (int i = 1; i <= plan.instances; ++i) {
-      problems.push_back(instance(entry.form->problem, i));
+      problems.push_back(instance(shown, i));
       jobs.push_back({&problems.back(), entry.solver, plan.budget, 0});
     }
   }
@@ -107,23 +107,15 @@ std::vector<ContestResult> compare(const std::vector<Contest>& contests,
   const auto records = run_all(jobs, progress);
 
   std::vector<ContestResult> results;
-  for (const Contest& contest : contests) {
-    results.push_back({contest.case_id,
-                       contest.goal,
-                       contest.forms.front().problem.best_known.value(),
-                       {},
-                       {},
-                       {}});
-  }
+  for (const Question& question : questions) results.push_back({question, {}, {}, {}});
   const auto most = static_cast<double>(plan.budget.evaluations);
   double slowest = 1e-5;
   for (const RunRecord& r : records) slowest = std::max(slowest, r.ledger.seconds);
   for (std::size_t e = 0; e < entries.size(); ++e) {
     const auto first = records.begin() + static_cast<std::ptrdiff_t>(e) * plan.instances;
     const std::vector<RunRecord> mine(first, first + plan.instances);
-    ContestResult& result = results[entries[e].contest];
-    result.standings.push_back(
-        standing(mine, *entries[e].form, contests[entries[e].contest].tolerance));
+    ContestResult& result = results[entries[e].question];
+    result.standings.push_back(standing(mine, result.question, entries[e].form));
     result.by_evaluations.push_back(progression(mine, 1, most, [](const Improvement& step) {
       return static_cast<double>(step.evaluations);
     }));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "src/core/question.h"
 #include "src/core/run.h"
 #include "src/core/solver.h"
 #include "src/statistics/expected_running_time.h"
@@ -17,37 +18,19 @@ struct Progression {
   std::vector<double> median, lower, upper;
 };
 
-/// What a contest asks for.
-enum class Goal { count, top_speed };
-
-/// A question as some solvers can take it.
-struct Form {
-  std::string label;  ///< what a solver is shown
-  Problem problem;
-};
-
-/// One question, put to all solvers: each gets the first form that it accepts, and all are judged
-/// by the truth, which the forms share.
-struct Contest {
-  std::string case_id;
-  Goal goal;
-  std::vector<Form> forms;
-  double tolerance = 0;  ///< regret that still counts as solved
-};
-
-/// How a solver did in one contest; one entry a run in every list.
+/// How a solver did on one question; one entry a run in every list.
 struct Standing {
   std::string solver;
-  std::string form;                          ///< what it was shown
+  std::string form;                          ///< that it was shown
   int failed = 0;                            ///< runs that ended in an exception
-  std::vector<double> regrets;               ///< infinite where a run found nothing feasible
+  std::vector<double> regrets;               ///< infinite where a run found nothing feasible; below
+                                             ///< 0 where it found a new best value
   std::vector<Effort> evaluations, seconds;  ///< until solved, or in all
 };
 
+/// One question, put to all solvers: each gets the first form that it accepts.
 struct ContestResult {
-  std::string case_id;
-  Goal goal;
-  double best_known = 0;
+  Question question;
   std::vector<Standing> standings;
   std::vector<Progression> by_evaluations;
   std::vector<Progression> by_seconds;
@@ -58,8 +41,9 @@ struct ComparisonPlan {
   Budget budget;
 };
 
-/// Runs every solver on instances 1..n of every contest, in parallel, and sums up.
-std::vector<ContestResult> compare(const std::vector<Contest>& contests,
+/// Runs every solver on instances 1..n of every question, whose best values must be known, in
+/// parallel, and sums up.
+std::vector<ContestResult> compare(const std::vector<Question>& questions,
                                    const std::vector<Solver>& solvers, const ComparisonPlan& plan);
 
 }  // namespace ricochet::studies::reproduction

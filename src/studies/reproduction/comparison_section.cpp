@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "problems/carrier_track/questions/speed_problem.h"
 #include "src/report/text.h"
 #include "src/statistics/bootstrap.h"
 #include "src/studies/reproduction/sections.h"
@@ -14,12 +15,18 @@ namespace {
 using report::lower_case;
 using report::text_or_dash;
 
+enum class Goal { count, top_speed };
+
+Goal goal_of(const ContestResult& contest) {
+  return contest.question.stated.constraints == 0 ? Goal::count : Goal::top_speed;
+}
+
 /// All runs of one solver with one goal, over all cases.
 Standing total_of(const Study& study, const std::string& solver, Goal goal) {
   Standing total;
   total.solver = solver;
   for (const ContestResult& contest : study.contests) {
-    if (contest.goal != goal) continue;
+    if (goal_of(contest) != goal) continue;
     for (const Standing& s : contest.standings) {
       if (s.solver != solver) continue;
       total.form = s.form;
@@ -40,6 +47,21 @@ double share_solved(const Standing& standing) {
 
 const char* name_of(Goal goal) {
   return goal == Goal::count ? "fewest collisions" : "fastest quiet speed";
+}
+
+/// The question's best value, where a run found a better one than was known, and who did.
+std::string better_than_known(const ContestResult& contest) {
+  double lowest = 0;
+  std::string finder;
+  for (const Standing& s : contest.standings) {
+    for (const double regret : s.regrets) {
+      if (regret < lowest) finder = s.solver;
+      lowest = std::min(lowest, regret);
+    }
+  }
+  return finder.empty()
+             ? ""
+             : fmt::format("{} by {:.3g} ({})", contest.question.name(), -lowest, finder);
 }
 
 report::Table table_of(const Study& study, Goal goal) {
@@ -66,15 +88,14 @@ report::Table table_of(const Study& study, Goal goal) {
     auto milliseconds = expected_running_time(t.seconds);
     if (milliseconds) *milliseconds *= 1e3;
     const double gap = quantile(t.regrets, 0.5);
-    table.rows.push_back(
-        {{solver.name},
-         {t.form},
-         {fmt::format("{}", t.regrets.size())},
-         {fmt::format("{:.0f} %", 100 * share_solved(t))},
-         {text_or_dash(expected_running_time(t.evaluations), "{:.0f}")},
-         {text_or_dash(milliseconds, "{:.3g}")},
-         {std::isfinite(gap) ? fmt::format("{:.3g}", std::max(0.0, gap)) : "nothing quiet found"},
-         {fmt::format("{}", t.failed)}});
+    table.rows.push_back({{solver.name},
+                          {t.form},
+                          {fmt::format("{}", t.regrets.size())},
+                          {fmt::format("{:.0f} %", 100 * share_solved(t))},
+                          {text_or_dash(expected_running_time(t.evaluations), "{:.0f}")},
+                          {text_or_dash(milliseconds, "{:.3g}")},
+                          {std::isfinite(gap) ? fmt::format("{:.3g}", gap) : "nothing quiet found"},
+                          {fmt::format("{}", t.failed)}});
   }
   return table;
 }
@@ -88,7 +109,7 @@ report::Figure map_of(const Study& study, Goal goal) {
   for (const Solver& solver : study.solvers) {
     std::vector<std::optional<double>> row;
     for (const ContestResult& contest : study.contests) {
-      if (contest.goal != goal) continue;
+      if (goal_of(contest) != goal) continue;
       for (const Standing& s : contest.standings) {
         if (s.solver == solver.name) row.emplace_back(100 * share_solved(s));
       }
@@ -98,7 +119,7 @@ report::Figure map_of(const Study& study, Goal goal) {
     chart.y.categories.push_back(solver.name);
   }
   for (const ContestResult& contest : study.contests) {
-    if (contest.goal == goal) chart.x.categories.push_back(contest.case_id);
+    if (goal_of(contest) == goal) chart.x.categories.push_back(contest.question.machine);
   }
   chart.heat_map = std::move(map);
   chart.width = 640;
@@ -147,8 +168,9 @@ constexpr double smallest_gap = 1e-3;
 
 report::Series series_of(const Progression& progression, const ContestResult& contest) {
   const auto shown = [&](double reached) {
-    return contest.goal == Goal::count ? reached
-                                       : std::max(smallest_gap, reached - contest.best_known);
+    return goal_of(contest) == Goal::count
+               ? reached
+               : std::max(smallest_gap, reached - *contest.question.stated.best_known);
   };
   report::Series series{progression.solver, report::Mark::line, {}};
   for (std::size_t k = 0; k < progression.price.size(); ++k) {
@@ -163,15 +185,16 @@ report::Series series_of(const Progression& progression, const ContestResult& co
 
 report::Figure progress_of(const ContestResult& contest, const Price& price, const Group& group) {
   report::Chart chart;
-  const bool count = contest.goal == Goal::count;
-  chart.name = fmt::format("{}-{}-{}-{}", count ? "fewest" : "fastest", lower_case(contest.case_id),
-                           group.name, price.name);
-  chart.title =
-      fmt::format("{}, {}: {}", contest.case_id, count ? "fewest" : "fastest", group.title);
+  const bool count = goal_of(contest) == Goal::count;
+  chart.name = fmt::format("{}-{}-{}-{}", count ? "fewest" : "fastest",
+                           lower_case(contest.question.machine), group.name, price.name);
+  chart.title = fmt::format("{}, {}: {}", contest.question.machine, count ? "fewest" : "fastest",
+                            group.title);
   chart.x = {price.label, report::Scale::logarithmic};
   if (count) {
     chart.y.label = "true count";
-    chart.lines = {{report::Direction::horizontal, contest.best_known, "best known"}};
+    chart.lines = {
+        {report::Direction::horizontal, *contest.question.stated.best_known, "best known"}};
   } else {
     chart.y = {"gap to the fastest [rad/s]", report::Scale::logarithmic,
                report::Range{smallest_gap, 20}};
@@ -203,17 +226,26 @@ report::Section comparison_section(const Study& study) {
           "{} instances of each question, the same for all: the box moved and reflected, a "
           "random start. A solver that ends early starts anew elsewhere, until {} "
           "evaluations are spent.",
-          penalty_weight, plan.instances, plan.budget.evaluations),
+          carrier_track::speed_penalty, plan.instances, plan.budget.evaluations),
       "In the charts a line is the median over the instances, its band the 95 % bootstrap interval "
       "of that median; gaps below 0.001 rad/s are drawn there. Lines begin where half of the runs "
       "have found something quiet. Charts show "
       "C1, C2 and C9; the tables and maps count every case compared."};
+  std::string new_bests;
+  for (const ContestResult& contest : study.contests) {
+    const std::string found = better_than_known(contest);
+    if (!found.empty()) new_bests += (new_bests.empty() ? "" : ", ") + found;
+  }
+  if (!new_bests.empty()) {
+    section.paragraphs.push_back(fmt::format(
+        "Better than the best values known: {}. A gap below 0 is one of these.", new_bests));
+  }
   for (const Goal goal : {Goal::top_speed, Goal::count}) {
     section.tables.push_back(table_of(study, goal));
     section.figures.push_back(map_of(study, goal));
   }
   for (const ContestResult& contest : study.contests) {
-    if (!is_charted(contest.case_id)) continue;
+    if (!is_charted(contest.question.machine)) continue;
     for (const Group& group : groups) {
       for (const Price& price : {evaluations, seconds}) {
         section.figures.push_back(progress_of(contest, price, group));

@@ -9,7 +9,6 @@
 #include "problems/carrier_track/questions/speed_range.h"
 #include "problems/carrier_track/questions/top_speed.h"
 #include "src/campaign/progress.h"
-#include "src/core/penalty.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -17,10 +16,6 @@ namespace {
 using namespace carrier_track;
 
 constexpr std::size_t path_samples = 600;
-
-/// Regret that still counts as solved: an integer count must be met, a speed within 0.01 rad/s.
-constexpr double count_tolerance = 0.5;
-constexpr double speed_tolerance = 0.01;
 
 std::vector<std::string> every_id() {
   std::vector<std::string> ids;
@@ -44,63 +39,15 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
   return {the_case, scene, std::move(scan), result, std::move(paths)};
 }
 
-/// Sets the best known values from an exhaustive scan of the case's speeds, from slowest_speed on:
-/// the lowest count, and the fastest speed within the quiet limit.
-void know_best(std::vector<Problem>& problems, const SpeedScan& scan, double limit) {
-  std::optional<double> fewest;
-  std::optional<double> fastest;
-  for (std::size_t k = 0; k < scan.counts.size(); ++k) {
-    if (scan.omega(k) < slowest_speed) continue;
-    if (scan.counts[k] <= limit) fastest = scan.omega(k);
-    fewest = std::min<double>(fewest.value_or(scan.counts[k]), scan.counts[k]);
+/// What solvers are compared on: two questions of every case.
+std::vector<Question> questions_of(const std::vector<std::string>& case_ids) {
+  std::vector<Question> questions;
+  for (const Machine& machine : all_machines()) {
+    if (std::find(case_ids.begin(), case_ids.end(), machine.id) == case_ids.end()) continue;
+    questions.push_back(count_question(machine));
+    questions.push_back(top_speed_question(machine));
   }
-  for (Problem& problem : problems) {
-    if (problem.constraints == 0) problem.best_known = fewest;
-    if (problem.constraints > 0 && fastest) problem.best_known = -*fastest;
-  }
-}
-
-/// The problem, and all that it becomes at other smoothing widths, under another name.
-Problem renamed(Problem problem, const std::string& name) {
-  problem.name = name;
-  if (problem.smoothed) {
-    problem.smoothed = [smoothed = problem.smoothed, name](double width) {
-      return renamed(smoothed(width), name);
-    };
-  }
-  return problem;
-}
-
-/// All forms under one name, which alone decides about instances and starts: the same for all.
-Contest contest_of(const std::string& case_id, Goal goal, std::vector<Form> forms,
-                   double tolerance) {
-  const std::string name = forms.front().problem.name;
-  for (Form& form : forms) form.problem = renamed(std::move(form.problem), name);
-  return {case_id, goal, std::move(forms), tolerance};
-}
-
-std::vector<Contest> contests_of(const Study& study) {
-  std::vector<Contest> contests;
-  for (const CaseStudy& c : study.cases) {
-    const auto& ids = study.plan.compared;
-    if (std::find(ids.begin(), ids.end(), c.the_case.id) == ids.end()) continue;
-    const double limit = quiet_limit(c.score.quiet_count);
-    const Machine machine{c.the_case.id, c.scene, limit, c.the_case.claim.threshold, ""};
-    std::vector<Problem> problems = {
-        count_problem(machine), surrogate_problem(machine, default_width),
-        top_speed_problem(machine), top_speed_surrogate_problem(machine, default_width)};
-    know_best(problems, c.scan, limit);
-    contests.push_back(contest_of(c.the_case.id, Goal::count,
-                                  {{"count", problems[0]}, {"surrogate", problems[1]}},
-                                  count_tolerance));
-    contests.push_back(contest_of(c.the_case.id, Goal::top_speed,
-                                  {{"count", problems[2]},
-                                   {"penalised count", penalised(problems[2], penalty_weight)},
-                                   {"surrogate", problems[3]},
-                                   {"penalised surrogate", penalised(problems[3], penalty_weight)}},
-                                  speed_tolerance));
-  }
-  return contests;
+  return questions;
 }
 
 }  // namespace
@@ -129,7 +76,7 @@ Study make_study(const StudyPlan& plan, std::vector<Solver> solvers) {
   }
   study.grid = count_grid(study.reading.scene, plan.grid_step, plan.coarse_grid);
   study.trends = trends(study.grid);
-  study.contests = compare(contests_of(study), study.solvers, plan.comparison);
+  study.contests = compare(questions_of(plan.compared), study.solvers, plan.comparison);
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return study;
 }

@@ -14,9 +14,6 @@
 
 namespace ricochet::studies::reproduction {
 
-/// [rad/s] for each collision too many: no gain of speed in the box outweighs half a collision.
-inline constexpr double penalty_weight = 36.0;
-
 /// How finely to look, and how long.
 struct StudyPlan {
   carrier_track::ScanOptions scan;

@@ -54,8 +54,7 @@ ContinuationStudy study_continuation(const ContinuationPlan& plan) {
   std::vector<Entry> entries;
   for (const Machine& machine : all_machines()) {
     if (!find_case(machine.id).claim.threshold) continue;
-    entries.push_back({machine.id, top_speed_surrogate_problem(machine, default_width)});
-    entries.back().problem.best_known = top_speed_problem(machine).best_known;
+    entries.push_back({machine.id, top_speed_question(machine).problem({default_width})});
   }
   std::deque<Problem> problems;  // stays in place while the jobs point into it
   std::vector<Job> jobs;

@@ -10,6 +10,7 @@
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"
+#include "src/core/seed.h"
 #include "src/studies/surrogate/draws.h"
 #include "src/studies/surrogate/largest_jump.h"
 

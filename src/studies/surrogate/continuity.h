@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "problems/carrier_track/scene/scene.h"
-#include "src/core/seed.h"
+#include "src/core/random.h"
 #include "src/report/page.h"
 
 /// Is the surrogate continuous where the count jumps?

@@ -73,12 +73,16 @@ struct Group {
   std::vector<std::size_t> members;
 };
 
-/// The families with derivatives; their problems are put one after the other.
+/// The families with derivatives; their problems, smoothed where only that has derivatives, are put
+/// one after the other.
 std::vector<Group> groups_of(const std::vector<Family>& families, std::vector<Problem>& problems) {
   std::vector<Group> groups;
   for (const Family& family : families) {
     Group group{family.name, {}};
-    for (const Problem& problem : family.problems) {
+    for (const Question& question : family.questions) {
+      const Problem& stated = question.stated;
+      const bool smooths = !stated.differentiate && stated.smoothed;
+      const Problem problem = smooths ? stated.smoothed(question.width) : stated;
       if (!problem.differentiate) continue;
       group.members.push_back(problems.size());
       problems.push_back(problem);

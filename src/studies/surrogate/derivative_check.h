@@ -54,7 +54,7 @@ std::vector<Comparison> compare(const Problem& problem, const Vector& point,
                                 const Vector& direction);
 
 struct DerivativeCheckPlan {
-  std::vector<Family> families;  ///< their problems without derivatives are passed over
+  std::vector<Family> families;  ///< their questions without derivatives are passed over
   std::size_t points;            ///< in all, shared out evenly to the families
   std::uint64_t seed;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/seed.h"
+#include "src/core/random.h"
 
 namespace ricochet::studies::surrogate {
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/questions/families.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
 
@@ -42,7 +43,7 @@ TEST(Design, CostsNoTensionAtTheNominalPullAndNoDampingWithoutAny) {
 
 TEST(Design, OfTheMachineAsItIsHasItsCount) {
   const Machine m = machine();
-  const Problem problem = design_count_problem(m);
+  const Problem problem = design_count_question(m).stated;
   Vector x = problem.start;
   x[design_speed] = 9.0;
   const double count = problem.evaluate(x).constraints[0] + m.quiet_limit;
@@ -62,14 +63,14 @@ TEST(Design, BuildsTheSceneOfItsVariables) {
 }
 
 TEST(Design, HasDerivativesToEveryVariable) {
-  const Problem problem = design_problem(machine(), 0.25);
+  const Problem problem = design_count_question(machine()).problem({0.25});
   const Vector x = problem.lower + 0.37 * (problem.upper - problem.lower);
   expect_derivatives_of_values(problem, x, 1e-8, 1e-4);
 }
 
 TEST(Design, IsJudgedByTheTrueCount) {
-  const Problem smooth = design_problem(machine(), 0.25);
-  const Problem exact = design_count_problem(machine());
+  const Problem smooth = design_count_question(machine()).problem({0.25});
+  const Problem exact = design_count_question(machine()).stated;
   const Vector x = smooth.lower + 0.9 * (smooth.upper - smooth.lower);
   const Truth truth = smooth.truth(x);
   EXPECT_GT(truth.violation, 0);
@@ -80,8 +81,7 @@ TEST(Design, IsJudgedByTheTrueCount) {
 TEST(Design, IsNotAskedOfAMachineWithOneWall) {
   Machine m = machine();
   m.scene.wall_upper = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(design_family({machine(), m}).problems.size(), 1U);
-  EXPECT_EQ(design_count_family({machine(), m}).problems.size(), 1U);
+  EXPECT_EQ(families_of({machine(), m})[4].questions.size(), 1U);
 }
 
 }  // namespace

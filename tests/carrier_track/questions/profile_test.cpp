@@ -36,7 +36,7 @@ TEST(Profile, KeepsItsMeanSpeedWhateverTheShape) {
   const ProfileFrame frame = profile_frame(c1);
   EXPECT_EQ(frame.mean, 1.25 * 9.0);
   for (const std::size_t n : profile_sizes) {
-    const Vector x = some_shape(profile_count_problem(c1, n));
+    const Vector x = some_shape(profile_count_question(c1, n).stated);
     const Scene scene = with_profile(
         c1.scene, frame, std::span<const double>(x.data(), static_cast<std::size_t>(x.size())));
     ASSERT_EQ(scene.profile.size(), n);
@@ -52,7 +52,7 @@ TEST(Profile, KeepsItsMeanSpeedWhateverTheShape) {
 TEST(Profile, OfNoShapeIsTheSteadySpeed) {
   for (const char* id : {"C1", "C2", "C9"}) {
     const Machine m = machine(id);
-    const Problem problem = profile_count_problem(m, 8);
+    const Problem problem = profile_count_question(m, 8).stated;
     EXPECT_EQ(problem.evaluate(problem.start).objective, count_at(m.scene, loud_speed(m))) << id;
     EXPECT_EQ(problem.evaluate(2 * problem.start).objective,
               problem.evaluate(problem.start).objective);
@@ -67,17 +67,17 @@ TEST(Profile, TakesAWindowInSecondsAsItIs) {
 
 TEST(Profile, HasDerivativesToEveryKnot) {
   for (const std::size_t n : {2U, 8U}) {
-    const Problem problem = profile_problem(machine("C1"), n, 0.25);
+    const Problem problem = profile_count_question(machine("C1"), n).problem({0.25});
     EXPECT_EQ(problem.dimension(), static_cast<Eigen::Index>(n));
     expect_derivatives_of_values(problem, some_shape(problem), 1e-8, 1e-4);
-    const Problem wear = profile_wear_problem(machine("C1"), n);
+    const Problem wear = profile_wear_question(machine("C1"), n).stated;
     expect_derivatives_of_values(wear, some_shape(wear), 1e-8, 1e-4);
   }
 }
 
 TEST(Profile, IsJudgedByTheTrueCount) {
-  const Problem smooth = profile_problem(machine("C1"), 4, 0.25);
-  const Problem exact = profile_count_problem(machine("C1"), 4);
+  const Problem smooth = profile_count_question(machine("C1"), 4).problem({0.25});
+  const Problem exact = profile_count_question(machine("C1"), 4).stated;
   const Vector x = some_shape(exact);
   EXPECT_EQ(smooth.truth(x).objective, exact.evaluate(x).objective);
   EXPECT_EQ(smooth.smoothed(0.1).truth(x).objective, exact.evaluate(x).objective);

@@ -23,7 +23,7 @@ Vector at(double omega) {
 }
 
 TEST(TopSpeed, IsConstrainedByTheLimit) {
-  const Problem problem = top_speed_problem(machine());
+  const Problem problem = top_speed_question(machine()).stated;
   const Values quiet = problem.evaluate(at(9.0));
   EXPECT_EQ(quiet.objective, -9.0);
   EXPECT_LE(quiet.constraints[0], 0.0);
@@ -31,14 +31,15 @@ TEST(TopSpeed, IsConstrainedByTheLimit) {
 }
 
 TEST(TopSpeed, JudgesTheSurrogateByTheTrueCount) {
-  const Problem problem = top_speed_surrogate_problem(machine(), 0.25);
+  const Problem problem = top_speed_question(machine()).problem({0.25});
   EXPECT_EQ(problem.truth(at(9.0)).violation, 0.0);
   EXPECT_EQ(problem.truth(at(15.0)).violation, 1.0);
   EXPECT_EQ(problem.truth(at(15.0)).objective, -15.0);
 }
 
 TEST(TopSpeed, HasASurrogateWithDerivatives) {
-  expect_derivatives_of_values(top_speed_surrogate_problem(machine(), 0.25), at(4.321), 1e-7, 1e-6);
+  expect_derivatives_of_values(top_speed_question(machine()).problem({0.25}), at(4.321), 1e-7,
+                               1e-6);
 }
 
 /// Where the count leaves the limit because an impact gets faster, a sharp surrogate passes its
@@ -47,8 +48,8 @@ TEST(TopSpeed, HasASurrogateThatPassesItsLevelWhereTheCountLeavesTheLimit) {
   Machine c1 = machine();
   for (const double limit : {6.0, 6.5}) {
     c1.quiet_limit = limit;
-    const Problem count = top_speed_problem(c1);
-    const Problem sharp = top_speed_surrogate_problem(c1, 1e-5);
+    const Problem count = top_speed_question(c1).stated;
+    const Problem sharp = top_speed_question(c1).problem({1e-5});
     int crossings = 0;
     for (double omega = 9; omega < 15; omega += 0.01) {
       const bool quiet = count.evaluate(at(omega)).constraints[0] <= 0;

@@ -17,7 +17,7 @@ using carrier_track::BestValues;
 
 std::filesystem::path fresh_file() {
   const auto folder = std::filesystem::temp_directory_path() /
-                      ("ricochet-certification-" +
+                      ("ricochet-best-values-" +
                        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
@@ -30,10 +30,10 @@ BestValues read(const std::filesystem::path& file) {
 }
 
 std::vector<Question> questions() {
-  return {{"stairs", {stairs()}}, {"speeds", {speeds()}}};
+  return {{stairs()}, {speeds()}};
 }
 
-TEST(Certification, MatchesByPartsAndByPatterns) {
+TEST(BestValues, MatchesByPartsAndByPatterns) {
   EXPECT_TRUE(matches("profile-wear-8-C1", ""));
   EXPECT_TRUE(matches("profile-wear-8-C1", "wear"));
   EXPECT_TRUE(matches("profile-wear-8-C1", "profile-*-C1"));
@@ -41,9 +41,9 @@ TEST(Certification, MatchesByPartsAndByPatterns) {
   EXPECT_FALSE(matches("profile-wear-8-C1", "design"));
 }
 
-TEST(Certification, WritesTheBestValuesAndLeavesNothingElse) {
+TEST(BestValues, WritesTheBestValuesAndLeavesNothingElse) {
   const auto file = fresh_file();
-  const Outcome outcome = certify(questions(), {}, file);
+  const Outcome outcome = find_best_values(questions(), {}, file);
   EXPECT_EQ(outcome.wanted, 2U);
   EXPECT_EQ(outcome.finished, 2U);
   EXPECT_EQ(outcome.improved, 2U);
@@ -53,62 +53,62 @@ TEST(Certification, WritesTheBestValuesAndLeavesNothingElse) {
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
 }
 
-TEST(Certification, GoesOnWhereItWasStopped) {
+TEST(BestValues, GoesOnWhereItWasStopped) {
   const auto file = fresh_file();
   Plan plan;
-  plan.problems = "stairs";
-  certify(questions(), plan, file);
+  plan.questions = "stairs";
+  find_best_values(questions(), plan, file);
   std::filesystem::rename(file, file.string() + ".part");  // as if it had been stopped then
   std::vector<Question> all = questions();
-  all[0].forms[0].evaluate = [](const Vector&) -> Values { throw std::logic_error("again"); };
-  const Outcome outcome = certify(all, {}, file);
+  all[0].stated.evaluate = [](const Vector&) -> Values { throw std::logic_error("again"); };
+  const Outcome outcome = find_best_values(all, {}, file);
   EXPECT_EQ(outcome.finished, 2U);
   EXPECT_EQ(read(file).of.at("stairs").value, -3);
 }
 
-TEST(Certification, BeginsNothingWithoutTime) {
+TEST(BestValues, BeginsNothingWithoutTime) {
   const auto file = fresh_file();
   Plan plan;
   plan.seconds = -1;
-  const Outcome outcome = certify(questions(), plan, file);
+  const Outcome outcome = find_best_values(questions(), plan, file);
   EXPECT_EQ(outcome.finished, 0U);
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-TEST(Certification, NeverReplacesABetterValueByAWorseOne) {
+TEST(BestValues, NeverReplacesABetterValueByAWorseOne) {
   const auto file = fresh_file();
   Plan plan;
-  plan.effort.step = 0.3;  // misses the best stair
   std::vector<Question> known = questions();
-  known[0].forms[0].best_point = Vector::Constant(1, 2.003);
-  known[0].forms[0].best_known = -3;
-  known[0].forms[0].provenance = "by hand";
-  const Outcome outcome = certify(known, plan, file);
+  known[0].scan_step = 0.3;  // misses the best stair
+  known[0].stated.best_point = Vector::Constant(1, 2.003);
+  known[0].stated.best_known = -3;
+  known[0].stated.provenance = "by hand";
+  const Outcome outcome = find_best_values(known, plan, file);
   EXPECT_EQ(outcome.improved, 1U);
   EXPECT_EQ(read(file).of.at("stairs").provenance, "by hand");
   // And once more from the file.
-  certify(questions(), plan, file);
+  find_best_values(questions(), plan, file);
   EXPECT_EQ(read(file).of.at("stairs").provenance, "by hand");
 }
 
 /// A value is worth what it is worth today.
-TEST(Certification, ForgetsAValueThatDoesNotComeOutAgain) {
+TEST(BestValues, ForgetsAValueThatDoesNotComeOutAgain) {
   const auto file = fresh_file();
   std::vector<Question> known = questions();
-  known[0].forms[0].best_point = Vector::Constant(1, 3.0);
-  known[0].forms[0].best_known = -100;
-  known[0].forms[0].provenance = "of another reading";
-  certify(known, {}, file);
+  known[0].stated.best_point = Vector::Constant(1, 3.0);
+  known[0].stated.best_known = -100;
+  known[0].stated.provenance = "of another reading";
+  find_best_values(known, {}, file);
   EXPECT_EQ(read(file).of.at("stairs").value, -3);
 }
 
-TEST(Certification, RefusesAPatternThatNothingMatchesAndAFileThatIsNone) {
+TEST(BestValues, RefusesAPatternThatNothingMatchesAndAFileThatIsNone) {
   const auto file = fresh_file();
   Plan plan;
-  plan.problems = "nothing";
-  EXPECT_THROW(certify(questions(), plan, file), InputError);
+  plan.questions = "nothing";
+  EXPECT_THROW(find_best_values(questions(), plan, file), InputError);
   write_text_file(file, "no values");
-  EXPECT_THROW(certify(questions(), {}, file), InputError);
+  EXPECT_THROW(find_best_values(questions(), {}, file), InputError);
 }
 
 }  // namespace

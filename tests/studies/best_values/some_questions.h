@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/studies/best_values/question.h"
+#include "src/core/question.h"
 
 namespace ricochet::studies::best_values {
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "problems/carrier_track/questions/families.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
 
@@ -23,8 +25,9 @@ TEST(Page, OfAllFamiliesHasARowForEach) {
   const report::Table& table = page.sections.at(0).tables.at(0);
   ASSERT_EQ(table.rows.size(), families().size());
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
-  EXPECT_EQ(table.rows[4][0].text, "profile-count");
-  EXPECT_EQ(table.rows[4][3].text, "2 to 64");
+  EXPECT_EQ(table.rows[2][0].text, "profile-count");
+  EXPECT_EQ(table.rows[2][3].text, "2 to 64");
+  EXPECT_EQ(table.rows[2][5].text, "count, surrogate");
 }
 
 TEST(Page, DrawsAFamilyOfOneVariable) {
@@ -39,17 +42,30 @@ TEST(Page, DrawsAFamilyOfOneVariable) {
       ++drawn;
     }
   }
-  EXPECT_EQ(drawn, 2 * 2);  // count and top speed, in two forms
+  EXPECT_EQ(drawn, 2);  // count and top speed
 }
 
-TEST(Page, TellsTheStartAndTheBestOfEveryProblem) {
+TEST(Page, HasARowForEveryFormWithItsDerivatives) {
+  const report::Page page = page_of(families()[1]);
+  const auto& rows = page.sections[0].tables[1].rows;
+  const std::vector<std::array<std::string, 3>> expected = {{"count", "1", "no"},
+                                                            {"penalised-count", "0", "no"},
+                                                            {"surrogate", "1", "yes"},
+                                                            {"penalised-surrogate", "0", "yes"}};
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(rows[k][i].text, expected[k][i]) << k;
+  }
+}
+
+TEST(Page, TellsTheStartAndTheBestOfEveryQuestion) {
   Family family = families()[0];
-  Problem& problem = family.problems[0];
+  Problem& problem = family.questions[0].stated;
   problem.best_known = 4;
   problem.best_point = Vector::Constant(1, 2.5);
   problem.provenance = "by hand";
   const report::Page page = page_of(family);
-  const auto& row = page.sections[0].tables[1].rows.at(0);
+  const auto& row = page.sections[0].tables[2].rows.at(0);
   EXPECT_EQ(row[0].text, "count-C1");
   EXPECT_EQ(std::stod(row[1].text), problem.evaluate(problem.start).objective);
   EXPECT_EQ(row[2].text, "4");
@@ -58,13 +74,12 @@ TEST(Page, TellsTheStartAndTheBestOfEveryProblem) {
 }
 
 TEST(Page, ShortensLongPoints) {
-  for (Family family : families()) {
-    if (family.name != "profile") continue;
-    Problem& problem = family.problems.back();
-    problem.best_point = problem.start;
-    problem.best_known = 0;
-    EXPECT_EQ(page_of(family).sections[0].tables[1].rows.back()[3].text, "1, 1, 1, 1, 1, …");
-  }
+  Family family = families()[2];
+  ASSERT_EQ(family.name, "profile-count");
+  Problem& problem = family.questions.back().stated;
+  problem.best_point = problem.start;
+  problem.best_known = 0;
+  EXPECT_EQ(page_of(family).sections[0].tables[2].rows.back()[3].text, "1, 1, 1, 1, 1, …");
 }
 
 }  // namespace

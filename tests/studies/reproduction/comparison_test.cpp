@@ -7,8 +7,8 @@
 namespace ricochet::studies::reproduction {
 namespace {
 
-/// |x - 0.5| on [0, 1], with derivatives if asked for.
-Problem valley(bool smooth) {
+/// |x - 0.5| on [0, 1], with derivatives at a smoothing width, which changes nothing else.
+Problem valley(double width) {
   Problem problem;
   problem.name = "valley";
   problem.lower = Vector::Zero(1);
@@ -16,11 +16,12 @@ Problem valley(bool smooth) {
   problem.start = Vector::Zero(1);
   problem.best_known = 0.0;
   problem.evaluate = [](const Vector& x) { return Values{std::abs(x[0] - 0.5), {}}; };
-  if (smooth) {
+  if (width > 0) {
     problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
       return Derivatives{evaluate(x), Vector::Constant(1, x[0] > 0.5 ? 1 : -1), Matrix(0, 1)};
     };
   }
+  problem.smoothed = valley;
   return problem;
 }
 
@@ -44,10 +45,8 @@ Solver patient(std::string name, int wasted, bool needs_derivatives) {
 }
 
 std::vector<ContestResult> compare_patient_ones() {
-  const Contest contest{
-      "C1", Goal::count, {{"count", valley(false)}, {"surrogate", valley(true)}}, 1e-9};
   return compare(
-      {contest},
+      {{.stated = valley(0), .width = 0.25, .tolerance = 1e-9}},
       {patient("quick", 3, false), patient("slow", 30, false), patient("steep", 5, true)},
       {4, Budget{20}});
 }
@@ -94,11 +93,19 @@ TEST(Comparison, FollowsTheMedianFromTheFirstEvaluationToTheLast) {
 }
 
 TEST(Comparison, LeavesOutWhatNoRunHasReachedYet) {
-  Contest contest{"C1", Goal::top_speed, {{"count", valley(false)}}, 1e-9};
-  contest.forms[0].problem.truth = [](const Vector&) { return Truth{0.0, 1.0}; };
-  const auto results = compare({contest}, {patient("quick", 3, false)}, {4, Budget{20}});
+  Question question{.stated = valley(0), .tolerance = 1e-9};
+  question.stated.truth = [](const Vector&) { return Truth{0.0, 1.0}; };
+  const auto results = compare({question}, {patient("quick", 3, false)}, {4, Budget{20}});
   EXPECT_TRUE(results[0].by_evaluations[0].price.empty());
   EXPECT_TRUE(std::isinf(results[0].standings[0].regrets[0]));
+}
+
+TEST(Comparison, ShowsWhatIsBetterThanTheBestKnown) {
+  Question question{.stated = valley(0), .tolerance = 1e-9};
+  question.stated.best_known = 0.25;
+  const auto results = compare({question}, {patient("quick", 3, false)}, {4, Budget{20}});
+  ASSERT_EQ(results[0].standings[0].regrets.size(), 4U);
+  for (const double regret : results[0].standings[0].regrets) EXPECT_NEAR(regret, -0.25, 1e-12);
 }
 
 }  // namespace

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/questions/count.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/questions/families.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -33,10 +32,7 @@ Problem polynomial(const std::string& name) {
 }
 
 Family family_of(const Problem& problem) {
-  Family family;
-  family.name = problem.name;
-  family.problems = {problem};
-  return family;
+  return {problem.name, {{problem}}};
 }
 
 /// |x| in [-1, 1] with a gradient that knows how far its corner is; `knows`: whether it tells.
@@ -118,9 +114,10 @@ TEST(Agreement, CallsWhatADifferenceCannotTellRounding) {
 TEST(Agreement, HoldsForTheSurrogateOfTheCases) {
   using namespace carrier_track;
   const std::vector<Machine> machines = all_machines();
-  const std::vector<Family> families = {surrogate_family(machines),
-                                        count_family(machines),  // without derivatives
-                                        top_speed_surrogate_family(machines)};
+  Problem without = polynomial("without-derivatives");
+  without.differentiate = nullptr;
+  const std::vector<Family> of_machines = families_of(machines);
+  const std::vector<Family> families = {of_machines[0], of_machines[1], family_of(without)};
   const DerivativeCheckStudy study = study_derivative_check({families, 72, 7});
   EXPECT_EQ(study.families, 2U);
   EXPECT_EQ(study.points, 72U);

@@ -6,9 +6,9 @@
 namespace ricochet::cli {
 namespace {
 
-TEST(Certify, WritesAFileThatHoldsWhatWasKnownToo) {
+TEST(BestValues, WritesAFileThatHoldsWhatWasKnownToo) {
   const auto file = fresh_folder() / "best.toml";
-  const Outcome outcome = call("certify --problems top-speed-C3 --out " + file.string());
+  const Outcome outcome = call("best-values --questions top-speed-C3 --out " + file.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::HasSubstr("of 1 best values"));
   const std::string text = read(file);
@@ -16,18 +16,19 @@ TEST(Certify, WritesAFileThatHoldsWhatWasKnownToo) {
   EXPECT_THAT(text, testing::HasSubstr("[count-C1]"));
 }
 
-TEST(Certify, WithoutTimeSaysHowToGoOn) {
+TEST(BestValues, WithoutTimeSaysHowToGoOn) {
   const auto file = fresh_folder() / "best.toml";
-  const Outcome outcome = call("certify --seconds 0 --out " + file.string());
+  const Outcome outcome = call("best-values --seconds 0 --out " + file.string());
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, testing::HasSubstr("goes on"));
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-TEST(Certify, RefusesWhatItCannotDo) {
-  expect_refusal("certify --problems nothing --out " + (fresh_folder() / "best.toml").string(),
+TEST(BestValues, RefusesWhatItCannotDo) {
+  expect_refusal("best-values --questions nothing --out " + (fresh_folder() / "best.toml").string(),
                  "nothing");
-  expect_refusal("certify --seconds -3", "--seconds");
+  expect_refusal("best-values --seconds -3", "--seconds");
+  expect_refusal("certify --problems nothing", "nothing");  // as it was called
 }
 
 }  // namespace

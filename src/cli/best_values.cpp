@@ -1,4 +1,4 @@
-#include "src/cli/certify.h"
+#include "src/cli/best_values.h"
 
 #include <fmt/format.h>
 
@@ -12,20 +12,24 @@
 
 namespace ricochet::cli {
 
-int certify(const CertifyOptions& options) {
+int best_values(const BestValuesOptions& options) {
   using namespace studies::best_values;
   if (options.seconds && !(*options.seconds >= 0)) {
     throw InputError(fmt::format("--seconds {}: must be >= 0", *options.seconds));
   }
   Plan plan;
-  plan.problems = options.problems;
+  plan.questions = options.questions;
   if (options.seconds) plan.seconds = *options.seconds;
   const std::filesystem::path file = options.out;
   if (file.has_parent_path()) {
     report::require_writable(file.parent_path());
     std::filesystem::create_directories(file.parent_path());
   }
-  const Outcome outcome = certify(questions_of(carrier_track::case_families()), plan, file);
+  std::vector<Question> questions;
+  for (const Family& family : carrier_track::case_families()) {
+    questions.insert(questions.end(), family.questions.begin(), family.questions.end());
+  }
+  const Outcome outcome = find_best_values(questions, plan, file);
   fmt::print(
       "{} of {} best values looked for; {} better than before or new; {} without a feasible "
       "point\n",

@@ -1,0 +1,29 @@
+#include "src/core/random.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet {
+
+double uniform(Random& random) {
+  constexpr double below_one = 1 - 0x1p-53;  // 64 bits, rounded to 53, may be 1
+  return std::min(static_cast<double>(random()) * 0x1p-64, below_one);
+}
+
+Vector normal(Eigen::Index size, Random& random) {
+  Vector drawn(size);
+  for (Eigen::Index k = 0; k < size; k += 2) {
+    double x = 0, y = 0, square = 0;
+    do {
+      x = 2 * uniform(random) - 1;
+      y = 2 * uniform(random) - 1;
+      square = x * x + y * y;
+    } while (square > 1 || square == 0);
+    const double stretch = std::sqrt(-2 * std::log(square) / square);
+    drawn[k] = y * stretch;
+    if (k + 1 < size) drawn[k + 1] = x * stretch;
+  }
+  return drawn;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,188 @@
+#include "src/studies/problems/family_data.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "embedded/families.h"
+#include "src/core/verdict.h"
+#include "src/report/chart_data.h"
+#include "src/report/filled_text.h"
+
+namespace ricochet::studies::problems {
+namespace {
+
+using report::Json;
+using report::Mark;
+
+constexpr int chart_samples = 720;
+constexpr Eigen::Index coordinates_shown = 5;
+
+Json list_of(const Vector& point) {
+  return Json(std::vector<double>(point.data(), point.data() + point.size()));
+}
+
+/// The one with the most constraints, and so with every form that there is in the family.
+const Question& most_constrained(const Family& family) {
+  return *std::max_element(family.questions.begin(), family.questions.end(),
+                           [](const Question& a, const Question& b) {
+                             return a.stated.constraints < b.stated.constraints;
+                           });
+}
+
+Json forms_of(const Question& question) {
+  Json rows = Json::array();
+  for (const Form& form : question.forms()) {
+    const Problem problem = question.problem(form);
+    rows.push_back({{"form", question.name_of(form)},
+                    {"constraints", problem.constraints},
+                    {"derivatives", static_cast<bool>(problem.differentiate)},
+                    {"residuals", static_cast<bool>(problem.residuals)}});
+  }
+  return rows;
+}
+
+Json variables_of(const Problem& problem) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Variable variable =
+        k < problem.variables.size() ? problem.variables[k] : Variable{fmt::format("x{}", i), ""};
+    rows.push_back({{"name", variable.name},
+                    {"unit", variable.unit.empty() ? Json() : Json(variable.unit)},
+                    {"lower", problem.lower[i]},
+                    {"upper", problem.upper[i]},
+                    {"start", problem.start[i]}});
+  }
+  return rows;
+}
+
+Json row_of(const Question& question) {
+  const Problem& problem = question.stated;
+  const Truth start = truth_at(problem, problem.start);
+  Json row = {{"name", problem.name},
+              {"start", start.objective},
+              {"start_violation", start.violation > 0 ? Json(start.violation) : Json()},
+              {"best_known", problem.best_known ? Json(*problem.best_known) : Json()},
+              {"shown_point", nullptr},
+              {"more_coordinates", false},
+              {"point", nullptr},
+              {"provenance", problem.provenance.empty() ? Json() : Json(problem.provenance)}};
+  if (problem.best_point) {
+    const Vector& point = *problem.best_point;
+    row["shown_point"] = list_of(point.head(std::min(point.size(), coordinates_shown)));
+    row["more_coordinates"] = point.size() > coordinates_shown;
+    row["point"] = list_of(point);
+  }
+  return row;
+}
+
+/// What is true of a question of one variable, and what a solver sees where it is smoothed.
+Json chart_of(const Family& family) {
+  const Question& question = family.questions.at(family.questions.size() > 3 ? 3 : 0);
+  const Problem& stated = question.stated;
+  const bool constrained = stated.constraints > 0;
+  report::Chart chart;
+  chart.name = "problem-" + family.name;
+  chart.title = stated.name;
+  const Variable variable = stated.variables.empty() ? Variable{"x", ""} : stated.variables.front();
+  chart.x = {
+      variable.unit.empty() ? variable.name : fmt::format("{} [{}]", variable.name, variable.unit),
+      report::Scale::linear, report::Range{stated.lower[0], stated.upper[0]}};
+  chart.y = {constrained ? "constraint, quiet up to 0" : "objective"};
+  const auto add = [&](const Form& form, Mark mark) {
+    const Problem problem = question.problem(form);
+    report::Series series{question.name_of(form), mark, {}};
+    for (int k = 0; k <= chart_samples; ++k) {
+      const Vector x =
+          problem.lower + (problem.upper - problem.lower) * static_cast<double>(k) / chart_samples;
+      const Values values = problem.evaluate(x);
+      series.samples.push_back({x[0], constrained ? values.constraints[0] : values.objective});
+    }
+    chart.series.push_back(std::move(series));
+  };
+  add({}, Mark::steps);
+  if (stated.smoothed) add({question.width}, Mark::line);
+  if (constrained) chart.lines = {{report::Direction::horizontal, 0.0, "limit"}};
+  if (stated.best_point) {
+    chart.lines.push_back({report::Direction::vertical, (*stated.best_point)[0], "best known"});
+  }
+  chart.width = 780;
+  return report::data_of(chart);
+}
+
+/// The least and the most over the questions; `one` where they are the same.
+template <class Of>
+Json range_of(const Family& family, Of of) {
+  const auto [least, most] = std::minmax_element(
+      family.questions.begin(), family.questions.end(),
+      [&](const Question& a, const Question& b) { return of(a.stated) < of(b.stated); });
+  return {{"least", of(least->stated)},
+          {"most", of(most->stated)},
+          {"one", of(least->stated) == of(most->stated)}};
+}
+
+/// The members of a table that are texts.
+void add_texts(const toml::table& table, Json& texts) {
+  for (const auto& [key, value] : table) {
+    if (value.is_string()) texts[std::string(key.str())] = value.as_string()->get();
+  }
+}
+
+/// What families.toml says of a family; of one that it does not know, nothing but the name.
+Json texts_of(const Family& family) {
+  static const toml::table all = toml::parse(embedded::families);
+  Json texts = {{"title", family.name}};
+  for (const char* key :
+       {"asks", "formula", "constraints", "surrogate", "derivatives", "instances", "users"}) {
+    texts[key] = "";
+  }
+  if (const toml::table* own = all[family.name].as_table()) {
+    if (const auto like = (*own)["like"].value<std::string>()) {
+      add_texts(*all[*like].as_table(), texts);
+    }
+    add_texts(*own, texts);
+  }
+  Json names = texts;
+  names["width"] = family.questions.front().width;
+  for (Json& text : texts) text = report::filled(text.get<std::string>(), {&names});
+  return texts;
+}
+
+}  // namespace
+
+Json family_data(const Family& family) {
+  const Question& first = family.questions.front();
+  const Question& constrained = most_constrained(family);
+  Json data = {{"report", "family"},
+               {"name", family.name},
+               {"first", first.name()},
+               {"variables", variables_of(first.stated)},
+               {"shown", constrained.name()},
+               {"penalty_weight",
+                constrained.stated.constraints > 0 ? Json(constrained.penalty_weight) : Json()},
+               {"forms", forms_of(constrained)},
+               {"questions", Json::array()},
+               {"charts", Json::array()}};
+  data.update(texts_of(family));
+  for (const Question& question : family.questions) data["questions"].push_back(row_of(question));
+  if (first.stated.dimension() == 1) data["charts"].push_back(chart_of(family));
+  return data;
+}
+
+Json family_row(const Family& family) {
+  Json forms = forms_of(most_constrained(family));
+  const bool derivatives = std::any_of(forms.begin(), forms.end(), [](const Json& form) {
+    return form["derivatives"].template get<bool>();
+  });
+  return {{"name", family.name},
+          {"title", texts_of(family)["title"]},
+          {"questions", family.questions.size()},
+          {"variables", range_of(family, [](const Problem& p) { return p.dimension(); })},
+          {"constraints", range_of(family, [](const Problem& p) { return p.constraints; })},
+          {"forms", std::move(forms)},
+          {"derivatives", derivatives}};
+}
+
+}  // namespace ricochet::studies::problems

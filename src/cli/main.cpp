@@ -9,7 +9,6 @@
 #include "src/cli/bench.h"
 #include "src/cli/best_values.h"
 #include "src/cli/calibrate.h"
-#include "src/cli/dynamics.h"
 #include "src/cli/list.h"
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
@@ -18,6 +17,7 @@
 #include "src/cli/verify.h"
 #include "src/core/error.h"
 #include "src/report/report.h"
+#include "src/studies/dynamics/study.h"
 #include "src/studies/problems/study.h"
 #include "src/studies/study.h"
 #include "src/studies/verification/study.h"
@@ -54,7 +54,7 @@ class Program {
     add_simulate();
     add_threshold();
     add_calibrate();
-    add_dynamics();
+    add_study(studies::dynamics_study);
     add_surrogate();
     add_verify();
     add_scene();
@@ -170,14 +170,6 @@ class Program {
     command->callback([this] { work_ = [this] { return calibrate(calibrate_); }; });
   }
 
-  void add_dynamics() {
-    CLI::App* command = app_.add_subcommand(
-        "dynamics", "Contact laws, numerical methods, hard and compliant walls, as a report");
-    command->add_flag("--quick", dynamics_.quick, "A coarser study, in seconds");
-    command->add_option("--out", dynamics_.out, "Folder for the report")->capture_default_str();
-    command->callback([this] { work_ = [this] { return dynamics(dynamics_); }; });
-  }
-
   void add_surrogate() {
     CLI::App* command = app_.add_subcommand(
         "surrogate", "Where the smooth surrogate and its gradient can be trusted, as a report");
@@ -274,7 +266,6 @@ class Program {
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   CalibrateOptions calibrate_;
-  DynamicsOptions dynamics_;
   SurrogateOptions surrogate_;
   studies::VerificationOptions verification_;
   std::optional<int> scene_index_;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_surrogate.h"
@@ -17,9 +18,8 @@ namespace ricochet::report {
 namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"family", embedded::template_family},
-    {"problems", embedded::template_problems},
-    {"surrogate", embedded::template_surrogate},
+    {"dynamics", embedded::template_dynamics},         {"family", embedded::template_family},
+    {"problems", embedded::template_problems},         {"surrogate", embedded::template_surrogate},
     {"verification", embedded::template_verification},
 };
 

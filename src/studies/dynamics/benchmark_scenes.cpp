@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <stdexcept>
 
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
@@ -87,6 +88,13 @@ std::vector<BenchmarkScene> benchmark_scenes(double seconds) {
        chaotic(seconds), true}};
 }
 
+Scene benchmark_scene(const std::string& id, double seconds) {
+  for (const BenchmarkScene& benchmark : benchmark_scenes(seconds)) {
+    if (benchmark.id == id) return benchmark.scene;
+  }
+  throw std::invalid_argument("there is no scene " + id);
+}
+
 Scene stiff_gap(double stiffness) {
   Scene scene = shaken_gap(1e-3, 0.9, 0.1);
   scene.start_velocity = 0.1;
@@ -97,7 +105,7 @@ Scene stiff_gap(double stiffness) {
 }
 
 std::vector<BenchmarkScene> stiff_benchmark_scenes() {
-  const auto arena = [](const char* id, const char* name, double stiffness) {
+  const auto compliant = [](const char* id, const char* name, double stiffness) {
     BenchmarkScene result{id, name, {}, shaken_gap(1e-3, 0.5, 0.5)};
     result.scene.fidelity = Fidelity::compliant;
     result.scene.contact_law = ContactLaw::exact_restitution;
@@ -111,8 +119,8 @@ std::vector<BenchmarkScene> stiff_benchmark_scenes() {
         stiffness, *result.scene.contact_speed);
     return result;
   };
-  return {arena("stiff", "Stiff: a shaken gap with walls that give way", 1e12),
-          arena("very-stiff", "Very stiff: the same, ten thousand times stiffer", 1e16)};
+  return {compliant("stiff", "Stiff: a shaken gap with walls that give way", 1e12),
+          compliant("very-stiff", "Very stiff: the same, ten thousand times stiffer", 1e16)};
 }
 
 }  // namespace ricochet::studies::dynamics

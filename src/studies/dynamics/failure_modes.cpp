@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "problems/carrier_track/reference_integrators/accuracy.h"
 #include "src/campaign/progress.h"
@@ -55,13 +54,6 @@ Outcome pushed_for_a_moment(const Integrator& integrator, Strictness strictness,
   scene.phase = -peak;
   scene.window = Seconds{peak + 1};  // the opposite peak comes later
   return integrator.run(scene, control_of(integrator, strictness, 2 * pi));
-}
-
-Scene chaotic_arena(double seconds) {
-  for (const BenchmarkScene& arena : benchmark_scenes(seconds)) {
-    if (arena.chaotic) return arena.scene;
-  }
-  throw std::logic_error("there is no chaotic arena");
 }
 
 struct Sample {
@@ -184,7 +176,7 @@ Elastic elastic_of(const Integrator& integrator, Strictness strictness, double l
 
 ChaoticRate rate_of(const Integrator& integrator, Strictness strictness, double seconds,
                     int starts) {
-  const Scene scene = chaotic_arena(seconds);
+  const Scene scene = benchmark_scene("chaotic", seconds);
   constexpr int exact_starts = 64;
   const Sample exact = impacts_of(all_integrators().front(), scene, 1, exact_starts);
   const Outcome one = all_integrators().front().run(scene, 1);
@@ -199,24 +191,24 @@ FailureModeStudy study_failure_modes(const FailureModePlan& plan,
                                      const std::vector<Integrator>& integrators) {
   FailureModeStudy study{plan, {}, {1e-4, 1e-6}, {}, {}};
   for (int k = 3; k <= 15; k += 2) study.overshoots.push_back(std::pow(10.0, -k));
-  Progress progress("hazards", 2.0 * static_cast<double>(integrators.size()));
+  Progress progress("failure modes", 2.0 * static_cast<double>(integrators.size()));
   for (const Strictness strictness : {Strictness::loose, Strictness::tight}) {
     for (const Integrator& integrator : integrators) {
-      MethodHazards hazards{integrator.name,
-                            zeno_of(integrator, strictness),
-                            {},
-                            {},
-                            sticking_of(integrator, strictness, plan.decades),
-                            {},
-                            rate_of(integrator, strictness, plan.seconds, plan.starts)};
+      MethodFailures failures{integrator.name,
+                              zeno_of(integrator, strictness),
+                              {},
+                              {},
+                              sticking_of(integrator, strictness, plan.decades),
+                              {},
+                              rate_of(integrator, strictness, plan.seconds, plan.starts)};
       for (const double overshoot : study.overshoots) {
-        hazards.touched.push_back(grazes_right(integrator, strictness, overshoot));
-        hazards.missed.push_back(grazes_right(integrator, strictness, -overshoot));
+        failures.touched.push_back(grazes_right(integrator, strictness, overshoot));
+        failures.missed.push_back(grazes_right(integrator, strictness, -overshoot));
       }
       for (const double loss : study.losses) {
-        hazards.elastic.push_back(elastic_of(integrator, strictness, loss, plan.impacts));
+        failures.elastic.push_back(elastic_of(integrator, strictness, loss, plan.impacts));
       }
-      (strictness == Strictness::loose ? study.loose : study.tight).push_back(std::move(hazards));
+      (strictness == Strictness::loose ? study.loose : study.tight).push_back(std::move(failures));
       progress.advance(1);
     }
   }

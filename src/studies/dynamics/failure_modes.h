@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "problems/carrier_track/reference_integrators/integrator.h"
+#include "src/report/json.h"
 
 /// What numerical methods do where hard walls and dry friction are hard to compute, against truths
 /// in closed form.
 namespace ricochet::studies::dynamics {
 
-/// How a method is set. Loose: relative tolerance 1e-4 or 30 steps in the time that a hazard's
+/// How a method is set. Loose: relative tolerance 1e-4 or 30 steps in the time that the
 /// motion takes to swing or fly once; tight: 1e-10 or 1000 steps.
 enum class Strictness { loose, tight };
 
@@ -57,7 +58,7 @@ struct Elastic {
 Elastic elastic_of(const carrier_track::Integrator& integrator, Strictness strictness, double loss,
                    std::size_t impacts);
 
-/// Impacts per second in the arena "chaotic".
+/// Impacts per second in the scene "chaotic".
 struct ChaoticRate {
   double error;        ///< relative to the mean of many exact runs
   double uncertainty;  ///< three standard errors: no method can be held to more
@@ -69,11 +70,11 @@ ChaoticRate rate_of(const carrier_track::Integrator& integrator, Strictness stri
 struct FailureModePlan {
   int decades;          ///< of the excess over friction
   std::size_t impacts;  ///< of the elastic ball
-  double seconds;       ///< of the chaotic arena
+  double seconds;       ///< of the chaotic scene
   int starts;           ///< there
 };
 
-struct MethodHazards {
+struct MethodFailures {
   std::string method;
   Zeno zeno;
   std::vector<double> touched, missed;  ///< shares right, by overshoot
@@ -86,10 +87,13 @@ struct FailureModeStudy {
   FailureModePlan plan;
   std::vector<double> overshoots;  ///< from 1e-3 to 1e-15 swings
   std::vector<double> losses;
-  std::vector<MethodHazards> loose, tight;  ///< a method each, the event-driven one first
+  std::vector<MethodFailures> loose, tight;  ///< a method each, the event-driven one first
 };
 
 FailureModeStudy study_failure_modes(const FailureModePlan& plan,
                                      const std::vector<carrier_track::Integrator>& integrators);
+
+/// How every method does in every failure mode, in the loose control and in the tight one.
+report::Json data_of(const FailureModeStudy& study);
 
 }  // namespace ricochet::studies::dynamics

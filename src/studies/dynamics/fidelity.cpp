@@ -1,6 +1,9 @@
 #include "src/studies/dynamics/fidelity.h"
 
-#include <cstdlib>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "problems/carrier_track/counting/threshold.h"
@@ -8,11 +11,14 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"
 #include "src/core/processor_time.h"
+#include "src/report/chart_data.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
+using report::or_null;
 
 struct Count {
   std::optional<int> count;  // none: refused, for too many impacts or steps
@@ -28,6 +34,55 @@ Count count_of(const Scene& scene, double omega) {
   }
   result.seconds = processor_seconds() - start;
   return result;
+}
+
+std::string name_of(double stiffness) {
+  return fmt::format("1e{:.0f}", std::log10(stiffness));
+}
+
+report::Chart chart_of(const FidelityStudy& study) {
+  report::Chart chart;
+  chart.name = "fidelity";
+  chart.x.label = "stiffness [N/m^1.5]";
+  chart.y.label = "case";
+  report::HeatMap map{"equal [%]", {}, report::Range{0, 100}};
+  for (const double stiffness : study.plan.stiffnesses) {
+    chart.x.categories.push_back(name_of(stiffness));
+  }
+  for (std::size_t c = study.cases.size(); c-- > 0;) {  // from below
+    chart.y.categories.push_back(study.cases[c]);
+    auto& row = map.rows.emplace_back();
+    for (const FidelityCell& cell : study.cells[c]) {
+      const auto share = cell.share();
+      row.push_back(share ? std::optional(100 * *share) : std::nullopt);
+    }
+  }
+  chart.heat_map = std::move(map);
+  chart.height = 420;
+  return chart;
+}
+
+/// All cases with one stiffness.
+Json total_of(const FidelityStudy& study, std::size_t s) {
+  FidelityCell total;
+  std::optional<double> least, most;  // cost of a case
+  for (const auto& row : study.cells) {
+    total.equal += row[s].equal;
+    total.distance += row[s].distance;
+    total.compared += row[s].compared;
+    if (!row[s].cost) continue;
+    least = std::min(least.value_or(*row[s].cost), *row[s].cost);
+    most = std::max(most.value_or(*row[s].cost), *row[s].cost);
+  }
+  const auto tried = static_cast<int>(study.cells.size() * study.plan.speeds.size());
+  return {{"stiffness", name_of(study.plan.stiffnesses[s])},
+          {"compared", total.compared},
+          {"equal", total.equal},
+          {"share", or_null(total.share())},
+          {"distance", total.compared > 0 ? Json(1.0 * total.distance / total.compared) : Json()},
+          {"unfinished", tried - total.compared},
+          {"least_cost", or_null(least)},
+          {"most_cost", or_null(most)}};
 }
 
 }  // namespace
@@ -65,6 +120,19 @@ FidelityStudy study_fidelity(const FidelityPlan& plan) {
     study.cells.push_back(std::move(row));
   }
   return study;
+}
+
+Json data_of(const FidelityStudy& study) {
+  const std::vector<double>& speeds = study.plan.speeds;
+  Json data = {
+      {"cases", study.cases.size()},
+      {"speeds", {{"tried", speeds.size()}, {"first", speeds.front()}, {"last", speeds.back()}}},
+      {"stiffnesses", Json::array()},
+      {"chart", report::data_of(chart_of(study))}};
+  for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
+    data["stiffnesses"].push_back(total_of(study, s));
+  }
+  return data;
 }
 
 }  // namespace ricochet::studies::dynamics

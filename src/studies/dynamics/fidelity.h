@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "src/report/json.h"
+
 /// Hard walls against compliant ones: does the count differ, and what does it cost?
 namespace ricochet::studies::dynamics {
 
@@ -33,5 +35,8 @@ struct FidelityStudy {
 
 /// Every case of the paper, with the law exact-restitution.
 FidelityStudy study_fidelity(const FidelityPlan& plan);
+
+/// Where a compliant wall counts otherwise than a hard one.
+report::Json data_of(const FidelityStudy& study);
 
 }  // namespace ricochet::studies::dynamics

@@ -1,5 +1,6 @@
 #include "src/studies/dynamics/levels.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -12,11 +13,13 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"
 #include "src/core/processor_time.h"
+#include "src/report/chart_data.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 constexpr double highest = 18;  // [rad/s]
 
@@ -84,6 +87,30 @@ void time_levels(const Case& the_case, const LevelPlan& plan, LevelRow& row) {
   }
 }
 
+double share(int part, int whole) {
+  return whole > 0 ? 1.0 * part / whole : 0.0;
+}
+
+/// Where x alone counts wrong.
+report::Chart chart_of(const LevelStudy& study) {
+  report::Chart chart;
+  chart.name = "levels";
+  chart.x.label = "pull across over pull along, tan phi";
+  chart.y.label = "case";
+  report::HeatMap map{"wrong counts [%]", {}, report::Range{0, 100}};
+  for (const double d : study.plan.directions) {
+    chart.x.categories.push_back(fmt::format("{:.2f}", d));
+  }
+  for (const LevelRow& row : study.rows) {
+    chart.y.categories.push_back(row.id);
+    auto& cells = map.rows.emplace_back();
+    for (const int wrong : row.wrong) cells.emplace_back(100 * share(wrong, row.speeds));
+  }
+  chart.heat_map = std::move(map);
+  chart.height = 420;
+  return chart;
+}
+
 }  // namespace
 
 LevelStudy study_levels(const LevelPlan& plan) {
@@ -114,6 +141,49 @@ LevelStudy study_levels(const LevelPlan& plan) {
     progress.advance(1);
   }
   return study;
+}
+
+Json data_of(const LevelStudy& study) {
+  Json data = {{"stiffness", study.plan.stiffness},
+               {"directions", Json::array()},
+               {"cases", Json::array()},
+               {"costs", Json::array()},
+               {"chart", report::data_of(chart_of(study))}};
+  int speeds = 0, certain = 0, resolved = 0;
+  for (const LevelRow& row : study.rows) {
+    speeds += row.speeds;
+    certain += row.certain;
+    resolved += row.resolved;
+    const auto doubts = [&](Doubt doubt) { return row.doubts[static_cast<std::size_t>(doubt)]; };
+    data["cases"].push_back({{"case", row.id},
+                             {"speeds", row.speeds},
+                             {"certain", share(row.certain, row.speeds)},
+                             {"margin", doubts(Doubt::margin)},
+                             {"window", doubts(Doubt::window)},
+                             {"graze", doubts(Doubt::graze)},
+                             {"sensitive", doubts(Doubt::sensitive)},
+                             {"resolved", row.resolved}});
+    data["costs"].push_back({{"case", row.id},
+                             {"compliant", row.seconds[1] / row.seconds[0]},
+                             {"planar", row.seconds[2] / row.seconds[0]},
+                             {"automatic", row.seconds[3] / row.seconds[0]}});
+  }
+  data["speeds"] = speeds;
+  data["certain"] = certain;
+  data["certain_share"] = share(certain, speeds);
+  data["uncertain"] = speeds - certain;
+  data["resolved"] = resolved;
+  for (std::size_t d = 0; d < study.plan.directions.size(); ++d) {
+    int coupled = 0, wrong = 0;
+    for (const LevelRow& row : study.rows) {
+      coupled += row.coupled[d];
+      wrong += row.wrong[d];
+    }
+    data["directions"].push_back({{"tangent", study.plan.directions[d]},
+                                  {"coupled", share(coupled, speeds)},
+                                  {"wrong", share(wrong, speeds)}});
+  }
+  return data;
 }
 
 }  // namespace ricochet::studies::dynamics

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/certainty.h"
+#include "src/report/json.h"
 
 /// How much of the model a scene needs: what the cheaper levels get wrong, and what each costs.
 namespace ricochet::studies::dynamics {
@@ -37,5 +38,8 @@ struct LevelStudy {
 /// Every case of the paper in the default reading. For the second direction, which the paper's
 /// objective leaves out, the clearance of the first is taken, with the carrier in its middle.
 LevelStudy study_levels(const LevelPlan& plan);
+
+/// Which level a scene needs, what the cheaper ones get wrong, and what each costs.
+report::Json data_of(const LevelStudy& study);
 
 }  // namespace ricochet::studies::dynamics

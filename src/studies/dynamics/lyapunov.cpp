@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/models/simulate.h"
@@ -204,13 +203,6 @@ std::vector<Impact> impacts_of(const Scene& scene) {
   return collector.impacts;
 }
 
-Scene arena_scene(const std::string& id, double seconds) {
-  for (const BenchmarkScene& arena : benchmark_scenes(seconds)) {
-    if (arena.id == id) return arena.scene;
-  }
-  throw std::logic_error("there is no arena " + id);
-}
-
 Course course_of(std::string name, const Scene& scene, int starts) {
   constexpr std::size_t shown = 400;
   const Sensitivity sensitivity = sensitivity_of(scene);
@@ -280,7 +272,7 @@ LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
     for (const double omega : plan.speeds) row.push_back(sensitivity_of(at_speed(scene, omega)));
     progress.advance(1);
   }
-  Scene shaken = arena_scene("mild", 1);
+  Scene shaken = benchmark_scene("mild", 1);
   study.restitution = shaken.restitution_lower;
   study.period = 2 * std::numbers::pi / shaken.disturbance_frequency;
   shaken.window = Seconds{10 * plan.turns * study.period};
@@ -300,7 +292,7 @@ LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
         course_of(fmt::format("{} at {} rad/s", id, omega), scene, plan.starts));
   }
   study.courses.push_back(
-      course_of("chaotic scene", arena_scene("chaotic", plan.turns), plan.starts));
+      course_of("chaotic scene", benchmark_scene("chaotic", plan.turns), plan.starts));
   return study;
 }
 

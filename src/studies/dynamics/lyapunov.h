@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/scene/scene.h"
+#include "src/report/json.h"
 
 /// Does a motion forget its start, or is it chaotic? By exact derivatives, not by runs side by
 /// side.
@@ -79,10 +80,13 @@ struct LyapunovStudy {
   double restitution;                           ///< of the shaken gap
   double period;                                ///< [s], of its shaking
   std::vector<Sensitivity> shaken;              ///< a gap each
-  std::vector<Course> courses;                  ///< C2, C10, and the chaotic arena
+  std::vector<Course> courses;                  ///< C2, C10, and the chaotic scene
 };
 
-/// Every case of the paper, the arena "mild" with other gaps, and the courses.
+/// Every case of the paper, the scene "mild" with other gaps, and the courses.
 LyapunovStudy study_lyapunov(const LyapunovPlan& plan);
+
+/// Which motions are chaotic, and how long an impact can be trusted.
+report::Json data_of(const LyapunovStudy& study);
 
 }  // namespace ricochet::studies::dynamics

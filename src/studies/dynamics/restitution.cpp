@@ -6,14 +6,51 @@
 
 #include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/scene/enum_names.h"
+#include "src/report/chart_data.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 double distance(const ReturnedRestitution& point) {
   return std::abs(point.returned - point.asked);
+}
+
+constexpr double faithful_within = 0.01;
+
+Json data_of(const LawStudy& law) {
+  const ReturnedRestitution worst = worst_of(law);
+  const double off = distance(worst);
+  const bool exact = off < 5e-4;  // its worst place is a matter of rounding
+  return {{"law", law.name},
+          {"exact", exact},
+          {"worst_asked", exact ? Json() : Json(worst.asked)},
+          {"worst_returned", exact ? Json() : Json(worst.returned)},
+          {"off", off},
+          {"faithful", off < faithful_within ? Json(true) : Json()},
+          {"of_a_tenth", closed_return(law.law, 0.1)},
+          {"of_nine_tenths", closed_return(law.law, 0.9)},
+          {"measurement_error", largest_measurement_error(law)}};
+}
+
+report::Chart chart_of(const std::vector<LawStudy>& laws) {
+  report::Chart chart;
+  chart.name = "restitution";
+  chart.x = {"restitution asked for", report::Scale::linear, report::Range{0, 1}};
+  chart.y = {"restitution returned", report::Scale::linear, report::Range{0, 1.02}};
+  chart.series = {{"as asked for", report::Mark::line, {{0, 0.0}, {1, 1.0}}}};
+  report::Series points{"simulated impacts, every law", report::Mark::points, {}};
+  for (const LawStudy& law : laws) {
+    auto& line = chart.series.emplace_back(report::Series{law.name, report::Mark::line, {}});
+    for (const auto& point : law.exact) line.samples.push_back({point.asked, point.returned});
+    for (const auto& point : law.measured) points.samples.push_back({point.asked, point.returned});
+  }
+  chart.series.push_back(std::move(points));
+  chart.width = 780;
+  chart.height = 460;
+  return chart;
 }
 
 }  // namespace
@@ -61,6 +98,24 @@ std::vector<LawStudy> study_laws(std::size_t stride) {
     }
   }
   return studies;
+}
+
+Json data_of(const std::vector<LawStudy>& laws) {
+  const double asked = 0.1;
+  const double returned = closed_return(ContactLaw::hunt_crossley, asked);
+  Json data = {{"hunt_crossley",
+                {{"asked", asked},
+                 {"returned", returned},
+                 {"energy_asked", asked * asked},
+                 {"energy_returned", returned * returned}}},
+               {"faithful", Json::array()},
+               {"laws", Json::array()},
+               {"chart", report::data_of(chart_of(laws))}};
+  for (const LawStudy& law : laws) {
+    data["laws"].push_back(data_of(law));
+    if (distance(worst_of(law)) <= faithful_within) data["faithful"].push_back(law.name);
+  }
+  return data;
 }
 
 }  // namespace ricochet::studies::dynamics

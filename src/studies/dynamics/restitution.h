@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "problems/carrier_track/scene/contact_law.h"
+#include "src/report/json.h"
 
 /// What restitution a contact law returns for the one that its damping was made from.
 namespace ricochet::studies::dynamics {
@@ -36,5 +37,8 @@ double measured_return(carrier_track::ContactLaw law, double asked);
 
 /// Every law, asked for 0.02, 0.03, ..., 0.98, and measured at every `stride`-th of them.
 std::vector<LawStudy> study_laws(std::size_t stride);
+
+/// Asked for against returned, a line a law.
+report::Json data_of(const std::vector<LawStudy>& laws);
 
 }  // namespace ricochet::studies::dynamics

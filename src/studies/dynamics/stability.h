@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/reference_integrators/integrator.h"
+#include "src/report/json.h"
 
 /// Where penalty methods fail on stiff walls: maps over stiffness and step or tolerance, the speed
 /// that a wall returns too much, and the order that an unlocated edge of contact leaves.
@@ -127,5 +128,8 @@ RestCost rest_cost(const carrier_track::Integrator& integrator,
                    const std::vector<double>& stiffnesses);
 
 StabilityStudy study_stability(const StabilityPlan& plan);
+
+/// Where penalty methods count wrong, gain energy or give up.
+report::Json data_of(const StabilityStudy& study);
 
 }  // namespace ricochet::studies::dynamics

@@ -1,12 +1,16 @@
 #include "src/studies/dynamics/study.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "src/campaign/progress.h"
+#include "src/studies/dynamics/restitution.h"
 
-namespace ricochet::studies::dynamics {
+namespace ricochet::studies {
+namespace dynamics {
 namespace {
+
+using carrier_track::Integrator;
+using report::Json;
 
 /// From `first` to `last` in equal steps.
 std::vector<double> evenly(double first, double last, double step) {
@@ -15,8 +19,6 @@ std::vector<double> evenly(double first, double last, double step) {
   for (long k = 0; k <= count; ++k) values.push_back(first + static_cast<double>(k) * step);
   return values;
 }
-
-}  // namespace
 
 StudyPlan full_plan() {
   return {12,
@@ -29,6 +31,7 @@ StudyPlan full_plan() {
           {0.02, {0, 0.25, 0.5, 0.75, 1, 1.5}, 1.5e10, 25}};
 }
 
+/// Coarser: seconds.
 StudyPlan quick_plan() {
   return {24,
           5,
@@ -40,32 +43,64 @@ StudyPlan quick_plan() {
           {1, {0, 0.5, 1}, 1.5e10, 6}};
 }
 
-Study make_study(const StudyPlan& plan) {
-  const auto start = std::chrono::steady_clock::now();
-  Study study;
-  study.plan = plan;
-  study.laws = study_laws(plan.measured_stride);
-  study.integrators = carrier_track::all_integrators();
-  const std::vector<BenchmarkScene> arenas = benchmark_scenes(plan.chaotic_seconds);
-  {
-    Progress progress("work and precision",
-                      static_cast<double>(arenas.size() * study.integrators.size()));
-    for (const BenchmarkScene& arena : arenas) {
-      study.works.push_back(
-          work_in(arena, plan.work, study.integrators, [&progress] { progress.advance(1); }));
-    }
+std::vector<SceneWork> works_in(const std::vector<BenchmarkScene>& scenes, const WorkPlan& plan,
+                                const std::vector<Integrator>& integrators) {
+  Progress progress("work and precision", static_cast<double>(scenes.size() * integrators.size()));
+  std::vector<SceneWork> works;
+  for (const BenchmarkScene& scene : scenes) {
+    works.push_back(work_in(scene, plan, integrators, [&progress] { progress.advance(1); }));
   }
-  study.stability = study_stability(plan.stability);
-  study.penalty_integrators = carrier_track::penalty_integrators();
-  for (const BenchmarkScene& arena : stiff_benchmark_scenes()) {
-    study.stiff_works.push_back(work_in(arena, plan.work, study.penalty_integrators));
-  }
-  study.fidelity = study_fidelity(plan.fidelity);
-  study.lyapunov = study_lyapunov(plan.lyapunov);
-  study.hazards = study_failure_modes(plan.hazards, study.integrators);
-  study.levels = study_levels(plan.levels);
-  study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return study;
+  return works;
 }
 
-}  // namespace ricochet::studies::dynamics
+void add_methods(const std::vector<Integrator>& integrators, bool contacts, Json& methods) {
+  for (const Integrator& integrator : integrators) {
+    methods.push_back({{"method", integrator.name},
+                       {"contacts", contacts},
+                       {"version", integrator.version},
+                       {"control", integrator.control}});
+  }
+}
+
+}  // namespace
+
+Json results_of(const StudyPlan& plan) {
+  const std::vector<Integrator> integrators = carrier_track::all_integrators();
+  const std::vector<Integrator> penalty = carrier_track::penalty_integrators();
+  const auto works = works_in(benchmark_scenes(plan.chaotic_seconds), plan.work, integrators);
+  Json data;
+  data["restitution"] = data_of(study_laws(plan.measured_stride));
+  data["speed"] = speed_data(works);
+  data["scenes"] = Json::array();
+  for (const SceneWork& work : works) data["scenes"].push_back(data_of(work));
+  for (const SceneWork& work : works_in(stiff_benchmark_scenes(), plan.work, penalty)) {
+    data["scenes"].push_back(data_of(work));
+  }
+  data["failure_modes"] = data_of(study_failure_modes(plan.failure_modes, integrators));
+  data["stability"] = data_of(study_stability(plan.stability));
+  data["lyapunov"] = data_of(study_lyapunov(plan.lyapunov));
+  data["fidelity"] = data_of(study_fidelity(plan.fidelity));
+  data["levels"] = data_of(study_levels(plan.levels));
+  data["controls"] = {{"per_decade", plan.work.per_decade},
+                      {"tolerance", plan.work.tolerance},
+                      {"steps", plan.work.steps}};
+  data["counts"] = {{"laws", data["restitution"]["laws"].size()},
+                    {"methods", integrators.size()},
+                    {"scenes", works.size()}};
+  data["methods"] = Json::array();
+  add_methods(integrators, false, data["methods"]);
+  add_methods(penalty, true, data["methods"]);
+  return data;
+}
+
+}  // namespace dynamics
+
+Study dynamics_study() {
+  return {"dynamics", "dynamics",
+          "Contact laws, numerical methods, hard and compliant walls, as a report",
+          "A coarser study, in seconds", [](bool quick) {
+            return dynamics::results_of(quick ? dynamics::quick_plan() : dynamics::full_plan());
+          }};
+}
+
+}  // namespace ricochet::studies

@@ -47,7 +47,7 @@ Measured measure(const Integrator& integrator, const Scene& scene, double contro
 std::optional<double> error_of(const SceneWork& work, const Trial& trial) {
   const Accuracy& accuracy = trial.accuracy;
   if (!trial.finished) return std::nullopt;
-  if (work.arena.chaotic) {
+  if (work.benchmark.chaotic) {
     const int impacts = work.impacts + accuracy.count_difference;
     if (impacts == 0) return std::nullopt;
     return std::abs(impacts / work.mean_impacts - 1);
@@ -62,7 +62,7 @@ void measure_spread(const Integrator& reference, SceneWork& work) {
   double sum = 0;
   double squares = 0;
   for (int k = 1; k <= starts; ++k) {
-    Scene beside = work.arena.scene;
+    Scene beside = work.benchmark.scene;
     beside.start_velocity *= 1 + 1e-12 * k;
     const double impacts = collisions(beside, reference.run(beside, 0));
     sum += impacts;
@@ -73,13 +73,13 @@ void measure_spread(const Integrator& reference, SceneWork& work) {
   work.rate_spread = 3 * std::sqrt(std::max(variance, 0.0)) / work.mean_impacts;
 }
 
-MethodWork work_of(const Integrator& integrator, const SceneWork& arena_work,
+MethodWork work_of(const Integrator& integrator, const SceneWork& scene_work,
                    const Outcome& reference, const WorkPlan& plan) {
-  const Scene& scene = arena_work.arena.scene;
+  const Scene& scene = scene_work.benchmark.scene;
   MethodWork work{integrator.name, integrator.control, {}};
   std::vector<double> values = {1.0};
   if (integrator.control == "step [s]") {
-    const double pause = duration_of(scene) / arena_work.impacts;  // [s] between two impacts
+    const double pause = duration_of(scene) / scene_work.impacts;  // [s] between two impacts
     values = controls(0.1 * pause, pause / plan.steps, plan.per_decade);
   } else if (integrator.control != "none") {
     values = controls(1e-3, plan.tolerance, plan.per_decade);
@@ -90,7 +90,7 @@ MethodWork work_of(const Integrator& integrator, const SceneWork& arena_work,
     Trial trial{control, measured.seconds, outcome.force_evaluations, outcome.finished,
                 {},      std::nullopt};
     if (outcome.finished) trial.accuracy = compare(scene, outcome, reference);
-    trial.error = error_of(arena_work, trial);
+    trial.error = error_of(scene_work, trial);
     work.trials.push_back(trial);
   }
   return work;
@@ -98,14 +98,14 @@ MethodWork work_of(const Integrator& integrator, const SceneWork& arena_work,
 
 }  // namespace
 
-SceneWork work_in(const BenchmarkScene& arena, const WorkPlan& plan,
+SceneWork work_in(const BenchmarkScene& benchmark, const WorkPlan& plan,
                   const std::vector<Integrator>& integrators, const std::function<void()>& done) {
   const Integrator& first = integrators.front();
-  const Outcome reference = first.run(arena.scene, 0);
+  const Outcome reference = first.run(benchmark.scene, 0);
   SceneWork work;
-  work.arena = arena;
-  work.impacts = std::max(collisions(arena.scene, reference), 1);
-  if (arena.chaotic) measure_spread(first, work);
+  work.benchmark = benchmark;
+  work.impacts = std::max(collisions(benchmark.scene, reference), 1);
+  if (benchmark.chaotic) measure_spread(first, work);
   for (const Integrator& integrator : integrators) {
     work.methods.push_back(work_of(integrator, work, reference, plan));
     done();

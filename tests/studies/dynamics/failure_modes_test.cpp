@@ -22,7 +22,7 @@ Integrator find(const std::string& name) {
   throw std::invalid_argument("no integrator " + name);
 }
 
-TEST(Hazards, EventDrivenMotionEndsAZenoSequenceWhereItEnds) {
+TEST(FailureModes, EventDrivenMotionEndsAZenoSequenceWhereItEnds) {
   const Zeno zeno = zeno_of(find("event-driven"), loose);
   EXPECT_NEAR(zeno.end_of_impacts, 28.7494454249973, 1e-12);  // as printed in contact.md
   ASSERT_TRUE(zeno.rest.has_value());
@@ -30,7 +30,7 @@ TEST(Hazards, EventDrivenMotionEndsAZenoSequenceWhereItEnds) {
   EXPECT_LT(*zeno.error, 1e-13);
 }
 
-TEST(Hazards, LocatedEventsRestAtTheEndOfAZenoSequenceOrALittleEarly) {
+TEST(FailureModes, LocatedEventsRestAtTheEndOfAZenoSequenceOrALittleEarly) {
   for (const char* name : {"odeint-dopri5", "odeint-rosenbrock4", "cvode-adams", "cvode-bdf"}) {
     const Zeno zeno = zeno_of(find(name), tight);
     ASSERT_TRUE(zeno.rest.has_value()) << name;
@@ -41,7 +41,7 @@ TEST(Hazards, LocatedEventsRestAtTheEndOfAZenoSequenceOrALittleEarly) {
   EXPECT_LT(zeno_of(find("cvode-bdf"), loose).rest_late, -0.1);
 }
 
-TEST(Hazards, FixedStepsEndAZenoSequenceEarlyOrLateOrChatterOn) {
+TEST(FailureModes, FixedStepsEndAZenoSequenceEarlyOrLateOrChatterOn) {
   EXPECT_LT(zeno_of(find("semi-implicit-euler"), loose).rest_late, -1);
   EXPECT_LT(zeno_of(find("semi-implicit-euler"), tight).rest_late, -0.1);
   const Zeno moreau = zeno_of(find("moreau-jean"), tight);
@@ -54,14 +54,14 @@ TEST(Hazards, FixedStepsEndAZenoSequenceEarlyOrLateOrChatterOn) {
   }
 }
 
-TEST(Hazards, EventDrivenMotionSeesEveryGrazeAndNoOther) {
+TEST(FailureModes, EventDrivenMotionSeesEveryGrazeAndNoOther) {
   for (const double overshoot : {1e-3, 1e-9, 1e-15}) {
     EXPECT_EQ(grazes_right(find("event-driven"), loose, overshoot), 1) << overshoot;
     EXPECT_EQ(grazes_right(find("event-driven"), loose, -overshoot), 1) << overshoot;
   }
 }
 
-TEST(Hazards, RootfindingMissesAGrazeBelowItsTolerance) {
+TEST(FailureModes, RootfindingMissesAGrazeBelowItsTolerance) {
   for (const char* name : {"odeint-dopri5", "odeint-rosenbrock4", "cvode-adams", "cvode-bdf"}) {
     EXPECT_EQ(grazes_right(find(name), tight, 1e-7), 1) << name;
     EXPECT_EQ(grazes_right(find(name), tight, -1e-7), 1) << name;
@@ -75,7 +75,7 @@ TEST(Hazards, RootfindingMissesAGrazeBelowItsTolerance) {
   EXPECT_LT(grazes_right(find("cvode-bdf"), loose, -1e-5), 0.5);
 }
 
-TEST(Hazards, FixedStepsMissAGrazeThatIsShorterThanAStep) {
+TEST(FailureModes, FixedStepsMissAGrazeThatIsShorterThanAStep) {
   // Overshot by q swings, a swing of period T is behind the wall for (2 / pi) sqrt(q) T.
   for (const char* name : {"runge-kutta-4", "moreau-jean"}) {
     EXPECT_EQ(grazes_right(find(name), tight, 1e-5), 1) << name;    // 2 steps
@@ -86,7 +86,7 @@ TEST(Hazards, FixedStepsMissAGrazeThatIsShorterThanAStep) {
   EXPECT_EQ(grazes_right(find("semi-implicit-euler"), tight, -1e-7), 0);
 }
 
-TEST(Hazards, NoMethodCreeps) {
+TEST(FailureModes, NoMethodCreeps) {
   for (const Integrator& integrator : all_integrators()) {
     for (const Strictness strictness : {loose, tight}) {
       const Sticking sticking = sticking_of(integrator, strictness, 1);
@@ -96,14 +96,14 @@ TEST(Hazards, NoMethodCreeps) {
   }
 }
 
-TEST(Hazards, NoMethodHangsWhereABriefExcessOverFrictionIsBelowItsTolerance) {
+TEST(FailureModes, NoMethodHangsWhereABriefExcessOverFrictionIsBelowItsTolerance) {
   // The excess of 1e-4 lasts for 0.03 s, and moves the block by far less than the tolerance.
   for (const Integrator& integrator : all_integrators()) {
     EXPECT_FALSE(sticking_of(integrator, loose, 6).gave_up) << integrator.name;
   }
 }
 
-TEST(Hazards, OnlyEventDrivenMotionNoticesAnyExcessOverFriction) {
+TEST(FailureModes, OnlyEventDrivenMotionNoticesAnyExcessOverFriction) {
   for (const Integrator& integrator : all_integrators()) {
     const Sticking sticking = sticking_of(integrator, tight, 8);
     ASSERT_TRUE(sticking.noticed.has_value()) << integrator.name;
@@ -116,7 +116,7 @@ TEST(Hazards, OnlyEventDrivenMotionNoticesAnyExcessOverFriction) {
   }
 }
 
-TEST(Hazards, LocatedEventsKeepTheEnergyOfANearlyElasticBall) {
+TEST(FailureModes, LocatedEventsKeepTheEnergyOfANearlyElasticBall) {
   constexpr std::size_t impacts = 2000;
   for (const char* name : {"event-driven", "odeint-dopri5", "odeint-rosenbrock4", "cvode-adams"}) {
     for (const double loss : {1e-4, 1e-6}) {
@@ -127,7 +127,7 @@ TEST(Hazards, LocatedEventsKeepTheEnergyOfANearlyElasticBall) {
   }
 }
 
-TEST(Hazards, ReflectionAtTheEndOfAStepGainsOrLosesTheEnergyOfANearlyElasticBall) {
+TEST(FailureModes, ReflectionAtTheEndOfAStepGainsOrLosesTheEnergyOfANearlyElasticBall) {
   constexpr std::size_t impacts = 2000;
   EXPECT_GT(elastic_of(find("runge-kutta-4"), loose, 1e-4, impacts).energy_ratio, 1.1);
   const Elastic euler = elastic_of(find("semi-implicit-euler"), tight, 1e-4, impacts);
@@ -137,7 +137,7 @@ TEST(Hazards, ReflectionAtTheEndOfAStepGainsOrLosesTheEnergyOfANearlyElasticBall
   EXPECT_NEAR(moreau.energy_ratio, 1, 5e-3);
 }
 
-TEST(Hazards, ChaosSparesTheRateOfImpacts) {
+TEST(FailureModes, ChaosSparesTheRateOfImpacts) {
   for (const Integrator& integrator : all_integrators()) {
     const ChaoticRate rate = rate_of(integrator, loose, 20, 8);
     EXPECT_TRUE(rate.finished) << integrator.name;

@@ -123,7 +123,7 @@ TEST(Lyapunov, IsThatOfTheMultipliersOfABallOnAShakenTable) {
   }
 }
 
-/// The arena "mild" is on its way to the symmetric orbit of contact.md, restitution 0.5.
+/// The scene "mild" is on its way to the symmetric orbit of contact.md, restitution 0.5.
 TEST(Lyapunov, IsLnOfRestitutionAnImpactBetweenShakenWalls) {
   Scene scene = benchmark_scenes(1).front().scene;
   scene.window = Seconds{20};
@@ -134,9 +134,9 @@ TEST(Lyapunov, IsLnOfRestitutionAnImpactBetweenShakenWalls) {
 }
 
 TEST(Lyapunov, ForetellsWhenRunsOneRoundingApartPart) {
-  const BenchmarkScene arena = benchmark_scenes(8).back();
-  ASSERT_TRUE(arena.chaotic);
-  Scene scene = arena.scene;
+  const BenchmarkScene benchmark = benchmark_scenes(8).back();
+  ASSERT_TRUE(benchmark.chaotic);
+  Scene scene = benchmark.scene;
   const double all_digits = 53 * std::log10(2.0);
   int parted = 0;
   for (int k = 0; k < 32; ++k) {

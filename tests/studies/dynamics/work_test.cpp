@@ -12,8 +12,8 @@ const WorkPlan coarse{1, 1e-10, 1e3};
 const std::vector<SceneWork>& works() {
   static const std::vector<SceneWork> all = [] {
     std::vector<SceneWork> result;
-    for (const BenchmarkScene& arena : benchmark_scenes(5)) {
-      result.push_back(work_in(arena, coarse, carrier_track::all_integrators()));
+    for (const BenchmarkScene& benchmark : benchmark_scenes(5)) {
+      result.push_back(work_in(benchmark, coarse, carrier_track::all_integrators()));
     }
     return result;
   }();
@@ -25,17 +25,17 @@ TEST(Work, OfTheReferenceAgainstItselfIsWithoutError) {
     const MethodWork& reference = work.methods.front();
     EXPECT_EQ(reference.method, "event-driven");
     ASSERT_EQ(reference.trials.size(), 1U);
-    if (work.arena.chaotic) {
+    if (work.benchmark.chaotic) {
       EXPECT_LT(*reference.trials[0].error, work.rate_spread);
     } else {
-      EXPECT_EQ(reference.trials[0].error, 0.0) << work.arena.id;
+      EXPECT_EQ(reference.trials[0].error, 0.0) << work.benchmark.id;
     }
     EXPECT_EQ(reference.trials[0].accuracy.missed, 0);
     EXPECT_GT(reference.trials[0].seconds, 0);
   }
 }
 
-TEST(Work, BuysAccuracyInTheMildArena) {
+TEST(Work, BuysAccuracyInTheMildScene) {
   const SceneWork& mild = works().front();
   for (std::size_t m = 1; m < mild.methods.size(); ++m) {
     const MethodWork& method = mild.methods[m];
@@ -52,7 +52,7 @@ TEST(Work, BuysAccuracyInTheMildArena) {
 
 TEST(Work, ComesOutTheSameAgainButForTheTimes) {
   const SceneWork& one = works().front();
-  const SceneWork two = work_in(one.arena, coarse, carrier_track::all_integrators());
+  const SceneWork two = work_in(one.benchmark, coarse, carrier_track::all_integrators());
   for (std::size_t m = 0; m < one.methods.size(); ++m) {
     ASSERT_EQ(one.methods[m].trials.size(), two.methods[m].trials.size());
     for (std::size_t t = 0; t < one.methods[m].trials.size(); ++t) {
@@ -64,10 +64,10 @@ TEST(Work, ComesOutTheSameAgainButForTheTimes) {
   }
 }
 
-TEST(Work, HasImpactsInEveryArena) {
+TEST(Work, HasImpactsInEveryScene) {
   for (const SceneWork& work : works()) {
-    EXPECT_GE(work.impacts, 2) << work.arena.id;
-    EXPECT_EQ(work.rate_spread > 0, work.arena.chaotic) << work.arena.id;
+    EXPECT_GE(work.impacts, 2) << work.benchmark.id;
+    EXPECT_EQ(work.rate_spread > 0, work.benchmark.chaotic) << work.benchmark.id;
   }
 }
 
@@ -80,25 +80,25 @@ struct Collector : carrier_track::Observer {
   }
 };
 
-TEST(Work, InStiffArenasHasAReferenceThatItsOwnToleranceAndAnotherMethodConfirm) {
-  for (const BenchmarkScene& arena : stiff_benchmark_scenes()) {
+TEST(Work, InStiffScenesHasAReferenceThatItsOwnToleranceAndAnotherMethodConfirm) {
+  for (const BenchmarkScene& benchmark : stiff_benchmark_scenes()) {
     const auto integrators = carrier_track::penalty_integrators();
-    const carrier_track::Outcome reference = integrators.front().run(arena.scene, 0);
+    const carrier_track::Outcome reference = integrators.front().run(benchmark.scene, 0);
     ASSERT_GE(reference.impacts.size(), 8U);
     Collector looser;
-    carrier_track::CompliantModel(arena.scene, 1e-11).run(looser);
-    const carrier_track::Outcome rosenbrock = integrators[2].run(arena.scene, 1e-12);
+    carrier_track::CompliantModel(benchmark.scene, 1e-11).run(looser);
+    const carrier_track::Outcome rosenbrock = integrators[2].run(benchmark.scene, 1e-12);
     for (const carrier_track::Outcome& other : std::vector{looser.outcome, rosenbrock}) {
-      const auto accuracy = compare(arena.scene, other, reference);
-      EXPECT_EQ(accuracy.missed + accuracy.spurious, 0) << arena.id;
-      EXPECT_LT(*accuracy.impact_time_error, 1e-11) << arena.id;
+      const auto accuracy = compare(benchmark.scene, other, reference);
+      EXPECT_EQ(accuracy.missed + accuracy.spurious, 0) << benchmark.id;
+      EXPECT_LT(*accuracy.impact_time_error, 1e-11) << benchmark.id;
     }
   }
 }
 
 TEST(Work, OfFixedStepsIsLostOnVeryStiffWallsUntilTheStepIsShort) {
-  const BenchmarkScene arena = stiff_benchmark_scenes().back();
-  const SceneWork work = work_in(arena, {1, 1e-6, 1e3}, carrier_track::penalty_integrators());
+  const BenchmarkScene benchmark = stiff_benchmark_scenes().back();
+  const SceneWork work = work_in(benchmark, {1, 1e-6, 1e3}, carrier_track::penalty_integrators());
   for (const MethodWork& method : work.methods) {
     for (const Trial& trial : method.trials) {
       EXPECT_EQ(trial.finished, method.control != "step [s]") << method.method;

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/report/chart_data.h"
+#include "src/studies/dynamics/failure_modes.h"
+
+namespace ricochet::studies::dynamics {
+namespace {
+
+using report::Json;
+using report::or_null;
+
+/// A size, and whether it reads well without a power of ten.
+Json size_of(double value) {
+  const double size = std::abs(value);
+  return {{"size", size}, {"plain", size == 0 || (size >= 0.01 && size < 1000)}};
+}
+
+Json data_of(const Zeno& zeno) {
+  const double late = zeno.rest_late;
+  const bool rests = zeno.finished && zeno.rest;
+  return {{"finished", zeno.finished},
+          {"rests", rests},
+          {"seconds_late", late},
+          {"off", rests && std::abs(late) >= 1e-5 ? size_of(late) : Json()},
+          {"early", late <= 0},
+          {"good", rests && std::abs(late) < std::max(1e-5, 1e-3 * zeno.end_of_impacts)}};
+}
+
+/// The least overshoot from which on all shares are one; nothing if none is.
+std::optional<double> all_right_from(const std::vector<double>& overshoots,
+                                     const std::vector<double>& shares) {
+  std::optional<double> least;
+  for (std::size_t k = 0; k < shares.size() && shares[k] == 1; ++k) least = overshoots[k];
+  return least;
+}
+
+Json grazes_of(const MethodFailures& method, const std::vector<double>& overshoots) {
+  const auto seen = all_right_from(overshoots, method.touched);
+  const auto spared = all_right_from(overshoots, method.missed);
+  const bool sees_all = seen == overshoots.back();
+  const bool invents_none = spared == overshoots.back();
+  return {{"seen_from", or_null(seen)},
+          {"sees_all", sees_all},
+          {"spared_from", or_null(spared)},
+          {"invents_none", invents_none},
+          {"good", sees_all && invents_none}};
+}
+
+Json data_of(const Sticking& sticking, int decades) {
+  const bool in_time = sticking.noticed && *sticking.noticed < 1.5 * std::pow(10.0, -decades);
+  return {{"gave_up", or_null(sticking.gave_up)},
+          {"creep", sticking.creep > 0 ? size_of(sticking.creep) : Json()},
+          {"noticed", or_null(sticking.noticed)},
+          {"in_time", in_time},
+          {"too_early", sticking.breaks_loose_early},
+          {"good",
+           !sticking.gave_up && in_time && sticking.creep == 0 && !sticking.breaks_loose_early}};
+}
+
+Json data_of(const Elastic& elastic) {
+  const double ratio = elastic.energy_ratio;
+  const double drift = ratio - 1;
+  const bool lost = ratio<0.01, multiplied = ratio> 2, kept = std::abs(drift) < 1e-8;
+  return {{"strikes", elastic.seen > 0},
+          {"seen", elastic.seen},
+          {"impacts", elastic.impacts},
+          {"sees_all", elastic.seen == elastic.impacts},
+          {"energy_ratio", ratio},
+          {"lost", lost},
+          {"multiplied", multiplied},
+          {"kept", kept},
+          {"percent", lost || multiplied || kept ? Json() : size_of(100 * drift)},
+          {"gains", drift > 0},
+          {"good", elastic.seen == elastic.impacts && std::abs(drift) < 1e-3}};
+}
+
+Json data_of(const ChaoticRate& rate) {
+  return {{"finished", rate.finished},
+          {"error", rate.error},
+          {"good", rate.finished && std::abs(rate.error) <= rate.uncertainty}};
+}
+
+Json data_of(const FailureModeStudy& study, const MethodFailures& method) {
+  Json elastic = Json::array();
+  for (const Elastic& one : method.elastic) elastic.push_back(data_of(one));
+  return {{"method", method.method},
+          {"zeno", data_of(method.zeno)},
+          {"grazes", grazes_of(method, study.overshoots)},
+          {"sticking", data_of(method.sticking, study.plan.decades)},
+          {"elastic", std::move(elastic)},
+          {"rate", data_of(method.rate)}};
+}
+
+report::Chart grazing_chart(const FailureModeStudy& study,
+                            const std::vector<MethodFailures>& methods, const std::string& name) {
+  report::Chart chart;
+  chart.name = name;
+  chart.x.label = "wall missed by (-) or overshot by (+), in swings";
+  chart.y.label = "method";
+  for (const double by : study.overshoots) {
+    chart.x.categories.push_back(fmt::format("-1e{:.0f}", std::log10(by)));
+  }
+  for (auto by = study.overshoots.rbegin(); by != study.overshoots.rend(); ++by) {
+    chart.x.categories.push_back(fmt::format("+1e{:.0f}", std::log10(*by)));
+  }
+  report::HeatMap map{"right [%]", {}, report::Range{0, 100}};
+  for (auto method = methods.rbegin(); method != methods.rend(); ++method) {
+    chart.y.categories.push_back(method->method);
+    auto& row = map.rows.emplace_back();
+    for (const double share : method->missed) row.push_back(std::round(100 * share));
+    for (auto share = method->touched.rbegin(); share != method->touched.rend(); ++share) {
+      row.push_back(std::round(100 * *share));
+    }
+  }
+  chart.heat_map = std::move(map);
+  chart.width = 900;
+  chart.height = 340;
+  return chart;
+}
+
+Json control_data(const FailureModeStudy& study, const std::vector<MethodFailures>& methods,
+                  const std::string& control) {
+  Json data = {
+      {"control", control},
+      {"tight", control == "tight"},
+      {"methods", Json::array()},
+      {"chart", report::data_of(grazing_chart(study, methods, "hazards-grazing-" + control))}};
+  for (const MethodFailures& method : methods) data["methods"].push_back(data_of(study, method));
+  return data;
+}
+
+/// In how many failure modes a method of control_data fails.
+int failures(const Json& method) {
+  int failed = 0;
+  for (const char* mode : {"zeno", "grazes", "sticking", "rate"}) {
+    failed += method[mode]["good"] == false;
+  }
+  for (const Json& elastic : method["elastic"]) failed += elastic["good"] == false;
+  return failed;
+}
+
+/// How many methods fail in a failure mode.
+int failing(const Json& methods, const char* mode) {
+  return static_cast<int>(std::count_if(methods.begin(), methods.end(), [&](const Json& method) {
+    return method[mode]["good"] == false;
+  }));
+}
+
+}  // namespace
+
+Json data_of(const FailureModeStudy& study) {
+  const FailureModePlan& plan = study.plan;
+  const Json loose = control_data(study, study.loose, "loose");
+  const Json tight = control_data(study, study.tight, "tight");
+  const Json& methods = tight["methods"];
+  Json flawless = Json::array();
+  int most = -1;
+  std::string worst;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const std::string& name = study.tight[m].method;
+    const int failed = failures(methods[m]);
+    if (failed + failures(loose["methods"][m]) == 0) flawless.push_back(name);
+    if (failed > most) worst = name;
+    most = std::max(most, failed);
+  }
+  return {{"losses", study.losses},
+          {"end_of_impacts", study.tight.front().zeno.end_of_impacts},
+          {"least_excess", std::pow(10.0, -plan.decades)},
+          {"impacts", plan.impacts},
+          {"starts", plan.starts},
+          {"seconds", plan.seconds},
+          {"uncertainty", study.tight.front().rate.uncertainty},
+          {"modes", 4 + study.losses.size()},
+          {"flawless", std::move(flawless)},
+          {"worst", {{"method", worst}, {"failed", most}}},
+          {"failing",
+           {{"of", methods.size()},
+            {"grazes", failing(methods, "grazes")},
+            {"sticking", failing(methods, "sticking")},
+            {"zeno", failing(methods, "zeno")},
+            {"rate", failing(methods, "rate")}}},
+          {"controls", Json::array({loose, tight})}};
+}
+
+}  // namespace ricochet::studies::dynamics

@@ -7,19 +7,19 @@
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/bench.h"
-#include "src/cli/calibrate.h"
 #include "src/cli/certify.h"
 #include "src/cli/dynamics.h"
 #include "src/cli/list.h"
 #include "src/cli/problems.h"
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
-#include "src/cli/surrogate.h"
 #include "src/cli/threshold.h"
 #include "src/cli/verify.h"
 #include "src/core/error.h"
 #include "src/report/report.h"
+#include "src/studies/calibration/study.h"
 #include "src/studies/study.h"
+#include "src/studies/surrogate/study.h"
 #include "src/studies/verification/study.h"
 
 namespace ricochet::cli {
@@ -55,7 +55,7 @@ class Program {
     add_threshold();
     add_calibrate();
     add_dynamics();
-    add_surrogate();
+    add_study(studies::surrogate_study());
     add_verify();
     add_scene();
     add_list();
@@ -153,20 +153,24 @@ class Program {
   }
 
   void add_calibrate() {
-    CLI::App* command = app_.add_subcommand(
-        "calibrate", "Which reading of the paper, and which constants, give its thresholds");
-    command->add_option("--reading", calibrate_.reading,
+    CLI::App* command = add_study(studies::calibration_study({}));
+    command->add_option("--reading", calibration_.reading,
                         "One of ricochet list readings, for the default one");
-    command->add_flag("--all-readings", calibrate_.all_readings, "Every reading, compared");
-    command->add_flag("--quick", calibrate_.quick, "A first look, in half a minute");
-    command->add_flag("--check", calibrate_.check,
+    command->add_flag("--all-readings", calibration_.all_readings, "Every reading, compared");
+    command->add_flag("--check", calibration_.check,
                       "Rank the readings by another seed and by another solver too");
-    command->add_option("--seed", calibrate_.seed, "Of the searches")->capture_default_str();
-    command->add_option("--solver", calibrate_.solver, "That searches the whole of the bounds")
+    command->add_option("--seed", calibration_.seed, "Of the searches")->capture_default_str();
+    command->add_option("--solver", calibration_.solver, "That searches the whole of the bounds")
         ->capture_default_str();
-    command->add_option("--out", calibrate_.out, "Folder for fits and report")
-        ->capture_default_str();
-    command->callback([this] { work_ = [this] { return calibrate(calibrate_); }; });
+    StudyOptions& options = studies_.back();
+    command->callback([this, &options] {
+      work_ = [this, &options] {
+        calibration_.folder = options.out;
+        const studies::Study study = studies::calibration_study(calibration_);
+        std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+        return 0;
+      };
+    });
   }
 
   void add_dynamics() {
@@ -175,14 +179,6 @@ class Program {
     command->add_flag("--quick", dynamics_.quick, "A coarser study, in seconds");
     command->add_option("--out", dynamics_.out, "Folder for the report")->capture_default_str();
     command->callback([this] { work_ = [this] { return dynamics(dynamics_); }; });
-  }
-
-  void add_surrogate() {
-    CLI::App* command = app_.add_subcommand(
-        "surrogate", "Where the smooth surrogate and its gradient can be trusted, as a report");
-    command->add_flag("--quick", surrogate_.quick, "A coarser study, in seconds");
-    command->add_option("--out", surrogate_.out, "Folder for the report")->capture_default_str();
-    command->callback([this] { work_ = [this] { return surrogate(surrogate_); }; });
   }
 
   void add_verify() {
@@ -273,9 +269,8 @@ class Program {
   ReproduceOptions reproduce_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
-  CalibrateOptions calibrate_;
+  studies::CalibrationOptions calibration_;
   DynamicsOptions dynamics_;
-  SurrogateOptions surrogate_;
   studies::VerificationOptions verification_;
   std::optional<int> scene_index_;
   bool verification_json_ = false;

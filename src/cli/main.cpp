@@ -8,18 +8,18 @@
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/bench.h"
 #include "src/cli/best_values.h"
-#include "src/cli/calibrate.h"
 #include "src/cli/list.h"
 #include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
-#include "src/cli/surrogate.h"
 #include "src/cli/threshold.h"
 #include "src/cli/verify.h"
 #include "src/core/error.h"
 #include "src/report/report.h"
+#include "src/studies/calibration/study.h"
 #include "src/studies/dynamics/study.h"
 #include "src/studies/problems/study.h"
 #include "src/studies/study.h"
+#include "src/studies/surrogate/study.h"
 #include "src/studies/verification/study.h"
 
 namespace ricochet::cli {
@@ -55,7 +55,7 @@ class Program {
     add_threshold();
     add_calibrate();
     add_study(studies::dynamics_study);
-    add_surrogate();
+    add_study(studies::surrogate_study);
     add_verify();
     add_scene();
     add_list();
@@ -154,28 +154,24 @@ class Program {
   }
 
   void add_calibrate() {
-    CLI::App* command = app_.add_subcommand(
-        "calibrate", "Which reading of the paper, and which constants, give its thresholds");
-    command->add_option("--reading", calibrate_.reading,
+    CLI::App* command = add_study([this] { return studies::calibration_study(calibration_); });
+    command->add_option("--reading", calibration_.reading,
                         "One of ricochet list readings, for the default one");
-    command->add_flag("--all-readings", calibrate_.all_readings, "Every reading, compared");
-    command->add_flag("--quick", calibrate_.quick, "A first look, in half a minute");
-    command->add_flag("--check", calibrate_.check,
+    command->add_flag("--all-readings", calibration_.all_readings, "Every reading, compared");
+    command->add_flag("--check", calibration_.check,
                       "Rank the readings by another seed and by another solver too");
-    command->add_option("--seed", calibrate_.seed, "Of the searches")->capture_default_str();
-    command->add_option("--solver", calibrate_.solver, "That searches the whole of the bounds")
+    command->add_option("--seed", calibration_.seed, "Of the searches")->capture_default_str();
+    command->add_option("--solver", calibration_.solver, "That searches the whole of the bounds")
         ->capture_default_str();
-    command->add_option("--out", calibrate_.out, "Folder for fits and report")
-        ->capture_default_str();
-    command->callback([this] { work_ = [this] { return calibrate(calibrate_); }; });
-  }
-
-  void add_surrogate() {
-    CLI::App* command = app_.add_subcommand(
-        "surrogate", "Where the smooth surrogate and its gradient can be trusted, as a report");
-    command->add_flag("--quick", surrogate_.quick, "A coarser study, in seconds");
-    command->add_option("--out", surrogate_.out, "Folder for the report")->capture_default_str();
-    command->callback([this] { work_ = [this] { return surrogate(surrogate_); }; });
+    StudyOptions& options = studies_.back();
+    command->callback([this, &options] {
+      work_ = [this, &options] {
+        calibration_.folder = options.out;
+        const studies::Study study = studies::calibration_study(calibration_);
+        std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+        return 0;
+      };
+    });
   }
 
   void add_verify() {
@@ -265,8 +261,7 @@ class Program {
   ReproduceOptions reproduce_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
-  CalibrateOptions calibrate_;
-  SurrogateOptions surrogate_;
+  studies::CalibrationOptions calibration_;
   studies::VerificationOptions verification_;
   std::optional<int> scene_index_;
   bool verification_json_ = false;

@@ -41,7 +41,11 @@ std::string formatted(const Json& data, std::string form, const std::string& nam
     if (data.is_number_integer() && !fraction) {
       return fmt::format(fmt::runtime(form), data.get<std::int64_t>());
     }
-    if (data.is_number()) return fmt::format(fmt::runtime(form), scale * data.get<double>());
+    if (data.is_number()) {
+      const auto text = [&](double value) { return fmt::format(fmt::runtime(form), value); };
+      const std::string exact = text(scale * data.get<double>());
+      return exact == text(-0.0) ? text(0.0) : exact;
+    }
   } catch (const fmt::format_error& error) {
     throw std::logic_error(fmt::format("a template's {} as {}: {}", name, form, error.what()));
   }

@@ -19,11 +19,11 @@ const Json& found_in(const Scopes& scopes, const std::string& name);
 bool is_yes(const Json& data);
 
 /// A Mustache text, filled in. {{name:form}} formats as fmt's {:form} does, of a share with a form
-/// that ends in % so many hundredths; null becomes a dash. {{#name}}...{{/name}} stands where the
-/// data are a yes, once for each entry of a list; {{^name}}...{{/name}} where not. The name @first
-/// is a yes in the first entry of a list, so that {{^@first}}, {{/@first}} separates entries.
-/// Nothing is escaped. Throws std::logic_error for a text that is no Mustache, or a name that has
-/// no data.
+/// that ends in % so many hundredths; null becomes a dash, and what rounds to zero has no sign.
+/// {{#name}}...{{/name}} stands where the data are a yes, once for each entry of a list;
+/// {{^name}}...{{/name}} where not. The name @first is a yes in the first entry of a list, so that
+/// {{^@first}}, {{/@first}} separates entries. Nothing is escaped. Throws std::logic_error for a
+/// text that is no Mustache, or a name that has no data.
 std::string filled(const std::string& text, const Scopes& scopes);
 
 }  // namespace ricochet::report

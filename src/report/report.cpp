@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "embedded/template_calibration.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_problems.h"
@@ -18,8 +19,11 @@ namespace ricochet::report {
 namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"dynamics", embedded::template_dynamics},         {"family", embedded::template_family},
-    {"problems", embedded::template_problems},         {"surrogate", embedded::template_surrogate},
+    {"calibration", embedded::template_calibration},
+    {"dynamics", embedded::template_dynamics},
+    {"family", embedded::template_family},
+    {"problems", embedded::template_problems},
+    {"surrogate", embedded::template_surrogate},
     {"verification", embedded::template_verification},
 };
 

@@ -18,6 +18,12 @@ TEST(Surrogate, WritesAReportThatStandsAlone) {
   EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_EQ(html.find("<img"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder / "gap-c1.svg"));
+
+  const auto again = folder.parent_path() / "again";
+  ASSERT_EQ(call("report " + folder.string() + " --out " + again.string()).exit_code, 0);
+  for (const char* file : {"index.html", "summary.md", "gap-c1.csv", "data.json"}) {
+    EXPECT_EQ(read(again / file), read(folder / file)) << file;
+  }
 }
 
 TEST(Surrogate, RefusesAFolderThatCannotBeWrittenBeforeItWorks) {

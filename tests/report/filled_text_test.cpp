@@ -13,6 +13,7 @@ using testing::ThrowsMessage;
 const Json data = {{"count", 7},
                    {"speed", 8.274462951660155},
                    {"share", 0.1234},
+                   {"little", -0.0012},
                    {"none", nullptr},
                    {"zero", 0},
                    {"no", false},
@@ -40,6 +41,10 @@ TEST(FilledText, ShowsSharesAsHundredths) {
 
 TEST(FilledText, ShowsWhatIsMissingAsADash) {
   EXPECT_EQ(text("{{none:.2f}}"), "–");
+}
+
+TEST(FilledText, GivesWhatRoundsToZeroNoSign) {
+  EXPECT_EQ(text("{{little:.2f}} {{little:+.1f}} {{little:.4f}}"), "0.00 +0.0 -0.0012");
 }
 
 TEST(FilledText, EscapesNothing) {

@@ -1,268 +1,80 @@
 #include "src/studies/calibration/study.h"
 
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <functional>
+#include <fmt/format.h>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/campaign/progress.h"
-#include "src/statistics/rank_correlation.h"
+#include "solvers/solvers.h"
+#include "src/core/error.h"
+#include "src/core/text_file.h"
+#include "src/studies/calibration/results.h"
 
-namespace ricochet::studies::calibration {
+namespace ricochet::studies {
 namespace {
 
-using namespace carrier_track;
+using namespace calibration;
 
-/// So many of the best readings are fitted closely.
-constexpr std::size_t finalists = 4;
-
-/// A compliant contact costs about a hundred times an impact.
-constexpr std::int64_t compliant_price = 60;
-
-using Make = std::function<Fit(const Freedom&, const Search&, const std::string&)>;
-
-struct Task {
-  std::string kind;
-  Make make;
-  Freedom freedom;
-  Search search;
-  std::string left_out = {};
-};
-
-/// Fetches or makes all fits, in parallel.
-std::vector<Fit> done(const std::string& what, const std::vector<Task>& tasks, FitStore& store) {
-  std::vector<Fit> fits(tasks.size());
-  double work = 0;
-  for (const Task& task : tasks) work += static_cast<double>(task.search.evaluations);
-  Progress progress(what, work);
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const Task& task = tasks[i];
-          const std::string key = key_of(task.kind, task.freedom, task.search, task.left_out);
-          if (const auto known = store.find(key)) {
-            fits[i] = *known;
-          } else {
-            fits[i] = task.make(task.freedom, task.search, task.left_out);
-            store.add(key, fits[i]);
-          }
-          progress.advance(static_cast<double>(task.search.evaluations));
-        }
-      },
-      tbb::simple_partitioner());
-  return fits;
-}
-
-Search with_evaluations(Search search, std::int64_t evaluations) {
-  search.evaluations = evaluations;
-  return search;
-}
-
-Task reading_task(const Reading& reading, const Search& search, const Constants& start) {
-  Freedom freedom{reading, open_of(reading), start};
-  const bool dear = reading.recovery == Recovery::contact_speed;
-  return {"fit", fit, std::move(freedom),
-          with_evaluations(search, search.evaluations / (dear ? compliant_price : 1))};
-}
-
-std::vector<RankedFit> appraised(std::vector<Fit> fits, double step) {
-  std::vector<RankedFit> ranked;
-  for (Fit& f : fits) {
-    Appraisal appraisal = appraise(f, step);
-    ranked.push_back({std::move(f), std::move(appraisal)});
+Solver solver_named(const std::string& name) {
+  std::string known;
+  for (const Solver& solver : all_solvers()) {
+    if (solver.name == name) return solver;
+    known += (known.empty() ? "" : ", ") + solver.name;
   }
-  return ranked;
+  throw InputError(fmt::format("--solver {}: there is no such solver; allowed: {}", name, known));
 }
 
-bool better(const Fit& a, const Fit& b) {
-  return a.misfit < b.misfit;
+/// Throws InputError for options that allow none.
+Plan plan_of(const CalibrationOptions& options, bool quick) {
+  if (options.all_readings && !options.reading.empty()) {
+    throw InputError("--all-readings stands alone: it takes no --reading");
+  }
+  if (options.seed < 0) {
+    throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
+  }
+  const Search search{solver_named(options.solver), solver_named("ceres-trust-region"),
+                      solver_named("nlopt-sbplx"), 0, options.seed};
+  Plan plan = quick ? quick_plan(search) : full_plan(search);
+  if (!options.all_readings) {
+    plan.readings = {options.reading.empty() ? carrier_track::default_reading().reading
+                                             : carrier_track::find_reading(options.reading)};
+  }
+  if (options.check) {
+    Search reseeded = search;
+    ++reseeded.seed;
+    Search other = search;
+    other.global = solver_named(options.solver == "nlopt-crs2" ? "pagmo-sade" : "nlopt-crs2");
+    plan.checks = {std::move(reseeded), std::move(other)};
+  }
+  return plan;
 }
 
-/// The best of the fits whose cases share a scene: others are dearer, and no machine of a user's.
-Fit best_scene(const std::vector<Fit>& fits) {
-  const Fit* best = &fits.front();
-  for (const Fit& f : fits) {
-    if (!is_one_scene(f.reading)) continue;
-    if (!is_one_scene(best->reading) || better(f, *best)) best = &f;
-  }
-  return *best;
-}
-
-/// Fits the variations of a reading that the fits do not hold yet, from given constants on.
-void add_variations(std::vector<Fit>& fits, const Reading& varied, const Constants& start,
-                    const Search& search, FitStore& store) {
-  std::vector<Task> tasks;
-  for (const Reading& r : variations(varied)) {
-    const bool known =
-        std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return fit.reading == r; });
-    if (!known) tasks.push_back(reading_task(r, search, start));
-  }
-  for (Fit& f : done("fitting variations", tasks, store)) fits.push_back(std::move(f));
-}
-
-std::vector<Fit> fits_of(const std::vector<Reading>& readings, const Search& search,
-                         FitStore& store) {
-  std::vector<Task> tasks;
-  for (const Reading& r : readings) tasks.push_back(reading_task(r, search, natural_constants()));
-  return done("fitting readings", tasks, store);
-}
-
-/// Fits the best few whose cases share a scene once more and more closely, from where they are.
-void refine_finalists(std::vector<Fit>& fits, const Plan& plan, FitStore& store) {
-  std::stable_sort(fits.begin(), fits.end(), better);
-  std::vector<Task> tasks;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < fits.size() && places.size() < finalists; ++i) {
-    if (!is_one_scene(fits[i].reading)) continue;
-    tasks.push_back({"final",
-                     fit,
-                     {fits[i].reading, fits[i].freed, fits[i].constants},
-                     with_evaluations(plan.search, plan.finalist_evaluations)});
-    places.push_back(i);
-  }
-  const auto refined = done("fitting the best readings closely", tasks, store);
-  for (std::size_t k = 0; k < places.size(); ++k) fits[places[k]] = refined[k];
-  std::stable_sort(fits.begin(), fits.end(), better);
-}
-
-std::vector<RankedFit> compared_readings(const Plan& plan, FitStore& store) {
-  std::vector<Fit> fits = fits_of(plan.readings, plan.search, store);
-  if (fits.size() > 1) {
-    for (int round = 0; round < 2; ++round) {
-      const Fit best = best_scene(fits);
-      add_variations(fits, best.reading, best.constants, plan.search, store);
-    }
-  }
-  refine_finalists(fits, plan, store);
-  return appraised(std::move(fits), 5 * plan.step);
-}
-
-/// The same readings by each of the other searches, from the natural constants on.
-std::vector<Ranking> rankings_of(const Study& study, const Plan& plan, FitStore& store) {
-  std::vector<double> own;
-  std::vector<Reading> readings;
-  for (const RankedFit& r : study.readings) {
-    if (r.fit.reading.recovery == Recovery::contact_speed) continue;
-    own.push_back(r.fit.misfit);
-    readings.push_back(r.fit.reading);
-  }
-  std::vector<Ranking> rankings;
-  for (const Search& check : plan.checks) {
-    Ranking& ranking = rankings.emplace_back();
-    ranking.search = with_evaluations(check, plan.search.evaluations);
-    for (const Fit& f : fits_of(readings, ranking.search, store)) {
-      ranking.readings.push_back(f.reading);
-      ranking.misfits.push_back(f.misfit);
-    }
-    ranking.rank_correlation = rank_correlation(own, ranking.misfits).value_or(0.0);
-  }
-  return rankings;
-}
-
-/// The fit with the lowest criterion among the best few whose cases share a scene.
-Fit most_sparing(const std::vector<RankedFit>& readings) {
-  std::vector<const RankedFit*> candidates;
-  for (const RankedFit& r : readings) {
-    if (is_one_scene(r.fit.reading) && candidates.size() < finalists) candidates.push_back(&r);
-  }
-  if (candidates.empty()) return readings.front().fit;
-  return (*std::min_element(candidates.begin(), candidates.end(),
-                            [](const RankedFit* a, const RankedFit* b) {
-                              return a->appraisal.criterion < b->appraisal.criterion;
-                            }))
-      ->fit;
-}
-
-/// The fit with one constant more held at its natural value, the one that costs least.
-std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, FitStore& store) {
-  std::vector<Task> tasks;
-  for (std::size_t i = 0; i < from.freed.size(); ++i) {
-    const auto which = static_cast<std::size_t>(from.freed[i]);
-    if (!open_constants()[which].natural) continue;
-    Freedom freedom{from.reading, from.freed, from.constants};
-    freedom.freed.erase(freedom.freed.begin() + static_cast<std::ptrdiff_t>(i));
-    freedom.held[which] = *open_constants()[which].natural;
-    tasks.push_back(
-        {"pin", fit, std::move(freedom), with_evaluations(plan.search, plan.pin_evaluations)});
-  }
-  if (tasks.empty()) return std::nullopt;
-  const std::vector<Fit> fits = done("holding one more constant", tasks, store);
-  return *std::min_element(fits.begin(), fits.end(),
-                           [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
-}
-
-std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& store) {
-  std::vector<Fit> fits = {best};
-  while (fits.back().freed.size() > plan.fewest_constants) {
-    auto next = with_one_held(fits.back(), plan, store);
-    if (!next) break;
-    fits.push_back(std::move(*next));
-  }
-  return appraised(std::move(fits), plan.step);
-}
-
-/// A fit as free as the choice that has not seen a case. The search begins at the choice, so that
-/// it does not fail for want of time, and is over the whole of the bounds.
-std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitStore& store) {
-  std::vector<Task> tasks;
-  std::vector<Prediction> predictions;
-  const Freedom freedom{choice.reading, choice.freed, choice.constants};
-  for (const Case& c : all_cases()) {
-    if (!c.claim.threshold) continue;
-    tasks.push_back(
-        {"left out", fit, freedom, with_evaluations(plan.search, plan.left_out_evaluations), c.id});
-    predictions.push_back({c.id, *c.claim.threshold, std::nullopt});
-  }
-  const std::vector<Fit> fits = done("leaving one case out", tasks, store);
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    const Appraisal appraisal = appraise(fits[i], plan.step);
-    for (const CaseAppraisal& c : appraisal.cases) {
-      if (c.the_case.id == predictions[i].case_id) predictions[i].predicted = c.score.threshold;
-    }
-  }
-  return predictions;
+void write_reading(const Fit& fit, const CalibrationOptions& options,
+                   const std::filesystem::path& file) {
+  const auto fitted = carrier_track::fitted_reading(
+      fit.reading, fit.constants, fit.freed,
+      fmt::format("ricochet calibrate{}{} --seed {} --solver {}",
+                  options.all_readings ? " --all-readings" : " --reading ",
+                  options.all_readings ? "" : name_of(fit.reading), options.seed, options.solver),
+      "the choice");
+  write_text_file(file, write_fitted_reading(fitted));
 }
 
 }  // namespace
 
-Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1600, 2400, 100, 2, {}, 0.01, core_readings()};
+Study calibration_study(const CalibrationOptions& options) {
+  const auto compute = [options](bool quick) {
+    const Plan plan = plan_of(options, quick);
+    std::filesystem::create_directories(options.folder);
+    FitStore store(options.folder / "fits.toml");
+    const Results results = calibrate(plan, store);
+    const Fit& choice = results.choice().fit;
+    if (carrier_track::is_one_scene(choice.reading)) {
+      write_reading(choice, options, options.folder / "reading.toml");
+    }
+    return data_of(results);
+  };
+  return {"calibration", "calibrate",
+          "Which reading of the paper, and which constants, give its thresholds",
+          "A first look, in half a minute", compute};
 }
 
-Plan quick_plan(const Search& search) {
-  return {with_evaluations(search, 30), 60, 12, 12, 6, 2, {}, 0.1, core_readings()};
-}
-
-Study make_study(const Plan& plan, FitStore& store) {
-  const auto start = std::chrono::steady_clock::now();
-  Study study;
-  study.plan = plan;
-  study.readings = compared_readings(plan, store);
-  if (study.readings.size() > 1) study.rankings = rankings_of(study, plan, store);
-  study.frontier = frontier_of(most_sparing(study.readings), plan, store);
-  const auto lowest = std::min_element(study.frontier.begin(), study.frontier.end(),
-                                       [](const RankedFit& a, const RankedFit& b) {
-                                         return a.appraisal.criterion < b.appraisal.criterion;
-                                       });
-  study.chosen = static_cast<std::size_t>(lowest - study.frontier.begin());
-  const Fit& choice = study.choice().fit;
-  study.predictions = predictions_of(choice, plan, store);
-  study.sensitivities = sensitivities(choice, plan.step);
-  study.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
-  study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return study;
-}
-
-double prediction_error(const std::vector<Prediction>& predictions) {
-  double squares = 0;
-  for (const Prediction& p : predictions) {
-    squares += std::pow(p.predicted ? std::log(*p.predicted / p.paper) : std::log(2.0), 2);
-  }
-  return std::sqrt(squares / static_cast<double>(predictions.size()));
-}
-
-}  // namespace ricochet::studies::calibration
+}  // namespace ricochet::studies

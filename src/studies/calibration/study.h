@@ -1,77 +1,24 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
-#include <vector>
 
-#include "src/studies/calibration/appraisal.h"
-#include "src/studies/calibration/fit_store.h"
-#include "src/studies/calibration/sensitivity.h"
+#include "src/studies/study.h"
 
-namespace ricochet::studies::calibration {
+namespace ricochet::studies {
 
-/// How long to search, and how closely to judge.
-struct Plan {
-  Search search;                                 ///< of each reading
-  std::int64_t finalist_evaluations = 0;         ///< for each of the best readings, once more
-  std::int64_t pin_evaluations = 0;              ///< for each try to hold one constant more
-  std::int64_t left_out_evaluations = 0;         ///< for each fit without one case
-  std::int64_t profile_evaluations = 0;          ///< at each point of a profile
-  std::size_t fewest_constants = 2;              ///< where the frontier ends
-  std::vector<Search> checks = {};               ///< that rank the readings once more
-  double step = 0;                               ///< [rad/s] between the speeds of a judgement
-  std::vector<carrier_track::Reading> readings;  ///< to be compared; of the best one the variations
-                                                 ///< are compared too, if there are several, and
-                                                 ///< then those of the best of these
+struct CalibrationOptions {
+  std::string reading;  ///< empty: the default one
+  bool all_readings = false;
+  bool check = false;  ///< ranks the readings by another seed and by another solver too
+  int seed = 1;
+  std::string solver = "pagmo-sade";  ///< that searches the whole of the bounds
+  std::filesystem::path folder;       ///< the report's
 };
 
-/// All readings in under a quarter of an hour on two cores.
-Plan full_plan(const Search& search);
+/// Fits the open constants to the paper's claims. Goes on from the fits that fits.toml of the
+/// folder holds, and writes reading.toml there, which other commands may compute with. Its
+/// computation throws InputError for options that are none.
+Study calibration_study(const CalibrationOptions& options);
 
-/// The same study in half a minute, for a first look: nothing converges.
-Plan quick_plan(const Search& search);
-
-struct RankedFit {
-  Fit fit;
-  Appraisal appraisal;
-};
-
-/// The threshold of a case, from a fit that has not seen the case.
-struct Prediction {
-  std::string case_id;
-  double paper;                     ///< [rad/s]
-  std::optional<double> predicted;  ///< [rad/s]
-};
-
-/// The misfits that another search finds for the same readings.
-struct Ranking {
-  Search search;
-  std::vector<carrier_track::Reading> readings;  ///< of Study::readings, but the dearest
-  std::vector<double> misfits;                   ///< one a reading
-  double rank_correlation;                       ///< Spearman's, with the misfits of the study
-};
-
-struct Study {
-  Plan plan;
-  std::vector<RankedFit> readings;  ///< by rising misfit; the best by their closer fits
-  std::vector<Ranking> rankings;
-  /// Of the best readings whose cases share a scene the one with the lowest criterion, by falling
-  /// number of fitted constants: each holds one more of them at its natural value, the one that
-  /// costs least.
-  std::vector<RankedFit> frontier;
-  std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
-  std::vector<Prediction> predictions;
-  std::vector<CaseSensitivity> sensitivities;
-  std::vector<Profile> profiles;
-  double seconds = 0;  ///< elapsed
-
-  const RankedFit& choice() const { return frontier[chosen]; }
-};
-
-/// Computes everything that the store does not hold yet. The same plan gives the same study, in
-/// whatever order the fits are made.
-Study make_study(const Plan& plan, FitStore& store);
-
-/// Root mean square of ln(predicted / paper); a missing prediction counts as ln 2.
-double prediction_error(const std::vector<Prediction>& predictions);
-
-}  // namespace ricochet::studies::calibration
+}  // namespace ricochet::studies

@@ -32,23 +32,23 @@ std::optional<std::size_t> last_quiet(const std::vector<double>& values, double 
   return std::nullopt;
 }
 
-Bias gap_at(double width, const std::vector<double>& counts, const std::vector<double>& surrogate,
-            const Machine& machine, const BiasPlan& plan) {
-  Bias gap{width, 0, rank_correlation(counts, surrogate), 0, {}, {}};
+Bias bias_at(double width, const std::vector<double>& counts, const std::vector<double>& surrogate,
+             const Machine& machine, const BiasPlan& plan) {
+  Bias bias{width, 0, rank_correlation(counts, surrogate), 0, {}, {}};
   for (std::size_t k = 0; k < counts.size(); ++k) {
-    gap.error += std::abs(surrogate[k] - counts[k]) / static_cast<double>(counts.size());
+    bias.error += std::abs(surrogate[k] - counts[k]) / static_cast<double>(counts.size());
   }
   const auto lowest = std::min_element(surrogate.begin(), surrogate.end()) - surrogate.begin();
-  gap.count_regret =
+  bias.count_regret =
       counts[static_cast<std::size_t>(lowest)] - *std::min_element(counts.begin(), counts.end());
   const auto best = last_quiet(counts, machine.quiet_limit);
   const auto found = last_quiet(surrogate, half_level(machine.quiet_limit));
-  if (!best || !found) return gap;
+  if (!best || !found) return bias;
   const auto speed = [&](std::size_t k) { return static_cast<double>(k + 1) * plan.step; };
-  gap.speed = speed(*found);
-  gap.speed_regret = speed(*best) - speed(*found);
-  gap.loud = counts[*found] > machine.quiet_limit;
-  return gap;
+  bias.speed = speed(*found);
+  bias.speed_regret = speed(*best) - speed(*found);
+  bias.loud = counts[*found] > machine.quiet_limit;
+  return bias;
 }
 
 }  // namespace
@@ -65,7 +65,8 @@ BiasStudy study_bias(const BiasPlan& plan) {
     const auto best = last_quiet(counts, machine.quiet_limit);
     if (best) row.fastest = static_cast<double>(*best + 1) * plan.step;
     for (const double width : plan.widths) {
-      row.gaps.push_back(gap_at(width, counts, over_speeds(machine, width, plan), machine, plan));
+      row.biases.push_back(
+          bias_at(width, counts, over_speeds(machine, width, plan), machine, plan));
     }
     progress.advance(1);
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/report/page.h"
+#include "src/report/json.h"
 
 /// How far the surrogate's answers are from those of the count, at every smoothing width.
 namespace ricochet::studies::surrogate {
@@ -30,7 +30,7 @@ struct CaseBias {
   std::string id;
   int lowest;      ///< count
   double fastest;  ///< [rad/s], at which the count is quiet
-  std::vector<Bias> gaps;
+  std::vector<Bias> biases;
 };
 
 struct BiasStudy {
@@ -41,6 +41,6 @@ struct BiasStudy {
 /// Every case of the paper in the default reading.
 BiasStudy study_bias(const BiasPlan& plan);
 
-report::Section bias_section(const BiasStudy& study);
+report::Json data_of(const BiasStudy& study);
 
 }  // namespace ricochet::studies::surrogate

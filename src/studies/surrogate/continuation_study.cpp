@@ -1,6 +1,7 @@
 #include "src/studies/surrogate/continuation_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <limits>
 
@@ -15,9 +16,10 @@ namespace ricochet::studies::surrogate {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 /// Those that want derivatives and take constraints, alone and led.
-std::vector<Solver> guided_solvers() {
+std::vector<Solver> compared_solvers() {
   std::vector<Solver> solvers;
   for (Solver& solver : all_solvers()) {
     const std::string& name = solver.name;
@@ -28,25 +30,26 @@ std::vector<Solver> guided_solvers() {
   return solvers;
 }
 
-Guidance guidance_of(const std::string& id, const Problem& problem,
-                     const std::vector<RunRecord>& records) {
-  Guidance row{id, records.front().solver, records.front().budget.evaluations, 0, 0, {}};
+}  // namespace
+
+ContinuationRuns runs_of(const std::string& id, const Problem& problem,
+                         const std::vector<RunRecord>& records) {
+  ContinuationRuns runs{id, records.front().solver, records.front().budget.evaluations, 0, 0, {}};
   for (const RunRecord& record : records) {
     const Verdict verdict = judge(record, problem, speed_tolerance);
-    row.solved += verdict.solved;
-    row.worst_regret = std::max(row.worst_regret,
-                                verdict.regret.value_or(std::numeric_limits<double>::infinity()));
-    if (!verdict.solved && row.exit.empty() && !record.exits.empty())
-      row.exit = record.exits.back();
+    runs.solved += verdict.solved;
+    runs.worst_regret = std::max(runs.worst_regret,
+                                 verdict.regret.value_or(std::numeric_limits<double>::infinity()));
+    if (!verdict.solved && runs.exit.empty() && !record.exits.empty()) {
+      runs.exit = record.exits.back();
+    }
   }
-  return row;
+  return runs;
 }
-
-}  // namespace
 
 ContinuationStudy study_continuation(const ContinuationPlan& plan) {
   ContinuationStudy study{plan, {}};
-  const std::vector<Solver> solvers = guided_solvers();
+  const std::vector<Solver> solvers = compared_solvers();
   struct Entry {
     std::string id;
     Problem problem;
@@ -73,11 +76,54 @@ ContinuationStudy study_continuation(const ContinuationPlan& plan) {
   auto next = records.begin();
   for (const Entry& entry : entries) {
     for (std::size_t k = 0; k < solvers.size() * plan.budgets.size(); ++k) {
-      study.rows.push_back(guidance_of(entry.id, entry.problem, {next, next + plan.instances}));
+      study.rows.push_back(runs_of(entry.id, entry.problem, {next, next + plan.instances}));
       next += plan.instances;
     }
   }
   return study;
+}
+
+Json data_of(const ContinuationStudy& study) {
+  const std::vector<ContinuationRuns>& rows = study.rows;
+  const auto columns = static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(),
+                    [&](const ContinuationRuns& row) { return row.id == rows.front().id; }));
+  Json data = {{"tolerance", speed_tolerance},
+               {"instances", study.plan.instances},
+               {"evaluations", study.plan.budgets.back()},
+               {"columns", Json::array()},
+               {"longest", Json::array()},
+               {"cases", Json::array()},
+               {"failures", Json::array()}};
+  std::vector<int> solved(columns);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const ContinuationRuns& row = rows[k];
+    const int failed = study.plan.instances - row.solved;
+    if (k % columns == 0) data["cases"].push_back({{"id", row.id}, {"runs", Json::array()}});
+    data["cases"].back()["runs"].push_back(
+        {{"solved", row.solved}, {"share", nullptr}, {"all", failed == 0 ? Json(true) : Json()}});
+    if (failed > 0 && row.solver.starts_with("continuation-")) {
+      data["failures"].push_back(
+          {{"id", row.id},
+           {"solver", row.solver},
+           {"budget", row.budget},
+           {"failed", failed},
+           {"worst", std::isfinite(row.worst_regret) ? Json(row.worst_regret) : Json()},
+           {"exit", row.exit}});
+    }
+    solved[k % columns] += row.solved;
+  }
+  const double runs = static_cast<double>(rows.size() / columns) * study.plan.instances;
+  Json all = {{"id", "all"}, {"runs", Json::array()}};
+  for (std::size_t k = 0; k < columns; ++k) {
+    const double share = solved[k] / runs;
+    const Json column = {{"solver", rows[k].solver}, {"budget", rows[k].budget}, {"share", share}};
+    data["columns"].push_back(column);
+    if (rows[k].budget == study.plan.budgets.back()) data["longest"].push_back(column);
+    all["runs"].push_back({{"solved", solved[k]}, {"share", share}, {"all", nullptr}});
+  }
+  data["cases"].push_back(std::move(all));
+  return data;
 }
 
 }  // namespace ricochet::studies::surrogate

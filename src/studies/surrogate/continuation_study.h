@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "src/report/page.h"
+#include "src/core/run.h"
+#include "src/report/json.h"
 
 /// Whether solvers led from a wide smoothing width to zero find what the count says.
 namespace ricochet::studies::surrogate {
@@ -14,7 +15,7 @@ struct ContinuationPlan {
 };
 
 /// The runs of one solver, with one budget, on the fastest quiet speed of one case.
-struct Guidance {
+struct ContinuationRuns {
   std::string id;
   std::string solver;
   long budget;
@@ -25,15 +26,19 @@ struct Guidance {
 
 struct ContinuationStudy {
   ContinuationPlan plan;
-  std::vector<Guidance> rows;  ///< by case, solver and budget
+  std::vector<ContinuationRuns> rows;  ///< by case, solver and budget
 };
 
 /// Regret [rad/s] that still counts as solved.
 inline constexpr double speed_tolerance = 0.01;
 
+/// Sums up runs of one solver, one at least, on instances of a problem.
+ContinuationRuns runs_of(const std::string& id, const Problem& problem,
+                         const std::vector<RunRecord>& records);
+
 /// C1..C10, for which the paper claims a threshold.
 ContinuationStudy study_continuation(const ContinuationPlan& plan);
 
-report::Section continuation_section(const ContinuationStudy& study);
+report::Json data_of(const ContinuationStudy& study);
 
 }  // namespace ricochet::studies::surrogate

@@ -8,7 +8,7 @@
 
 #include "problems/carrier_track/scene/scene.h"
 #include "src/core/random.h"
-#include "src/report/page.h"
+#include "src/report/json.h"
 
 /// Is the surrogate continuous where the count jumps?
 namespace ricochet::studies::surrogate {
@@ -74,6 +74,6 @@ struct ContinuityStudy {
 /// the widths, in turn: some 65 to 120 simulations.
 ContinuityStudy study_continuity(const ContinuityPlan& plan);
 
-report::Section continuity_section(const ContinuityStudy& study);
+report::Json data_of(const ContinuityStudy& study);
 
 }  // namespace ricochet::studies::surrogate

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "src/campaign/progress.h"
+#include "src/core/difference.h"
 #include "src/core/seed.h"
-#include "src/studies/surrogate/difference.h"
 #include "src/studies/surrogate/draws.h"
 
 namespace ricochet::studies::surrogate {
@@ -29,21 +29,13 @@ Vector in_units(const Problem& problem, const Vector& point) {
 }
 
 /// Slopes of everything at a point of the unit box, from steps h and less.
-std::vector<Difference> differences(const Problem& problem, const Vector& point,
-                                    const Vector& direction, double h) {
-  std::vector<Extrapolation> functions(static_cast<std::size_t>(1 + problem.constraints));
-  const auto at = [&](double step) {
-    return all_of(problem.evaluate(in_units(problem, point + step * direction)));
-  };
-  for (std::size_t i = 0; i < Extrapolation::levels; ++i, h /= 2) {
-    const Vector central = (at(h) - at(-h)) / (2 * h);
-    for (std::size_t k = 0; k < functions.size(); ++k) {
-      functions[k].add(central[static_cast<Eigen::Index>(k)]);
-    }
-  }
-  std::vector<Difference> best;
-  for (const Extrapolation& function : functions) best.push_back(function.best());
-  return best;
+std::vector<Difference> slopes(const Problem& problem, const Vector& point, const Vector& direction,
+                               double h) {
+  return differences(
+      [&](double step) {
+        return all_of(problem.evaluate(in_units(problem, point + step * direction)));
+      },
+      0.0, h);
 }
 
 /// Whether a difference that is off by little is no further off than another, from shorter steps,
@@ -121,7 +113,7 @@ std::vector<Comparison> compare(const Problem& problem, const Vector& point,
   const Vector scaled = direction.cwiseProduct(problem.upper - problem.lower);
   Vector exact(size.size());
   exact << d.gradient.dot(scaled), d.jacobian * scaled;
-  std::vector<Difference> found = differences(problem, point, direction, first_step);
+  std::vector<Difference> found = slopes(problem, point, direction, first_step);
   std::vector<Difference> near;  // within the reach
   std::vector<Comparison> comparisons;
   for (Eigen::Index k = 0; k < exact.size(); ++k) {
@@ -131,15 +123,15 @@ std::vector<Comparison> compare(const Problem& problem, const Vector& point,
     if (!(result.relative() <= outlier)) {
       const bool beyond = d.trust.reach < 4 * first_step;
       if (beyond && near.empty()) {
-        near = differences(problem, point, direction, 0.25 * d.trust.reach);
+        near = slopes(problem, point, direction, 0.25 * d.trust.reach);
       }
       if (std::abs(far.slope - exact[k]) <= nothing * std::max(1.0, size[k])) {
         result.cause = Cause::flat;
       } else if (beyond && agrees(exact[k], near[static_cast<std::size_t>(k)])) {
         result.cause = Cause::reach;
       } else if (is_rounding(exact[k], far,
-                             differences(problem, point, direction,
-                                         0.7 * first_step)[static_cast<std::size_t>(k)])) {
+                             slopes(problem, point, direction,
+                                    0.7 * first_step)[static_cast<std::size_t>(k)])) {
         result.cause = Cause::rounding;
       } else {
         result.cause = Cause::unexplained;
@@ -163,12 +155,12 @@ DerivativeCheckStudy study_derivative_check(const DerivativeCheckPlan& plan) {
       const std::size_t index = family.members[k % family.members.size()];
       found[k] = look(problems[index], index, plan.seed, k);
     });
-    AgreementRow objective{family.name, "objective", points, {}, {}};
-    AgreementRow constraints{family.name, "constraints", points, {}, {}};
+    DerivativeErrors objective{family.name, "objective", points, {}, {}};
+    DerivativeErrors constraints{family.name, "constraints", points, {}, {}};
     for (const Found& at : found) {
       for (std::size_t function = 0; function < at.comparisons.size(); ++function) {
         const Comparison& comparison = at.comparisons[function];
-        AgreementRow& row = function == 0 ? objective : constraints;
+        DerivativeErrors& row = function == 0 ? objective : constraints;
         row.errors.push_back(comparison.relative());
         ++row.by_cause[static_cast<std::size_t>(comparison.cause)];
         if (comparison.cause == Cause::none) continue;
@@ -177,7 +169,7 @@ DerivativeCheckStudy study_derivative_check(const DerivativeCheckPlan& plan) {
     }
     study.points += points;
     ++study.families;
-    for (AgreementRow* row : {&objective, &constraints}) {
+    for (DerivativeErrors* row : {&objective, &constraints}) {
       if (row->errors.empty()) continue;
       std::sort(row->errors.begin(), row->errors.end());
       study.rows.push_back(std::move(*row));

@@ -9,7 +9,7 @@
 
 #include "problems/family.h"
 #include "src/core/problem.h"
-#include "src/report/page.h"
+#include "src/report/json.h"
 
 /// Are the derivatives right? Exact ones beside differences, at random points of every problem.
 namespace ricochet::studies::surrogate {
@@ -59,7 +59,8 @@ struct DerivativeCheckPlan {
   std::uint64_t seed;
 };
 
-struct AgreementRow {
+/// Of one function of the problems of a family.
+struct DerivativeErrors {
   std::string family;
   std::string function;  ///< "objective" or "constraints"
   std::size_t points = 0;
@@ -78,13 +79,14 @@ struct DerivativeCheckStudy {
   std::size_t points = 0;
   std::size_t families = 0;
   std::uint64_t seed = 0;
-  std::vector<AgreementRow> rows;  ///< of each family its objective, then its constraints
-  std::vector<Outlier> outliers;   ///< the unexplained first, then by falling relative error
+  std::vector<DerivativeErrors> rows;  ///< of each family its objective, then its constraints
+  std::vector<Outlier> outliers;       ///< the unexplained first, then by falling relative error
 };
 
 /// In parallel, with the same bits for any number of threads.
 DerivativeCheckStudy study_derivative_check(const DerivativeCheckPlan& plan);
 
-report::Section derivative_check_section(const DerivativeCheckStudy& study);
+/// Of a study that compared something.
+report::Json data_of(const DerivativeCheckStudy& study);
 
 }  // namespace ricochet::studies::surrogate

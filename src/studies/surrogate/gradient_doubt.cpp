@@ -55,23 +55,23 @@ Finding find(const Scene& scene, double omega, double width, const std::vector<d
   return finding;
 }
 
-Validity sum_of(std::span<const Finding> findings) {
-  Validity validity;
+GradientQuality sum_of(std::span<const Finding> findings) {
+  GradientQuality quality;
   std::vector<double> reaches;
   for (const Finding& f : findings) {
-    ++validity.points;
+    ++quality.points;
     const Trust& trust = f.slope.trust;
-    ++validity.doubts[static_cast<std::size_t>(trust.doubt)];
-    validity.agreeing += std::any_of(f.errors.begin(), f.errors.end(),
-                                     [](double error) { return error < agreement; });
+    ++quality.doubts[static_cast<std::size_t>(trust.doubt)];
+    quality.agreeing += std::any_of(f.errors.begin(), f.errors.end(),
+                                    [](double error) { return error < agreement; });
     if (f.trend != 0 && trust.doubt != GradientDoubt::flat) {
-      ++validity.trending;
-      validity.right += (f.trend > 0) == (f.slope.slope > 0);
+      ++quality.trending;
+      quality.right += (f.trend > 0) == (f.slope.slope > 0);
     }
     reaches.push_back(std::log10(std::min(trust.reach, 1.0)));
   }
-  validity.log_reach = quantile(reaches, 0.5);
-  return validity;
+  quality.log_reach = quantile(reaches, 0.5);
+  return quality;
 }
 
 /// At points evenly spread over the cells, but for the ends of each.
@@ -99,7 +99,7 @@ GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
   std::vector<std::vector<double>> errors(plan.steps.size());
   for (const Machine& machine : machines) {
     const auto findings = findings_of(machine, default_width, plan);
-    ValidityRow& row = study.rows.emplace_back(ValidityRow{machine.id, {}});
+    CaseQuality& row = study.rows.emplace_back(CaseQuality{machine.id, {}});
     for (std::size_t first = 0; first < findings.size(); first += size) {
       row.cells.push_back(sum_of(std::span(findings).subspan(first, size)));
     }

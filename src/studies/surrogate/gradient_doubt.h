@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/report/page.h"
+#include "src/report/json.h"
 
 /// Where the surrogate's gradient means something: over every case and the speeds.
 namespace ricochet::studies::surrogate {
@@ -19,7 +19,7 @@ struct GradientDoubtPlan {
 };
 
 /// What the gradient is worth at points of one cell, or of one width.
-struct Validity {
+struct GradientQuality {
   int points = 0;
   int agreeing = 0;  ///< with differences of some step, to 1e-6
   int trending =
@@ -29,9 +29,9 @@ struct Validity {
   double log_reach = 0;         ///< median of log10(reach)
 };
 
-struct ValidityRow {
+struct CaseQuality {
   std::string id;
-  std::vector<Validity> cells;  ///< by speed
+  std::vector<GradientQuality> cells;  ///< by speed
 };
 
 /// Relative error of central differences of one step, over all points.
@@ -42,13 +42,13 @@ struct StepError {
 
 struct GradientDoubtStudy {
   GradientDoubtPlan plan;
-  std::vector<ValidityRow> rows;   ///< a case each
-  std::vector<Validity> by_width;  ///< of all cases
+  std::vector<CaseQuality> rows;
+  std::vector<GradientQuality> by_width;  ///< of all cases
   std::vector<StepError> step_errors;
 };
 
 GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan);
 
-report::Section gradient_doubt_section(const GradientDoubtStudy& study);
+report::Json data_of(const GradientDoubtStudy& study);
 
 }  // namespace ricochet::studies::surrogate

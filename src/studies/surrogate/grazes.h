@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/models/impact_model.h"
-#include "src/report/page.h"
+#include "src/report/json.h"
 
 /// What the surrogate's slope does next to a graze: a speed at which a wall is touched at rest.
 namespace ricochet::studies::surrogate {
@@ -63,7 +63,7 @@ struct GrazeStudy {
 
 GrazeStudy study_grazes(const GrazePlan& plan);
 
-/// Adds a paragraph, tables and charts to a section.
-void add_grazes(const GrazeStudy& study, report::Section& section);
+/// Null where nothing that counts follows any graze.
+report::Json data_of(const GrazeStudy& study);
 
 }  // namespace ricochet::studies::surrogate

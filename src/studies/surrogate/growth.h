@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "src/report/page.h"
+#include "src/core/difference.h"
+#include "src/report/json.h"
 #include "src/studies/dynamics/lyapunov.h"
-#include "src/studies/surrogate/difference.h"
 #include "src/studies/surrogate/grazes.h"
 
 /// How long are gradients through a motion good for? Whether they grow with the window, and what
@@ -90,6 +90,6 @@ GrowthStudy study_growth(const GrowthPlan& plan);
 /// Above this disagreement a difference tells nothing of a gradient.
 inline constexpr double useless = 0.1;
 
-report::Section growth_section(const GrowthStudy& study);
+report::Json data_of(const GrowthStudy& study);
 
 }  // namespace ricochet::studies::surrogate

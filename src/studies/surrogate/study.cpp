@@ -1,12 +1,28 @@
 #include "src/studies/surrogate/study.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "problems/families.h"
+#include "src/studies/surrogate/bias.h"
+#include "src/studies/surrogate/continuation_study.h"
+#include "src/studies/surrogate/continuity.h"
+#include "src/studies/surrogate/derivative_check.h"
+#include "src/studies/surrogate/gradient_doubt.h"
+#include "src/studies/surrogate/growth.h"
 
-namespace ricochet::studies::surrogate {
+namespace ricochet::studies {
 namespace {
+
+using namespace surrogate;
+
+struct Plan {
+  BiasPlan bias;
+  ContinuationPlan continuation;
+  GradientDoubtPlan gradient_doubt;
+  ContinuityPlan continuity;
+  GrowthPlan growth;
+  DerivativeCheckPlan derivative_check;
+};
 
 /// Powers of ten, and `between` values more in each decade.
 std::vector<double> falling(int first, int last, int between) {
@@ -17,9 +33,7 @@ std::vector<double> falling(int first, int last, int between) {
   return values;
 }
 
-}  // namespace
-
-StudyPlan full_plan() {
+Plan full_plan() {
   return {{0.01, {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.01, 0.003, 0.001}},
           {15, {200, 400}},
           {18, 20, {1, 0.5, 0.25, 0.1, 0.05, 0.01}, falling(-2, -11, 1)},
@@ -28,7 +42,7 @@ StudyPlan full_plan() {
           {all_families(), 10'000, 1}};
 }
 
-StudyPlan quick_plan() {
+Plan quick_plan() {
   return {{0.1, {1, 0.25, 0.01}},
           {1, {100}},
           {6, 5, {0.25}, falling(-3, -9, 0)},
@@ -37,18 +51,22 @@ StudyPlan quick_plan() {
           {all_families(), 300, 1}};
 }
 
-Study make_study(const StudyPlan& plan) {
-  const auto start = std::chrono::steady_clock::now();
-  Study study;
-  study.plan = plan;
-  study.gap = study_bias(plan.gap);
-  study.guidance = study_continuation(plan.guidance);
-  study.validity = study_gradient_doubt(plan.validity);
-  study.continuity = study_continuity(plan.continuity);
-  study.growth = study_growth(plan.growth);
-  study.agreement = study_derivative_check(plan.agreement);
-  study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return study;
+report::Json results_of(const Plan& plan) {
+  return {{"bias", data_of(study_bias(plan.bias))},
+          {"continuation", data_of(study_continuation(plan.continuation))},
+          {"gradient_doubt", data_of(study_gradient_doubt(plan.gradient_doubt))},
+          {"continuity", data_of(study_continuity(plan.continuity))},
+          {"growth", data_of(study_growth(plan.growth))},
+          {"derivative_check", data_of(study_derivative_check(plan.derivative_check))}};
 }
 
-}  // namespace ricochet::studies::surrogate
+}  // namespace
+
+Study surrogate_study() {
+  return {"surrogate", "surrogate",
+          "Where the smooth surrogate and its gradient can be trusted, as a report",
+          "A coarser study, in seconds",
+          [](bool quick) { return results_of(quick ? quick_plan() : full_plan()); }};
+}
+
+}  // namespace ricochet::studies

@@ -12,7 +12,7 @@
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/paper/cases.h"
-#include "tests/carrier_track/gradients/difference.h"
+#include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
 

@@ -29,7 +29,7 @@ TEST(Bias, KnowsTheBestOfTheCountFromAScan) {
 
 TEST(Bias, ClosesAsTheWidthGoesToZero) {
   for (const CaseBias& row : study().cases) {
-    const Bias& closed = row.gaps[1];
+    const Bias& closed = row.biases[1];
     EXPECT_LT(closed.error, 1e-9) << row.id;
     EXPECT_GT(closed.rank_correlation.value(), 0.999) << row.id;
     EXPECT_EQ(closed.count_regret, 0) << row.id;
@@ -39,15 +39,7 @@ TEST(Bias, ClosesAsTheWidthGoesToZero) {
 }
 
 TEST(Bias, IsOpenWhereTheSurrogateIsWide) {
-  for (const CaseBias& row : study().cases) EXPECT_GT(row.gaps[0].error, 0.1) << row.id;
-}
-
-TEST(Bias, HasATableAndAChartForEveryCase) {
-  const report::Section section = bias_section(study());
-  EXPECT_EQ(section.tables.size(), 12U);
-  EXPECT_EQ(section.figures.size(), 12U);
-  EXPECT_EQ(section.tables[3].rows.size(), 2U);
-  for (const auto& figure : section.figures) EXPECT_NO_THROW(report::check(figure.chart));
+  for (const CaseBias& row : study().cases) EXPECT_GT(row.biases[0].error, 0.1) << row.id;
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ Vector at(double x) {
   return Vector::Constant(1, x);
 }
 
-TEST(Agreement, ComparesAlongADirectionOfTheUnitBox) {
+TEST(DerivativeCheck, ComparesAlongADirectionOfTheUnitBox) {
   Vector point(2), direction(2);
   point << 0.75, 0.5;  // x = 1.5, y = 1
   direction << 0.6, -0.8;
@@ -67,7 +67,7 @@ TEST(Agreement, ComparesAlongADirectionOfTheUnitBox) {
   EXPECT_EQ(found[0].cause, Cause::none);
 }
 
-TEST(Agreement, FindsAWrongDerivative) {
+TEST(DerivativeCheck, FindsAWrongDerivative) {
   Problem wrong = polynomial("wrong-C1");
   wrong.differentiate = [right = wrong.differentiate](const Vector& x) {
     Derivatives d = right(x);
@@ -81,14 +81,14 @@ TEST(Agreement, FindsAWrongDerivative) {
   EXPECT_EQ(study.outliers.front().comparison.cause, Cause::unexplained);
 }
 
-TEST(Agreement, ExplainsACornerByTheReachAlone) {
+TEST(DerivativeCheck, ExplainsACornerByTheReachAlone) {
   const double near = 0.5 + 0.5e-7;  // shorter than the shortest step
   EXPECT_EQ(compare(corner(true), at(near), at(1))[0].cause, Cause::reach);
   EXPECT_EQ(compare(corner(false), at(near), at(1))[0].cause, Cause::unexplained);
   EXPECT_EQ(compare(corner(false), at(0.7), at(1))[0].cause, Cause::none);
 }
 
-TEST(Agreement, CallsASlopeOfNextToNothingFlat) {
+TEST(DerivativeCheck, CallsASlopeOfNextToNothingFlat) {
   Problem flat = corner(false);
   flat.evaluate = [](const Vector& x) { return Values{5 + 1e-10 * x[0], {}}; };
   flat.differentiate = [](const Vector& x) {
@@ -97,7 +97,7 @@ TEST(Agreement, CallsASlopeOfNextToNothingFlat) {
   EXPECT_EQ(compare(flat, at(0.7), at(1))[0].cause, Cause::flat);
 }
 
-TEST(Agreement, CallsWhatADifferenceCannotTellRounding) {
+TEST(DerivativeCheck, CallsWhatADifferenceCannotTellRounding) {
   Problem coarse = corner(false);  // x, to seven digits
   coarse.evaluate = [](const Vector& x) {
     return Values{1.37e-7 * std::round(x[0] / 1.37e-7), {}};
@@ -111,7 +111,7 @@ TEST(Agreement, CallsWhatADifferenceCannotTellRounding) {
   EXPECT_EQ(by_cause[static_cast<std::size_t>(Cause::reach)], 0U);
 }
 
-TEST(Agreement, HoldsForTheSurrogateOfTheCases) {
+TEST(DerivativeCheck, HoldsForTheSurrogateOfTheCases) {
   using namespace carrier_track;
   const std::vector<Machine> machines = all_machines();
   Problem without = polynomial("without-derivatives");
@@ -122,7 +122,7 @@ TEST(Agreement, HoldsForTheSurrogateOfTheCases) {
   EXPECT_EQ(study.families, 2U);
   EXPECT_EQ(study.points, 72U);
   ASSERT_EQ(study.rows.size(), 3U);
-  for (const AgreementRow& row : study.rows) {
+  for (const DerivativeErrors& row : study.rows) {
     EXPECT_EQ(row.errors.size(), 36U);
     EXPECT_EQ(row.by_cause[static_cast<std::size_t>(Cause::unexplained)], 0U) << row.family;
     EXPECT_LT(row.errors[18], 1e-10) << row.family;

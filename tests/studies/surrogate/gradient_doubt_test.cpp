@@ -15,11 +15,11 @@ const GradientDoubtStudy& study() {
   return made;
 }
 
-TEST(Validity, CountsEveryPointOnce) {
+TEST(GradientDoubt, CountsEveryPointOnce) {
   ASSERT_EQ(study().rows.size(), 12U);
-  for (const ValidityRow& row : study().rows) {
+  for (const CaseQuality& row : study().rows) {
     ASSERT_EQ(row.cells.size(), 6U);
-    for (const Validity& v : row.cells) {
+    for (const GradientQuality& v : row.cells) {
       EXPECT_EQ(v.points, 4);
       EXPECT_EQ(std::accumulate(v.doubts.begin(), v.doubts.end(), 0), 4);
       EXPECT_LE(v.right, v.trending);
@@ -29,28 +29,22 @@ TEST(Validity, CountsEveryPointOnce) {
   EXPECT_EQ(study().by_width[0].points, 12 * 6 * 4);
 }
 
-TEST(Validity, FindsTheDerivativesRightWhereTheyAreNotFlat) {
-  const Validity& usual = study().by_width[0];
+TEST(GradientDoubt, FindsTheDerivativesRightWhereTheyAreNotFlat) {
+  const GradientQuality& usual = study().by_width[0];
   const int flat = usual.doubts[static_cast<std::size_t>(GradientDoubt::flat)];
   EXPECT_GE(usual.agreeing + flat, 0.97 * usual.points);
   EXPECT_LT(flat, 0.2 * usual.points);
 }
 
-TEST(Validity, FindsNearlyEverythingFlatNextToTheCount) {
-  const Validity& narrow = study().by_width[1];
+TEST(GradientDoubt, FindsNearlyEverythingFlatNextToTheCount) {
+  const GradientQuality& narrow = study().by_width[1];
   EXPECT_GT(narrow.doubts[static_cast<std::size_t>(GradientDoubt::flat)], 0.95 * narrow.points);
 }
 
-TEST(Validity, FindsDifferencesWorstAtTheLongestAndTheShortestStep) {
+TEST(GradientDoubt, FindsDifferencesWorstAtTheLongestAndTheShortestStep) {
   ASSERT_EQ(study().step_errors.size(), 3U);
   EXPECT_LT(study().step_errors[1].median, study().step_errors[0].median);
   EXPECT_LT(study().step_errors[1].median, study().step_errors[2].median);
-}
-
-TEST(Validity, HasChartsThatCanBeDrawn) {
-  const report::Section section = gradient_doubt_section(study());
-  EXPECT_EQ(section.figures.size(), 5U);
-  for (const auto& figure : section.figures) EXPECT_NO_THROW(report::check(figure.chart));
 }
 
 }  // namespace

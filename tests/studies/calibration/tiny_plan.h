@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/studies/calibration/study.h"
+#include "src/studies/calibration/results.h"
 #include "tests/studies/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {

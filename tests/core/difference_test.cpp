@@ -1,10 +1,10 @@
-#include "src/studies/surrogate/difference.h"
+#include "src/core/difference.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace ricochet::studies::surrogate {
+namespace ricochet {
 namespace {
 
 TEST(Difference, IsExactToManyDigitsOfASmoothFunction) {
@@ -25,12 +25,25 @@ TEST(Difference, OwnsUpToAnErrorNextToACorner) {
 }
 
 TEST(Extrapolation, RemovesTheSquareOfTheStep) {
-  Extrapolation extrapolation;
+  Extrapolation<> extrapolation;
   extrapolation.add(3 + 7 * 1.0);
   EXPECT_TRUE(std::isinf(extrapolation.best().error));
   extrapolation.add(3 + 7 * 0.25);
   EXPECT_DOUBLE_EQ(extrapolation.best().slope, 3);
 }
 
+TEST(Extrapolation, RemovesTheStepItselfFromDifferencesToOneSide) {
+  const Difference slope = one_sided_difference([](double t) { return t * t + t; }, 2.0, 0.5);
+  EXPECT_NEAR(slope.slope, 5, 1e-13);
+}
+
+TEST(Difference, IsThatOfEveryEntryOfAVector) {
+  const auto f = [](double t) -> Vector { return Eigen::Vector2d(std::sin(t), std::exp(t)); };
+  const std::vector<Difference> slopes = differences(f, 0.3, 0.1);
+  ASSERT_EQ(slopes.size(), 2U);
+  EXPECT_NEAR(slopes[0].slope, std::cos(0.3), 1e-12);
+  EXPECT_NEAR(slopes[1].slope, std::exp(0.3), 1e-12);
+}
+
 }  // namespace
-}  // namespace ricochet::studies::surrogate
+}  // namespace ricochet

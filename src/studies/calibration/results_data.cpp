@@ -1,0 +1,276 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "src/report/chart_data.h"
+#include "src/studies/calibration/results.h"
+
+namespace ricochet::studies::calibration {
+namespace {
+
+using namespace carrier_track;
+using report::Json;
+using report::or_null;
+
+const OpenConstant& constant_of(Open open) {
+  return open_constants()[static_cast<std::size_t>(open)];
+}
+
+/// Name of an open constant as people read it: "centrifugal mass radius".
+std::string words_of(Open constant) {
+  std::string words(constant_of(constant).name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+Json data_of(const RankedFit& r) {
+  const Appraisal& a = r.appraisal;
+  return {{"reading", name_of(r.fit.reading)},
+          {"constants", r.fit.freed.size()},
+          {"misfit", r.fit.misfit},
+          {"threshold_error", a.threshold_error},
+          {"within", a.within},
+          {"exact_counts", a.exact_counts},
+          {"purity", a.purity},
+          {"misclassified", a.misclassified},
+          {"loudness", a.loudness},
+          {"right_examples", a.right_examples},
+          {"quiet_share", a.quiet_share},
+          {"criterion", a.criterion}};
+}
+
+Json error_chart(const Results& results) {
+  report::Chart chart{"error-against-freedom",
+                      "",
+                      {"fitted constants", report::Scale::linear, report::Range{1, 13}},
+                      {"error of the thresholds [%]", report::Scale::logarithmic}};
+  const auto sample = [](const RankedFit& r) {
+    return report::Sample{static_cast<double>(r.fit.freed.size()),
+                          std::max(0.1, 100 * r.appraisal.threshold_error)};
+  };
+  report::Series readings{"another reading", report::Mark::points, {}};
+  for (const RankedFit& r : results.readings) readings.samples.push_back(sample(r));
+  report::Series frontier{"the best reading, constants held", report::Mark::line, {}};
+  for (auto r = results.frontier.rbegin(); r != results.frontier.rend(); ++r) {
+    frontier.samples.push_back(sample(*r));
+  }
+  chart.series = {std::move(readings), std::move(frontier)};
+  chart.lines = {{report::Direction::horizontal, 5, "5 %"}};
+  chart.width = 720;
+  return report::data_of(chart);
+}
+
+/// The best reading for every answer to every question.
+Json answers_of(const std::vector<RankedFit>& readings) {
+  std::vector<std::string> questions;
+  std::map<std::string, std::map<std::string, const RankedFit*>> best;
+  for (const RankedFit& r : readings) {
+    for (const auto& [question, answer] : carrier_track::answers_of(r.fit.reading)) {
+      if (!best.contains(question)) questions.push_back(question);
+      best[question].try_emplace(answer, &r);  // by rising misfit: the first is the best
+    }
+  }
+  Json rows = Json::array();
+  for (const std::string& question : questions) {
+    for (const auto& [answer, r] : best[question]) {
+      Json row = {{"question", question},
+                  {"answer", answer},
+                  {"best", r == &readings.front() ? Json(true) : Json()}};
+      row.update(data_of(*r));
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+Json rankings_of(const Results& results) {
+  Json searches = Json::array();
+  Json rows =
+      Json::array({{{"reading", "rank correlation"}, {"own", nullptr}, {"others", Json::array()}}});
+  for (const Ranking& r : results.rankings) {
+    searches.push_back({{"solver", r.search.global.name}, {"seed", r.search.seed}});
+    rows[0]["others"].push_back({{"correlation", r.rank_correlation}, {"misfit", nullptr}});
+  }
+  for (const RankedFit& own : results.readings) {
+    Json others = Json::array();
+    for (const Ranking& r : results.rankings) {
+      const auto found = std::find(r.readings.begin(), r.readings.end(), own.fit.reading);
+      const auto i = static_cast<std::size_t>(found - r.readings.begin());
+      others.push_back({{"correlation", nullptr},
+                        {"misfit", i < r.misfits.size() ? Json(r.misfits[i]) : Json()}});
+    }
+    rows.push_back({{"reading", name_of(own.fit.reading)},
+                    {"own", own.fit.misfit},
+                    {"others", std::move(others)}});
+  }
+  return {{"searches", std::move(searches)}, {"rows", std::move(rows)}};
+}
+
+/// What a fit holds of its reading's constants, which of them the one before it fitted, and where
+/// it reaches the goals.
+Json frontier_row(const RankedFit& r, const std::vector<Open>& fitted_before) {
+  std::string names;
+  for (const Open open : open_of(r.fit.reading)) {
+    if (!contains(r.fit.freed, open)) names += fmt::format(" {}", constant_of(open).name);
+  }
+  Json held;
+  for (const Open open : fitted_before) {
+    if (contains(r.fit.freed, open)) continue;
+    held = {{"constant", words_of(open)},
+            {"value", r.fit.constants[static_cast<std::size_t>(open)]},
+            {"unit", constant_of(open).unit}};
+    break;
+  }
+  const Appraisal& a = r.appraisal;
+  Json row = data_of(r);
+  row["name"] = names.empty() ? "nothing held" : "held:" + names;
+  row["held"] = std::move(held);
+  row["reached"] = {{"within", a.within == 10},         {"exact_counts", a.exact_counts == 10},
+                    {"purity", a.purity >= 0.9},        {"misclassified", a.misclassified <= 0.02},
+                    {"loudness", a.loudness >= 1.5},    {"right_examples", a.right_examples == 20},
+                    {"quiet_share", a.quiet_share == 0}};
+  return row;
+}
+
+Json frontier_of(const std::vector<RankedFit>& frontier) {
+  Json rows = Json::array();
+  std::vector<Open> fitted_before = frontier.front().fit.freed;
+  for (const RankedFit& r : frontier) {
+    rows.push_back(frontier_row(r, fitted_before));
+    fitted_before = r.fit.freed;
+  }
+  return rows;
+}
+
+Json constants_of(const Fit& fit) {
+  Json rows = Json::array();
+  for (const Open open : open_of(fit.reading)) {
+    const OpenConstant& c = constant_of(open);
+    rows.push_back({{"constant", words_of(open)},
+                    {"value", fit.constants[static_cast<std::size_t>(open)]},
+                    {"unit", c.unit},
+                    {"freed", contains(fit.freed, open)},
+                    {"lower", c.lower},
+                    {"upper", c.upper},
+                    {"why", c.why}});
+  }
+  return rows;
+}
+
+Json predictions_of(const Results& results) {
+  Json rows = Json::array();
+  for (const Prediction& p : results.predictions) {
+    std::optional<double> fitted;
+    for (const CaseAppraisal& c : results.choice().appraisal.cases) {
+      if (c.the_case.id == p.case_id) fitted = c.score.threshold;
+    }
+    rows.push_back({{"id", p.case_id},
+                    {"paper", p.paper},
+                    {"fitted", or_null(fitted)},
+                    {"predicted", or_null(p.predicted)},
+                    {"off", p.predicted ? Json(std::log(*p.predicted / p.paper)) : Json()}});
+  }
+  return rows;
+}
+
+Json interval_of(const Profile& p) {
+  return {{"constant", words_of(p.constant)},
+          {"value", p.value},
+          {"lower", p.lower},
+          {"upper", p.upper},
+          {"lower_open", p.lower_open},
+          {"upper_open", p.upper_open},
+          {"unit", constant_of(p.constant).unit},
+          {"determined", !p.lower_open && !p.upper_open}};
+}
+
+Json profile_chart(const Profile& profile) {
+  const OpenConstant& c = constant_of(profile.constant);
+  const std::string words = words_of(profile.constant);
+  report::Chart chart;
+  chart.name = "profile-" + std::string(c.name);
+  std::replace(chart.name.begin(), chart.name.end(), '_', '-');
+  chart.x.label = c.unit.empty() ? words : fmt::format("{} [{}]", words, c.unit);
+  chart.y.label = "misfit, the others fitted anew";
+  report::Series series{"", report::Mark::line, {}};
+  for (const auto& [value, misfit] : profile.points) series.samples.push_back({value, misfit});
+  chart.series = {std::move(series)};
+  chart.lines = {{report::Direction::vertical, profile.value, "fitted"}};
+  chart.width = 360;
+  chart.height = 240;
+  Json data = report::data_of(chart);
+  data["constant"] = words;
+  return data;
+}
+
+Json sensitivity_map(const Results& results) {
+  report::Chart chart{"sensitivity", "", {"case"}, {"constant"}};
+  const std::vector<Open>& freed = results.choice().fit.freed;
+  report::HeatMap map{"change of ln(threshold) per change", {}, std::nullopt};
+  map.rows.resize(freed.size());
+  for (const Open open : freed) chart.y.categories.push_back(words_of(open));
+  for (const CaseSensitivity& row : results.sensitivities) {
+    chart.x.categories.push_back(row.case_id);
+    for (std::size_t i = 0; i < row.slopes.size(); ++i) map.rows[i].push_back(row.slopes[i]);
+  }
+  chart.heat_map = std::move(map);
+  chart.width = 720;
+  chart.height = 120 + 32 * static_cast<int>(freed.size());
+  return report::data_of(chart);
+}
+
+Json plan_of(const Plan& plan) {
+  const auto of = [](const Solver& solver) {
+    return Json{{"name", solver.name}, {"version", solver.version}};
+  };
+  return {{"global", of(plan.search.global)},
+          {"least_squares", of(plan.search.least_squares)},
+          {"local", of(plan.search.local)},
+          {"seed", plan.search.seed},
+          {"evaluations", plan.search.evaluations},
+          {"finalist_evaluations", plan.finalist_evaluations},
+          {"pin_evaluations", plan.pin_evaluations},
+          {"left_out_evaluations", plan.left_out_evaluations},
+          {"step", plan.step}};
+}
+
+}  // namespace
+
+Json data_of(const Results& results) {
+  constexpr std::size_t nearest = 31;  // shown on the page
+  const double unseen = prediction_error(results.predictions);
+  const auto& profiles = results.profiles;
+  Json data = {{"plan", plan_of(results.plan)},
+               {"choice", data_of(results.choice())},
+               {"best", data_of(results.readings.front())},
+               {"compared", results.readings.size() > 1},
+               {"nearest", Json::array()},
+               {"others", Json::array()},
+               {"errors", error_chart(results)},
+               {"answers", answers_of(results.readings)},
+               {"rankings", results.rankings.empty() ? Json() : rankings_of(results)},
+               {"frontier", frontier_of(results.frontier)},
+               {"constants", constants_of(results.choice().fit)},
+               {"prediction_error", unseen},
+               {"memory", unseen > 0.1},
+               {"predictions", predictions_of(results)},
+               {"determined",
+                std::count_if(profiles.begin(), profiles.end(),
+                              [](const Profile& p) { return !p.lower_open && !p.upper_open; })},
+               {"intervals", Json::array()},
+               {"sensitivity", sensitivity_map(results)},
+               {"profiles", Json::array()}};
+  data["best"]["description"] = description_of(results.readings.front().fit.reading);
+  for (const RankedFit& r : results.readings) {
+    data[data["nearest"].size() < nearest ? "nearest" : "others"].push_back(data_of(r));
+  }
+  for (const Profile& profile : profiles) {
+    data["intervals"].push_back(interval_of(profile));
+    data["profiles"].push_back(profile_chart(profile));
+  }
+  return data;
+}
+
+}  // namespace ricochet::studies::calibration

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "src/report/page_template.h"
+#include "src/report/report.h"
+#include "src/studies/calibration/results.h"
+#include "tests/studies/calibration/some_search.h"
+
+namespace ricochet::studies::calibration {
+namespace {
+
+using namespace carrier_track;
+
+RankedFit ranked(const Reading& reading, std::vector<Open> freed, double misfit) {
+  Fit fit{reading, std::move(freed), natural_constants(), misfit, ""};
+  fit.constants[static_cast<std::size_t>(Open::pull)] = 1;
+  Appraisal appraisal = appraise(fit, 1.0);
+  return {std::move(fit), std::move(appraisal)};
+}
+
+/// Results that nobody computed: the page has to stand whatever they say.
+Results some_results() {
+  Results results;
+  results.plan.search = some_search(1);
+  Reading other;
+  other.tension = Tension::rotating;
+  results.readings = {ranked(Reading{}, open_of(Reading{}), 20), ranked(other, open_of(other), 30)};
+  results.frontier = {ranked(Reading{}, {Open::pull, Open::slowest, Open::phase}, 20),
+                      ranked(Reading{}, {Open::pull, Open::slowest}, 21)};
+  results.chosen = 1;
+  results.rankings = {{some_search(2), {Reading{}}, {22.5}, 0.75}};
+  results.predictions = {{"C1", 9, 8.5}, {"C2", 2, std::nullopt}};
+  results.sensitivities = {{"C1", {0.5, std::nullopt}}, {"C2", {-1, 2}}};
+  results.profiles = {{Open::pull, 1, 0.5, 2, false, true, {{0.5, 22}, {1, 21}, {2, 21.5}}},
+                      {Open::slowest, 0.01, 0.009, 0.02, false, false, {{0.009, 22}, {0.01, 21}}}};
+  return results;
+}
+
+report::Json data_from(const Results& results) {
+  report::Json data = data_of(results);
+  data["made"] = {{"version", "1.2.3"}, {"seconds", 4.5}};
+  return data;
+}
+
+report::DrawnPage drawing_of(const Results& results) {
+  return report::drawn(report::page_template("calibration"), data_from(results));
+}
+
+/// Rows of the first table of a section.
+const std::vector<std::vector<report::Cell>>& rows_of(const report::Page& page,
+                                                      const std::string& id) {
+  for (const report::Section& section : page.sections) {
+    if (section.id == id) return section.tables.at(0).rows;
+  }
+  throw std::logic_error("no section " + id);
+}
+
+std::set<std::string> ids_of(const report::Page& page) {
+  std::set<std::string> ids;
+  for (const report::Section& section : page.sections) ids.insert(section.id);
+  return ids;
+}
+
+TEST(ResultsData, FillTablesAndChartsThatHoldTogether) {
+  const report::Page page = drawing_of(some_results()).page;
+  std::set<std::string> charts;
+  for (const report::Section& section : page.sections) {
+    EXPECT_FALSE(section.paragraphs.empty()) << section.id;
+    for (const report::Figure& figure : section.figures) {
+      EXPECT_NO_THROW(report::check(figure.chart)) << figure.chart.name;
+      EXPECT_TRUE(charts.insert(figure.chart.name).second) << figure.chart.name;
+    }
+    for (const report::Table& table : section.tables) {
+      EXPECT_FALSE(table.rows.empty()) << section.id;
+      for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
+    }
+  }
+  EXPECT_EQ(ids_of(page), (std::set<std::string>{"readings", "answers", "rankings", "frontier",
+                                                 "predictions", "constants", "origin"}));
+  EXPECT_EQ(charts, (std::set<std::string>{"error-against-freedom", "sensitivity", "profile-pull",
+                                           "profile-slowest"}));
+}
+
+TEST(ResultsData, ShowTheNumbersOfTheResults) {
+  const Results results = some_results();
+  const report::Page page = drawing_of(results).page;
+  const Appraisal& a = results.readings[1].appraisal;
+  const auto& reading = rows_of(page, "readings").at(1);
+  EXPECT_EQ(reading[0].text, name_of(results.readings[1].fit.reading));
+  EXPECT_NEAR(std::stod(reading[3].text), 100 * a.threshold_error, 0.05);
+  EXPECT_NEAR(std::stod(reading[8].text), a.loudness, 0.005);
+  EXPECT_EQ(reading[9].text, std::to_string(a.right_examples) + " of 20");
+  const auto& interval = rows_of(page, "constants").at(0);
+  EXPECT_EQ(interval[2].text, "0.5");
+  EXPECT_EQ(interval[3].text, "open, 2");
+  EXPECT_EQ(interval[5].state, report::State::bad);
+  EXPECT_EQ(rows_of(page, "constants").at(1)[5].state, report::State::good);
+  const auto& prediction = rows_of(page, "predictions");
+  EXPECT_EQ(prediction.at(0)[4].text, "-5.7");  // 100 ln(8.5 / 9)
+  EXPECT_EQ(prediction.at(1)[4].text, "–");
+}
+
+TEST(ResultsData, SayWhichConstantIsHeldNextAndAtWhat) {
+  const auto rows = rows_of(drawing_of(some_results()).page, "frontier");
+  EXPECT_EQ(rows.at(0)[1].text, "none");
+  EXPECT_EQ(rows.at(1)[1].text, "phase = 0 rad");
+}
+
+TEST(ResultsData, ShowTheRanksByEverySearch) {
+  const auto rows = rows_of(drawing_of(some_results()).page, "rankings");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0][1].text, "1");
+  EXPECT_EQ(rows[0][2].text, "0.75");
+  EXPECT_EQ(rows[1][1].text, "20.0");
+  EXPECT_EQ(rows[1][2].text, "22.5");
+  EXPECT_EQ(rows[2][2].text, "–");
+}
+
+TEST(ResultsData, EndTheCommandWithTheRankedTable) {
+  const std::string epilogue = drawing_of(some_results()).epilogue;
+  const std::string name = name_of(Reading{});
+  EXPECT_NE(epilogue.find("\n" + name + std::string(59 - name.size(), ' ')), std::string::npos)
+      << epilogue;
+  EXPECT_NE(epilogue.find("\n\nThe best reading, with fewer"), std::string::npos) << epilogue;
+}
+
+TEST(ResultsData, LeaveOutWhatOneReadingDoesNotHave) {
+  Results results = some_results();
+  results.readings.pop_back();
+  results.rankings.clear();
+  EXPECT_EQ(ids_of(drawing_of(results).page),
+            (std::set<std::string>{"frontier", "predictions", "constants", "origin"}));
+}
+
+}  // namespace
+}  // namespace ricochet::studies::calibration

@@ -1,0 +1,60 @@
+#include "src/studies/calibration/results.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "tests/studies/calibration/tiny_plan.h"
+
+namespace ricochet::studies::calibration {
+namespace {
+
+std::filesystem::path fresh_file(const char* name) {
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    (std::string("results_") + std::to_string(getpid()) + name);
+  std::filesystem::remove(file);
+  return file;
+}
+
+TEST(Results, RanksReadingsHoldsConstantsAndPredicts) {
+  const auto file = fresh_file("a.toml");
+  FitStore store(file);
+  const Results results = calibrate(tiny_plan(), store);
+  ASSERT_GE(results.readings.size(), 2U + 11 + 5);
+  for (std::size_t i = 1; i < results.readings.size(); ++i) {
+    EXPECT_GE(results.readings[i].fit.misfit, results.readings[i - 1].fit.misfit);
+  }
+  ASSERT_EQ(results.rankings.size(), 1U);
+  EXPECT_GT(results.rankings[0].misfits.size(), 10U);
+  EXPECT_EQ(results.rankings[0].misfits.size(), results.rankings[0].readings.size());
+  for (std::size_t i = 1; i < results.frontier.size(); ++i) {
+    EXPECT_EQ(results.frontier[i].fit.freed.size(), results.frontier[i - 1].fit.freed.size() - 1);
+  }
+  for (const RankedFit& r : results.frontier) {
+    EXPECT_GE(r.appraisal.criterion, results.choice().appraisal.criterion);
+  }
+  EXPECT_EQ(results.predictions.size(), 10U);
+  EXPECT_EQ(results.sensitivities.size(), 10U);
+  EXPECT_EQ(results.profiles.size(), results.choice().fit.freed.size());
+
+  // Goes on from the file, on one thread, to the same.
+  const auto written = std::filesystem::last_write_time(file);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  FitStore again(file);
+  const Results resumed = calibrate(tiny_plan(), again);
+  EXPECT_EQ(std::filesystem::last_write_time(file), written);
+  EXPECT_EQ(resumed.choice().fit.constants, results.choice().fit.constants);
+  EXPECT_EQ(resumed.rankings[0].misfits, results.rankings[0].misfits);
+  EXPECT_EQ(resumed.predictions[3].predicted, results.predictions[3].predicted);
+}
+
+TEST(Results, CountsAMissingPredictionAsAFactorOfTwo) {
+  EXPECT_DOUBLE_EQ(prediction_error({{"C1", 9, 9}, {"C2", 2, std::nullopt}}),
+                   std::log(2.0) / std::sqrt(2.0));
+}
+
+}  // namespace
+}  // namespace ricochet::studies::calibration

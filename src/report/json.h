@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace ricochet::report {
 
@@ -9,3 +10,12 @@ namespace ricochet::report {
 using Json = nlohmann::ordered_json;
 
 }  // namespace ricochet::report
+
+/// What is missing becomes null.
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>> {
+  template <class Json>
+  static void to_json(Json& json, const std::optional<T>& value) {
+    json = value ? Json(*value) : Json();
+  }
+};

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "embedded/template_reproduction.h"
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
 #include "src/core/error.h"
@@ -15,6 +16,7 @@ namespace ricochet::report {
 namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
+    {"reproduction", embedded::template_reproduction},
     {"surrogate", embedded::template_surrogate},
     {"verification", embedded::template_verification},
 };

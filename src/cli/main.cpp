@@ -9,7 +9,6 @@
 #include "src/cli/bench.h"
 #include "src/cli/best_values.h"
 #include "src/cli/list.h"
-#include "src/cli/reproduce.h"
 #include "src/cli/simulate.h"
 #include "src/cli/threshold.h"
 #include "src/cli/verify.h"
@@ -18,6 +17,7 @@
 #include "src/studies/calibration/study.h"
 #include "src/studies/dynamics/study.h"
 #include "src/studies/problems/study.h"
+#include "src/studies/reproduction/study.h"
 #include "src/studies/study.h"
 #include "src/studies/surrogate/study.h"
 #include "src/studies/verification/study.h"
@@ -50,7 +50,7 @@ class Program {
   Program() {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", "ricochet 0.1.0");
-    add_reproduce();
+    add_study(studies::reproduction_study);
     add_simulate();
     add_threshold();
     add_calibrate();
@@ -116,14 +116,6 @@ class Program {
         return 0;
       };
     });
-  }
-
-  void add_reproduce() {
-    CLI::App* command =
-        app_.add_subcommand("reproduce", "The main job: every case against the paper, as a report");
-    command->add_flag("--quick", reproduce_.quick, "A coarser study, in seconds");
-    command->add_option("--out", reproduce_.out, "Folder for the report")->capture_default_str();
-    command->callback([this] { work_ = [this] { return reproduce(reproduce_); }; });
   }
 
   void add_simulate() {
@@ -258,7 +250,6 @@ class Program {
   CLI::App app_{"ricochet: the fastest quiet speed of a braiding machine, and solvers put to it"};
   std::deque<StudyOptions> studies_;  // stay where they are
   std::string report_from_, report_out_;
-  ReproduceOptions reproduce_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   studies::CalibrationOptions calibration_;

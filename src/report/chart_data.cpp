@@ -46,7 +46,7 @@ Mark mark_of(const std::string& name) {
 Json data_of(const Series& series) {
   Json samples = Json::array();
   for (const Sample& sample : series.samples) {
-    Json entry = Json::array({sample.position, or_null(sample.value)});
+    Json entry = Json::array({sample.position, sample.value});
     if (sample.spread) {
       entry.push_back(sample.spread->lower);
       entry.push_back(sample.spread->upper);
@@ -73,7 +73,7 @@ Json data_of(const HeatMap& map) {
   Json rows = Json::array();
   for (const auto& row : map.rows) {
     Json cells = Json::array();
-    for (const auto& cell : row) cells.push_back(or_null(cell));
+    for (const auto& cell : row) cells.push_back(cell);
     rows.push_back(std::move(cells));
   }
   Json data = {{"label", map.label}, {"rows", std::move(rows)}};

@@ -26,20 +26,15 @@ class Part {
 
   std::string text_or_none(std::string_view key) const { return has(key) ? text(key) : ""; }
 
-  std::vector<std::string> texts(std::string_view key) const {
-    std::vector<std::string> list;
-    if (const toml::array* array = table_[key].as_array()) {
-      for (const toml::node& node : *array) list.push_back(node.value<std::string>().value());
-    }
-    return list;
-  }
+  /// None where the key is missing, or a text.
+  const toml::array* list(std::string_view key) const { return table_[key].as_array(); }
 
   std::vector<Part> parts(std::string_view key) const {
-    std::vector<Part> list;
-    if (const toml::array* array = table_[key].as_array()) {
-      for (const toml::node& node : *array) list.emplace_back(*node.as_table());
+    std::vector<Part> all;
+    if (const toml::array* array = list(key)) {
+      for (const toml::node& node : *array) all.emplace_back(*node.as_table());
     }
-    return list;
+    return all;
   }
 
  private:
@@ -67,9 +62,19 @@ std::vector<Scopes> places_of(const Part& part, const Scopes& scopes) {
 std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
                                        const Scopes& scopes) {
   std::vector<std::string> paragraphs;
-  for (const std::string& text : part.texts(key)) {
-    std::string paragraph = filled(text, scopes);
+  const toml::array* list = part.list(key);
+  if (list == nullptr) return paragraphs;
+  const auto add = [&](const std::string& text, const Scopes& place) {
+    std::string paragraph = filled(text, place);
     if (!paragraph.empty()) paragraphs.push_back(std::move(paragraph));
+  };
+  for (const toml::node& node : *list) {
+    if (const toml::table* table = node.as_table()) {
+      const Part own(*table);
+      for (const Scopes& place : places_of(own, scopes)) add(own.text("text"), place);
+    } else {
+      add(node.value<std::string>().value(), scopes);
+    }
   }
   return paragraphs;
 }
@@ -110,6 +115,15 @@ Table table_of(const Part& part, const Scopes& scopes) {
            column.text_or_none("align") == "left" ? Alignment::left : Alignment::right});
       placed.push_back({&column, i});
     }
+  }
+  if (const toml::array* rows = part.list("rows")) {
+    for (const toml::node& row : *rows) {
+      auto& cells = table.rows.emplace_back();
+      for (const toml::node& text : *row.as_array()) {
+        cells.push_back({filled(text.value<std::string>().value(), scopes)});
+      }
+    }
+    return table;
   }
   for (const Json& row : found_in(scopes, part.text("rows"))) {
     auto& cells = table.rows.emplace_back();
@@ -175,6 +189,7 @@ Section section_of(const Part& part, Scopes scopes, DrawnPage& result) {
   for (const Part& table : part.parts("table")) {
     for (const Scopes& place : places_of(table, scopes)) {
       section.tables.push_back(table_of(table, place));
+      if (!table.has("csv")) continue;
       const std::string name = filled(table.text("csv"), place) + ".csv";
       if (!result.tables.emplace(name, csv_of(found_in(place, table.text("rows")))).second) {
         throw std::logic_error("two tables of a template have the file " + name);

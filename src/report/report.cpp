@@ -10,6 +10,7 @@
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_problems.h"
+#include "embedded/template_reproduction.h"
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
 #include "src/core/error.h"
@@ -23,6 +24,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"dynamics", embedded::template_dynamics},
     {"family", embedded::template_family},
     {"problems", embedded::template_problems},
+    {"reproduction", embedded::template_reproduction},
     {"surrogate", embedded::template_surrogate},
     {"verification", embedded::template_verification},
 };

@@ -107,6 +107,35 @@ TEST(PageTemplate, MakesTheChartsWithTheirWords) {
   EXPECT_EQ(figures[0].chart.series[0].samples[1].value, 2.5);
 }
 
+TEST(PageTemplate, RepeatsAParagraphForEveryEntryOfAList) {
+  const std::string text = R"(
+title = ""
+[[section]]
+id = "all"
+heading = "All"
+text = ["First.", { each = "cases", text = "Of {{id}}." }, { when = "absent", text = "Never." }])";
+  EXPECT_THAT(drawn(text, sample()).page.sections.front().paragraphs,
+              ElementsAre("First.", "Of C1.", "Of C2."));
+}
+
+TEST(PageTemplate, TakesRowsThatAreWrittenOut) {
+  const std::string text = R"(
+title = ""
+[[section]]
+id = "all"
+heading = "All"
+[[section.table]]
+caption = "Decisions"
+columns = [{ title = "paper", align = "left" }, { title = "here" }]
+rows = [["a", "b of {{total}}"], ["c", "d"]])";
+  const DrawnPage drawing = drawn(text, sample());
+  const Table& table = drawing.page.sections.front().tables.front();
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0][1].text, "b of 2");
+  EXPECT_EQ(table.rows[1][0].text, "c");
+  EXPECT_TRUE(drawing.tables.empty()) << "no csv is asked for";
+}
+
 TEST(PageTemplate, RefusesWhatTheDataDoNotHave) {
   Json data = sample();
   data.erase("solvers");

@@ -12,7 +12,6 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
-using report::or_null;
 
 const OpenConstant& constant_of(Open open) {
   return open_constants()[static_cast<std::size_t>(open)];
@@ -168,8 +167,8 @@ Json predictions_of(const Results& results) {
     }
     rows.push_back({{"id", p.case_id},
                     {"paper", p.paper},
-                    {"fitted", or_null(fitted)},
-                    {"predicted", or_null(p.predicted)},
+                    {"fitted", fitted},
+                    {"predicted", p.predicted},
                     {"off", p.predicted ? Json(std::log(*p.predicted / p.paper)) : Json()}});
   }
   return rows;

@@ -10,7 +10,6 @@ namespace ricochet::studies::dynamics {
 namespace {
 
 using report::Json;
-using report::or_null;
 
 /// A size, and whether it reads well without a power of ten.
 Json size_of(double value) {
@@ -42,18 +41,18 @@ Json grazes_of(const MethodFailures& method, const std::vector<double>& overshoo
   const auto spared = all_right_from(overshoots, method.missed);
   const bool sees_all = seen == overshoots.back();
   const bool invents_none = spared == overshoots.back();
-  return {{"seen_from", or_null(seen)},
+  return {{"seen_from", seen},
           {"sees_all", sees_all},
-          {"spared_from", or_null(spared)},
+          {"spared_from", spared},
           {"invents_none", invents_none},
           {"good", sees_all && invents_none}};
 }
 
 Json data_of(const Sticking& sticking, int decades) {
   const bool in_time = sticking.noticed && *sticking.noticed < 1.5 * std::pow(10.0, -decades);
-  return {{"gave_up", or_null(sticking.gave_up)},
+  return {{"gave_up", sticking.gave_up},
           {"creep", sticking.creep > 0 ? size_of(sticking.creep) : Json()},
-          {"noticed", or_null(sticking.noticed)},
+          {"noticed", sticking.noticed},
           {"in_time", in_time},
           {"too_early", sticking.breaks_loose_early},
           {"good",

@@ -18,7 +18,6 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
-using report::or_null;
 
 struct Count {
   std::optional<int> count;  // none: refused, for too many impacts or steps
@@ -78,11 +77,11 @@ Json total_of(const FidelityStudy& study, std::size_t s) {
   return {{"stiffness", name_of(study.plan.stiffnesses[s])},
           {"compared", total.compared},
           {"equal", total.equal},
-          {"share", or_null(total.share())},
+          {"share", total.share()},
           {"distance", total.compared > 0 ? Json(1.0 * total.distance / total.compared) : Json()},
           {"unfinished", tried - total.compared},
-          {"least_cost", or_null(least)},
-          {"most_cost", or_null(most)}};
+          {"least_cost", least},
+          {"most_cost", most}};
 }
 
 }  // namespace

@@ -13,7 +13,6 @@ namespace {
 using report::Direction;
 using report::Json;
 using report::Mark;
-using report::or_null;
 
 constexpr double pi = std::numbers::pi;
 const double all_digits = 53 * std::log10(2.0);  // of a double: 15.95
@@ -128,7 +127,7 @@ Json data_of(const Course& course) {
           {"left_after_30", all_digits - 30 * digits},
           {"digits_at_worst", sensitivity.digits_lost},
           {"trusted", sensitivity.digits_lost <= all_digits},
-          {"foretold", or_null(sensitivity.impacts_foretold())},
+          {"foretold", sensitivity.impacts_foretold()},
           {"parted", parted.size()},
           {"first_parted", any ? Json(parted.front()) : Json()},
           {"half_parted", any ? Json(parted[parted.size() / 2]) : Json()}};

@@ -11,7 +11,6 @@ namespace {
 
 using report::Json;
 using report::Mark;
-using report::or_null;
 using report::Scale;
 
 int right_counts(const StabilityMap& map) {
@@ -69,7 +68,7 @@ Json map_data(const StabilityStudy& study, const StabilityMap& map) {
   chart.height = bound ? 460 : 340;
   Json data = report::data_of(chart);
   data["method"] = map.method;
-  data["bound"] = or_null(bound);
+  data["bound"] = bound;
   return data;
 }
 
@@ -130,7 +129,7 @@ report::Chart rest_chart(const StabilityStudy& study) {
 }
 
 Json data_of(const Rest& rest) {
-  return {{"evaluations", rest.evaluations}, {"error", or_null(rest.depth_error)}};
+  return {{"evaluations", rest.evaluations}, {"error", rest.depth_error}};
 }
 
 }  // namespace
@@ -154,7 +153,7 @@ Json data_of(const StabilityStudy& study) {
   }
   int wrong = 0, runs = 0;
   for (const StabilityMap& map : study.maps) {
-    data["growths"].push_back({{"method", map.method}, {"growth", or_null(growth(map))}});
+    data["growths"].push_back({{"method", map.method}, {"growth", growth(map)}});
     if (const auto bound = spring_bound(map.method)) {
       const Border border = border_of(map, study.frequencies);
       data["borders"].push_back({{"method", map.method},
@@ -174,9 +173,8 @@ Json data_of(const StabilityStudy& study) {
   data["wrong"] = wrong;
   data["runs"] = runs;
   for (const ReturnCurve& curve : study.returns) {
-    data["returns"].push_back({{"method", curve.method},
-                               {"exponent", curve.exponent},
-                               {"onset", or_null(onset(curve, 1 / 0.9))}});
+    data["returns"].push_back(
+        {{"method", curve.method}, {"exponent", curve.exponent}, {"onset", onset(curve, 1 / 0.9)}});
   }
   for (const EdgeOrder& order : study.orders) {
     data["orders"].push_back({{"wall", order.wall},

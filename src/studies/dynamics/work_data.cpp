@@ -10,7 +10,6 @@ namespace ricochet::studies::dynamics {
 namespace {
 
 using report::Json;
-using report::or_null;
 using report::Scale;
 
 /// What an error is held to: in a chaotic scene that of the rate, else that of impact times [s].
@@ -37,7 +36,7 @@ std::optional<double> evaluations_ratio(const SceneWork& work, const MethodWork&
 
 /// A small ratio is shown with a digit after the point.
 Json data_of(const std::optional<double>& ratio) {
-  return {{"ratio", or_null(ratio)}, {"small", ratio && *ratio < 10}};
+  return {{"ratio", ratio}, {"small", ratio && *ratio < 10}};
 }
 
 bool fails(const Trial& trial, bool chaotic) {
@@ -133,7 +132,7 @@ Json data_of(const SceneWork& work, const MethodWork& method) {
       {"count_difference", if_known(tightest.finished, tightest.accuracy.count_difference)},
       {"missed", if_known(tightest.finished && !chaotic, tightest.accuracy.missed)},
       {"spurious", if_known(tightest.finished && !chaotic, tightest.accuracy.spurious)},
-      {"error", or_null(tightest.error)},
+      {"error", tightest.error},
       {"good", fails(tightest, chaotic) ? Json(false) : Json()},
       {"times", Json::array()}};
   for (const double limit : limits_of(work)) {

@@ -21,9 +21,7 @@ void walk(Trend& trend, const std::vector<double>& means, const std::vector<doub
     if (means[i + 1] > means[i]) ++trend.agree;
     if (means[i + 1] < means[i]) {
       ++trend.disagree;
-      trend.exceptions.push_back(fmt::format("{}, from {} to {}: {:.2f} to {:.2f}", line,
-                                             positions[i], positions[i + 1], means[i],
-                                             means[i + 1]));
+      trend.exceptions.push_back({line, positions[i], positions[i + 1], means[i], means[i + 1]});
     }
   }
   const double ratio = means.back() / means.front();

@@ -21,6 +21,13 @@ struct CountGrid {
 /// `step` [rad/s] between the speeds. Parallel over the grid.
 CountGrid count_grid(const carrier_track::Scene& reading, double step, bool coarse);
 
+/// Neighbours on a line of the grid between which the mean count changes the other way.
+struct Reversal {
+  std::string line;           ///< what is the same along it: "friction 0.1"
+  double from, to;            ///< restitution, friction or disturbance [N]
+  double mean_from, mean_to;  ///< the mean counts there
+};
+
 /// How often neighbours on the grid change the way a conclusion says, and by how much from end to
 /// end.
 struct Trend {
@@ -30,7 +37,7 @@ struct Trend {
   int disagree = 0;      ///< neighbours that change the other way
   double weakest = 0;    ///< smallest ratio of the grid's end means, larger over smaller as claimed
   double strongest = 0;  ///< largest such ratio
-  std::vector<std::string> exceptions = {};  ///< where neighbours disagree, in words
+  std::vector<Reversal> exceptions = {};  ///< where neighbours disagree
 };
 
 /// A: rises with restitution, without disturbance. B: falls with friction, without disturbance.

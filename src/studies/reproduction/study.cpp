@@ -1,19 +1,21 @@
 #include "src/studies/reproduction/study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/questions/count.h"
 #include "problems/carrier_track/questions/speed_range.h"
 #include "problems/carrier_track/questions/top_speed.h"
+#include "solvers/solvers.h"
 #include "src/campaign/progress.h"
+#include "src/studies/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 constexpr std::size_t path_samples = 600;
 
@@ -60,25 +62,53 @@ StudyPlan quick_plan() {
   return {ScanOptions{1e-2, 1, fastest_speed}, 0.2, true, {5, Budget{100}}, {"C1", "C2", "C9"}};
 }
 
-Study make_study(const StudyPlan& plan, std::vector<Solver> solvers) {
-  const auto start = std::chrono::steady_clock::now();
-  Study study;
-  study.plan = plan;
-  study.reading = default_reading();
-  study.solvers = std::move(solvers);
+Results results_of(const StudyPlan& plan, std::vector<Solver> solvers) {
+  Results results;
+  results.plan = plan;
+  results.reading = default_reading();
+  results.solvers = std::move(solvers);
   {
     const auto cases = all_cases();
     Progress progress("scanning speeds", static_cast<double>(cases.size()));
     for (const Case& c : cases) {
-      study.cases.push_back(study_case(c, study.reading.scene, plan.scan));
+      results.cases.push_back(study_case(c, results.reading.scene, plan.scan));
       progress.advance(1);
     }
   }
-  study.grid = count_grid(study.reading.scene, plan.grid_step, plan.coarse_grid);
-  study.trends = trends(study.grid);
-  study.contests = compare(questions_of(plan.compared), study.solvers, plan.comparison);
-  study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return study;
+  results.grid = count_grid(results.reading.scene, plan.grid_step, plan.coarse_grid);
+  results.trends = trends(results.grid);
+  results.contests = compare(questions_of(plan.compared), results.solvers, plan.comparison);
+  return results;
+}
+
+Json data_of(const Results& results) {
+  const Agreement agreement = agreement_of(results.cases);
+  const StudyPlan& plan = results.plan;
+  Json solvers = Json::array();
+  for (const Solver& solver : results.solvers) {
+    solvers.push_back({{"name", solver.name}, {"version", solver.version}});
+  }
+  return {{"agreement",
+           {{"thresholds", agreement.thresholds},
+            {"error", std::expm1(agreement.relative_error)},
+            {"examples", agreement.examples},
+            {"right", agreement.right}}},
+          {"plan",
+           {{"step", plan.scan.step},
+            {"highest", plan.scan.highest},
+            {"grid_step", plan.grid_step},
+            {"instances", plan.comparison.instances},
+            {"evaluations", plan.comparison.budget.evaluations}}},
+          {"cases", case_data(results.cases)},
+          {"thresholds", threshold_data(results.cases)},
+          {"theory", theory_data(results.cases)},
+          {"counts", curve_data(results.cases)},
+          {"conclusions", conclusion_data(results.grid, results.trends)},
+          {"paths", path_data(results.cases)},
+          {"crossing", crossing_data()},
+          {"comparison", comparison_data(results)},
+          {"reading", reading_data(results.reading)},
+          {"solvers", std::move(solvers)}};
 }
 
 Agreement agreement_of(const std::vector<CaseStudy>& cases) {
@@ -100,3 +130,15 @@ Agreement agreement_of(const std::vector<CaseStudy>& cases) {
 }
 
 }  // namespace ricochet::studies::reproduction
+
+namespace ricochet::studies {
+
+Study reproduction_study() {
+  using namespace reproduction;
+  return {"reproduction", "reproduce", "The main job: every case against the paper, as a report",
+          "A coarser study, in seconds", [](bool quick) {
+            return data_of(results_of(quick ? quick_plan() : full_plan(), all_solvers()));
+          }};
+}
+
+}  // namespace ricochet::studies

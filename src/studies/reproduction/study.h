@@ -9,8 +9,10 @@
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/core/solver.h"
+#include "src/report/json.h"
 #include "src/studies/reproduction/comparison.h"
 #include "src/studies/reproduction/conclusions.h"
+#include "src/studies/study.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -44,7 +46,7 @@ struct CaseStudy {
 };
 
 /// All that the report shows.
-struct Study {
+struct Results {
   StudyPlan plan;
   carrier_track::FittedReading reading;
   std::vector<CaseStudy> cases;
@@ -52,13 +54,15 @@ struct Study {
   std::vector<Trend> trends;
   std::vector<Solver> solvers;
   std::vector<ContestResult> contests;
-  double seconds = 0;  ///< elapsed
 };
 
-/// Computes everything. The same plan gives the same study, but for the times in it.
-Study make_study(const StudyPlan& plan, std::vector<Solver> solvers);
+/// Computes everything. The same plan gives the same results, but for the times in them.
+Results results_of(const StudyPlan& plan, std::vector<Solver> solvers);
 
-/// How near a study comes to the paper over all cases.
+/// What reports/templates/reproduction.toml asks for.
+report::Json data_of(const Results& results);
+
+/// How near the results come to the paper over all cases.
 struct Agreement {
   int thresholds = 0;         ///< cases with a threshold both in the paper and computed
   double relative_error = 0;  ///< root mean square of ln(computed / paper) over these
@@ -69,3 +73,10 @@ struct Agreement {
 Agreement agreement_of(const std::vector<CaseStudy>& cases);
 
 }  // namespace ricochet::studies::reproduction
+
+namespace ricochet::studies {
+
+/// The cases of the paper, computed and set beside what the paper says of them.
+Study reproduction_study();
+
+}  // namespace ricochet::studies

@@ -10,16 +10,15 @@ namespace ricochet::studies::surrogate {
 namespace {
 
 using report::Json;
-using report::or_null;
 
 Json data_of(const Bias& bias) {
   return {{"width", bias.width},
           {"error", bias.error},
-          {"rank_correlation", or_null(bias.rank_correlation)},
+          {"rank_correlation", bias.rank_correlation},
           {"count_regret", bias.count_regret},
           {"count_is_lowest", bias.count_regret <= 0},
-          {"speed", or_null(bias.speed)},
-          {"speed_regret", or_null(bias.speed_regret)},
+          {"speed", bias.speed},
+          {"speed_regret", bias.speed_regret},
           {"quiet", bias.speed ? Json(!bias.loud) : Json()}};
 }
 

@@ -66,7 +66,7 @@ Json reaches_of(const GrazeStudy& study) {
 
 Json data_of(const GrazeRow& row) {
   Json exponents = Json::array();
-  for (const auto& exponent : row.exponents) exponents.push_back(report::or_null(exponent));
+  for (const auto& exponent : row.exponents) exponents.push_back(exponent);
   const Approach& nearest = row.approaches.front().back();
   return {{"id", row.id},
           {"omega", row.graze.omega},

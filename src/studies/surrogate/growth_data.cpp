@@ -86,14 +86,14 @@ Json courses_of(const GrowthStudy& study) {
 Json data_of(const GrowthRow& row) {
   const GrowthCell& longest = row.cells.back();
   return {{"motion", row.driven.name},
-          {"exponent", report::or_null(longest.sensitivity.exponent())},
+          {"exponent", longest.sensitivity.exponent()},
           {"growth", longest.sensitivity.growth},
-          {"rate", report::or_null(longest.rate)},
+          {"rate", longest.rate},
           {"slope_shortest", row.cells.front().gradient},
           {"slope_longest", longest.gradient},
-          {"sensitive_from", report::or_null(sensitive_from(row))},
-          {"blind_wrong_from", report::or_null(blind_wrong_from(row))},
-          {"within_wrong_from", report::or_null(within_wrong_from(row))}};
+          {"sensitive_from", sensitive_from(row)},
+          {"blind_wrong_from", blind_wrong_from(row)},
+          {"within_wrong_from", within_wrong_from(row)}};
 }
 
 /// Of the paper's cases, and of the chaotic ones of the shaken gaps.

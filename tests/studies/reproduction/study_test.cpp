@@ -14,10 +14,10 @@ namespace {
 using carrier_track::Example;
 
 TEST(Study, HoldsEveryCaseEveryFigureAndEveryContest) {
-  const Study study = make_study(tiny_plan(), all_solvers());
-  ASSERT_EQ(study.cases.size(), 12U);
+  const Results results = results_of(tiny_plan(), all_solvers());
+  ASSERT_EQ(results.cases.size(), 12U);
   int figures = 0;
-  for (const CaseStudy& c : study.cases) {
+  for (const CaseStudy& c : results.cases) {
     EXPECT_EQ(c.scan.counts.size(), 180U);
     EXPECT_EQ(c.paths.has_value(), c.the_case.claim.figure.has_value());
     if (!c.paths) continue;
@@ -27,20 +27,20 @@ TEST(Study, HoldsEveryCaseEveryFigureAndEveryContest) {
     EXPECT_EQ(c.paths->loud.count, c.score.examples[1].count);
   }
   EXPECT_EQ(figures, 10);
-  ASSERT_EQ(study.contests.size(), 4U);
-  for (const ContestResult& contest : study.contests) {
+  ASSERT_EQ(results.contests.size(), 4U);
+  for (const ContestResult& contest : results.contests) {
     EXPECT_GT(contest.standings.size(), 10U);
     for (const Standing& s : contest.standings) EXPECT_EQ(s.failed, 0) << s.solver;
   }
 }
 
 TEST(Study, IsTheSameOnAnyNumberOfThreads) {
-  Study one;
+  Results one;
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-    one = make_study(tiny_plan(), all_solvers());
+    one = results_of(tiny_plan(), all_solvers());
   }
-  const Study two = make_study(tiny_plan(), all_solvers());
+  const Results two = results_of(tiny_plan(), all_solvers());
   for (std::size_t i = 0; i < one.cases.size(); ++i) {
     EXPECT_EQ(one.cases[i].scan.counts, two.cases[i].scan.counts);
     EXPECT_EQ(one.cases[i].score.threshold, two.cases[i].score.threshold);

@@ -7,13 +7,14 @@
 #include <cmath>
 
 #include "problems/carrier_track/paper/sustained_bouncing.h"
-#include "src/studies/reproduction/sections.h"
+#include "tests/studies/reproduction/drawn_results.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
 
 using carrier_track::Scene;
 using testing::HasSubstr;
+using testing::Not;
 
 double loss(double restitution) {
   return (1 - restitution) / (1 + restitution);
@@ -154,9 +155,20 @@ std::vector<CaseStudy> made_cases() {
     CaseStudy& c = cases.emplace_back();
     c.the_case = it;
     c.scene = scene_of(it, reading);
+    c.scan = {1.0, {1, 2}};
     c.score.threshold = 2 * std::sqrt(loss(it.restitution)) * std::exp(it.friction);
+    c.score.examples = {{1.0, false, 1, true}, {2.0, true, 2, true}};
   }
   return cases;
+}
+
+/// The section that the report has of them.
+report::Section theory_section(const std::vector<CaseStudy>& cases) {
+  Results results;
+  results.reading = carrier_track::default_reading();
+  results.cases = cases;
+  results.grid = {{0.1}, {0.1}, {0.0}, {1.0}};
+  return section_of(page_of(kept_data(results)), "theory");
 }
 
 TEST(TheorySection, SetsEveryFormulaBesideBothThresholds) {
@@ -205,7 +217,15 @@ TEST(TheorySection, SetsThePredictedRatioBesideThePapers) {
   EXPECT_THAT(words, HasSubstr("comes out at 0.500 if left free."));
   const std::string& friction = section.paragraphs.at(3);
   EXPECT_THAT(friction, HasSubstr("1.44 to 1.49 and 1.55 to 1.58 (paper)"));
-  EXPECT_THAT(friction, HasSubstr("1.35 and 1.35 (computed)"));  // exp(0.3)
+  EXPECT_THAT(friction, HasSubstr("1.35 and 1.35 (computed), and the limit"));  // exp(0.3)
+}
+
+TEST(TheorySection, IsSilentOnALimitThatTheModelDoesNotHave) {
+  auto cases = made_cases();
+  for (CaseStudy& c : cases) c.scene.pull_rotates = true;
+  const std::string friction = theory_section(cases).paragraphs.at(3);
+  EXPECT_THAT(friction, HasSubstr("(paper), and by 1.35 and 1.35 (computed)."));
+  EXPECT_THAT(friction, Not(HasSubstr("–")));
 }
 
 TEST(TheorySection, NamesTheSpeedOfTheModelThatTheThresholdIs) {

@@ -2,7 +2,8 @@
 #include <numbers>
 
 #include "problems/carrier_track/paper/crossing_motion.h"
-#include "src/studies/reproduction/sections.h"
+#include "src/report/chart_data.h"
+#include "src/studies/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -22,11 +23,9 @@ TheoreticalMotion motion_at(double turned) {
   return on_crossing(radius, omega, angle * degree);
 }
 
-report::Figure chart_of(const char* name, const char* title, const char* label,
-                        double TheoreticalMotion::*part) {
+report::Json chart_of(const char* name, const char* label, double TheoreticalMotion::*part) {
   report::Chart chart;
   chart.name = name;
-  chart.title = title;
   chart.x.label = "driver plates [degrees turned since the crossing began]";
   chart.y.label = label;
   report::Series series{"", report::Mark::line, {}};
@@ -40,24 +39,15 @@ report::Figure chart_of(const char* name, const char* title, const char* label,
   chart.series = {std::move(series)};
   chart.lines = {{report::Direction::vertical, 0, "crossing"},
                  {report::Direction::vertical, 2 * half_crossing, "crossing"}};
-  return {chart, ""};
+  return report::data_of(chart);
 }
 
 }  // namespace
 
-report::Section crossing_section() {
-  report::Section section{"crossing", "Speed and acceleration along the track (Figure 3)"};
-  section.paragraphs = {
-      "Equations (1)-(5) at 9 rad/s and radius 65 mm: even motion on the arcs, and a straight "
-      "crossing from one driver plate to the next, where speed and acceleration peak half way. How "
-      "far a plate turns on its half of the crossing is not in the paper; 45 degrees are drawn. "
-      "Equation (5) follows from (4) only if normal and tangential part enclose 90 degrees more "
-      "than the angle printed, so (4) is read that way."};
-  section.figures = {
-      chart_of("crossing-speed", "Speed of the carrier", "speed [m/s]", &TheoreticalMotion::speed),
-      chart_of("crossing-acceleration", "Acceleration of the carrier", "acceleration [m/s²]",
-               &TheoreticalMotion::acceleration)};
-  return section;
+report::Json crossing_data() {
+  return {{"speed", chart_of("crossing-speed", "speed [m/s]", &TheoreticalMotion::speed)},
+          {"acceleration", chart_of("crossing-acceleration", "acceleration [m/s²]",
+                                    &TheoreticalMotion::acceleration)}};
 }
 
 }  // namespace ricochet::studies::reproduction

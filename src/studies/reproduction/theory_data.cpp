@@ -1,0 +1,283 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "problems/carrier_track/paper/sustained_bouncing.h"
+#include "src/report/chart_data.h"
+#include "src/studies/reproduction/data.h"
+#include "src/studies/reproduction/theory.h"
+
+namespace ricochet::studies::reproduction {
+namespace {
+
+using namespace carrier_track;
+using report::Json;
+using report::Mark;
+
+using Points = std::vector<ThresholdPoint>;
+using SceneSpeed = std::optional<double> (*)(const Scene&);
+
+/// The thresholds of one origin, and what the report calls them.
+struct Thresholds {
+  std::string name;
+  Points points;
+};
+
+/// The paper's, and those computed for the same cases.
+std::vector<Thresholds> thresholds_of(const std::vector<CaseStudy>& cases) {
+  Thresholds paper{"paper", {}};
+  Thresholds computed{"computed", {}};
+  for (const CaseStudy& c : cases) {
+    const Case& it = c.the_case;
+    if (!it.claim.threshold) continue;
+    ThresholdPoint point{it.id, it.restitution, it.friction, it.disturbance, *it.claim.threshold};
+    paper.points.push_back(point);
+    if (!c.score.threshold) continue;
+    point.threshold = *c.score.threshold;
+    computed.points.push_back(point);
+  }
+  return {paper, computed};
+}
+
+const CaseStudy& study_of(const ThresholdPoint& point, const std::vector<CaseStudy>& cases) {
+  return *std::find_if(cases.begin(), cases.end(),
+                       [&](const CaseStudy& c) { return c.the_case.id == point.id; });
+}
+
+/// A mean error of ln w as a share of w.
+Json share_of(const std::optional<double>& logarithm) {
+  return logarithm ? Json(std::expm1(*logarithm)) : Json();
+}
+
+/// The share of a variance without what rounding leaves of a zero.
+Json explained_by(const PredictionErrors& errors) {
+  constexpr double noise = 1e-12;
+  if (!errors.explained) return {};
+  return std::abs(*errors.explained) < noise ? 0.0 : *errors.explained;
+}
+
+/// A row of the table; without errors where nothing is fitted or predicted.
+Json row_of(const std::string& words, const std::string& thresholds, std::size_t fitted_constants,
+            const std::optional<PredictionErrors>& errors) {
+  return {{"formula", words},
+          {"thresholds", thresholds},
+          {"fitted", fitted_constants},
+          {"constants", nullptr},
+          {"explained", errors ? explained_by(*errors) : Json()},
+          {"error", errors ? share_of(errors->rms) : Json()},
+          {"left_out", nullptr},
+          {"worst", errors ? share_of(errors->worst) : Json()},
+          {"worst_id", errors ? Json(errors->worst_id) : Json()},
+          {"missing", nullptr}};
+}
+
+Json row_of(const Formula& formula, const Thresholds& thresholds) {
+  const auto fit = fitted(formula, thresholds.points);
+  Json row = row_of(formula.words, thresholds.name, formula.constants.size(),
+                    fit ? std::optional(fit->errors) : std::nullopt);
+  if (!fit) return row;
+  row["constants"] = Json::array();
+  for (std::size_t k = 0; k < formula.constants.size(); ++k) {
+    row["constants"].push_back({{"name", formula.constants[k]}, {"value", fit->constants[k]}});
+  }
+  row["left_out"] = share_of(fit->left_out);
+  return row;
+}
+
+/// A speed that theory gives for the scene of every case, without a constant to fit.
+Json row_of(const std::string& words, SceneSpeed speed, const std::vector<CaseStudy>& cases,
+            const Thresholds& thresholds) {
+  Points points;
+  std::vector<double> predicted;
+  for (const ThresholdPoint& point : thresholds.points) {
+    const auto value = speed(study_of(point, cases).scene);
+    if (!value) continue;
+    points.push_back(point);
+    predicted.push_back(*value);
+  }
+  Json row = row_of(words, thresholds.name, 0,
+                    points.empty() ? std::nullopt : std::optional(errors_of(points, predicted)));
+  const std::size_t all = thresholds.points.size();
+  if (points.size() < all) row["missing"] = {{"cases", points.size()}, {"of", all}};
+  return row;
+}
+
+Json table_of(const std::vector<CaseStudy>& cases, const std::vector<Thresholds>& both) {
+  Json rows = Json::array();
+  for (const Formula& formula : all_formulas()) {
+    for (const Thresholds& one : both) rows.push_back(row_of(formula, one));
+  }
+  for (const Thresholds& one : both) {
+    rows.push_back(row_of("sustained bouncing", sustained_bouncing_speed, cases, one));
+  }
+  for (const Thresholds& one : both) {
+    rows.push_back(row_of("lift-off", lift_off_speed, cases, one));
+  }
+  return rows;
+}
+
+double root_of_loss(double restitution) {
+  return std::sqrt((1 - restitution) / (1 + restitution));
+}
+
+report::Chart chart_of(const std::vector<Thresholds>& both) {
+  report::Chart chart;
+  chart.name = "theory";
+  chart.x = {"sqrt((1 - e) / (1 + e))", report::Scale::logarithmic, report::Range{0.2, 1.0}};
+  chart.y = {"threshold [rad/s]", report::Scale::logarithmic};
+  for (const Thresholds& one : both) {
+    std::vector<double> frictions;
+    for (const ThresholdPoint& point : one.points) frictions.push_back(point.friction);
+    std::sort(frictions.begin(), frictions.end());
+    frictions.erase(std::unique(frictions.begin(), frictions.end()), frictions.end());
+    for (const double friction : frictions) {
+      report::Series series{fmt::format("{}, friction {}", one.name, friction), Mark::points, {}};
+      for (const ThresholdPoint& point : one.points) {
+        if (point.friction != friction) continue;
+        series.samples.push_back({root_of_loss(point.restitution), point.threshold});
+      }
+      chart.series.push_back(std::move(series));
+    }
+  }
+  for (const Thresholds& one : both) {
+    const auto fit = fitted(square_root_formula(), one.points);
+    if (!fit) continue;
+    const double c = fit->constants[0];
+    chart.series.push_back({fmt::format("{}, {:.1f} sqrt((1 - e) / (1 + e))", one.name, c),
+                            Mark::line,
+                            {{0.2, 0.2 * c}, {1.0, c}}});
+  }
+  chart.width = 780;
+  chart.height = 460;
+  return chart;
+}
+
+/// Two cases that differ in one property only.
+struct Pair {
+  ThresholdPoint from, to;
+  double ratio() const { return to.threshold / from.threshold; }
+};
+
+/// Pairs whose property `differs` is larger in `to` and whose other two are equal.
+std::vector<Pair> pairs_of(const Points& points, double ThresholdPoint::*differs) {
+  std::vector<Pair> pairs;
+  for (const ThresholdPoint& from : points) {
+    for (const ThresholdPoint& to : points) {
+      if (!(from.*differs < to.*differs)) continue;
+      ThresholdPoint same = from;
+      same.*differs = to.*differs;
+      if (same.restitution == to.restitution && same.friction == to.friction &&
+          same.disturbance == to.disturbance) {
+        pairs.push_back({from, to});
+      }
+    }
+  }
+  return pairs;
+}
+
+/// From the least value to the largest, and whether two digits tell them apart; null for none.
+Json range_of(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {{"least", *least},
+          {"most", *most},
+          {"varies", std::round(100 * *least) != std::round(100 * *most)}};
+}
+
+/// How many times as high the threshold is at the lower restitution.
+Json restitution_factors(const Points& points) {
+  std::vector<double> factors;
+  for (const Pair& pair : pairs_of(points, &ThresholdPoint::restitution)) {
+    factors.push_back(1 / pair.ratio());
+  }
+  return range_of(factors);
+}
+
+/// By what friction multiplies the threshold, at restitution 0.1 and at 0.9.
+Json friction_factors(const Points& points) {
+  std::vector<double> low, high;
+  for (const Pair& pair : pairs_of(points, &ThresholdPoint::friction)) {
+    if (pair.from.restitution == 0.1) low.push_back(pair.ratio());
+    if (pair.from.restitution == 0.9) high.push_back(pair.ratio());
+  }
+  return {{"low", range_of(low)}, {"high", range_of(high)}};
+}
+
+/// What the text says of the thresholds of one origin.
+Json data_of(const Thresholds& one) {
+  const auto power = fitted(power_formula(), one.points);
+  return {{"name", one.name},
+          {"is_paper", one.name == "paper"},
+          {"square_root", row_of(square_root_formula(), one)},
+          {"with_friction", row_of(friction_formula(), one)},
+          {"exponent", power ? Json(power->constants[1]) : Json()},
+          {"restitution", restitution_factors(one.points)},
+          {"friction", friction_factors(one.points)}};
+}
+
+/// By what the speed of sustained bouncing grows with friction; null where the scenes have none.
+Json bouncing_friction(const std::vector<CaseStudy>& cases) {
+  Points points;
+  for (const CaseStudy& c : cases) {
+    const Case& it = c.the_case;
+    const auto speed = sustained_bouncing_speed(c.scene);
+    if (speed && it.claim.threshold) {
+      points.push_back({it.id, it.restitution, it.friction, it.disturbance, *speed});
+    }
+  }
+  return points.empty() ? Json() : friction_factors(points);
+}
+
+/// How the computed thresholds compare with a speed of the model, at both restitutions, and at
+/// which of them they are that speed, within a tenth; null where the model has no such speed.
+Json speed_data(const std::string& name, SceneSpeed speed, const std::vector<CaseStudy>& cases,
+                const Points& computed) {
+  Json ratios = Json::object();
+  for (const auto& [key, restitution] : {std::pair{"low", 0.1}, std::pair{"high", 0.9}}) {
+    std::vector<double> values;
+    for (const ThresholdPoint& point : computed) {
+      if (point.restitution != restitution) continue;
+      const auto value = speed(study_of(point, cases).scene);
+      if (value) values.push_back(point.threshold / *value);
+    }
+    if (values.empty()) return {{"name", name}, {"ratios", nullptr}};
+    ratios[key] = range_of(values);
+    ratios[key]["is_it"] = std::all_of(values.begin(), values.end(),
+                                       [](double ratio) { return std::abs(ratio - 1) < 0.1; });
+  }
+  return {{"name", name}, {"ratios", std::move(ratios)}};
+}
+
+/// How high the carrier would rise in sustained bouncing, in clearances, and whether it has the
+/// room.
+Json height_data(const std::vector<CaseStudy>& cases) {
+  std::vector<double> heights;
+  for (const CaseStudy& c : cases) {
+    const auto height = sustained_bouncing_height(c.scene);
+    if (height) heights.push_back(*height / (c.scene.wall_upper - c.scene.wall_lower));
+  }
+  if (heights.empty()) return {};
+  Json data = range_of(heights);
+  data["fits"] = data["most"] < 1;
+  data["fits_in_some"] = data["least"] < 1;
+  return data;
+}
+
+}  // namespace
+
+Json theory_data(const std::vector<CaseStudy>& cases) {
+  const std::vector<Thresholds> both = thresholds_of(cases);
+  const Points& computed = both[1].points;
+  return {{"thresholds", {data_of(both[0]), data_of(both[1])}},
+          {"predicted_factor", root_of_loss(0.1) / root_of_loss(0.9)},
+          {"bouncing_friction", bouncing_friction(cases)},
+          {"speeds",
+           {speed_data("lift-off", lift_off_speed, cases, computed),
+            speed_data("sustained bouncing", sustained_bouncing_speed, cases, computed)}},
+          {"height", height_data(cases)},
+          {"formulas", table_of(cases, both)},
+          {"chart", report::data_of(chart_of(both))}};
+}
+
+}  // namespace ricochet::studies::reproduction

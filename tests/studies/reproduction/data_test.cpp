@@ -1,0 +1,114 @@
+#include "src/studies/reproduction/data.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "solvers/solvers.h"
+#include "tests/studies/reproduction/drawn_results.h"
+#include "tests/studies/reproduction/tiny_plan.h"
+
+namespace ricochet::studies::reproduction {
+namespace {
+
+using report::Json;
+
+const Json& tiny_data() {
+  static const Json data = kept_data(results_of(tiny_plan(), all_solvers()));
+  return data;
+}
+
+/// As the page shows it: "–" for null.
+std::string shown(const Json& number, const char* form) {
+  return number.is_null() ? "–" : fmt::format(fmt::runtime(form), number.get<double>());
+}
+
+std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::ifstream stream(entry.path(), std::ios::binary);
+    files[entry.path().filename().string()] = {std::istreambuf_iterator<char>(stream), {}};
+  }
+  return files;
+}
+
+TEST(ReproductionData, ShowsItsNumbersInTheTables) {
+  const report::Page page = page_of(tiny_data());
+  const auto& thresholds = section_of(page, "thresholds").tables.at(0).rows;
+  ASSERT_EQ(thresholds.size(), 12U);
+  for (const auto& row : thresholds) {
+    const Json& c = tiny_data()["cases"][row[0].text];
+    EXPECT_EQ(row[4].text, shown(c["paper_threshold"], "{}"));
+    EXPECT_EQ(row[5].text, shown(c["threshold"], "{:.3f}"));
+    EXPECT_EQ(row[9].text, shown(c["quiet_count"], "{}"));
+  }
+  EXPECT_EQ(thresholds[0][4].text, "9");
+  EXPECT_EQ(thresholds[10][4].text, "–");
+  const auto& examples = section_of(page, "thresholds").tables.at(2).rows;
+  ASSERT_EQ(examples.size(), 10U);
+  for (std::size_t k = 0; k < examples.size(); ++k) {
+    const Json& loud = tiny_data()["thresholds"]["examples"][k]["loud"];
+    EXPECT_EQ(examples[k][5].text, shown(loud["count"], "{}"));
+    EXPECT_EQ(examples[k][5].state, loud["right"] ? report::State::good : report::State::bad);
+  }
+  const auto& solvers = section_of(page, "solvers").tables.at(0).rows;
+  const Json& goal = tiny_data()["comparison"]["goals"][0];
+  ASSERT_GE(solvers.size(), 15U);
+  ASSERT_EQ(solvers.size(), goal["rows"].size());
+  for (std::size_t k = 0; k < solvers.size(); ++k) {
+    EXPECT_EQ(solvers[k][0].text, goal["rows"][k]["solver"]);
+    EXPECT_EQ(solvers[k][4].text, shown(goal["rows"][k]["evaluations"], "{:.0f}"));
+  }
+}
+
+TEST(ReproductionData, ShowsEveryCurveFigureMapAndContradiction) {
+  const report::Page page = page_of(tiny_data());
+  EXPECT_EQ(section_of(page, "counts").figures.size(), 12U);
+  EXPECT_EQ(section_of(page, "paths").figures.size(), 20U);
+  EXPECT_EQ(section_of(page, "crossing").figures.size(), 2U);
+  EXPECT_EQ(section_of(page, "conclusions").figures.size(), 3U);
+  EXPECT_EQ(section_of(page, "contradictions").tables.at(0).rows.size(), 11U);
+  std::set<std::string> names;
+  for (const report::Section& section : page.sections) {
+    for (const report::Figure& figure : section.figures) {
+      EXPECT_NO_THROW(report::check(figure.chart)) << figure.chart.name;
+      EXPECT_TRUE(names.insert(figure.chart.name).second) << figure.chart.name;
+    }
+  }
+}
+
+TEST(ReproductionData, KeepsEveryLineWithinItsBand) {
+  int bands = 0;
+  for (const report::Figure& figure : section_of(page_of(tiny_data()), "solvers").figures) {
+    for (const report::Series& series : figure.chart.series) {
+      for (const report::Sample& sample : series.samples) {
+        if (!sample.spread) continue;
+        ++bands;
+        EXPECT_LE(sample.spread->lower, *sample.value) << figure.chart.name;
+        EXPECT_GE(sample.spread->upper, *sample.value) << figure.chart.name;
+      }
+    }
+  }
+  EXPECT_GT(bands, 1000);
+}
+
+TEST(ReproductionData, AreEnoughToDrawThePageAgain) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "ricochet_reproduction_redrawn";
+  std::filesystem::remove_all(folder);
+  const std::string epilogue = report::write_report(tiny_data(), folder / "first");
+  EXPECT_EQ(report::redraw_report(folder / "first", folder / "second"), epilogue);
+  const auto first = files_of(folder / "first");
+  EXPECT_TRUE(first.contains("index.html"));
+  EXPECT_TRUE(first.contains("cases.csv"));
+  EXPECT_EQ(first, files_of(folder / "second"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace ricochet::studies::reproduction

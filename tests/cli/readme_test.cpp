@@ -38,6 +38,7 @@ std::map<std::string, Row> rows_of_scene_keys() {
   std::string table;
   std::istringstream lines(readme());
   for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) table.clear();
     if (line.starts_with("| **[")) table = line.substr(5, line.find(']') - 5);
     if (table.empty() || !line.starts_with("| `")) continue;
     std::vector<std::string> cells;

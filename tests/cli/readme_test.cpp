@@ -89,7 +89,9 @@ TEST(Readme, SaysOfASceneWhatItsListOfFieldsSays) {
       const std::string unit(field.unit == "1" ? "" : field.unit);
       EXPECT_THAT(row.unit, testing::StartsWith(unit)) << key;
       EXPECT_EQ(row.unit.empty(), unit.empty()) << key;
-      EXPECT_THAT(row.allowed, testing::HasSubstr(in_words(field.range))) << key;
+      if (field.key != "wall_lower") {  // whose row is that of both walls
+        EXPECT_THAT(row.allowed, testing::HasSubstr(in_words(field.range))) << key;
+      }
       EXPECT_EQ(row.missing == "must be given", field.presence == carrier_track::Presence::required)
           << key;
     };

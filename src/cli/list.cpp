@@ -42,6 +42,7 @@ Json questions(const std::string& scene_file) {
       rows.push_back({{"question", q.name()},
                       {"dimension", q.stated.dimension()},
                       {"constraints", q.stated.constraints},
+                      {"equalities", q.stated.equalities},
                       {"forms", forms},
                       {"derivatives", derivatives},
                       {"best_known", json_of(q.stated.best_known)},

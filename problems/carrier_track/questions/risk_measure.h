@@ -41,7 +41,7 @@ inline std::vector<double> risk_weights(RiskMeasure risk, std::size_t size) {
 
 /// The mean, the worst, or the mean of the worst tenth of at least one loss; where a tenth is no
 /// whole number of samples, the last one counts in part. That is the conditional value at risk,
-/// min over t of t + mean(max(0, loss - t)) / tail_share (Rockafellar and Uryasev, J. RiskMeasure 2
+/// min over t of t + mean(max(0, loss - t)) / tail_share (Rockafellar and Uryasev, J. Risk 2
 /// (2000) 21-41, doi 10.21314/JOR.2000.038). All three are convex and monotone; cvar lies between
 /// the others. Derivatives are one-sided where losses are equal.
 template <class Scalar>

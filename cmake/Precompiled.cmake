@@ -16,23 +16,20 @@ function(ricochet_targets out)
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 
-# ricochet_precompile(HOST FOLDER...): the targets of the folders share one header, made for HOST.
-function(ricochet_precompile host)
-  target_precompile_headers(${host} PRIVATE
+# ricochet_precompile(NAME OPTION FOLDER...): compiles all targets of the folders with the option and
+# with one precompiled header, of that name. A header keeps the optimisation that it was
+# made with, and may know no macro that a file does not: each has a target of its own.
+function(ricochet_precompile name option)
+  add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+  target_link_libraries(${name} PRIVATE ricochet_options Eigen3::Eigen)
+  target_compile_options(${name} PRIVATE ${option})
+  target_precompile_headers(${name} PRIVATE
     <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers>
     <optional> <span> <stdexcept> <string> <string_view> <utility> <vector>
     <Eigen/Core> <ceres/jet.h> <fmt/format.h> <nlohmann/json.hpp> <tbb/parallel_for.h>)
   ricochet_targets(targets ${ARGN})
-  list(REMOVE_ITEM targets ${host})
   foreach(target ${targets})
-    target_precompile_headers(${target} REUSE_FROM ${host})
-  endforeach()
-endfunction()
-
-# ricochet_compile_fast(FOLDER...): with -O1, which gives the same numbers, a little later.
-function(ricochet_compile_fast)
-  ricochet_targets(targets ${ARGN})
-  foreach(target ${targets})
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(${target} PRIVATE ${option})
+    target_precompile_headers(${target} REUSE_FROM ${name})
   endforeach()
 endfunction()

@@ -41,16 +41,13 @@ std::vector<Solver> all_solvers() {
 std::vector<MissingSolver> missing_solvers() {
   return {
 #ifndef RICOCHET_HAS_IPOPT
-      {"ipopt", "Ipopt"},
-      {"continuation-ipopt", "Ipopt"},
+      {"ipopt", "Ipopt"},       {"continuation-ipopt", "Ipopt"},
 #endif
 #ifndef RICOCHET_HAS_CERES
-      {"ceres-lbfgs", "Ceres"},
-      {"ceres-trust-region", "Ceres"},
+      {"ceres-lbfgs", "Ceres"}, {"ceres-trust-region", "Ceres"},
 #endif
 #ifndef RICOCHET_HAS_PAGMO
-      {"pagmo-cmaes", "pagmo"},
-      {"pagmo-sade", "pagmo"},
+      {"pagmo-cmaes", "pagmo"}, {"pagmo-sade", "pagmo"},
 #endif
   };
 }

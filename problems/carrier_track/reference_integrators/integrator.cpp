@@ -6,16 +6,11 @@ namespace ricochet::carrier_track::inline reference_integrators {
 
 std::vector<Integrator> all_integrators() {
   return {
-      event_driven(),
-      odeint_dopri5(),
-      odeint_rosenbrock4(),
+      event_driven(),        odeint_dopri5(), odeint_rosenbrock4(),
 #ifdef RICOCHET_HAS_SUNDIALS
-      cvode_adams(),
-      cvode_bdf(),
+      cvode_adams(),         cvode_bdf(),
 #endif
-      semi_implicit_euler(),
-      runge_kutta_4(),
-      moreau_jean(),
+      semi_implicit_euler(), runge_kutta_4(), moreau_jean(),
   };
 }
 

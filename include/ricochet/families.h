@@ -1,6 +1,6 @@
 #pragma once
 
 /// @file
-/// Every family of problems that there is.
+/// Every family of questions that there is.
 
 #include "problems/families.h"

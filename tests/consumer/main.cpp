@@ -52,7 +52,11 @@ void solve(const Problem& problem, double tolerance) {
 
 int main() {
   solve(bowl(), 1e-8);
+  int asked = 0;
   for (const Family& family : all_families()) {
-    if (family.name == "count") solve(family.problems.front(), 0);
+    if (family.name != "count") continue;
+    for (const Question& question : family.questions) solve(question.stated, question.tolerance);
+    asked += static_cast<int>(family.questions.size());
   }
+  return asked > 0 ? 0 : 1;
 }

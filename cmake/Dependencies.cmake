@@ -1,21 +1,42 @@
-# Everything comes from Debian 12; the script `ricochet` lists the packages.
+# What the libraries need; the installed package finds the same, with this very file. Everything
+# comes from Debian 12; the script `ricochet` lists the packages.
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Ceres 2.1 REQUIRED)
-add_library(ricochet_dual_numbers INTERFACE)  # ceres/jet.h: headers alone
-target_include_directories(ricochet_dual_numbers SYSTEM INTERFACE
-  $<TARGET_PROPERTY:Ceres::ceres,INTERFACE_INCLUDE_DIRECTORIES>)
+find_path(RICOCHET_JET_FOLDER ceres/jet.h REQUIRED)  # dual numbers: a header of Ceres, not its library
 # With both NLopt packages installed a plain search finds the C build, which lacks StoGO and AGS.
 find_package(NLopt 2.7 CONFIG REQUIRED NO_DEFAULT_PATH
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/nlopt_cxx)
 find_package(Boost 1.74 REQUIRED)  # headers: Odeint, Math
-find_package(Pagmo 2.18 REQUIRED)
-find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode nvecserial)
-pkg_check_modules(Ipopt REQUIRED IMPORTED_TARGET ipopt)
 find_package(TBB REQUIRED)
 find_package(fmt 9 REQUIRED)
-find_package(nlohmann_json 3.11 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
-find_package(pugixml 1.13 REQUIRED)
-find_package(CLI11 2.1 REQUIRED)
-find_package(benchmark 1.7 REQUIRED)
+
+# ricochet_backend(NAME TARGET PACKAGE...): a library that a build can do without. RICOCHET_WITH_NAME
+# is ON: required, OFF: left out, AUTO: used if found. RICOCHET_HAS_NAME says whether it is there.
+macro(ricochet_backend name target)
+  if(NOT DEFINED RICOCHET_WITH_${name})
+    set(RICOCHET_WITH_${name} AUTO CACHE STRING "Build what needs ${name}: ON, OFF or AUTO")
+    set_property(CACHE RICOCHET_WITH_${name} PROPERTY STRINGS ON OFF AUTO)
+  endif()
+  set(RICOCHET_NEED REQUIRED)
+  if(RICOCHET_WITH_${name} STREQUAL "AUTO")
+    set(RICOCHET_NEED QUIET)
+  endif()
+  set(RICOCHET_HAS_${name} OFF)
+  if(RICOCHET_WITH_${name})
+    if("${ARGV2}" STREQUAL "pkg-config")
+      pkg_check_modules(${ARGV3} ${RICOCHET_NEED} IMPORTED_TARGET ${ARGV4})
+    else()
+      find_package(${ARGN} ${RICOCHET_NEED})
+    endif()
+    if(TARGET ${target})
+      set(RICOCHET_HAS_${name} ON)
+    endif()
+  endif()
+  message(STATUS "ricochet: with ${name}: ${RICOCHET_HAS_${name}}")
+endmacro()
+
+ricochet_backend(CERES Ceres::ceres Ceres 2.1)
+ricochet_backend(IPOPT PkgConfig::Ipopt pkg-config Ipopt ipopt)
+ricochet_backend(PAGMO Pagmo::pagmo Pagmo 2.18)
+ricochet_backend(SUNDIALS SUNDIALS::cvode SUNDIALS 6.4 COMPONENTS cvode nvecserial)

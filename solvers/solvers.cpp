@@ -18,18 +18,38 @@ std::vector<Solver> all_solvers() {
       scan(),
       fireworks("fireworks", {}),
       fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
+#ifdef RICOCHET_HAS_IPOPT
       ipopt(),
       continuation(ipopt()),
+#endif
+#ifdef RICOCHET_HAS_CERES
       ceres_lbfgs(),
       ceres_least_squares(),
+#endif
+#ifdef RICOCHET_HAS_PAGMO
       pagmo_cmaes(),
       pagmo_sade(),
+#endif
   };
   for (Solver& solver : nlopt_solvers()) {
     if (solver.name == "nlopt-slsqp") solvers.push_back(continuation(solver));
     solvers.push_back(std::move(solver));
   }
   return solvers;
+}
+
+std::vector<MissingSolver> missing_solvers() {
+  return {
+#ifndef RICOCHET_HAS_IPOPT
+      {"ipopt", "Ipopt"},       {"continuation-ipopt", "Ipopt"},
+#endif
+#ifndef RICOCHET_HAS_CERES
+      {"ceres-lbfgs", "Ceres"}, {"ceres-trust-region", "Ceres"},
+#endif
+#ifndef RICOCHET_HAS_PAGMO
+      {"pagmo-cmaes", "pagmo"}, {"pagmo-sade", "pagmo"},
+#endif
+  };
 }
 
 }  // namespace ricochet

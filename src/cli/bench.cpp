@@ -1,33 +1,23 @@
 #include "src/cli/bench.h"
 
-#include <benchmark/benchmark.h>
+#include <unistd.h>
 
-#include "bench/derivatives_bench.h"
-#include "bench/integrators_bench.h"
-#include "bench/memory_bench.h"
-#include "bench/simulation_bench.h"
-#include "src/core/error.h"
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
 
 namespace ricochet::cli {
 
 int bench(std::vector<std::string> arguments, bool json) {
   if (json) arguments.push_back("--benchmark_format=json");
-  arguments.insert(arguments.begin(), "ricochet bench");
-  std::vector<char*> argv;
+  const std::string program =
+      std::filesystem::read_symlink("/proc/self/exe").replace_filename("ricochet-bench").string();
+  std::vector<char*> argv = {const_cast<char*>("ricochet bench")};
   for (std::string& argument : arguments) argv.push_back(argument.data());
-  auto argc = static_cast<int>(argv.size());
-  bench::add_simulation_benchmarks();
-  bench::add_derivative_benchmarks();
-  bench::add_integrator_benchmarks();
-  bench::add_memory_benchmarks();
-  benchmark::Initialize(&argc, argv.data());
-  if (argc > 1) {
-    throw InputError(std::string("bench: unknown argument ") + argv[1] +
-                     "; allowed: the flags of Google Benchmark, --benchmark_...");
-  }
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  argv.push_back(nullptr);
+  execv(program.c_str(), argv.data());  // returns only if it fails
+  throw std::runtime_error("bench: " + program + ": " + std::strerror(errno));
 }
 
 }  // namespace ricochet::cli

@@ -57,6 +57,11 @@ Json solvers() {
   for (const Solver& s : all_solvers()) {
     rows.push_back({{"solver", s.name}, {"version", s.version}, {"stochastic", s.stochastic}});
   }
+  for (const MissingSolver& missing : missing_solvers()) {
+    rows.push_back({{"solver", missing.solver},
+                    {"version", fmt::format("missing: built without {}", missing.library)},
+                    {"stochastic", nullptr}});
+  }
   return rows;
 }
 

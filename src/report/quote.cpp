@@ -22,7 +22,7 @@ std::string quoted_tick(const std::string& text) {
     result += c == '%' ? "%%" : std::string(1, c);
   }
   if (result.size() > longest) result = result.substr(0, fitting) + ellipsis;
-  return quoted(result);
+  return report::quoted(result);  // not the one of <iomanip>
 }
 
 }  // namespace ricochet::report

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/scene/enum_names.h"
 #include "tests/allocation/allocations.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
 
@@ -113,7 +115,12 @@ INSTANTIATE_TEST_SUITE_P(Laws, CompliantObjective,
                          testing::Values(ContactLaw::hertz, ContactLaw::kelvin_voigt,
                                          ContactLaw::hunt_crossley, ContactLaw::lankarani_nikravesh,
                                          ContactLaw::zhiying_qishao, ContactLaw::flores,
-                                         ContactLaw::gonthier, ContactLaw::exact_restitution));
+                                         ContactLaw::gonthier, ContactLaw::exact_restitution),
+                         [](const auto& tested) {
+                           std::string name(name_of(contact_law_names(), tested.param));
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 /// A profile is copied once, into dual numbers; nothing else allocates.
 TEST(SurrogateSlope, AllocatesForACopyOfTheProfileAlone) {

@@ -44,6 +44,9 @@ std::vector<Integrator> all_integrators();
 /// of compliant walls. They refuse scenes with hard walls, and with friction.
 std::vector<Integrator> penalty_integrators();
 
+/// Names of those that this build lacks, for it has no SUNDIALS.
+std::vector<std::string> missing_integrators();
+
 /// A rebound slower than this [m/s] against a pressing force ends a Zeno sequence for every method
 /// here but the event-driven one, which sums it in closed form (resting_speed). Its hop under the
 /// forces of these scenes is 1e-12 m high, about the rounding of a position in a track.

@@ -19,6 +19,11 @@ Solver solver_named(const std::string& name) {
     if (solver.name == name) return solver;
     known += (known.empty() ? "" : ", ") + solver.name;
   }
+  for (const MissingSolver& missing : missing_solvers()) {
+    if (missing.solver != name) continue;
+    throw InputError(fmt::format("--solver {}: this build has no {}; allowed: {}", name,
+                                 missing.library, known));
+  }
   throw InputError(fmt::format("--solver {}: there is no such solver; allowed: {}", name, known));
 }
 

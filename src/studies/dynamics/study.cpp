@@ -90,6 +90,12 @@ Json results_of(const StudyPlan& plan) {
   data["methods"] = Json::array();
   add_methods(integrators, false, data["methods"]);
   add_methods(penalty, true, data["methods"]);
+  for (const std::string& missing : carrier_track::missing_integrators()) {
+    data["methods"].push_back({{"method", missing},
+                               {"contacts", false},
+                               {"version", "missing: built without SUNDIALS"},
+                               {"control", ""}});
+  }
   return data;
 }
 

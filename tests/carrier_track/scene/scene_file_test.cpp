@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -180,6 +181,22 @@ struct Wrong {
   std::string key, line, named, allowed;
 };
 
+/// A test is named by its line, with a word for every sign that a name cannot have.
+std::string name_of(const testing::TestParamInfo<Wrong>& tested) {
+  const auto& [key, line, named, allowed] = tested.param;
+  std::string name;
+  for (const char sign : line.empty() ? key + " missing" : line) {
+    if (std::isalnum(static_cast<unsigned char>(sign))) {
+      name += sign;
+    } else if (sign == '-') {
+      name += "minus_";
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  return name;
+}
+
 class WrongField : public testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongField, IsNamedWithItsValueAndTheAllowedRange) {
@@ -247,7 +264,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"contact_exponent", "contact_exponent = 0", "model.contact_exponent = 0", "> 0"},
         Wrong{"contact_speed", "contact_speed = \"all\"", "model.contact_speed", "\"each\""},
         Wrong{"contact_speed", "contact_speed = 0", "model.contact_speed = 0", "> 0"},
-        Wrong{"pull", "pul = 0.86", "scene.pul", "allowed: centrifugal"}));
+        Wrong{"pull", "pul = 0.86", "scene.pul", "allowed: centrifugal"}),
+    name_of);
 
 class WrongFieldAcross : public testing::TestWithParam<Wrong> {};
 
@@ -274,7 +292,8 @@ INSTANTIATE_TEST_SUITE_P(
               "within the walls, -0.001..0.003"},
         Wrong{"start_position", "", "across.start_position", "missing"},
         Wrong{"start_velocity", "start_velocity = nan", "across.start_velocity = nan", "finite"},
-        Wrong{"pull", "pul = 0.5", "across.pul", "allowed: pull"}));
+        Wrong{"pull", "pul = 0.5", "across.pul", "allowed: pull"}),
+    name_of);
 
 TEST(SceneFile, NeedsASecondDirectionForTheFidelityThatMovesInIt) {
   const std::string planar = with("fidelity", "fidelity = \"planar\"");

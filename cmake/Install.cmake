@@ -1,0 +1,53 @@
+# What `cmake --install` and `cpack -G DEB` bring: the program, the libraries that a solver or a
+# problem of one's own is built with, their headers, and the package for find_package(ricochet).
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/ricochet)
+
+set(libraries options dual_numbers core carrier_track classic problems solvers)
+foreach(library ${libraries})
+  set_target_properties(ricochet_${library} PROPERTIES EXPORT_NAME ${library})
+  list(APPEND library_targets ricochet_${library})
+endforeach()
+install(TARGETS ricochet)
+install(TARGETS ${library_targets} EXPORT ricochet)
+install(EXPORT ricochet NAMESPACE ricochet:: DESTINATION ${package_folder} FILE ricochetTargets.cmake)
+
+install(DIRECTORY include/ricochet TYPE INCLUDE)
+foreach(folder src/core problems solvers)  # included as "src/core/problem.h", here as there
+  get_filename_component(above ${folder} DIRECTORY)
+  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ricochet/${above}
+          FILES_MATCHING PATTERN "*.h"
+          PATTERN oracle EXCLUDE PATTERN reference_integrators EXCLUDE)
+endforeach()
+
+configure_package_config_file(cmake/ricochetConfig.cmake.in ricochetConfig.cmake
+  INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(ricochetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/ricochetConfig.cmake ${PROJECT_BINARY_DIR}/ricochetConfigVersion.cmake
+  cmake/Dependencies.cmake
+  DESTINATION ${package_folder})
+install(FILES README.md LICENSE TYPE DOC)
+
+# The package of Debian. Who builds with the library needs the -dev packages of what it is made of.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The authors of ricochet <ricochet@localhost>")
+set(CPACK_PACKAGE_VENDOR ricochet)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+find_program(RICOCHET_SHLIBDEPS dpkg-shlibdeps)
+if(RICOCHET_SHLIBDEPS)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+endif()
+set(CPACK_DEBIAN_PACKAGE_DEPENDS gnuplot-nox)  # draws the charts
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+  "libeigen3-dev, libceres-dev, libnlopt-cxx-dev, libboost-dev, libtbb-dev, libfmt-dev, libtomlplusplus-dev, pkg-config")
+if(RICOCHET_HAS_IPOPT)
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", coinor-libipopt-dev")
+endif()
+if(RICOCHET_HAS_PAGMO)
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", libpagmo-dev")
+endif()
+include(CPack)

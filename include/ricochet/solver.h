@@ -1,0 +1,6 @@
+#pragma once
+
+/// @file
+/// What a solver is.
+
+#include "src/core/solver.h"

@@ -1,0 +1,6 @@
+#pragma once
+
+/// @file
+/// Every solver that there is.
+
+#include "solvers/solvers.h"

@@ -35,7 +35,7 @@ const Json& data() {
 }
 
 const report::DrawnPage& drawing() {
-  static const report::DrawnPage page = drawn(report::page_template("dynamics"), data());
+  static const report::DrawnPage page = report::drawn(report::page_template("dynamics"), data());
   return page;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -32,7 +33,7 @@ RunRecord run_to(double omega) {
   Solver solver;
   solver.name = "guess";
   solver.solve = [omega](Evaluator& evaluator, const Vector&, Random&) {
-    evaluator.evaluate(Vector::Constant(1, omega));
+    evaluator.values(Vector::Constant(1, omega));
     return SolverExit("guessed " + std::to_string(static_cast<int>(omega)));
   };
   return run(misleading(), solver, Budget{5}, 0);

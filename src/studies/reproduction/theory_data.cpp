@@ -50,13 +50,6 @@ Json share_of(const std::optional<double>& logarithm) {
   return logarithm ? Json(std::expm1(*logarithm)) : Json();
 }
 
-/// The share of a variance without what rounding leaves of a zero.
-Json explained_by(const PredictionErrors& errors) {
-  constexpr double noise = 1e-12;
-  if (!errors.explained) return {};
-  return std::abs(*errors.explained) < noise ? 0.0 : *errors.explained;
-}
-
 /// A row of the table; without errors where nothing is fitted or predicted.
 Json row_of(const std::string& words, const std::string& thresholds, std::size_t fitted_constants,
             const std::optional<PredictionErrors>& errors) {
@@ -64,7 +57,7 @@ Json row_of(const std::string& words, const std::string& thresholds, std::size_t
           {"thresholds", thresholds},
           {"fitted", fitted_constants},
           {"constants", nullptr},
-          {"explained", errors ? explained_by(*errors) : Json()},
+          {"explained", errors ? Json(errors->explained) : Json()},
           {"error", errors ? share_of(errors->rms) : Json()},
           {"left_out", nullptr},
           {"worst", errors ? share_of(errors->worst) : Json()},

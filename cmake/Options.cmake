@@ -30,7 +30,8 @@ if(RICOCHET_SANITIZE STREQUAL "address")
   # freed here, by its headers.
   target_compile_definitions(ricochet_options INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 elseif(RICOCHET_SANITIZE STREQUAL "thread")
-  target_include_directories(ricochet_options BEFORE INTERFACE ${PROJECT_SOURCE_DIR}/tests/thread)
+  target_include_directories(ricochet_options BEFORE INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/tests/thread>)
   target_compile_options(ricochet_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
   target_link_options(ricochet_options INTERFACE -fsanitize=thread)
 elseif(RICOCHET_SANITIZE)

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "src/report/polyline.h"
+
 namespace ricochet::report {
 namespace {
 
@@ -42,10 +44,19 @@ Mark mark_of(const std::string& name) {
   throw std::invalid_argument("a chart's data: there is no mark " + name);
 }
 
+/// Whether a line is the same without its sample i: it is level before and after.
+bool is_needless(const Series& series, std::size_t i) {
+  const auto& samples = series.samples;
+  return series.mark == Mark::line && i > 0 && i + 1 < samples.size() &&
+         same_height(samples[i - 1], samples[i]) && same_height(samples[i], samples[i + 1]);
+}
+
 /// A sample is [position, value], or [position, value, lower, upper] where it has a spread.
 Json data_of(const Series& series) {
   Json samples = Json::array();
-  for (const Sample& sample : series.samples) {
+  for (std::size_t i = 0; i < series.samples.size(); ++i) {
+    if (is_needless(series, i)) continue;
+    const Sample& sample = series.samples[i];
     Json entry = Json::array({sample.position, sample.value});
     if (sample.spread) {
       entry.push_back(sample.spread->lower);

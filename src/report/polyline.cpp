@@ -1,14 +1,11 @@
 #include "src/report/polyline.h"
 
 namespace ricochet::report {
-namespace {
 
 bool same_height(const Sample& a, const Sample& b) {
   if (a.value != b.value || a.spread.has_value() != b.spread.has_value()) return false;
   return !a.spread || (a.spread->lower == b.spread->lower && a.spread->upper == b.spread->upper);
 }
-
-}  // namespace
 
 std::vector<std::vector<Sample>> polylines(const Series& series) {
   std::vector<std::vector<Sample>> parts;

@@ -40,6 +40,22 @@ TEST(ChartData, MakeTheSamePictureAgain) {
   }
 }
 
+TEST(ChartData, LeaveOutTheMidstOfALevelLine) {
+  const Range spread{1, 3};
+  Chart chart = line_chart(
+      {{0, 1}, {1, 1}, {2, 1}, {3, 1, spread}, {4, 1, spread}, {5, 1, spread}, {6, 2}, {7, 2}});
+  const auto positions = [&chart] {
+    std::vector<double> kept;
+    for (const Sample& sample : chart_of(data_of(chart)).series.at(0).samples) {
+      kept.push_back(sample.position);
+    }
+    return kept;
+  };
+  EXPECT_THAT(positions(), testing::ElementsAre(0, 2, 3, 5, 6, 7));
+  chart.series[0].mark = Mark::points;
+  EXPECT_EQ(positions().size(), 8U);
+}
+
 TEST(ChartData, RefuseWhatIsNoChart) {
   EXPECT_THROW(chart_of(Json::object()), Json::exception);
   Json data = data_of(full_chart());

@@ -121,7 +121,7 @@ inline void expect_derivatives(const Problem& problem, double tolerance) {
   for (int i = 0; i < 3; ++i) {
     const Vector x = point_near_best(problem, random);
     const Derivatives d = problem.differentiate(x);
-    EXPECT_EQ(all_of(founds), all_of(problem.evaluate(x)));
+    EXPECT_EQ(all_of(d.values), all_of(problem.evaluate(x)));
     Matrix rows(1 + problem.constraints, problem.dimension());
     rows << d.gradient.transpose(), d.jacobian;
     expect_columns(

@@ -46,7 +46,8 @@ TEST(ChartData, LeaveOutTheMidstOfALevelLine) {
       {{0, 1}, {1, 1}, {2, 1}, {3, 1, spread}, {4, 1, spread}, {5, 1, spread}, {6, 2}, {7, 2}});
   const auto positions = [&chart] {
     std::vector<double> kept;
-    for (const Sample& sample : chart_of(data_of(chart)).series.at(0).samples) {
+    const Chart again = chart_of(data_of(chart));
+    for (const Sample& sample : again.series.at(0).samples) {
       kept.push_back(sample.position);
     }
     return kept;

@@ -84,7 +84,8 @@ TEST(ReproductionData, ShowsEveryCurveFigureMapAndContradiction) {
 
 TEST(ReproductionData, KeepsEveryLineWithinItsBand) {
   int bands = 0;
-  for (const report::Figure& figure : section_of(page_of(tiny_data()), "solvers").figures) {
+  const report::Page page = page_of(tiny_data());
+  for (const report::Figure& figure : section_of(page, "solvers").figures) {
     for (const report::Series& series : figure.chart.series) {
       for (const report::Sample& sample : series.samples) {
         if (!sample.spread) continue;

@@ -21,7 +21,7 @@ inline report::Page page_of(const report::Json& data) {
   return report::drawn(report::page_template("reproduction"), data).page;
 }
 
-inline report::Section section_of(const report::Page& page, const std::string& id) {
+inline const report::Section& section_of(const report::Page& page, const std::string& id) {
   for (const report::Section& section : page.sections) {
     if (section.id == id) return section;
   }

@@ -22,8 +22,8 @@ using Feature = FeatureTrace::Feature;
 constexpr double same_time = 1e-4;
 constexpr double same_margin = 0.1;
 
-/// From this growth on a path is called sensitive: perturbation_size then moves a scaled margin by a
-/// hundredth of same_margin.
+/// From this growth on a path is called sensitive: perturbation_size then moves a scaled margin by
+/// a hundredth of same_margin.
 constexpr double sensitive_growth = 1e6;
 
 /// The changed windows are longer, so that what comes just after the end is seen.

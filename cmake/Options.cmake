@@ -17,6 +17,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 is mistaken in the last three, through dual numbers or a precompiled header.
   list(APPEND warnings -Wconversion -Wshadow
     -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  list(APPEND warnings -Wno-overlength-strings)  # an embedded data file is one string
 endif()
 target_compile_options(ricochet_options INTERFACE "$<BUILD_INTERFACE:${warnings}>")
 if(RICOCHET_SANITIZE STREQUAL "address")

@@ -267,6 +267,7 @@ SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
     const bool flat = !below && distance == 0;
     const auto row = static_cast<Eigen::Index>(k);
     result.residuals[row] = weight * distance;
+    if (freed.empty()) continue;  // a matrix without columns has no rows to write to
     result.slopes.row(row) = (flat ? 0 : weight / (count + 0.5)) * slopes[k].slopes.transpose();
   }
   return result;

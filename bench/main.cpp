@@ -1,24 +1,41 @@
 #include <benchmark/benchmark.h>
 
-#include <cstdio>
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 #include "bench/derivatives_bench.h"
 #include "bench/integrators_bench.h"
 #include "bench/memory_bench.h"
 #include "bench/simulation_bench.h"
 
-/// The program that `ricochet bench` runs; it takes the flags of Google Benchmark alone.
+/// The program that `ricochet bench` runs.
 int main(int argc, char** argv) {
+  CLI::App app("The speed measurements", "ricochet bench");
+  std::string format = "text";
+  app.add_option("--format", format, "What to print: text or json")
+      ->check(CLI::IsMember({"text", "json"}));
+  app.allow_extras();
+  app.footer("Further flags are Google Benchmark's, such as --benchmark_filter=simulate");
+  CLI11_PARSE(app, argc - 1, argv + 1);  // after "ricochet"
+
+  std::vector<std::string> arguments = app.remaining();
+  arguments.insert(arguments.begin(), "ricochet bench");
+  if (format == "json") arguments.push_back("--benchmark_format=json");
+  std::vector<char*> flags;
+  for (std::string& argument : arguments) flags.push_back(argument.data());
+  int flag_count = static_cast<int>(flags.size());
+  flags.push_back(nullptr);
   ricochet::bench::add_simulation_benchmarks();
   ricochet::bench::add_derivative_benchmarks();
   ricochet::bench::add_integrator_benchmarks();
   ricochet::bench::add_memory_benchmarks();
-  benchmark::Initialize(&argc, argv);
-  if (argc > 1) {
+  benchmark::Initialize(&flag_count, flags.data());
+  if (flag_count > 1) {
     std::fprintf(stderr,
                  "ricochet: bench: unknown argument %s; allowed: the flags of Google Benchmark, "
                  "--benchmark_...\n",
-                 argv[1]);
+                 flags[1]);
     return 2;
   }
   benchmark::RunSpecifiedBenchmarks();

@@ -8,7 +8,7 @@ foreach(library ${libraries})
   set_target_properties(ricochet_${library} PROPERTIES EXPORT_NAME ${library})
   list(APPEND library_targets ricochet_${library})
 endforeach()
-install(TARGETS ricochet)
+install(TARGETS ricochet ricochet_studies)
 install(TARGETS ${library_targets} EXPORT ricochet)
 install(EXPORT ricochet NAMESPACE ricochet:: DESTINATION ${package_folder} FILE ricochetTargets.cmake)
 

@@ -58,4 +58,18 @@ void show_hostile_scene(int seed, int index, bool json) {
   }
 }
 
+int verify(const studies::VerificationOptions& options, const std::string& folder, bool json) {
+  studies::Finished finished = studies::run(studies::verification_study(options), false, folder);
+  const bool failed = finished.data["failed"].get<bool>();
+  if (json) {
+    const Json seconds = finished.data["made"]["seconds"];
+    for (const char* key : {"report", "made", "failed"}) finished.data.erase(key);
+    finished.data["seconds"] = seconds;
+    fmt::print("{}\n", finished.data.dump(2));
+  } else {
+    fmt::print("{}", finished.epilogue);
+  }
+  return failed ? 1 : 0;
+}
+
 }  // namespace ricochet::cli

@@ -10,10 +10,8 @@ namespace ricochet::studies {
 
 /// A study: a folder of src/studies, a command, and a report that is drawn from its results.
 struct Study {
-  std::string name;     ///< of its folder, of its report and of the report's template
-  std::string command;  ///< on the command line
-  std::string summary;  ///< of the command, one line
-  std::string quick;    ///< what --quick does; empty where there is no such thing
+  std::string name;   ///< of its folder, of its report and of the report's template
+  std::string quick;  ///< what --quick does; empty where there is no such thing
   /// Computes the results: what the template asks for. Shows its progress. The same every time, but
   /// for measured times.
   std::function<report::Json(bool quick)> compute;

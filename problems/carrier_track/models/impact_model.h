@@ -44,7 +44,7 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
 
  private:
   template <class SomeObserver>
-  void move(SomeObserver& observer) {
+  [[gnu::always_inline]] void move(SomeObserver& observer) {
     // NOTE: const, the flight is kept in memory by GCC 12, and a simulation takes a tenth longer.
     auto flight = this->flight();
     auto landing = flight;

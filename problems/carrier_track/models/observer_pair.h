@@ -11,7 +11,7 @@ class ObserverPair : public Observer {
   ObserverPair(First& first, Second& second) : first_(first), second_(second) {}
 
   template <class Scalar>
-  void impact(const Scalar& time, Wall wall, const Scalar& speed) {
+  [[gnu::always_inline]] void impact(const Scalar& time, Wall wall, const Scalar& speed) {
     first_.impact(time, wall, speed);
     second_.impact(time, wall, speed);
   }

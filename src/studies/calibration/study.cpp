@@ -77,9 +77,7 @@ Study calibration_study(const CalibrationOptions& options) {
     }
     return data_of(results);
   };
-  return {"calibration", "calibrate",
-          "Which reading of the paper, and which constants, give its thresholds",
-          "A first look, in half a minute", compute};
+  return {"calibration", "A first look, in half a minute", compute};
 }
 
 }  // namespace ricochet::studies

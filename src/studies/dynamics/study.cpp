@@ -102,9 +102,7 @@ Json results_of(const StudyPlan& plan) {
 }  // namespace dynamics
 
 Study dynamics_study() {
-  return {"dynamics", "dynamics",
-          "Contact laws, numerical methods, hard and compliant walls, as a report",
-          "A coarser study, in seconds", [](bool quick) {
+  return {"dynamics", "A coarser study, in seconds", [](bool quick) {
             return dynamics::results_of(quick ? dynamics::quick_plan() : dynamics::full_plan());
           }};
 }

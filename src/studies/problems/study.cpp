@@ -33,8 +33,7 @@ Json compute(const std::string& scene_file) {
 }  // namespace
 
 Study problems_study(const std::string& scene_file) {
-  return {"problems", "problems", "What every question asks, as a report", "",
-          [scene_file](bool /*quick*/) { return compute(scene_file); }};
+  return {"problems", "", [scene_file](bool /*quick*/) { return compute(scene_file); }};
 }
 
 }  // namespace ricochet::studies

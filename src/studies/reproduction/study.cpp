@@ -135,8 +135,7 @@ namespace ricochet::studies {
 
 Study reproduction_study() {
   using namespace reproduction;
-  return {"reproduction", "reproduce", "The main job: every case against the paper, as a report",
-          "A coarser study, in seconds", [](bool quick) {
+  return {"reproduction", "A coarser study, in seconds", [](bool quick) {
             return data_of(results_of(quick ? quick_plan() : full_plan(), all_solvers()));
           }};
 }

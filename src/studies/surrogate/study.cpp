@@ -63,9 +63,7 @@ report::Json results_of(const Plan& plan) {
 }  // namespace
 
 Study surrogate_study() {
-  return {"surrogate", "surrogate",
-          "Where the smooth surrogate and its gradient can be trusted, as a report",
-          "A coarser study, in seconds",
+  return {"surrogate", "A coarser study, in seconds",
           [](bool quick) { return results_of(quick ? quick_plan() : full_plan()); }};
 }
 

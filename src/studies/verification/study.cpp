@@ -112,8 +112,7 @@ Study verification_study(const VerificationOptions& options) {
   if (options.scenes < 1 || options.scenes > 100'000'000) {
     throw InputError(fmt::format("--scenes {}: must be within 1..100000000", options.scenes));
   }
-  return {"verification", "verify", "The impact model against an oracle in extended precision", "",
-          [options](bool /*quick*/) { return compute(options); }};
+  return {"verification", "", [options](bool /*quick*/) { return compute(options); }};
 }
 
 }  // namespace ricochet::studies

@@ -1,0 +1,31 @@
+#include "src/cli/other_program.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+namespace ricochet::cli {
+
+const char* summary_of(const std::string& command) {
+  for (const OtherCommand& other : other_commands) {
+    if (other.command == command) return other.summary;
+  }
+  throw std::out_of_range(command);
+}
+
+void hand_over(const OtherCommand& other, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"ricochet", other.command});
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  const std::string program =
+      std::filesystem::read_symlink("/proc/self/exe").replace_filename(other.program).string();
+  execv(program.c_str(), argv.data());  // returns only if it fails
+  throw std::runtime_error(fmt::format("{}: {}: {}", other.command, program, std::strerror(errno)));
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,94 @@
+#include <optional>
+
+#include "src/cli/best_values.h"
+#include "src/cli/command_line.h"
+#include "src/cli/other_program.h"
+#include "src/cli/verify.h"
+#include "src/studies/calibration/study.h"
+#include "src/studies/dynamics/study.h"
+#include "src/studies/problems/study.h"
+#include "src/studies/surrogate/study.h"
+#include "src/studies/verification/study.h"
+
+namespace ricochet::cli {
+namespace {
+
+/// The studies of the suite itself, to which ricochet hands over.
+class Studies : public CommandLine {
+ public:
+  Studies() {
+    add_calibrate();
+    add_study("dynamics", summary_of("dynamics"), studies::dynamics_study);
+    add_study("surrogate", summary_of("surrogate"), studies::surrogate_study);
+    add_verify();
+    add_problems();
+    add_best_values();
+  }
+
+ private:
+  void add_calibrate() {
+    CLI::App* command = add("calibrate", summary_of("calibrate"));
+    command->add_option("--reading", calibration_.reading,
+                        "One of ricochet list readings, for the default one");
+    command->add_flag("--all-readings", calibration_.all_readings, "Every reading, compared");
+    command->add_flag("--check", calibration_.check,
+                      "Rank the readings by another seed and by another solver too");
+    command->add_option("--seed", calibration_.seed, "Of the searches")->capture_default_str();
+    command->add_option("--solver", calibration_.solver, "That searches the whole of the bounds")
+        ->capture_default_str();
+    StudyOptions& options = add_study_options(command, studies::calibration_study(calibration_));
+    on_call(command, [this, &options] {
+      calibration_.folder = options.out;
+      const studies::Study study = studies::calibration_study(calibration_);
+      std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+      return 0;
+    });
+  }
+
+  void add_verify() {
+    CLI::App* command = add("verify", summary_of("verify"));
+    command->add_option("--scenes", verification_.scenes, "How many random and hostile scenes")
+        ->capture_default_str();
+    command->add_option("--seed", verification_.seed, "Of the scenes")->capture_default_str();
+    command->add_option("--scene-index", scene_index_,
+                        "Prints this scene and both lists of impacts instead");
+    add_format(command, verification_json_);
+    StudyOptions& options = add_study_options(command, studies::verification_study(verification_));
+    on_call(command, [this, &options] {
+      if (!scene_index_) return verify(verification_, options.out, verification_json_);
+      show_hostile_scene(verification_.seed, *scene_index_, verification_json_);
+      return 0;
+    });
+  }
+
+  void add_problems() {
+    CLI::App* command = add_study("problems", summary_of("problems"),
+                                  [this] { return studies::problems_study(problems_scene_); });
+    command->add_option("--scene", problems_scene_,
+                        "A machine of your own, a TOML file, for the paper's cases");
+  }
+
+  void add_best_values() {
+    CLI::App* command = add("best-values", summary_of("best-values"));
+    command->add_option("--questions,--problems", best_values_.questions,
+                        "A pattern such as robust-*-C4, or a part of their names");
+    command->add_option("--seconds", best_values_.seconds,
+                        "Begin nothing later; the same command then goes on");
+    command->add_option("--out", best_values_.out, "The file of the values")->capture_default_str();
+    on_call(command, [this] { return best_values(best_values_); });
+  }
+
+  studies::CalibrationOptions calibration_;
+  studies::VerificationOptions verification_;
+  std::optional<int> scene_index_;
+  bool verification_json_ = false;
+  std::string problems_scene_;
+  BestValuesOptions best_values_;
+};
+
+}  // namespace
+}  // namespace ricochet::cli
+
+int main(int argc, char** argv) {
+  return ricochet::cli::Studies().run(argc, argv);
+}

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "src/core/interruption.h"
+
 namespace ricochet::cli {
 
 const char* summary_of(const std::string& command) {
@@ -24,6 +26,7 @@ void hand_over(const OtherCommand& other, std::vector<std::string> arguments) {
   argv.push_back(nullptr);
   const std::string program =
       std::filesystem::read_symlink("/proc/self/exe").replace_filename(other.program).string();
+  end_at_once_when_interrupted();
   execv(program.c_str(), argv.data());  // returns only if it fails
   throw std::runtime_error(fmt::format("{}: {}: {}", other.command, program, std::strerror(errno)));
 }

@@ -34,11 +34,17 @@ std::filesystem::path write(const std::filesystem::path& folder, const std::stri
 }
 
 Outcome call(const std::string& arguments) {
+  return call_with_output(arguments, "");
+}
+
+Outcome call_with_output(const std::string& arguments, const std::string& output) {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string stem =
       testing::TempDir() + fmt::format("ricochet_cli_{}_{}", test->test_suite_name(), test->name());
-  const int status = std::system(
-      fmt::format("{} {} >{}.out 2>{}.err", RICOCHET_PROGRAM, arguments, stem, stem).c_str());
+  const std::string own = output.empty() ? fmt::format(">{}.out", stem) : output;
+  std::filesystem::remove(stem + ".out");
+  const int status =
+      std::system(fmt::format("{} {} {} 2>{}.err", RICOCHET_PROGRAM, arguments, own, stem).c_str());
   return {WEXITSTATUS(status), read(stem + ".out"), read(stem + ".err")};
 }
 

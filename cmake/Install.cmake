@@ -28,6 +28,14 @@ install(FILES
   cmake/Dependencies.cmake
   DESTINATION ${package_folder})
 install(FILES README.md LICENSE TYPE DOC)
+set(descriptions ${PROJECT_BINARY_DIR}/src/cli)
+install(FILES ${descriptions}/man/ricochet DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME ricochet.1)
+install(FILES ${descriptions}/bash/ricochet
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${descriptions}/zsh/ricochet
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _ricochet)
+install(FILES ${descriptions}/fish/ricochet
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d RENAME ricochet.fish)
 
 # The package of Debian. Who builds with the library needs the -dev packages of what it is made of.
 set(CPACK_GENERATOR DEB)

@@ -61,12 +61,12 @@ Json description_of(const CLI::Option& option) {
   Json names = Json::array();
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-  const bool takes_value = option.get_items_expected_max() > 0;
+  const std::string type = option.get_type_name();
   return {{"names", names},
-          {"value",
-           takes_value ? option.get_type_name().substr(0, option.get_type_name().find(':')) : ""},
-          {"choices", choices_of(option)},
           {"name", option.get_single_name()},
+          {"takes_value", option.get_items_expected_max() > 0},
+          {"value", type.substr(0, type.find(':'))},
+          {"choices", choices_of(option)},
           {"help", option.get_description()},
           {"default", option.get_default_str()}};
 }
@@ -221,9 +221,10 @@ Json CommandLine::description() const {
     for (const CLI::Option* option : command->get_options()) {
       options.push_back(description_of(*option));
     }
+    const std::string footer = command->get_footer();
     commands.push_back({{"name", command->get_name()},
                         {"summary", command->get_description()},
-                        {"footer", command->get_footer()},
+                        {"examples", footer.substr(0, footer.find(exit_codes))},
                         {"options", options}});
   }
   return commands;

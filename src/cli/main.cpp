@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
@@ -8,11 +10,14 @@
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/command_line.h"
+#include "src/cli/completion.h"
 #include "src/cli/list.h"
+#include "src/cli/manual.h"
 #include "src/cli/other_program.h"
 #include "src/cli/simulate.h"
 #include "src/cli/threshold.h"
 #include "src/core/folder_lock.h"
+#include "src/report/process.h"
 #include "src/report/report.h"
 #include "src/studies/reproduction/study.h"
 
@@ -42,6 +47,7 @@ class Program : public CommandLine {
     add_list();
     add_report();
     for (const OtherCommand& other : other_commands) add_other(other);
+    add_description();
   }
 
  private:
@@ -135,10 +141,41 @@ class Program : public CommandLine {
     on_call(command, [other, command]() -> int { hand_over(other, command->remaining()); });
   }
 
+  /// What is installed beside the program: its manual, and completions for the shells.
+  void add_description() {
+    CLI::App* command = add("describe", "Prints the manual, or the completion of a shell");
+    command->group("");  // hidden
+    command->add_option("form", description_, "What to print")
+        ->required()
+        ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+    on_call(command, [this] {
+      const Json commands = every_description();
+      std::fputs(
+          (description_ == "man" ? manual(commands) : completion(description_, commands)).c_str(),
+          stdout);
+      return 0;
+    });
+  }
+
+  /// Of the commands of the other programs, too, as far as these can be asked.
+  Json every_description() const {
+    Json commands = description();
+    const auto result =
+        report::run_process({path_of(other_commands[0]), "describe"}, "", std::chrono::seconds(10));
+    if (result.status != 0) return commands;
+    for (const Json& theirs : Json::parse(result.output)) {
+      for (Json& own : commands) {
+        if (own["name"] == theirs["name"]) own = theirs;
+      }
+    }
+    return commands;
+  }
+
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   SceneChoice scene_;
   ListOptions list_;
+  std::string description_;
   std::string report_from_, report_out_;
 };
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <optional>
 
 #include "src/cli/best_values.h"
@@ -25,6 +27,7 @@ class Studies : public CommandLine {
     add_verify();
     add_problems();
     add_best_values();
+    add_description();
   }
 
  private:
@@ -91,6 +94,16 @@ class Studies : public CommandLine {
         ->type_name("FILE")
         ->capture_default_str();
     on_call(command, [this] { return best_values(best_values_); });
+  }
+
+  /// For ricochet, which describes all commands.
+  void add_description() {
+    CLI::App* command = add("describe", "Prints what there is to say of the commands, as JSON");
+    command->group("");  // hidden
+    on_call(command, [this] {
+      fmt::print("{}\n", description().dump());
+      return 0;
+    });
   }
 
   studies::CalibrationOptions calibration_;

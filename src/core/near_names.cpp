@@ -41,6 +41,11 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+bool equal_in_any_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
 std::vector<std::string> near_names(std::string_view wanted,
                                     const std::vector<std::string>& known) {
   constexpr std::size_t longest = 100;  // nobody has mistyped so much

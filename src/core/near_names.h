@@ -10,6 +10,9 @@ namespace ricochet {
 /// of the other; letter case does not matter.
 int edit_distance(std::string_view a, std::string_view b);
 
+/// Whether both are the same but for their letter case.
+bool equal_in_any_case(std::string_view a, std::string_view b);
+
 /// The names that someone may have meant, the nearest first, at most three.
 std::vector<std::string> near_names(std::string_view wanted, const std::vector<std::string>& known);
 

@@ -15,6 +15,11 @@ TEST(EditDistance, CountsWhatMustBeChanged) {
   EXPECT_EQ(edit_distance("Omega", "omega"), 0);
 }
 
+TEST(EqualInAnyCase, ComparesLettersAlone) {
+  EXPECT_TRUE(equal_in_any_case("c10", "C10"));
+  EXPECT_FALSE(equal_in_any_case("c1", "C10"));
+}
+
 TEST(NearNames, AreMistypedOrShortened) {
   const std::vector<std::string> known = {"simulate", "threshold", "profile-count-2-C1"};
   EXPECT_THAT(near_names("simulte", known), ElementsAre("simulate"));

@@ -55,6 +55,14 @@ class Program : public CommandLine {
     command->add_flag("--all", threshold_.all, "Every case of the paper");
     command->add_option("--fastest", threshold_.fastest, "End of the speed range [rad/s]")
         ->capture_default_str();
+    command->add_option("--allow", threshold_.allow, "Limit: collisions in the window");
+    command->add_option("--allow-per-turn", threshold_.allow_per_turn, "Limit: collisions a turn");
+    command->add_option("--allow-energy", threshold_.allow_energy,
+                        "Limit: energy [J] that the walls take in the window");
+    command->add_option("--allow-speed", threshold_.allow_speed,
+                        "Limit: speed [m/s] of the fastest impact");
+    command->add_option("--tolerance", threshold_.tolerance,
+                        "How uncertain every constant is [%]: the range of the answer");
     on_call(command, [this] { return threshold(threshold_); });
   }
 

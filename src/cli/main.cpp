@@ -4,6 +4,7 @@
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/command_line.h"
 #include "src/cli/list.h"
+#include "src/cli/machine.h"
 #include "src/cli/other_program.h"
 #include "src/cli/simulate.h"
 #include "src/cli/threshold.h"
@@ -25,6 +26,7 @@ class Program : public CommandLine {
               studies::reproduction_study);
     add_simulate();
     add_threshold();
+    add_machine();
     add_scene();
     add_list();
     add_report();
@@ -64,6 +66,17 @@ class Program : public CommandLine {
     command->add_option("--tolerance", threshold_.tolerance,
                         "How uncertain every constant is [%]: the range of the answer");
     on_call(command, [this] { return threshold(threshold_); });
+  }
+
+  void add_machine() {
+    CLI::App* command = add("machine", "A machine of your own: new, check FILE");
+    command->require_subcommand(1);
+    CLI::App* fresh = command->add_subcommand("new", "Prints a file to start from");
+    on_call(fresh, [] { return new_machine(); });
+    CLI::App* check = command->add_subcommand(
+        "check", "Every field with unit and range, and what looks like a slip");
+    check->add_option("file", machine_file_, "The machine, a TOML file")->required();
+    on_call(check, [this] { return check_machine(machine_file_); });
   }
 
   void add_scene() {
@@ -107,6 +120,7 @@ class Program : public CommandLine {
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   SceneChoice scene_;
+  std::string machine_file_;
   std::string list_, list_scene_;
   bool list_json_ = false;
   std::string report_from_, report_out_;

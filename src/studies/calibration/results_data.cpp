@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "src/report/chart_data.h"
 #include "src/studies/calibration/results.h"
 
 namespace ricochet::studies::calibration {
@@ -38,27 +37,6 @@ Json data_of(const RankedFit& r) {
           {"right_examples", a.right_examples},
           {"quiet_share", a.quiet_share},
           {"criterion", a.criterion}};
-}
-
-Json error_chart(const Results& results) {
-  report::Chart chart{"error-against-freedom",
-                      "",
-                      {"fitted constants", report::Scale::linear, report::Range{1, 13}},
-                      {"error of the thresholds [%]", report::Scale::logarithmic}};
-  const auto sample = [](const RankedFit& r) {
-    return report::Sample{static_cast<double>(r.fit.freed.size()),
-                          std::max(0.1, 100 * r.appraisal.threshold_error)};
-  };
-  report::Series readings{"another reading", report::Mark::points, {}};
-  for (const RankedFit& r : results.readings) readings.samples.push_back(sample(r));
-  report::Series frontier{"the best reading, constants held", report::Mark::line, {}};
-  for (auto r = results.frontier.rbegin(); r != results.frontier.rend(); ++r) {
-    frontier.samples.push_back(sample(*r));
-  }
-  chart.series = {std::move(readings), std::move(frontier)};
-  chart.lines = {{report::Direction::horizontal, 5, "5 %"}};
-  chart.width = 720;
-  return report::data_of(chart);
 }
 
 /// The best reading for every answer to every question.
@@ -185,39 +163,28 @@ Json interval_of(const Profile& p) {
           {"determined", !p.lower_open && !p.upper_open}};
 }
 
-Json profile_chart(const Profile& profile) {
-  const OpenConstant& c = constant_of(profile.constant);
-  const std::string words = words_of(profile.constant);
-  report::Chart chart;
-  chart.name = "profile-" + std::string(c.name);
-  std::replace(chart.name.begin(), chart.name.end(), '_', '-');
-  chart.x.label = c.unit.empty() ? words : fmt::format("{} [{}]", words, c.unit);
-  chart.y.label = "misfit, the others fitted anew";
-  report::Series series{"", report::Mark::line, {}};
-  for (const auto& [value, misfit] : profile.points) series.samples.push_back({value, misfit});
-  chart.series = {std::move(series)};
-  chart.lines = {{report::Direction::vertical, profile.value, "fitted"}};
-  chart.width = 360;
-  chart.height = 240;
-  Json data = report::data_of(chart);
-  data["constant"] = words;
-  return data;
+Json profile_of(const Profile& profile) {
+  Json points = Json::array();
+  for (const auto& [value, misfit] : profile.points) {
+    points.push_back({{"value", value}, {"misfit", misfit}});
+  }
+  return {{"constant", words_of(profile.constant)},
+          {"unit", constant_of(profile.constant).unit},
+          {"value", profile.value},
+          {"points", std::move(points)}};
 }
 
-Json sensitivity_map(const Results& results) {
-  report::Chart chart{"sensitivity", "", {"case"}, {"constant"}};
+/// What the threshold of each case owes to a constant of the choice, a row a constant.
+Json sensitivity_of(const Results& results) {
+  Json cases = Json::array(), rows = Json::array();
+  for (const CaseSensitivity& row : results.sensitivities) cases.push_back(row.case_id);
   const std::vector<Open>& freed = results.choice().fit.freed;
-  report::HeatMap map{"change of ln(threshold) per change", {}, std::nullopt};
-  map.rows.resize(freed.size());
-  for (const Open open : freed) chart.y.categories.push_back(words_of(open));
-  for (const CaseSensitivity& row : results.sensitivities) {
-    chart.x.categories.push_back(row.case_id);
-    for (std::size_t i = 0; i < row.slopes.size(); ++i) map.rows[i].push_back(row.slopes[i]);
+  for (std::size_t i = 0; i < freed.size(); ++i) {
+    Json slopes = Json::array();
+    for (const CaseSensitivity& row : results.sensitivities) slopes.push_back(row.slopes[i]);
+    rows.push_back({{"constant", words_of(freed[i])}, {"slopes", std::move(slopes)}});
   }
-  chart.heat_map = std::move(map);
-  chart.width = 720;
-  chart.height = 120 + 32 * static_cast<int>(freed.size());
-  return report::data_of(chart);
+  return {{"cases", std::move(cases)}, {"constants", std::move(rows)}};
 }
 
 Json plan_of(const Plan& plan) {
@@ -247,7 +214,6 @@ Json data_of(const Results& results) {
                {"compared", results.readings.size() > 1},
                {"nearest", Json::array()},
                {"others", Json::array()},
-               {"errors", error_chart(results)},
                {"answers", answers_of(results.readings)},
                {"rankings", results.rankings.empty() ? Json() : rankings_of(results)},
                {"frontier", frontier_of(results.frontier)},
@@ -259,7 +225,7 @@ Json data_of(const Results& results) {
                 std::count_if(profiles.begin(), profiles.end(),
                               [](const Profile& p) { return !p.lower_open && !p.upper_open; })},
                {"intervals", Json::array()},
-               {"sensitivity", sensitivity_map(results)},
+               {"sensitivity", sensitivity_of(results)},
                {"profiles", Json::array()}};
   data["best"]["description"] = description_of(results.readings.front().fit.reading);
   for (const RankedFit& r : results.readings) {
@@ -267,7 +233,7 @@ Json data_of(const Results& results) {
   }
   for (const Profile& profile : profiles) {
     data["intervals"].push_back(interval_of(profile));
-    data["profiles"].push_back(profile_chart(profile));
+    data["profiles"].push_back(profile_of(profile));
   }
   return data;
 }

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/report/chart_data.h"
-#include "src/report/text.h"
 #include "src/statistics/bootstrap.h"
 #include "src/studies/surrogate/bias.h"
 
@@ -20,28 +18,6 @@ Json data_of(const Bias& bias) {
           {"speed", bias.speed},
           {"speed_regret", bias.speed_regret},
           {"quiet", bias.speed ? Json(!bias.loud) : Json()}};
-}
-
-/// Distance in collisions and in speed, over the width.
-Json chart_of(const CaseBias& row) {
-  report::Chart chart;
-  chart.name = "gap-" + report::lower_case(row.id);
-  chart.x = {"smoothing width", report::Scale::logarithmic};
-  chart.y = {"gap [collisions, rad/s]"};
-  report::Series error{"distance from the count [collisions]", report::Mark::line, {}};
-  report::Series regret{"count at its minimum, too high by [collisions]", report::Mark::line, {}};
-  report::Series speed{"fastest quiet speed wrong by [rad/s]", report::Mark::line, {}};
-  for (auto bias = row.biases.rbegin(); bias != row.biases.rend(); ++bias) {
-    error.samples.push_back({bias->width, bias->error});
-    regret.samples.push_back({bias->width, bias->count_regret});
-    const auto wrong =
-        bias->speed_regret ? std::optional(std::abs(*bias->speed_regret)) : std::nullopt;
-    speed.samples.push_back({bias->width, wrong});
-  }
-  chart.series = {error, regret, speed};
-  Json data = report::data_of(chart);
-  data["id"] = row.id;
-  return data;
 }
 
 /// How wrong the fastest quiet speed is over the cases, at one width.
@@ -70,8 +46,7 @@ Json data_of(const BiasStudy& study) {
                {"narrowest", over_cases(study, last)},
                {"speeds", std::lround(18 / study.plan.step)},
                {"widths", study.plan.widths.size()},
-               {"cases", Json::array()},
-               {"charts", Json::array()}};
+               {"cases", Json::array()}};
   for (const CaseBias& row : study.cases) {
     Json widths = Json::array();
     for (const Bias& bias : row.biases) widths.push_back(data_of(bias));
@@ -79,7 +54,6 @@ Json data_of(const BiasStudy& study) {
                              {"lowest", row.lowest},
                              {"fastest", row.fastest},
                              {"widths", std::move(widths)}});
-    data["charts"].push_back(chart_of(row));
   }
   return data;
 }

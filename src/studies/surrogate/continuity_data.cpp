@@ -1,14 +1,11 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/report/chart_data.h"
 #include "src/statistics/bootstrap.h"
-#include "src/studies/surrogate/charts.h"
 #include "src/studies/surrogate/continuity.h"
+#include "src/studies/surrogate/tail.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -56,18 +53,11 @@ double weight_at_rest(double width) {
 Json data_of(const ContinuityStudy& study) {
   const std::vector<double>& widths = study.plan.widths;
   const double widest = *std::max_element(widths.begin(), widths.end());
-  report::Chart chart = large_chart(
-      "continuity",
-      {"jump of the surrogate [impacts]", report::Scale::logarithmic, report::Range{1e-16, 1}},
-      {"share of the jumps", report::Scale::logarithmic});
-  chart.height = 320;
-  chart.lines = {{report::Direction::vertical, largest_allowed, "allowed"},
-                 {report::Direction::vertical, 1.0, "the count's jump"}};
   Json data = {{"allowed", largest_allowed}, {"resting_speed", carrier_track::resting_speed},
                {"widest", widest},           {"weight_at_rest", weight_at_rest(widest)},
                {"seed", study.plan.seed},    {"columns", Json::array()},
                {"worst", Json::array()},     {"widths", Json::array()},
-               {"cases", Json::array()}};
+               {"cases", Json::array()},     {"tails", Json::array()}};
   std::size_t births = 0;
   std::size_t larger = 0;
   for (std::size_t w = 0; w < widths.size(); ++w) {
@@ -78,7 +68,8 @@ Json data_of(const ContinuityStudy& study) {
       if (kind.jumps == &ContinuityRow::births) births += jumps.size();
       larger += larger_than(largest_allowed, jumps);
       worst = std::max(worst, jumps.back());
-      add(chart, tail_of(fmt::format("width {:g}, {}", widths[w], kind.name), jumps));
+      data["tails"].push_back(
+          {{"width", widths[w]}, {"where", kind.name}, {"tail", tail_of(jumps)}});
       data["widths"].push_back({{"width", widths[w]},
                                 {"where", kind.name},
                                 {"segments", jumps.size()},
@@ -113,7 +104,6 @@ Json data_of(const ContinuityStudy& study) {
                                                [](double p) { return p < 0.4; })},
                          {"all", exponents.size()}};
   }
-  data["chart"] = report::data_of(chart);
   return data;
 }
 

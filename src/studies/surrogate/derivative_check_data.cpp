@@ -3,10 +3,9 @@
 #include <cmath>
 
 #include "src/core/difference.h"
-#include "src/report/chart_data.h"
 #include "src/statistics/bootstrap.h"
-#include "src/studies/surrogate/charts.h"
 #include "src/studies/surrogate/derivative_check.h"
+#include "src/studies/surrogate/tail.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -45,14 +44,12 @@ Json data_of(const Outlier& outlier) {
 }
 
 Json tails_of(const DerivativeCheckStudy& study) {
-  report::Chart chart = large_chart(
-      "agreement", {"relative difference", report::Scale::logarithmic, report::Range{1e-16, 10}},
-      {"share of the derivatives", report::Scale::logarithmic});
+  Json tails = Json::array();
   for (const DerivativeErrors& row : study.rows) {
-    add(chart, tail_of(row.family + ", " + row.function, row.errors));
+    tails.push_back(
+        {{"family", row.family}, {"function", row.function}, {"tail", tail_of(row.errors)}});
   }
-  chart.lines = {{report::Direction::vertical, outlier, "outliers beyond"}};
-  return report::data_of(chart);
+  return tails;
 }
 
 }  // namespace

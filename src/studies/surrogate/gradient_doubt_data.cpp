@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "problems/carrier_track/questions/speed_range.h"
 #include "src/core/problem.h"
-#include "src/report/chart_data.h"
 #include "src/studies/surrogate/gradient_doubt.h"
 
 namespace ricochet::studies::surrogate {
@@ -32,42 +29,11 @@ Json data_of(const GradientQuality& q) {
           {"log_reach", q.log_reach}};
 }
 
-/// A map over cases and speeds of what data_of names so, in percent if it is a share.
-Json map_of(const GradientDoubtStudy& study, std::string name, std::string label, const char* what,
-            std::optional<report::Range> percent) {
-  report::Chart chart{std::move(name), "", {"speed [rad/s]"}, {"case"}};
-  report::HeatMap map{std::move(label), {}, percent};
-  const double width = fastest_speed / study.plan.cells;
-  for (int k = 0; k < study.plan.cells; ++k) {
-    chart.x.categories.push_back(fmt::format("{:.3g}", (k + 0.5) * width));
-  }
-  for (const CaseQuality& row : study.rows) {
-    chart.y.categories.push_back(row.id);
-    auto& cells = map.rows.emplace_back();
-    for (const GradientQuality& quality : row.cells) {
-      const Json value = data_of(quality)[what];
-      cells.push_back(value.is_null() ? std::nullopt
-                                      : std::optional((percent ? 100 : 1) * value.get<double>()));
-    }
-  }
-  chart.heat_map = std::move(map);
-  chart.height = 360;
-  return report::data_of(chart);
-}
-
-Json step_chart(const GradientDoubtStudy& study) {
-  report::Chart chart{"validity-steps",
-                      "",
-                      {"step, part of the range of speeds", report::Scale::logarithmic},
-                      {"relative difference", report::Scale::logarithmic}};
-  report::Series median{"median", report::Mark::line, {}};
-  report::Series upper{"0.9 quantile", report::Mark::line, {}};
-  for (auto e = study.step_errors.rbegin(); e != study.step_errors.rend(); ++e) {
-    median.samples.push_back({e->step, std::max(e->median, 1e-16)});
-    upper.samples.push_back({e->step, std::max(e->upper, 1e-16)});
-  }
-  chart.series = {median, upper};
-  return report::data_of(chart);
+/// A cell each by speed.
+Json cells_of(const CaseQuality& row) {
+  Json cells = Json::array();
+  for (const GradientQuality& quality : row.cells) cells.push_back(data_of(quality));
+  return cells;
 }
 
 }  // namespace
@@ -88,14 +54,23 @@ Json data_of(const GradientDoubtStudy& study) {
     widths.push_back({{"width", study.plan.widths[w]}});
     widths.back().update(data_of(study.by_width[w]));
   }
-  const report::Range percent{0, 100};
+  Json speeds = Json::array(), cases = Json::array(), steps = Json::array();
+  for (int k = 0; k < study.plan.cells; ++k) {
+    speeds.push_back((k + 0.5) * (fastest_speed / study.plan.cells));
+  }
+  for (const CaseQuality& row : study.rows) {
+    cases.push_back({{"id", row.id}, {"cells", cells_of(row)}});
+  }
+  for (const StepError& error : study.step_errors) {
+    steps.push_back({{"step", error.step},
+                     {"median", std::max(error.median, 1e-16)},
+                     {"upper", std::max(error.upper, 1e-16)}});
+  }
   return {{"all", data_of(all)},
           {"widths", std::move(widths)},
-          {"agreement", map_of(study, "validity-agreement", "agree [%]", "agreeing", percent)},
-          {"trend", map_of(study, "validity-trend", "same sign [%]", "trending", percent)},
-          {"flat", map_of(study, "validity-flat", "flat [%]", "flat", percent)},
-          {"reach", map_of(study, "validity-reach", "log10 of the reach", "log_reach", {})},
-          {"steps", step_chart(study)}};
+          {"speeds", std::move(speeds)},
+          {"cases", std::move(cases)},
+          {"steps", std::move(steps)}};
 }
 
 }  // namespace ricochet::studies::surrogate

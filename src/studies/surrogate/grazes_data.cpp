@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "problems/carrier_track/gradients/trust.h"
-#include "src/report/chart_data.h"
-#include "src/studies/surrogate/charts.h"
 #include "src/studies/surrogate/grazes.h"
 
 namespace ricochet::studies::surrogate {
@@ -13,55 +9,40 @@ namespace {
 
 using carrier_track::short_reach;
 using report::Json;
-using report::Mark;
 
-report::Chart chart_over_distance(std::string name, std::string y) {
-  return large_chart(std::move(name),
-                     {"distance from the graze, share of 18 rad/s", report::Scale::logarithmic},
-                     {std::move(y), report::Scale::logarithmic});
-}
-
-/// Of the first graze of each case that something follows.
+/// The slopes that are not zero, at one width: of the first graze of each case that something
+/// follows, and where the wall is missed, of all of these.
 Json slopes_of(const GrazeStudy& study, std::size_t width) {
-  report::Chart chart = chart_over_distance(fmt::format("graze-slopes-{}", width + 1),
-                                            "|slope of the surrogate| [impacts per rad/s]");
-  report::Series missed{"the wall is missed, all", Mark::points, {}};
+  Json hits = Json::array(), missed = Json::array();
+  const auto add = [](const Approach& at, double slope, Json& rows) {
+    if (slope != 0) rows.push_back({{"distance", at.distance}, {"slope", std::abs(slope)}});
+  };
   std::string shown;
   for (const GrazeRow& row : study.rows) {
     if (!row.followed() || row.id == shown) continue;
     shown = row.id;
-    report::Series hit{
-        fmt::format("{} at {:.3f} rad/s, hit", row.id, row.graze.omega), Mark::line, {}};
-    for (const Approach& a : row.approaches[width]) {
-      if (a.hit_slope != 0) hit.samples.push_back({a.distance, std::abs(a.hit_slope)});
-      if (a.missed_slope != 0) missed.samples.push_back({a.distance, std::abs(a.missed_slope)});
+    Json hit = Json::array();
+    for (const Approach& at : row.approaches[width]) {
+      add(at, at.hit_slope, hit);
+      add(at, at.missed_slope, missed);
     }
-    std::reverse(hit.samples.begin(), hit.samples.end());
-    add(chart, std::move(hit));
+    hits.push_back({{"id", row.id}, {"omega", row.graze.omega}, {"slopes", std::move(hit)}});
   }
-  add(chart, std::move(missed));
-  Json data = report::data_of(chart);
-  data["smoothing"] = study.plan.widths[width];
-  return data;
+  return {{"number", width + 1},
+          {"smoothing", study.plan.widths[width]},
+          {"hits", std::move(hits)},
+          {"missed", std::move(missed)}};
 }
 
 Json reaches_of(const GrazeStudy& study) {
-  report::Chart chart = chart_over_distance("graze-reach", "reach told, share of 18 rad/s");
-  report::Series hit{"the wall is hit", Mark::points, {}};
-  report::Series missed{"the wall is missed", Mark::points, {}};
+  Json reaches = Json::array();
   for (const GrazeRow& row : study.rows) {
-    for (const Approach& a : row.approaches.front()) {
-      if (std::isfinite(a.hit_reach)) hit.samples.push_back({a.distance, a.hit_reach});
-      if (std::isfinite(a.missed_reach)) missed.samples.push_back({a.distance, a.missed_reach});
+    for (const Approach& at : row.approaches.front()) {
+      reaches.push_back(
+          {{"distance", at.distance}, {"hit", at.hit_reach}, {"missed", at.missed_reach}});
     }
   }
-  const double near = study.plan.distances.back();
-  const double far = study.plan.distances.front();
-  chart.series = {{"reach = distance", Mark::line, {{near, near}, {far, far}}},
-                  std::move(hit),
-                  std::move(missed)};
-  chart.lines = {{report::Direction::horizontal, short_reach, "in doubt below"}};
-  return report::data_of(chart);
+  return reaches;
 }
 
 Json data_of(const GrazeRow& row) {
@@ -116,6 +97,7 @@ Json data_of(const GrazeStudy& study) {
           {"narrowest", study.plan.widths.back()},
           {"widest", study.plan.widths.front()},
           {"nearest", study.plan.distances.back()},
+          {"farthest", study.plan.distances.front()},
           {"steepest", steepest},
           {"missed", missed},
           {"reach_error", reach_error},

@@ -48,13 +48,6 @@ class Mover : public Observer {
   double rate_, slowest_;
 };
 
-Scene chaotic_scene() {
-  for (const dynamics::BenchmarkScene& arena : dynamics::benchmark_scenes(1)) {
-    if (arena.id == "chaotic") return arena.scene;
-  }
-  throw std::logic_error("there is no chaotic arena");
-}
-
 }  // namespace
 
 std::vector<Stretched> stretched_by_impact(const Driven& driven) {
@@ -97,7 +90,7 @@ GrowthCell growth_of(const Driven& driven, double turns) {
 }
 
 std::vector<Driven> shaken_gaps() {
-  const Scene chaotic = chaotic_scene();
+  const Scene chaotic = dynamics::benchmark_scene("chaotic", 1);
   std::vector<Driven> gaps = {{"chaotic scene", chaotic, true}};
   for (const double pull : {0.0, 0.5, 1.0}) {
     for (const double restitution : {0.6, 0.8, 0.9, 0.95}) {

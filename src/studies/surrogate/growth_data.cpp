@@ -1,17 +1,12 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "src/report/chart_data.h"
-#include "src/studies/surrogate/charts.h"
 #include "src/studies/surrogate/growth.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
 
 using report::Json;
-using report::Mark;
 
 /// The turns of the first window in which something holds.
 template <class Holds>
@@ -39,48 +34,27 @@ bool forgets(const GrowthRow& row) {
   return !row.cells.back().sensitivity.exponent();
 }
 
-Json scatter_of(const GrowthStudy& study) {
-  report::Chart chart =
-      large_chart("growth-rates", {"Lyapunov exponent, or growth between rests on a wall [1/s]"},
-                  {"rate of the derivative [1/s]"});
-  report::Series moving{"never rests on a wall", Mark::points, {}};
-  report::Series resting{"rests on a wall", Mark::points, {}};
-  double lowest = 0;
-  double highest = 0;
-  for (const GrowthRow& row : study.rows) {
-    const GrowthCell& cell = row.cells.back();
-    if (!cell.rate) continue;
-    (forgets(row) ? resting : moving).samples.push_back({cell.sensitivity.growth, *cell.rate});
-    lowest = std::min(lowest, cell.sensitivity.growth);
-    highest = std::max(highest, cell.sensitivity.growth);
-  }
-  add(chart, std::move(moving));
-  add(chart, std::move(resting));
-  add(chart,
-      {"theory: the exponent or zero", Mark::line, {{lowest, 0}, {0, 0}, {highest, highest}}});
-  return report::data_of(chart);
-}
-
 /// Of the first three shaken gaps and of two cases.
 Json courses_of(const GrowthStudy& study) {
-  report::Chart chart = large_chart("growth-courses", {"time, share of the window"},
-                                    {"derivative of an impact [m s]", report::Scale::logarithmic});
-  const auto draw = [&](const GrowthRow& row) {
-    report::Series series{row.driven.name, Mark::line, {}};
+  Json courses = Json::array();
+  const auto add = [&](const GrowthRow& row) {
+    Json impacts = Json::array();
     const double window = row.stretched.empty() ? 1 : row.stretched.back().time;
     const std::size_t stride = 1 + row.stretched.size() / 600;
     for (std::size_t k = 0; k < row.stretched.size(); k += stride) {
-      series.samples.push_back({row.stretched[k].time / window, row.stretched[k].length});
+      impacts.push_back(
+          {{"time", row.stretched[k].time / window}, {"length", row.stretched[k].length}});
     }
-    add(chart, std::move(series));
+    if (impacts.empty()) return;
+    courses.push_back({{"motion", row.driven.name}, {"impacts", std::move(impacts)}});
   };
-  const auto gaps = std::find_if(study.rows.begin(), study.rows.end(),
-                                 [](const GrowthRow& row) { return row.driven.shaken; });
-  for (auto row = gaps; row != study.rows.end() && row < gaps + 3; ++row) draw(*row);
-  for (auto row = study.rows.begin(); row != gaps && chart.series.size() < 5; ++row) {
-    if (row->driven.name.starts_with("C2 ") || row->driven.name.starts_with("C10 ")) draw(*row);
+  const auto gaps =
+      std::ranges::find(study.rows, true, [](const GrowthRow& row) { return row.driven.shaken; });
+  for (auto row = gaps; row != study.rows.end() && row < gaps + 3; ++row) add(*row);
+  for (auto row = study.rows.begin(); row != gaps && courses.size() < 5; ++row) {
+    if (row->driven.name.starts_with("C2 ") || row->driven.name.starts_with("C10 ")) add(*row);
   }
-  return report::data_of(chart);
+  return courses;
 }
 
 Json data_of(const GrowthRow& row) {
@@ -135,10 +109,19 @@ Json totals_of(const GrowthStudy& study) {
 
 Json data_of(const GrowthStudy& study) {
   Json motions = Json::array();
-  for (const GrowthRow& row : study.rows) motions.push_back(data_of(row));
-  return {{"shortest", study.plan.turns.front()}, {"longest", study.plan.turns.back()},
-          {"totals", totals_of(study)},           {"motions", std::move(motions)},
-          {"rates", scatter_of(study)},           {"courses", courses_of(study)},
+  double lowest = 0, highest = 0;  // growth
+  for (const GrowthRow& row : study.rows) {
+    motions.push_back(data_of(row));
+    lowest = std::min(lowest, row.cells.back().sensitivity.growth);
+    highest = std::max(highest, row.cells.back().sensitivity.growth);
+  }
+  return {{"shortest", study.plan.turns.front()},
+          {"longest", study.plan.turns.back()},
+          {"totals", totals_of(study)},
+          {"motions", std::move(motions)},
+          {"lowest", lowest},
+          {"highest", highest},
+          {"courses", courses_of(study)},
           {"grazes", data_of(study.grazes)}};
 }
 

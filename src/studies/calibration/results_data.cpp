@@ -11,6 +11,7 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
+using report::list_of;
 
 const OpenConstant& constant_of(Open open) {
   return open_constants()[static_cast<std::size_t>(open)];
@@ -122,34 +123,30 @@ Json frontier_of(const std::vector<RankedFit>& frontier) {
 }
 
 Json constants_of(const Fit& fit) {
-  Json rows = Json::array();
-  for (const Open open : open_of(fit.reading)) {
+  return list_of(open_of(fit.reading), [&](Open open) -> Json {
     const OpenConstant& c = constant_of(open);
-    rows.push_back({{"constant", words_of(open)},
-                    {"value", fit.constants[static_cast<std::size_t>(open)]},
-                    {"unit", c.unit},
-                    {"freed", contains(fit.freed, open)},
-                    {"lower", c.lower},
-                    {"upper", c.upper},
-                    {"why", c.why}});
-  }
-  return rows;
+    return {{"constant", words_of(open)},
+            {"value", fit.constants[static_cast<std::size_t>(open)]},
+            {"unit", c.unit},
+            {"freed", contains(fit.freed, open)},
+            {"lower", c.lower},
+            {"upper", c.upper},
+            {"why", c.why}};
+  });
 }
 
 Json predictions_of(const Results& results) {
-  Json rows = Json::array();
-  for (const Prediction& p : results.predictions) {
+  return list_of(results.predictions, [&](const Prediction& p) -> Json {
     std::optional<double> fitted;
     for (const CaseAppraisal& c : results.choice().appraisal.cases) {
       if (c.the_case.id == p.case_id) fitted = c.score.threshold;
     }
-    rows.push_back({{"id", p.case_id},
-                    {"paper", p.paper},
-                    {"fitted", fitted},
-                    {"predicted", p.predicted},
-                    {"off", p.predicted ? Json(std::log(*p.predicted / p.paper)) : Json()}});
-  }
-  return rows;
+    return {{"id", p.case_id},
+            {"paper", p.paper},
+            {"fitted", fitted},
+            {"predicted", p.predicted},
+            {"off", p.predicted ? Json(std::log(*p.predicted / p.paper)) : Json()}};
+  });
 }
 
 Json interval_of(const Profile& p) {
@@ -163,28 +160,23 @@ Json interval_of(const Profile& p) {
           {"determined", !p.lower_open && !p.upper_open}};
 }
 
-Json profile_of(const Profile& profile) {
-  Json points = Json::array();
-  for (const auto& [value, misfit] : profile.points) {
-    points.push_back({{"value", value}, {"misfit", misfit}});
-  }
-  return {{"constant", words_of(profile.constant)},
-          {"unit", constant_of(profile.constant).unit},
-          {"value", profile.value},
-          {"points", std::move(points)}};
+Json points_of(const Profile& profile) {
+  return list_of(profile.points, [](const auto& point) -> Json {
+    return {{"value", point.first}, {"misfit", point.second}};
+  });
 }
 
 /// What the threshold of each case owes to a constant of the choice, a row a constant.
 Json sensitivity_of(const Results& results) {
-  Json cases = Json::array(), rows = Json::array();
-  for (const CaseSensitivity& row : results.sensitivities) cases.push_back(row.case_id);
+  Json rows = Json::array();
   const std::vector<Open>& freed = results.choice().fit.freed;
   for (std::size_t i = 0; i < freed.size(); ++i) {
-    Json slopes = Json::array();
-    for (const CaseSensitivity& row : results.sensitivities) slopes.push_back(row.slopes[i]);
-    rows.push_back({{"constant", words_of(freed[i])}, {"slopes", std::move(slopes)}});
+    const auto slope = [i](const CaseSensitivity& row) { return row.slopes[i]; };
+    rows.push_back(
+        {{"constant", words_of(freed[i])}, {"slopes", list_of(results.sensitivities, slope)}});
   }
-  return {{"cases", std::move(cases)}, {"constants", std::move(rows)}};
+  return {{"cases", list_of(results.sensitivities, &CaseSensitivity::case_id)},
+          {"constants", std::move(rows)}};
 }
 
 Json plan_of(const Plan& plan) {
@@ -224,17 +216,14 @@ Json data_of(const Results& results) {
                {"determined",
                 std::count_if(profiles.begin(), profiles.end(),
                               [](const Profile& p) { return !p.lower_open && !p.upper_open; })},
-               {"intervals", Json::array()},
+               {"intervals", list_of(profiles, interval_of)},
                {"sensitivity", sensitivity_of(results)},
-               {"profiles", Json::array()}};
+               {"profiles", Json::object()}};
   data["best"]["description"] = description_of(results.readings.front().fit.reading);
   for (const RankedFit& r : results.readings) {
     data[data["nearest"].size() < nearest ? "nearest" : "others"].push_back(data_of(r));
   }
-  for (const Profile& profile : profiles) {
-    data["intervals"].push_back(interval_of(profile));
-    data["profiles"].push_back(profile_of(profile));
-  }
+  for (const Profile& p : profiles) data["profiles"][words_of(p.constant)] = points_of(p);
   return data;
 }
 

@@ -58,7 +58,7 @@ Json data_of(const Sticking& sticking, int decades) {
            !sticking.gave_up && in_time && sticking.creep == 0 && !sticking.breaks_loose_early}};
 }
 
-Json data_of(const Elastic& elastic) {
+Json elastic_data(const Elastic& elastic) {
   const double ratio = elastic.energy_ratio;
   const double drift = ratio - 1;
   const bool lost = ratio<0.01, multiplied = ratio> 2, kept = std::abs(drift) < 1e-8;
@@ -82,13 +82,11 @@ Json data_of(const ChaoticRate& rate) {
 }
 
 Json data_of(const FailureModeStudy& study, const MethodFailures& method) {
-  Json elastic = Json::array();
-  for (const Elastic& one : method.elastic) elastic.push_back(data_of(one));
   return {{"method", method.method},
           {"zeno", data_of(method.zeno)},
           {"grazes", grazes_of(method, study.overshoots)},
           {"sticking", data_of(method.sticking, study.plan.decades)},
-          {"elastic", std::move(elastic)},
+          {"elastic", report::list_of(method.elastic, elastic_data)},
           {"rate", data_of(method.rate)}};
 }
 
@@ -111,20 +109,16 @@ Json rights_of(const MethodFailures& method) {
   for (auto share = method.touched.rbegin(); share != method.touched.rend(); ++share) {
     rights.push_back(std::round(100 * *share));
   }
-  return rights;
+  return {{"method", method.method}, {"right", std::move(rights)}};
 }
 
 Json control_data(const FailureModeStudy& study, const std::vector<MethodFailures>& methods,
                   const std::string& control) {
-  Json data = {{"control", control},
-               {"tight", control == "tight"},
-               {"methods", Json::array()},
-               {"rights", Json::array()}};
-  for (const MethodFailures& method : methods) {
-    data["methods"].push_back(data_of(study, method));
-    data["rights"].push_back({{"method", method.method}, {"right", rights_of(method)}});
-  }
-  return data;
+  const auto failures_of = [&](const MethodFailures& method) { return data_of(study, method); };
+  return {{"control", control},
+          {"tight", control == "tight"},
+          {"methods", report::list_of(methods, failures_of)},
+          {"rights", report::list_of(methods, rights_of)}};
 }
 
 /// In how many failure modes a method of control_data fails.

@@ -38,13 +38,6 @@ std::string name_of(double stiffness) {
   return fmt::format("1e{:.0f}", std::log10(stiffness));
 }
 
-/// Which share of the speeds counts equal, stiffness by stiffness.
-Json shares_of(const std::vector<FidelityCell>& cells) {
-  Json shares = Json::array();
-  for (const FidelityCell& cell : cells) shares.push_back(cell.share());
-  return shares;
-}
-
 /// All cases with one stiffness.
 Json total_of(const FidelityStudy& study, std::size_t s) {
   FidelityCell total;
@@ -113,7 +106,8 @@ Json data_of(const FidelityStudy& study) {
       {"stiffnesses", Json::array()},
       {"shares", Json::array()}};
   for (std::size_t c = 0; c < study.cases.size(); ++c) {
-    data["shares"].push_back({{"case", study.cases[c]}, {"equal", shares_of(study.cells[c])}});
+    data["shares"].push_back({{"case", study.cases[c]},
+                              {"equal", report::list_of(study.cells[c], &FidelityCell::share)}});
   }
   for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
     data["stiffnesses"].push_back(total_of(study, s));

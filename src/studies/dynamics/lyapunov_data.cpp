@@ -12,13 +12,9 @@ using report::Json;
 constexpr double pi = std::numbers::pi;
 const double all_digits = 53 * std::log10(2.0);  // of a double: 15.95
 
-/// What the motions of a case lose, speed by speed; null where they lose all.
-Json digits_of(const std::vector<Sensitivity>& cells) {
-  Json digits = Json::array();
-  for (const Sensitivity& cell : cells) {
-    digits.push_back(cell.chaotic() ? Json() : Json(cell.digits_lost));
-  }
-  return digits;
+/// What a motion loses; null where it loses all.
+Json digits_of(const Sensitivity& motion) {
+  return motion.chaotic() ? Json() : Json(motion.digits_lost);
 }
 
 /// Impact by impact, as far as it is drawn.
@@ -103,13 +99,15 @@ Json data_of(const Course& course) {
 
 Json data_of(const LyapunovStudy& study) {
   const std::vector<double>& speeds = study.plan.speeds;
-  Json courses = Json::array(), losses = Json::array(), digits = Json::array();
-  for (const Course& course : study.courses) {
-    courses.push_back(data_of(course));
-    losses.push_back({{"motion", course.name}, {"digits", drawn_digits(course)}});
-  }
+  const auto course_data = [](const Course& course) { return data_of(course); };
+  const auto losses_of = [](const Course& course) -> Json {
+    return {{"motion", course.name}, {"digits", drawn_digits(course)}};
+  };
+  const Json courses = report::list_of(study.courses, course_data);
+  Json digits = Json::array();
   for (std::size_t c = 0; c < study.cases.size(); ++c) {
-    digits.push_back({{"case", study.cases[c]}, {"digits", digits_of(study.cells[c])}});
+    digits.push_back(
+        {{"case", study.cases[c]}, {"digits", report::list_of(study.cells[c], digits_of)}});
   }
   return {{"speeds",
            {{"tried", speeds.size()},
@@ -123,7 +121,7 @@ Json data_of(const LyapunovStudy& study) {
           {"chaotic", courses.back()},
           {"courses", courses},
           {"all_digits", all_digits},
-          {"losses", std::move(losses)},
+          {"losses", report::list_of(study.courses, losses_of)},
           {"digits", std::move(digits)},
           {"shaken", shaken_data(study)}};
 }

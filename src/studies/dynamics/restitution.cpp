@@ -35,11 +35,9 @@ Json data_of(const LawStudy& law) {
 }
 
 Json rows_of(const std::vector<ReturnedRestitution>& points) {
-  Json rows = Json::array();
-  for (const auto& [asked, returned] : points) {
-    rows.push_back({{"asked", asked}, {"returned", returned}});
-  }
-  return rows;
+  return report::list_of(points, [](const ReturnedRestitution& point) -> Json {
+    return {{"asked", point.asked}, {"returned", point.returned}};
+  });
 }
 
 }  // namespace

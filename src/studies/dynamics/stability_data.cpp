@@ -68,36 +68,37 @@ Json map_data(const StabilityStudy& study, const StabilityMap& map) {
   return data;
 }
 
-/// What a right count costs, stiffness by stiffness.
-Json costs_of(const StabilityMap& map, const std::vector<double>& stiffnesses) {
+/// What something costs, stiffness by stiffness.
+template <class Evaluations>
+Json costs_of(const StabilityStudy& study, const Evaluations& evaluations_of) {
   Json costs = Json::array();
-  for (std::size_t s = 0; s < stiffnesses.size(); ++s) {
-    const auto cell = cheapest_right(map.cells[s]);
-    costs.push_back(
-        {{"stiffness", stiffnesses[s]}, {"evaluations", cell ? Json(cell->evaluations) : Json()}});
+  for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
+    costs.push_back({{"stiffness", study.plan.stiffnesses[s]}, {"evaluations", evaluations_of(s)}});
   }
   return costs;
 }
 
-Json costs_of(const RestCost& cost, const std::vector<double>& stiffnesses) {
-  Json costs = Json::array();
-  for (std::size_t s = 0; s < stiffnesses.size(); ++s) {
-    const Rest& rest = cost.rests[s];
-    costs.push_back({{"stiffness", stiffnesses[s]},
-                     {"evaluations", rest.depth_error ? Json(rest.evaluations) : Json()}});
-  }
-  return costs;
+Json right_costs(const StabilityStudy& study, const StabilityMap& map) {
+  return costs_of(study, [&](std::size_t s) {
+    const auto cell = cheapest_right(map.cells[s]);
+    return cell ? Json(cell->evaluations) : Json();
+  });
+}
+
+Json rest_costs(const StabilityStudy& study, const RestCost& cost) {
+  return costs_of(study, [&](std::size_t s) {
+    return cost.rests[s].depth_error ? Json(cost.rests[s].evaluations) : Json();
+  });
 }
 
 Json curve_of(const ReturnCurve& curve) {
-  Json points = Json::array();
-  for (const Return& point : curve.returns) {
-    points.push_back({{"scaled_step", point.scaled_step}, {"ratio", point.ratio}});
-  }
+  const auto point_of = [](const Return& point) -> Json {
+    return {{"scaled_step", point.scaled_step}, {"ratio", point.ratio}};
+  };
   return {{"method", curve.method},
           {"exponent", curve.exponent},
           {"onset", onset(curve, 1 / 0.9)},
-          {"points", std::move(points)}};
+          {"points", report::list_of(curve.returns, point_of)}};
 }
 
 Json data_of(const Rest& rest) {
@@ -119,14 +120,14 @@ Json data_of(const StabilityStudy& study) {
                 {{"method", study.hard.method},
                  {"right", right_counts(study.hard)},
                  {"steps", study.hard.controls.size()}}}};
-  for (const char* list : {"borders", "failing", "growths", "returns", "orders", "rests", "resting",
-                           "restless", "rest_costs", "fixed_maps", "adaptive_maps"}) {
+  for (const char* list : {"borders", "failing", "growths", "rests", "resting", "restless",
+                           "rest_costs", "fixed_maps", "adaptive_maps"}) {
     data[list] = Json::array();
   }
   int wrong = 0, runs = 0;
   for (const StabilityMap& map : study.maps) {
     data["growths"].push_back(
-        {{"method", map.method}, {"growth", growth(map)}, {"costs", costs_of(map, stiffnesses)}});
+        {{"method", map.method}, {"growth", growth(map)}, {"costs", right_costs(study, map)}});
     if (const auto bound = spring_bound(map.method)) {
       const Border border = border_of(map, study.frequencies);
       data["borders"].push_back({{"method", map.method},
@@ -145,17 +146,17 @@ Json data_of(const StabilityStudy& study) {
   data["any_failing"] = wrong > 0;
   data["wrong"] = wrong;
   data["runs"] = runs;
-  for (const ReturnCurve& curve : study.returns) data["returns"].push_back(curve_of(curve));
-  for (const EdgeOrder& order : study.orders) {
-    data["orders"].push_back({{"wall", order.wall},
-                              {"expected", order.expected},
-                              {"measured", order.measured},
-                              {"error", order.error}});
-  }
+  data["returns"] = report::list_of(study.returns, curve_of);
+  data["orders"] = report::list_of(study.orders, [](const EdgeOrder& order) -> Json {
+    return {{"wall", order.wall},
+            {"expected", order.expected},
+            {"measured", order.measured},
+            {"error", order.error}};
+  });
   for (const RestCost& cost : study.rests) {
     const auto& error = cost.rests.back().depth_error;
     data[error && *error < 1e-9 ? "resting" : "restless"].push_back(cost.method);
-    data["rest_costs"].push_back({{"method", cost.method}, {"costs", costs_of(cost, stiffnesses)}});
+    data["rest_costs"].push_back({{"method", cost.method}, {"costs", rest_costs(study, cost)}});
     data["rests"].push_back({{"method", cost.method},
                              {"soft", data_of(cost.rests.front())},
                              {"stiff", data_of(cost.rests.back())}});

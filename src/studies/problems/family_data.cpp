@@ -30,15 +30,13 @@ const Question& most_constrained(const Family& family) {
 }
 
 Json forms_of(const Question& question) {
-  Json rows = Json::array();
-  for (const Form& form : question.forms()) {
+  return report::list_of(question.forms(), [&](const Form& form) -> Json {
     const Problem problem = question.problem(form);
-    rows.push_back({{"form", question.name_of(form)},
-                    {"constraints", problem.constraints},
-                    {"derivatives", static_cast<bool>(problem.differentiate)},
-                    {"residuals", static_cast<bool>(problem.residuals)}});
-  }
-  return rows;
+    return {{"form", question.name_of(form)},
+            {"constraints", problem.constraints},
+            {"derivatives", static_cast<bool>(problem.differentiate)},
+            {"residuals", static_cast<bool>(problem.residuals)}};
+  });
 }
 
 Json variables_of(const Problem& problem) {
@@ -158,10 +156,9 @@ Json family_data(const Family& family) {
                {"penalty_weight",
                 constrained.stated.constraints > 0 ? Json(constrained.penalty_weight) : Json()},
                {"forms", forms_of(constrained)},
-               {"questions", Json::array()},
+               {"questions", report::list_of(family.questions, row_of)},
                {"charts", Json::array()}};
   data.update(texts_of(family));
-  for (const Question& question : family.questions) data["questions"].push_back(row_of(question));
   if (first.stated.dimension() == 1) data["charts"].push_back(chart_of(family));
   return data;
 }

@@ -35,7 +35,8 @@ Json path_of(const CaseStudy& c, double omega, const char* side, const Recording
   scene.omega = omega;
   Json path = Json::array();
   const report::Series line{"", report::Mark::line, path_samples(scene, recording)};
-  for (const report::Sample& corner : report::polylines(line).at(0)) {
+  const auto parts = report::polylines(line);
+  for (const report::Sample& corner : parts.at(0)) {
     path.push_back({{"at", corner.position}, {"x", corner.value}});
   }
   const double lower = scene.wall_lower / millimetre;

@@ -79,12 +79,6 @@ Json shares_of(const Contests& contests, const std::vector<Solver>& solvers) {
   return rows;
 }
 
-Json machines_of(const Contests& contests) {
-  Json machines = Json::array();
-  for (const ContestResult* contest : contests) machines.push_back(contest->question.machine);
-  return machines;
-}
-
 /// The cases whose progress is drawn: the paper's first at either restitution, and one disturbed.
 bool is_charted(const std::string& case_id) {
   return case_id == "C1" || case_id == "C2" || case_id == "C9";
@@ -122,7 +116,13 @@ Json progression_of(const Progression& progression, const ContestResult& contest
                : std::max(smallest_gap, reached - *contest.question.stated.best_known);
   };
   Json points = Json::array();
-  for (std::size_t k = 0; k < progression.price.size(); ++k) {
+  const auto at = [&](std::size_t k) {
+    return std::tuple(progression.median[k], progression.lower[k], progression.upper[k]);
+  };
+  const std::size_t size = progression.price.size();
+  for (std::size_t k = 0; k < size; ++k) {
+    const bool level = k > 0 && k + 1 < size && at(k - 1) == at(k) && at(k) == at(k + 1);
+    if (level) continue;  // a line is the same without it
     points.push_back({{"price", progression.price[k]},
                       {"median", shown(progression.median[k])},
                       {"lower", shown(progression.lower[k])},
@@ -181,6 +181,7 @@ Json comparison_data(const Results& results) {
       for (const bool timed : {false, true}) progress.push_back(progress_of(contest, timed, group));
     }
   }
+  const auto machine_of = [](const ContestResult* c) { return c->question.machine; };
   const auto goal = [&](const Contests& contests, const std::string& name, const char* title,
                         const char* unit, bool exact) -> Json {
     return {{"goal", title},
@@ -188,7 +189,7 @@ Json comparison_data(const Results& results) {
             {"unit", unit},
             {"exact", exact},
             {"rows", rows_of(contests, results.solvers)},
-            {"machines", machines_of(contests)},
+            {"machines", report::list_of(contests, machine_of)},
             {"shares", shares_of(contests, results.solvers)}};
   };
   const Json new_bests = new_bests_of(results.contests);

@@ -23,7 +23,7 @@ Json means_at(const CountGrid& grid, std::size_t disturbance) {
 }
 
 /// With the first few of its exceptions, of which all are where it disagrees.
-Json data_of(const Trend& trend) {
+Json trend_data(const Trend& trend) {
   constexpr std::size_t shown = 4;
   Json first = Json::array();
   for (const Reversal& e : trend.exceptions) {
@@ -50,12 +50,11 @@ Json data_of(const Trend& trend) {
 
 Json conclusion_data(const CountGrid& grid, const std::vector<Trend>& trends) {
   const auto [least, most] = std::minmax_element(grid.means.begin(), grid.means.end());
-  Json data = {{"trends", Json::array()},
+  Json data = {{"trends", report::list_of(trends, trend_data)},
                {"restitutions", grid.restitutions},
                {"least", *least},
                {"most", *most},
                {"grid", Json::array()}};
-  for (const Trend& trend : trends) data["trends"].push_back(data_of(trend));
   for (std::size_t d = 0; d < grid.disturbances.size(); ++d) {
     data["grid"].push_back(means_at(grid, d));
   }

@@ -1,7 +1,6 @@
 #include "src/report/page_template.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <stdexcept>
 
 #include "src/report/chart_template.h"

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <tuple>
 
 #include "problems/carrier_track/questions/speed_problem.h"
 #include "src/statistics/bootstrap.h"

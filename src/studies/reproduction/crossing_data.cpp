@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "problems/carrier_track/paper/crossing_motion.h"

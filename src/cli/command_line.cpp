@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -69,6 +70,36 @@ Json description_of(const CLI::Option& option) {
           {"choices", choices_of(option)},
           {"help", option.get_description()},
           {"default", option.get_default_str()}};
+}
+
+/// A command's own commands, as the value that follows it.
+Json description_of(const std::vector<const CLI::App*>& parts) {
+  std::string help;
+  for (const CLI::App* part : parts) {
+    help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", part->get_name(),
+                        part->get_description());
+  }
+  return {{"names", Json::array()},     {"name", "COMMAND"}, {"takes_value", true}, {"value", ""},
+          {"choices", names_of(parts)}, {"help", help},      {"default", ""}};
+}
+
+void append_options(const CLI::App& command, Json& options) {
+  for (const CLI::Option* option : command.get_options()) {
+    const Json described = description_of(*option);
+    if (std::find(options.begin(), options.end(), described) == options.end()) {
+      options.push_back(described);
+    }
+  }
+}
+
+/// An empty value is mostly a variable of a script that was never set.
+void refuse_empty_values(const CLI::App& called) {
+  for (const CLI::Option* option : called.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty()) throw InputError(option->get_name() + ": must not be empty");
+    }
+  }
+  for (const CLI::App* command : called.get_subcommands()) refuse_empty_values(*command);
 }
 
 }  // namespace
@@ -137,7 +168,7 @@ int CommandLine::run(int argc, char** argv) {
 int CommandLine::carry_out(int argc, char** argv) {
   try {
     app_.parse(argc, argv);
-    refuse_empty_values();
+    refuse_empty_values(app_);
     end_tidily_when_interrupted();
     return work_();
   } catch (const CLI::ParseError& error) {
@@ -183,34 +214,19 @@ int CommandLine::finish_output(int exit_code) const {
 
 /// What CLI11 says, but where a command or an option is none, what may have been meant.
 std::string CommandLine::explanation(const CLI::ParseError& error) const {
-  const std::vector<CLI::App*> called = app_.get_subcommands();
-  if (called.empty() && app_.remaining_size() > 0) {
-    const std::string wanted = app_.remaining().front();
-    return fmt::format("{} is no command; {}", wanted,
-                       what_instead(wanted, names_of(app_.get_subcommands(nullptr))));
-  }
   const std::vector<std::string> extra = app_.remaining(true);
-  if (!called.empty() && !extra.empty()) {
-    const std::string& wanted = extra.front();
-    std::vector<std::string> known;
-    for (const CLI::Option* option : called.front()->get_options()) {
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-    }
-    return fmt::format("{}: {} is not expected; {}", called.front()->get_name(), wanted,
-                       what_instead(wanted.substr(0, wanted.find('=')), known));
+  if (extra.empty()) return error.what();
+  const CLI::App* called = &app_;
+  while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
+  std::vector<std::string> known = names_of(called->get_subcommands(nullptr));
+  if (!known.empty()) {
+    return fmt::format("{} is no command; {}", extra.front(), what_instead(extra.front(), known));
   }
-  return error.what();
-}
-
-/// An empty value is mostly a variable of a script that was never set.
-void CommandLine::refuse_empty_values() const {
-  for (const CLI::App* command : app_.get_subcommands()) {
-    for (const CLI::Option* option : command->get_options()) {
-      for (const std::string& value : option->results()) {
-        if (value.empty()) throw InputError(option->get_name() + ": must not be empty");
-      }
-    }
+  for (const CLI::Option* option : called->get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
+  return fmt::format("{}: {} is not expected; {}", called->get_name(), extra.front(),
+                     what_instead(extra.front().substr(0, extra.front().find('=')), known));
 }
 
 Json CommandLine::description() const {
@@ -218,9 +234,10 @@ Json CommandLine::description() const {
   for (const CLI::App* command : app_.get_subcommands(nullptr)) {
     if (command->get_group().empty()) continue;
     Json options = Json::array();
-    for (const CLI::Option* option : command->get_options()) {
-      options.push_back(description_of(*option));
-    }
+    const std::vector<const CLI::App*> parts = command->get_subcommands(nullptr);
+    if (!parts.empty()) options.push_back(description_of(parts));
+    append_options(*command, options);
+    for (const CLI::App* part : parts) append_options(*part, options);
     const std::string footer = command->get_footer();
     commands.push_back({{"name", command->get_name()},
                         {"summary", command->get_description()},

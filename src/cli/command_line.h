@@ -52,7 +52,6 @@ class CommandLine {
   int fail(int exit_code, const std::string& reason) const;
   int finish_output(int exit_code) const;
   std::string explanation(const CLI::ParseError& error) const;
-  void refuse_empty_values() const;
 
   CLI::App app_;
   std::deque<StudyOptions> studies_;  // stay where they are

@@ -12,6 +12,7 @@
 #include "src/cli/command_line.h"
 #include "src/cli/completion.h"
 #include "src/cli/list.h"
+#include "src/cli/machine.h"
 #include "src/cli/manual.h"
 #include "src/cli/other_program.h"
 #include "src/cli/simulate.h"
@@ -43,6 +44,7 @@ class Program : public CommandLine {
               "  ricochet reproduce --quick --out first  a first look, in seconds");
     add_simulate();
     add_threshold();
+    add_machine();
     add_scene();
     add_list();
     add_report();
@@ -81,7 +83,30 @@ class Program : public CommandLine {
     command->add_flag("--all", threshold_.all, "Every case of the paper");
     command->add_option("--fastest", threshold_.fastest, "End of the speed range [rad/s]")
         ->capture_default_str();
+    command->add_option("--allow", threshold_.allow, "Limit: collisions in the window");
+    command->add_option("--allow-per-turn", threshold_.allow_per_turn, "Limit: collisions a turn");
+    command->add_option("--allow-energy", threshold_.allow_energy,
+                        "Limit: energy [J] that the walls take in the window");
+    command->add_option("--allow-speed", threshold_.allow_speed,
+                        "Limit: speed [m/s] of the fastest impact");
+    command->add_option("--tolerance", threshold_.tolerance,
+                        "How uncertain every constant is [%]: the range of the answer");
     on_call(command, [this] { return threshold(threshold_); });
+  }
+
+  void add_machine() {
+    CLI::App* command = add("machine", "A machine of your own: new, check FILE",
+                            "  ricochet machine new > machine.toml\n"
+                            "  ricochet machine check machine.toml");
+    command->require_subcommand(1);
+    CLI::App* fresh = command->add_subcommand("new", "Prints a file to start from");
+    on_call(fresh, [] { return new_machine(); });
+    CLI::App* check = command->add_subcommand(
+        "check", "Every field with unit and range, and what looks like a slip");
+    check->add_option("file", machine_file_, "The machine, a TOML file; - reads it")
+        ->type_name("FILE")
+        ->required();
+    on_call(check, [this] { return check_machine(machine_file_); });
   }
 
   void add_scene() {
@@ -174,6 +199,7 @@ class Program : public CommandLine {
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   SceneChoice scene_;
+  std::string machine_file_;
   ListOptions list_;
   std::string description_;
   std::string report_from_, report_out_;

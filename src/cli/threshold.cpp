@@ -7,6 +7,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "src/campaign/progress.h"
 #include "src/cli/format.h"
+#include "src/cli/quiet_speed_output.h"
 #include "src/core/error.h"
 #include "src/report/text.h"
 
@@ -77,16 +78,17 @@ void print_row(const ChosenScene& chosen, const Score& score) {
              report::text_or_dash(score.loudness, "{:.2f}"), examples);
 }
 
-/// What an engineer wants to know, in words.
-void print_advice(const ChosenScene& chosen, const Score& score, const ScanOptions& options) {
+/// What the paper's own rule says of a case, in words.
+void print_case(const ChosenScene& chosen, const Score& score, const ScanOptions& options) {
   fmt::print("{}: ", chosen.name);
   if (score.first_loud) {
-    fmt::print("stay below {:.3f} rad/s, the lowest speed that is loud.\n", *score.first_loud);
+    fmt::print("stay below {}, the lowest speed that is loud.\n", both_units(*score.first_loud));
   } else {
     fmt::print("every speed up to {} rad/s is quiet.\n", options.highest);
   }
-  fmt::print("Quiet means at most {} collisions in the window: 1.5 times the usual {}.\n",
-             std::floor(quiet_limit(score.quiet_count)), score.quiet_count);
+  fmt::print("Quiet means at most {} collisions in the window: 1.5 times the usual {}{}.\n",
+             std::floor(quiet_limit(score.quiet_count)), score.quiet_count,
+             chosen.claim.threshold ? " below the paper's threshold" : "");
   if (score.threshold) {
     fmt::print(
         "Quiet and loud divide best at {:.4f} rad/s; {:.2f} % of the speeds up to {} rad/s "
@@ -99,26 +101,51 @@ void print_advice(const ChosenScene& chosen, const Score& score, const ScanOptio
   }
 }
 
-}  // namespace
+/// The limit asked for, if any.
+std::optional<Limit> limit_of(const ThresholdOptions& options) {
+  const std::pair<Measure, std::optional<double>> asked[] = {
+      {Measure::collisions, options.allow},
+      {Measure::collisions_per_turn, options.allow_per_turn},
+      {Measure::energy, options.allow_energy},
+      {Measure::impact_speed, options.allow_speed}};
+  std::optional<Limit> limit;
+  for (const auto& [measure, at_most] : asked) {
+    if (!at_most) continue;
+    if (limit)
+      throw InputError("--allow, --allow-per-turn, --allow-energy, --allow-speed: one of them");
+    if (!(*at_most >= 0 && std::isfinite(*at_most))) {
+      throw InputError(fmt::format("what is allowed is {}: must be finite and >= 0", *at_most));
+    }
+    limit = {measure, *at_most};
+  }
+  return limit;
+}
 
-int threshold(const ThresholdOptions& options) {
+void check(const ThresholdOptions& options) {
   if (options.all && !(options.scene.case_id.empty() && options.scene.scene_file.empty())) {
     throw InputError("--all stands alone: it takes neither --case nor --scene");
   }
-  ScanOptions scan;
-  scan.highest = options.fastest;
-  if (!(scan.highest >= 0.1 && scan.highest <= 1000)) {
+  if (!(options.fastest >= 0.1 && options.fastest <= 1000)) {
     throw InputError(
         fmt::format("--fastest {}: must be within 0.1..1000 [rad/s]", options.fastest));
   }
-  const auto scenes =
-      options.all ? every_case() : std::vector<ChosenScene>{choose_scene(options.scene)};
-  for (const ChosenScene& chosen : scenes) {
-    if (chosen.scene.profile.empty()) continue;
-    throw InputError(chosen.name +
-                     ": scene.omega is a profile: must be a number, because a threshold is of "
-                     "constant speeds");
+  if (!(options.tolerance >= 0 && options.tolerance <= 50)) {
+    throw InputError(fmt::format("--tolerance {}: must be within 0..50 [%]", options.tolerance));
   }
+  if (options.all && (limit_of(options) || options.tolerance > 0)) {
+    throw InputError("--all is by the paper's rule: it takes no limit and no tolerance");
+  }
+}
+
+void refuse_profile(const ChosenScene& chosen) {
+  if (chosen.scene.profile.empty()) return;
+  throw InputError(chosen.name +
+                   ": scene.omega is a profile: must be a number, because a threshold is of "
+                   "constant speeds");
+}
+
+int threshold_of_all(const ScanOptions& scan, bool json) {
+  const std::vector<ChosenScene> scenes = every_case();
   std::vector<Score> scores;
   {
     Progress progress("scanning speeds", static_cast<double>(scenes.size()));
@@ -127,18 +154,54 @@ int threshold(const ThresholdOptions& options) {
       progress.advance(1);
     }
   }
+  Json rows = Json::array();
+  if (!json) print_header();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (json) {
+      rows.push_back(json_of(scenes[i], scores[i]));
+    } else {
+      print_row(scenes[i], scores[i]);
+    }
+  }
+  if (json) fmt::print("{}\n", rows.dump(2));
+  return 0;
+}
+
+/// What the answer for a machine says of the parts of the score.
+Score score_of(const QuietSpeed& answer) {
+  Score score;
+  score.threshold = answer.split.speed;
+  score.first_loud = answer.split.first_loud;
+  score.misclassified = answer.split.misclassified;
+  score.quiet_count = answer.staircase.levels.front().typical;
+  return score;
+}
+
+}  // namespace
+
+int threshold(const ThresholdOptions& options) {
+  check(options);
+  ScanOptions scan;
+  scan.highest = options.fastest;
+  if (options.all) return threshold_of_all(scan, options.json);
+  const ChosenScene chosen = choose_scene(options.scene);
+  refuse_profile(chosen);
+  const std::optional<Limit> limit = limit_of(options);
+  const QuietSpeedOutput output = ask_quiet_speed(
+      chosen.name, chosen.scene, {limit, scan.step, scan.highest}, options.tolerance / 100);
+  const bool by_the_paper = !limit && !options.scene.case_id.empty();
+  const Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, scan)
+                                   : score_of(output.answer);
   if (options.json) {
-    Json rows = Json::array();
-    for (std::size_t i = 0; i < scenes.size(); ++i) rows.push_back(json_of(scenes[i], scores[i]));
-    fmt::print("{}\n", (options.all ? rows : rows.front()).dump(2));
-    return 0;
+    Json json = json_of(chosen, score);
+    json.update(json_of(output));
+    fmt::print("{}\n", json.dump(2));
+  } else if (by_the_paper) {
+    print_case(chosen, score, scan);
+    fmt::print("{}", text_of_steps(output.answer));
+  } else {
+    fmt::print("{}", text_of(output));
   }
-  if (!options.all) {
-    print_advice(scenes.front(), scores.front(), scan);
-    return 0;
-  }
-  print_header();
-  for (std::size_t i = 0; i < scenes.size(); ++i) print_row(scenes[i], scores[i]);
   return 0;
 }
 

@@ -36,17 +36,13 @@ class Checker {
     require(axis.range->lower < axis.range->upper, where + ": the range is empty");
   }
   void series(const Series& series) const {
-    const bool rows = !chart_.y.categories.empty();
-    const Axis& position_axis = rows ? chart_.y : chart_.x;
-    const Axis& value_axis = rows ? chart_.x : chart_.y;
-    require(!rows || series.mark == Mark::points,
-            fmt::format("series \"{}\": only points go into rows", series.label));
     for (std::size_t i = 0; i < series.samples.size(); ++i) {
       const Sample& sample = series.samples[i];
       const std::string where = fmt::format("series \"{}\", sample {}", series.label, i);
-      number(where, sample.position, position_axis);
-      if (sample.value) number(where, *sample.value, value_axis);
-      if (sample.spread) range(where, *sample.spread, value_axis);
+      number(where, sample.position, chart_.x);
+      if (sample.value) number(where, *sample.value, chart_.y);
+      if (sample.spread) range(where, *sample.spread, chart_.y);
+      require(!sample.spread || series.mark != Mark::points, where + ": points have no spread");
       require(series.mark == Mark::points || i == 0 ||
                   series.samples[i - 1].position <= sample.position,
               where + ": positions must rise");

@@ -16,16 +16,16 @@ struct Axis {
   std::string label;  ///< with its unit: "speed [rad/s]"
   Scale scale = Scale::linear;
   std::optional<Range> range = {};  ///< without one the data and the reference lines decide
-  /// Names of the positions 0, 1, ... of an axis that has names instead of numbers. On y they read
-  /// from the top, like the rows of a table; in a heat map from the bottom, like an axis.
+  /// Names of the positions 0, 1, ... of an axis that has names instead of numbers; on y, where
+  /// only a heat map has them, from the bottom.
   std::vector<std::string> categories = {};
 };
 
-/// One value of a series. The position is on x, or on y where y has categories.
+/// One value of a series.
 struct Sample {
   double position;
   std::optional<double> value;       ///< without one: a gap
-  std::optional<Range> spread = {};  ///< around the value: a band of a line, a whisker of a point
+  std::optional<Range> spread = {};  ///< around the value: a band of a line
 };
 
 enum class Mark {

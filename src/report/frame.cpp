@@ -50,13 +50,12 @@ std::string tick_list(const std::vector<Tick>& ticks) {
 std::string axis_script(const Chart& chart, const Frame& frame, bool x) {
   const Axis& axis = x ? chart.x : chart.y;
   const Range& range = x ? frame.x : frame.y;
-  const bool down = !x && has_rows(chart);
   const int room = x ? plot_width(chart, frame) : plot_height(chart);
   std::string marks;
   std::string style = x ? "scale 0.5,0.3 offset 0,0.3" : "scale 0.5,0.3";
   if (axis.categories.empty()) {
     const int wanted = std::max(2, room / (x ? 65 : 38));
-    const bool whole = !chart.series.empty() && whole_numbers(chart, x != has_rows(chart));
+    const bool whole = !chart.series.empty() && whole_numbers(chart, x);
     marks = axis.scale == Scale::logarithmic
                 ? tick_list(logarithmic_ticks(range, wanted))
                 : fmt::format("{:.10g}", tick_step(range, wanted, whole));
@@ -78,8 +77,7 @@ std::string axis_script(const Chart& chart, const Frame& frame, bool x) {
   return fmt::format(
       "set {0}label {1}{2} offset {3}\nset {0}range [{4:.10g}:{5:.10g}]\n{6}"
       "set {0}tics nomirror out {7} tc rgb '#444444' {8}\n",
-      which, quoted(axis.label), distance, x ? "0,0.8" : "0,0", down ? range.upper : range.lower,
-      down ? range.lower : range.upper,
+      which, quoted(axis.label), distance, x ? "0,0.8" : "0,0", range.lower, range.upper,
       axis.scale == Scale::logarithmic ? fmt::format("set logscale {}\n", which) : "", style,
       marks);
 }
@@ -102,10 +100,6 @@ std::string legend_script(const Chart& chart, const Frame& frame) {
 }
 
 }  // namespace
-
-bool has_rows(const Chart& chart) {
-  return !chart.heat_map && !chart.y.categories.empty();
-}
 
 int plot_width(const Chart& chart, const Frame& frame) {
   const int labels = chart.y.categories.empty() ? 40 : widest(chart.y.categories);

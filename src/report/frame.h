@@ -13,9 +13,6 @@ struct Frame {
   std::vector<std::string> legend = {};
 };
 
-/// Whether the positions of the samples are rows, from the top.
-bool has_rows(const Chart& chart);
-
 /// Size of the area for the data in pixels, roughly: it only decides how many labels fit.
 int plot_width(const Chart& chart, const Frame& frame);
 int plot_height(const Chart& chart);

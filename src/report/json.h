@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -8,6 +9,14 @@ namespace ricochet::report {
 /// What a report is drawn from: the results of a study, in the order in which they were computed.
 /// Numbers keep all their digits; what is missing is null.
 using Json = nlohmann::ordered_json;
+
+/// A list of what is made of each entry.
+template <class List, class Make>
+Json list_of(const List& list, const Make& make) {
+  Json all = Json::array();
+  for (const auto& entry : list) all.push_back(std::invoke(make, entry));
+  return all;
+}
 
 }  // namespace ricochet::report
 

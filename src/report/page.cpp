@@ -2,18 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <kainjow/mustache.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "embedded/page_template.h"
+#include "embedded/summary_template.h"
+#include "src/report/filled_text.h"
 #include "src/report/gnuplot.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {
-
-namespace mustache = kainjow::mustache;
 
 /// From this width on a chart has a row of its own.
 constexpr int wide_chart = 560;  // pixels
@@ -27,72 +26,75 @@ void check(const Page& page) {
                       section.id));
     if (!ids.insert(section.id).second)
       throw std::invalid_argument(fmt::format("two sections have the id {}", section.id));
+    for (const Table& table : section.tables) {
+      for (const auto& row : table.rows) {
+        if (row.size() == table.columns.size()) continue;
+        throw std::invalid_argument(fmt::format("table \"{}\": a row of {} cells for {} columns",
+                                                table.caption, row.size(), table.columns.size()));
+      }
+    }
     for (const Figure& figure : section.figures)
       if (!names.insert(figure.chart.name).second)
         throw std::invalid_argument(fmt::format("two charts have the name {}", figure.chart.name));
   }
 }
 
-mustache::data paragraphs_data(const std::vector<std::string>& paragraphs) {
-  mustache::data list{mustache::data::type::list};
-  for (const std::string& text : paragraphs) list << mustache::data{"html", html_with_links(text)};
-  return list;
-}
+/// How a text is written into the page, or into its summary: a plain one, and one with links.
+struct Writing {
+  std::string (*plain)(std::string_view);
+  std::string (*linked)(std::string_view);
+};
 
-mustache::data section_data(const Section& section, const FileSet& files) {
-  mustache::data tables{mustache::data::type::list};
-  for (const Table& table : section.tables) {
-    mustache::data entry{"html", to_html(table)};
-    entry.set("caption", table.caption);
-    tables << entry;
+Json data_of(const Table& table, const Writing& writing) {
+  Json columns = Json::array(), rows = Json::array();
+  for (const Column& column : table.columns) {
+    columns.push_back(
+        {{"title", writing.plain(column.title)}, {"left", column.alignment == Alignment::left}});
   }
-  mustache::data figures{mustache::data::type::list};
-  for (const Figure& figure : section.figures) {
-    mustache::data entry{"svg", files.at(figure.chart.name + ".svg")};
-    entry.set("caption", html_with_links(figure.caption));
-    entry.set("max_width", std::to_string(figure.chart.width * 115 / 100));
-    entry.set("wide", figure.chart.width >= wide_chart);
-    figures << entry;
-  }
-  mustache::data data{"id", section.id};
-  data.set("heading", section.heading);
-  data.set("paragraphs", paragraphs_data(section.paragraphs));
-  data.set("tables", tables);
-  data.set("has_figures", !section.figures.empty());
-  data.set("figures", figures);
-  return data;
-}
-
-std::string html(const Page& page, const FileSet& files) {
-  mustache::data sections{mustache::data::type::list};
-  for (const Section& section : page.sections) sections << section_data(section, files);
-  mustache::data data{"title", page.title};
-  data.set("intro", paragraphs_data(page.intro));
-  data.set("sections", sections);
-  mustache::mustache sheet{embedded::page_template};
-  const std::string text = sheet.render(data);
-  if (!sheet.is_valid()) throw std::logic_error("the page's template: " + sheet.error_message());
-  return text;
-}
-
-std::string summary(const Page& page) {
-  std::string text = fmt::format("# {}\n", escape_markdown(page.title));
-  const auto add_paragraphs = [&text](const std::vector<std::string>& paragraphs) {
-    for (const std::string& paragraph : paragraphs)
-      text += fmt::format("\n{}\n", escape_markdown(paragraph));
-  };
-  add_paragraphs(page.intro);
-  for (const Section& section : page.sections) {
-    text += fmt::format("\n## {}\n", escape_markdown(section.heading));
-    add_paragraphs(section.paragraphs);
-    for (const Table& table : section.tables) text += fmt::format("\n{}", to_markdown(table));
-    for (const Figure& figure : section.figures) {
-      text +=
-          fmt::format("\n![{}]({}.svg)\n", escape_markdown(figure.chart.title), figure.chart.name);
-      if (!figure.caption.empty()) text += fmt::format("\n{}\n", escape_markdown(figure.caption));
+  for (const auto& row : table.rows) {
+    Json cells = Json::array();
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      cells.push_back({{"text", writing.plain(row[i].text)},
+                       {"left", columns.at(i)["left"]},
+                       {"good", row[i].state == State::good},
+                       {"bad", row[i].state == State::bad}});
     }
+    rows.push_back({{"cells", std::move(cells)}});
   }
-  return text;
+  return {{"caption", writing.linked(table.caption)},
+          {"plain_caption", writing.plain(table.caption)},
+          {"columns", std::move(columns)},
+          {"rows", std::move(rows)}};
+}
+
+Json data_of(const Figure& figure, const std::string& svg, const Writing& writing) {
+  const Chart& chart = figure.chart;
+  return {{"name", chart.name},
+          {"title", writing.plain(chart.title)},
+          {"svg", svg},
+          {"caption", writing.linked(figure.caption)},
+          {"max_width", chart.width * 115 / 100},
+          {"wide", chart.width >= wide_chart}};
+}
+
+Json data_of(const Page& page, const FileSet& files, const Writing& writing) {
+  Json sections = Json::array();
+  for (const Section& section : page.sections) {
+    Json tables = Json::array(), figures = Json::array();
+    for (const Table& table : section.tables) tables.push_back(data_of(table, writing));
+    for (const Figure& figure : section.figures) {
+      figures.push_back(data_of(figure, files.at(figure.chart.name + ".svg"), writing));
+    }
+    sections.push_back({{"id", section.id},
+                        {"heading", writing.plain(section.heading)},
+                        {"paragraphs", list_of(section.paragraphs, writing.linked)},
+                        {"tables", std::move(tables)},
+                        {"has_figures", !section.figures.empty()},
+                        {"figures", std::move(figures)}});
+  }
+  return {{"title", writing.plain(page.title)},
+          {"intro", list_of(page.intro, writing.linked)},
+          {"sections", std::move(sections)}};
 }
 
 }  // namespace
@@ -105,8 +107,10 @@ void write_page(const Page& page, const std::filesystem::path& folder, FileSet b
   const std::vector<std::string> svgs = to_svgs(charts);
   FileSet files = std::move(beside);
   for (std::size_t i = 0; i < charts.size(); ++i) files[charts[i].name + ".svg"] = svgs[i];
-  files["index.html"] = html(page, files);
-  files["summary.md"] = summary(page);
+  const Json html = data_of(page, files, {escape_html, html_with_links});
+  const Json summary = data_of(page, files, {escape_markdown, escape_markdown});
+  files["index.html"] = filled(embedded::page_template, {&html});
+  files["summary.md"] = filled(embedded::summary_template, {&summary});
   replace_files(folder, files);
 }
 

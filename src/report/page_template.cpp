@@ -1,63 +1,12 @@
 #include "src/report/page_template.h"
 
-#include <fmt/format.h>
-#include <toml++/toml.h>
-
+#include <algorithm>
 #include <stdexcept>
 
-#include "src/report/chart_data.h"
-#include "src/report/filled_text.h"
+#include "src/report/chart_template.h"
 
 namespace ricochet::report {
 namespace {
-
-/// A table of the template; its keys are asked for by name.
-class Part {
- public:
-  explicit Part(const toml::table& table) : table_(table) {}
-
-  bool has(std::string_view key) const { return table_.contains(key); }
-
-  std::string text(std::string_view key) const {
-    const auto value = table_[key].value<std::string>();
-    if (!value) throw std::logic_error(fmt::format("a template's {} must be a text", key));
-    return *value;
-  }
-
-  std::string text_or_none(std::string_view key) const { return has(key) ? text(key) : ""; }
-
-  /// None where the key is missing, or a text.
-  const toml::array* list(std::string_view key) const { return table_[key].as_array(); }
-
-  std::vector<Part> parts(std::string_view key) const {
-    std::vector<Part> all;
-    if (const toml::array* array = list(key)) {
-      for (const toml::node& node : *array) all.emplace_back(*node.as_table());
-    }
-    return all;
-  }
-
- private:
-  const toml::table& table_;
-};
-
-/// The scopes in which a part stands: none, one, or one for each entry of its list.
-std::vector<Scopes> places_of(const Part& part, const Scopes& scopes) {
-  std::vector<Scopes> places;
-  if (part.has("each")) {
-    for (const Json& entry : found_in(scopes, part.text("each"))) {
-      places.push_back(scopes);
-      places.back().push_back(&entry);
-    }
-  } else {
-    places.push_back(scopes);
-  }
-  if (part.has("when")) {
-    std::erase_if(places,
-                  [&](const Scopes& place) { return !is_yes(found_in(place, part.text("when"))); });
-  }
-  return places;
-}
 
 std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
                                        const Scopes& scopes) {
@@ -85,11 +34,6 @@ struct PlacedColumn {
   std::size_t entry;  ///< of the list that repeats it
 };
 
-Scopes with(Scopes scopes, const Json& data) {
-  scopes.push_back(&data);
-  return scopes;
-}
-
 Cell cell_of(const PlacedColumn& column, const Scopes& scopes, const Json& row) {
   Scopes in_cell = with(scopes, row);
   if (column.part->has("cells")) {
@@ -110,9 +54,10 @@ Table table_of(const Part& part, const Scopes& scopes) {
   for (const Part& column : columns) {
     const std::vector<Scopes> places = places_of(column, scopes);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      table.columns.push_back(
-          {filled(column.text("title"), places[i]),
-           column.text_or_none("align") == "left" ? Alignment::left : Alignment::right});
+      table.columns.push_back({filled(column.text("title"), places[i]),
+                               column.has("align") && column.text("align") == "left"
+                                   ? Alignment::left
+                                   : Alignment::right});
       placed.push_back({&column, i});
     }
   }
@@ -170,20 +115,7 @@ std::string csv_of(const Json& rows) {
   return text;
 }
 
-void add_charts(const Part& part, const Scopes& scopes, Section& section) {
-  const Json& found = found_in(scopes, part.text("chart"));
-  const auto add = [&](const Json& data) {
-    const Scopes in_chart = with(scopes, data);
-    Figure figure{chart_of(data), filled(part.text_or_none("caption"), in_chart)};
-    if (part.has("title")) figure.chart.title = filled(part.text("title"), in_chart);
-    section.figures.push_back(std::move(figure));
-  };
-  if (!found.is_array()) return add(found);
-  for (const Json& data : found) add(data);
-}
-
-Section section_of(const Part& part, Scopes scopes, DrawnPage& result) {
-  if (part.has("data")) scopes = with(scopes, found_in(scopes, part.text("data")));
+Section section_of(const Part& part, const Scopes& scopes, DrawnPage& result) {
   Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
   section.paragraphs = paragraphs_of(part, "text", scopes);
   for (const Part& table : part.parts("table")) {
@@ -197,7 +129,9 @@ Section section_of(const Part& part, Scopes scopes, DrawnPage& result) {
     }
   }
   for (const Part& chart : part.parts("chart")) {
-    for (const Scopes& place : places_of(chart, scopes)) add_charts(chart, place, section);
+    for (const Scopes& place : places_of(chart, scopes)) {
+      section.figures.push_back({chart_of(chart, place), chart.filled_text("caption", place)});
+    }
   }
   return section;
 }
@@ -216,7 +150,7 @@ DrawnPage drawn(const std::string& page_template, const Json& data) {
       result.page.sections.push_back(section_of(section, place, result));
     }
   }
-  result.epilogue = filled(root.text_or_none("epilogue"), scopes);
+  result.epilogue = root.filled_text("epilogue", scopes);
   return result;
 }
 

@@ -21,18 +21,38 @@ struct DrawnPage {
 ///   [[section]]               id, heading, text = ["a paragraph", ...]
 ///   [[section.table]]         rows, csv, caption, columns = [...], heads each a table
 ///     a column                title, value, align = "left" (default right), state
-///   [[section.chart]]         chart, title, caption
+///   [[section.chart]]         name, title, caption, x, y, series, lines, heat_map
+///     an axis, x or y         label with its unit, scale = "logarithmic", range = [from, to],
+///                             categories, category, order = "down" (default up)
+///     a series                label, mark = "steps" or "points" (default line),
+///                             rows, where, x, y, lower, upper; or samples = [[x, y], ...]
+///     a line                  label; vertical, a place on x, or horizontal, one on y
+///     the heat_map            label of the colours, cells, value, range
 ///
-/// `rows` and `chart` name data: a list of rows, a chart or a list of charts (chart_data.h). `csv`
-/// is the stem of the file that keeps the rows; without one none does. Rows can also be written out
-/// in the template, rows = [["a cell", ...], ...]; then columns have titles only. `state` names a
-/// member of a row: true is good, false is bad. Texts of a cell look names up in the row first,
-/// those of a chart in the chart. A paragraph that comes out empty is left out.
+/// `rows` names data: a list of rows. `csv` is the stem of the file that keeps the rows; without
+/// one none does. Rows of a table can also be written out, rows = [["a cell", ...], ...]; then
+/// columns have titles only. `state` names a member of a row: true is good, false is bad. Texts of
+/// a cell look names up in the row first. A paragraph that comes out empty is left out.
 ///
-/// Any section, paragraph {text = "..."}, table, column and chart takes `when`, a name that must be
-/// a yes, and `each`, the name of a list for whose entries it is repeated, in each of which names
-/// are looked up first; a section also `data`, the name of data in which its names are looked up
-/// first. A column with `each` takes `cells`, the name of a row's list, as long: its text looks
+/// Of a chart, x, y, range, vertical, horizontal and value are numbers, or names of numbers in the
+/// data: "share:%" in hundredths, "error:size" without its sign. x and y are looked up in the row
+/// first; without x the position is the number of the row, from 0. `where` names what must be a yes
+/// in a row, with a ^ before it what must not; `rows` of a series may be several lists, one after
+/// the other. Joined samples are put in order. A number that is missing, or not positive on a
+/// logarithmic axis, is a gap; a line at one is left out, and so is a range that ends at one.
+/// `lower` and `upper` bound the spread around y.
+///
+/// `categories` names a list whose entries the axis has instead of numbers, each as the text
+/// `category` says, which looks names up in the entry first. A heat map has a row for each entry of
+/// y: `cells` names a list there, of an entry for each of x, and `value` a member of it, or "." for
+/// itself. A chart's name is written in small letters, with hyphens; `width` and `height` are
+/// pixels, `row_height` those more for each category of y; `description` is for those who cannot
+/// see it.
+///
+/// Any section, paragraph {text = "..."}, table, column, chart, series and line takes `when`, a
+/// condition like `where`, `each`, the name of a list for whose entries it is repeated, in each of
+/// which names are looked up first, and `data`, the name of data in which they are looked up before
+/// that. A column with `each` takes `cells`, the name of a row's list, as long: its text looks
 /// names up there.
 ///
 /// Throws std::logic_error, with what is wrong where, for a template that does not fit the data.

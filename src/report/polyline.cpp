@@ -7,11 +7,23 @@ bool same_height(const Sample& a, const Sample& b) {
   return !a.spread || (a.spread->lower == b.spread->lower && a.spread->upper == b.spread->upper);
 }
 
+namespace {
+
+/// Whether a line is the same without its sample i: it is level before and after.
+bool is_needless(const Series& series, std::size_t i) {
+  const auto& samples = series.samples;
+  return series.mark == Mark::line && i > 0 && i + 1 < samples.size() &&
+         same_height(samples[i - 1], samples[i]) && same_height(samples[i], samples[i + 1]);
+}
+
+}  // namespace
+
 std::vector<std::vector<Sample>> polylines(const Series& series) {
   std::vector<std::vector<Sample>> parts;
   const bool steps = series.mark == Mark::steps;
   bool joined = false;
   for (std::size_t i = 0; i < series.samples.size(); ++i) {
+    if (is_needless(series, i)) continue;
     const Sample& sample = series.samples[i];
     if (joined && steps) {
       // The last value holds until here, even where here the value is unknown.

@@ -25,12 +25,12 @@ int cell_decimals(const std::vector<double>& values) {
 
 class Script {
  public:
-  explicit Script(const Chart& chart) : chart_(chart), rows_(has_rows(chart)) {
+  explicit Script(const Chart& chart) : chart_(chart) {
     for (const ReferenceLine& line : chart.lines)
       if (std::ranges::find(line_labels_, line.label) == line_labels_.end())
         line_labels_.push_back(line.label);
-    frame_.x = chart.x.range.value_or(data_limits(chart.x, Direction::vertical, !rows_));
-    frame_.y = chart.y.range.value_or(data_limits(chart.y, Direction::horizontal, rows_));
+    frame_.x = chart.x.range.value_or(data_limits(chart.x, Direction::vertical));
+    frame_.y = chart.y.range.value_or(data_limits(chart.y, Direction::horizontal));
   }
 
   std::string text() {
@@ -45,7 +45,7 @@ class Script {
         plot("keyentry", line_style(i), line_labels_[i]);
     }
     if (!has_values_) add("set label 'no data' at graph 0.5, graph 0.5 center tc rgb '#666666'\n");
-    return fmt::format("{}{}{}plot {}\n", frame_script(chart_, frame_), labels_, text_, plots_);
+    return fmt::format("{}{}plot {}\n", frame_script(chart_, frame_), text_, plots_);
   }
 
  private:
@@ -68,7 +68,8 @@ class Script {
                           label.empty() ? "notitle" : "title " + quoted(label));
   }
 
-  Range data_limits(const Axis& axis, Direction lines, bool positions) const {
+  Range data_limits(const Axis& axis, Direction lines) const {
+    const bool positions = lines == Direction::vertical;
     if (!axis.categories.empty()) return {-0.5, static_cast<double>(axis.categories.size()) - 0.5};
     std::vector<double> values;
     for (const ReferenceLine& line : chart_.lines)
@@ -113,19 +114,6 @@ class Script {
         series.samples, [](const Sample& sample) { return sample.spread && sample.value; });
     if (!some) return;
     const SeriesLook look = series_look(index);
-    if (series.mark == Mark::points) {
-      const std::string data = begin_data();
-      for (const Sample& sample : series.samples)
-        if (sample.spread && sample.value)
-          add("{:.6g} {:.6g} {:.6g} {:.6g}\n", rows_ ? *sample.value : sample.position,
-              rows_ ? sample.position : *sample.value, sample.spread->lower, sample.spread->upper);
-      end_data();
-      plot(data,
-           fmt::format("with {} pt 0 lw 1.5 lc rgb '{}'", rows_ ? "xerrorbars" : "yerrorbars",
-                       look.colour),
-           "");
-      return;
-    }
     for (const std::vector<Sample>& part : polylines(series)) {
       // A band ends where the spread is unknown. Each stretch is a plot: gnuplot would join them.
       for (auto from = part.begin(); from != part.end();) {
@@ -157,9 +145,7 @@ class Script {
     if (series.mark == Mark::points) {
       for (const Sample& sample : series.samples) {
         has_values_ |= sample.value.has_value();
-        if (sample.value && rows_) add("{:.6g} {:.6g}\n", *sample.value, sample.position);
-        if (sample.value && !rows_) add("{:.6g} {:.6g}\n", sample.position, *sample.value);
-        if (!sample.value && rows_) no_value(series, sample.position);
+        if (sample.value) add("{:.6g} {:.6g}\n", sample.position, *sample.value);
       }
     } else {
       for (const std::vector<Sample>& part : polylines(series)) {
@@ -186,14 +172,6 @@ class Script {
     for (const Sample& sample : alone) add("{:.6g} {:.6g}\n", sample.position, *sample.value);
     end_data();
     plot(data, dots + "0.4", "");
-  }
-
-  /// A row without a value says so at its start, instead of looking forgotten.
-  void no_value(const Series& series, double row) {
-    const std::string whose = chart_.series.size() > 1 ? series.label + ": " : "";
-    labels_ +=
-        fmt::format("set label {} at graph 0, first {:.6g} offset 0.7,0 left tc rgb '#777777'\n",
-                    quoted(whose + "no value"), row);
   }
 
   void plot_heat_map(const HeatMap& map) {
@@ -251,12 +229,11 @@ class Script {
   }
 
   const Chart& chart_;
-  bool rows_;  ///< the positions of the samples are rows, from the top
   std::vector<std::string> line_labels_;
   Frame frame_;
   bool has_values_ = false;
   int blocks_ = 0;
-  std::string text_, labels_;
+  std::string text_;
   std::string plots_ = "NaN notitle";  // gnuplot fails where legend entries are all there is
 };
 

@@ -87,11 +87,4 @@ std::string html_with_links(std::string_view text) {
   }
 }
 
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 }  // namespace ricochet::report

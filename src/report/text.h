@@ -18,9 +18,6 @@ std::string escape_markdown(std::string_view text);
 /// As escape_html, with every https:// address made a link.
 std::string html_with_links(std::string_view text);
 
-/// ASCII letters made small, as in the names of charts.
-std::string lower_case(std::string text);
-
 /// The value in fmt's `form`, such as "{:.2f}", or a dash where there is none.
 template <class T>
 std::string text_or_dash(const std::optional<T>& value, const char* form) {

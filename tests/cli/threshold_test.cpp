@@ -55,13 +55,48 @@ TEST(Threshold, OfOneSceneIsOneObject) {
 
 TEST(Threshold, TellsAnEngineerWhereToStay) {
   const auto folder = fresh_folder();
-  const auto file = write(folder, "machine.toml", call("scene --case C2").out);
-  const Outcome outcome = call("threshold --fastest 5 --scene " + file.string());
+  const auto file = write(folder, "machine.toml", call("scene --case C1").out).string();
+  const Outcome outcome = call("threshold --scene " + file);
   EXPECT_EQ(outcome.exit_code, 0);
-  const auto json = ordered_json::parse(call("threshold --case C2 --fastest 5 --format json").out);
-  const double first_loud = json["first_loud"];
-  EXPECT_THAT(outcome.out, HasSubstr(fmt::format("machine: stay below {:.3f} rad/s", first_loud)));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("machine: the fastest quiet speed is 1.354 rad/s (12.93 rpm)"));
+  EXPECT_THAT(outcome.out, HasSubstr("8.274 rad/s (79.02 rpm)"));  // the other step
+  EXPECT_THAT(outcome.out, HasSubstr("One percent more moves the divide by:"));
   EXPECT_EQ(outcome.out.find("paper"), std::string::npos);
+  const std::string first_line = outcome.out.substr(0, outcome.out.find('\n'));
+  for (const char* fastest : {"14", "30", "60"}) {
+    EXPECT_THAT(call(fmt::format("threshold --scene {} --fastest {}", file, fastest)).out,
+                testing::StartsWith(first_line));
+  }
+}
+
+TEST(Threshold, ShowsTheStepsBesideThePapersRule) {
+  const Outcome outcome = call("threshold --case C1");
+  EXPECT_THAT(outcome.out, testing::StartsWith("C1: stay below 8.275 rad/s"));
+  EXPECT_THAT(outcome.out, HasSubstr("1.355 rad/s (12.93 rpm): from at most 1 to at least 4"));
+}
+
+TEST(Threshold, SaysThatThereIsNone) {
+  const auto folder = fresh_folder();
+  const auto file = write(folder, "machine.toml", call("scene --case C2").out).string();
+  EXPECT_THAT(call("threshold --scene " + file).out, HasSubstr("machine: there is no threshold"));
+  const auto json = ordered_json::parse(call("threshold --format json --scene " + file).out);
+  EXPECT_TRUE(json["fastest_quiet"].is_null());
+  EXPECT_TRUE(json["threshold"].is_null());
+}
+
+TEST(Threshold, KeepsALimit) {
+  const auto at = [](const std::string& limit) {
+    return ordered_json::parse(call("threshold --case C1 --format json " + limit).out);
+  };
+  EXPECT_NEAR(at("--allow 6")["fastest_quiet"], 8.274, 1e-9);
+  const auto per_turn = at("--allow-per-turn 4");
+  EXPECT_EQ(per_turn["limit"]["measure"], "collisions_per_turn");
+  EXPECT_NEAR(per_turn["fastest_quiet"], 8.274, 1e-9);
+  EXPECT_TRUE(at("--allow-speed 0")["fastest_quiet"].is_null());
+  const auto uncertain = at("--allow 6 --tolerance 5")["with_tolerance"];
+  EXPECT_LT(uncertain["lowest"], 8.0);
+  EXPECT_GT(uncertain["highest"], 8.5);
 }
 
 TEST(Threshold, RefusesRangesAndCombinationsThatMakeNoSense) {
@@ -69,6 +104,10 @@ TEST(Threshold, RefusesRangesAndCombinationsThatMakeNoSense) {
   expect_refusal("threshold --case C1 --fastest nan", "--fastest");
   expect_refusal("threshold --all --case C1", "--all");
   expect_refusal("threshold", "--case");
+  expect_refusal("threshold --all --allow 3", "--all");
+  expect_refusal("threshold --case C1 --allow 3 --allow-speed 1", "--allow-speed");
+  expect_refusal("threshold --case C1 --allow -1", "-1");
+  expect_refusal("threshold --case C1 --tolerance 60", "--tolerance");
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/report/polyline.h"
 #include "src/report/ticks.h"
 #include "tests/report/sample_charts.h"
 
@@ -14,7 +13,6 @@ namespace {
 
 using testing::AllOf;
 using testing::ElementsAre;
-using testing::Field;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -68,28 +66,6 @@ TEST(Chart, DescribesItselfByItsLabels) {
   Chart chart = line_chart({{0, 1}});
   chart.lines = {{Direction::horizontal, 0, "wall"}, {Direction::horizontal, 2, "wall"}};
   EXPECT_EQ(description(chart), "x [mm] against time [s]: path, wall.");
-}
-
-TEST(Polyline, LeavesGapsWhereValuesAreMissing) {
-  const auto parts = polylines({"", Mark::line, {{0, 1}, {1, 1}, {2, {}}, {3, 1}}});
-  ASSERT_EQ(parts.size(), 2U);
-  EXPECT_EQ(parts[0].size(), 2U);
-  EXPECT_EQ(parts[1].size(), 1U);
-}
-
-TEST(Polyline, DrawsStepsByTheirCornersAlone) {
-  const auto parts = polylines({"", Mark::steps, {{0, 5}, {1, 5}, {2, 5}, {3, 7}, {4, 7}, {5, 7}}});
-  ASSERT_EQ(parts.size(), 1U);
-  EXPECT_THAT(parts[0], ElementsAre(AllOf(Field(&Sample::position, 0), Field(&Sample::value, 5)),
-                                    AllOf(Field(&Sample::position, 3), Field(&Sample::value, 5)),
-                                    AllOf(Field(&Sample::position, 3), Field(&Sample::value, 7)),
-                                    AllOf(Field(&Sample::position, 5), Field(&Sample::value, 7))));
-}
-
-TEST(Polyline, HoldsAStepUntilItsSuccessorEvenIfThatIsUnknown) {
-  const auto parts = polylines({"", Mark::steps, {{0, 5}, {1, {}}, {2, {}}}});
-  ASSERT_EQ(parts.size(), 1U);
-  EXPECT_THAT(parts[0], ElementsAre(Field(&Sample::position, 0), Field(&Sample::position, 1)));
 }
 
 std::vector<std::string> labels(const std::vector<Tick>& ticks) {

@@ -56,15 +56,15 @@ std::vector<Chart> gallery() {
   steps.series[0].mark = Mark::steps;
   steps.x.scale = Scale::logarithmic;
   steps.lines = {{Direction::vertical, 9, "paper"}, {Direction::horizontal, 3, "wall"}};
-  Chart rows = line_chart({{0, 3, Range{2, 4}}, {1, {}}});
-  rows.name = "rows";
-  rows.series[0].mark = Mark::points;
-  rows.y.categories = {"first", "second"};
+  Chart names = line_chart({{0, 3}, {1, {}}});
+  names.name = "names";
+  names.series[0].mark = Mark::points;
+  names.x.categories = {"first", "second"};
   Chart many = line_chart({{0, 1}, {1, 2}});
   many.name = "many";
   for (int i = 0; i < 11; ++i)
     many.series.push_back({"solver " + std::to_string(i), Mark::points, {{0.5, 1.0 + i}}});
-  return {line_chart({{0, 1}, {1, 2}}), steps, rows, many, heat_map_chart({{1.5, 2}, {{}, 4}})};
+  return {line_chart({{0, 1}, {1, 2}}), steps, names, many, heat_map_chart({{1.5, 2}, {{}, 4}})};
 }
 
 TEST(Gnuplot, WritesWellFormedXmlForEveryKindOfChart) {
@@ -130,13 +130,13 @@ TEST(Gnuplot, KeepsSpecialCharactersInEveryLabel) {
   chart.title = odd + " title";
   chart.x.label = odd + " x";
   chart.series[0].mark = Mark::points;
-  chart.y.categories = {"50 % <&> 'row' 0", "{a_b} `date` row 1"};
+  chart.x.categories = {"50 % <&> 'row' 0", "{a_b} `date` row 1"};
   chart.series[0].label = odd + " series";
   chart.lines = {{Direction::vertical, 1, odd + " line"}};
   chart.width = 1200;
   const std::string svg = to_svg(chart);
   const std::string text = visible_text(parse(svg));
-  for (const std::string& row : chart.y.categories) EXPECT_THAT(text, HasSubstr(row + "\n"));
+  for (const std::string& row : chart.x.categories) EXPECT_THAT(text, HasSubstr(row + "\n"));
   for (const char* place : {" title", " x", " series", " line"})
     EXPECT_THAT(text, HasSubstr(odd + place + "\n"));
   EXPECT_EQ(parse(svg).get<std::string>("svg.title"), odd + " title");

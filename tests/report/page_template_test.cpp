@@ -4,9 +4,6 @@
 
 #include <stdexcept>
 
-#include "src/report/chart_data.h"
-#include "tests/report/sample_charts.h"
-
 namespace ricochet::report {
 namespace {
 
@@ -16,10 +13,6 @@ using testing::Pair;
 using testing::ThrowsMessage;
 
 Json sample() {
-  Chart chart = line_chart({{0, 1}, {1, 2.5}});
-  chart.name = "one";
-  Json drawn_chart = data_of(chart);
-  drawn_chart["id"] = "C1";
   return {{"total", 2},
           {"absent", nullptr},
           {"cases",
@@ -29,7 +22,7 @@ Json sample() {
                {{"name", "c"}, {"speed", nullptr}, {"good", nullptr}, {"costs", {2.0, 3.0}}}}}},
             {{"id", "C2"}, {"rows", Json::array()}}}},
           {"solvers", {{{"name", "x"}}, {{"name", "y"}}}},
-          {"charts", {drawn_chart}}};
+          {"charts", {{{"id", "C1"}, {"rows", {{{"time", 1}, {"x", 2.5}}}}}}}};
 }
 
 constexpr const char* sheet = R"(
@@ -51,9 +44,13 @@ columns = [
   { each = "solvers", title = "{{name}}", cells = "costs", value = "{{.:.1f}}" },
 ]
 [[section.chart]]
-chart = "charts"
+each = "charts"
+name = "case-{{id}}"
 title = "Case {{id}}"
 caption = "{{id}} of {{total}}"
+x = { label = "time [s]" }
+y = { label = "x [mm]" }
+series = [{ rows = "rows", x = "time", y = "x" }]
 [[section]]
 when = "absent"
 id = "never"
@@ -104,7 +101,7 @@ TEST(PageTemplate, MakesTheChartsWithTheirWords) {
   ASSERT_EQ(figures.size(), 1u);
   EXPECT_EQ(figures[0].chart.title, "Case C1");
   EXPECT_EQ(figures[0].caption, "C1 of 2");
-  EXPECT_EQ(figures[0].chart.series[0].samples[1].value, 2.5);
+  EXPECT_EQ(figures[0].chart.series[0].samples.at(0).value, 2.5);
 }
 
 TEST(PageTemplate, RepeatsAParagraphForEveryEntryOfAList) {
@@ -134,6 +131,22 @@ rows = [["a", "b of {{total}}"], ["c", "d"]])";
   EXPECT_EQ(table.rows[0][1].text, "b of 2");
   EXPECT_EQ(table.rows[1][0].text, "c");
   EXPECT_TRUE(drawing.tables.empty()) << "no csv is asked for";
+}
+
+TEST(PageTemplate, LooksNamesUpInTheDataOfAPart) {
+  const std::string text = R"(
+title = ""
+[[section]]
+each = "cases"
+data = "texts.{{id}}"
+id = "of-{{id}}"
+heading = "{{words}}")";
+  Json data = sample();
+  data["texts"] = {{"C1", {{"words", "One"}}}, {"C2", {{"words", "Two"}}}};
+  const auto sections = drawn(text, data).page.sections;
+  ASSERT_EQ(sections.size(), 2u);
+  EXPECT_EQ(sections[1].id, "of-C2");
+  EXPECT_EQ(sections[1].heading, "Two");
 }
 
 TEST(PageTemplate, RefusesWhatTheDataDoNotHave) {

@@ -90,6 +90,45 @@ TEST_F(PageFiles, ShowTheChartsInTheSummary) {
                     HasSubstr("| C1 |"), HasSubstr("![A title](one.svg)\n\nCaption of one")));
 }
 
+Page page_of(const Table& table) {
+  return {"Title", {}, {{.id = "first", .heading = "First", .tables = {table}}}};
+}
+
+const Table thresholds{"Thresholds [rad/s]",
+                       {{"case", Alignment::left}, {"threshold"}},
+                       {{{"C1"}, {"8.97", State::good}}, {{"C2"}, {"3", State::bad}}}};
+
+TEST_F(PageFiles, HaveTablesInMarkdown) {
+  write_page(page_of(thresholds), root_);
+  EXPECT_EQ(read(root_ / "summary.md"),
+            "# Title\n\n## First\n\n"
+            "Thresholds [rad/s]\n\n"
+            "| case | threshold |\n"
+            "| :--- | ---: |\n"
+            "| C1 | ✓ 8.97 |\n"
+            "| C2 | ✗ 3 |\n");
+}
+
+TEST_F(PageFiles, ShowStatesByColourAndByText) {
+  write_page(page_of(thresholds), root_);
+  EXPECT_THAT(read(root_ / "index.html"),
+              AllOf(HasSubstr("<th scope=\"row\" class=\"left\">C1</th><td"),
+                    HasSubstr("class=\"right good\""), HasSubstr("aria-label=\"good\">✓<"),
+                    HasSubstr("class=\"right bad\""), HasSubstr("aria-label=\"bad\">✗<")));
+}
+
+TEST_F(PageFiles, EscapeTablesEverywhere) {
+  write_page(page_of({"<i>", {{"<i>"}}, {{{"<i>", State::good}}, {{"<i>"}}}}), root_);
+  EXPECT_THAT(read(root_ / "index.html"), AllOf(HasSubstr("&lt;i&gt;"), Not(HasSubstr("<i>"))));
+  write_page(page_of({"", {{"a|b"}}, {{{"c\nd|e"}}}}), root_);
+  EXPECT_THAT(read(root_ / "summary.md"), AllOf(HasSubstr("| a\\|b |"), HasSubstr("| c d\\|e |")));
+}
+
+TEST_F(PageFiles, HaveNoRowOfTheWrongLength) {
+  EXPECT_THROW(write_page(page_of({"t", {{"a"}, {"b"}}, {{{"1"}}}}), root_), std::invalid_argument);
+  EXPECT_TRUE(fs::is_empty(root_));
+}
+
 TEST_F(PageFiles, ReplaceAnEarlierReportAndNothingElse) {
   write_page(page_with({"old", "both"}), root_);
   write(root_ / "notes.txt", "mine");

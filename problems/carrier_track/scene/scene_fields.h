@@ -34,7 +34,7 @@ enum class Presence { optional, required };
 struct Field {
   std::string_view key;
   std::string_view unit = "";    ///< "1" of a number without one, "" of what is not a number
-  std::string_view remark = "";  ///< follows the unit in a written file
+  std::string_view remark = "";  ///< what it is, in a written file
   Range range = Range::any;
   Perturbation perturbation = Perturbation::none;
   Presence presence = Presence::optional;  ///< without a key the default of the struct holds
@@ -66,33 +66,42 @@ void visit_scene_fields(const Visit& visit, S&... s) {
   using enum Range;
   using enum Perturbation;
   using enum Presence;
-  visit(Field{"mass", "kg", "", positive, relative, required}, s.mass...);
-  visit(Field{"wall_lower", "m", "", finite, track, required}, s.wall_lower...);
-  visit(Field{"wall_upper", "m", "; may be inf", by_rule, with_the_track, required},
+  visit(Field{"mass", "kg", "of the yarn carrier", positive, relative, required}, s.mass...);
+  visit(Field{"wall_lower", "m", "of the track, along x", finite, track, required},
+        s.wall_lower...);
+  visit(Field{"wall_upper", "m", "> wall_lower; may be inf", by_rule, with_the_track, required},
         s.wall_upper...);
-  visit(Field{"restitution", "1", "lower wall, upper wall", fraction, restitution, required},
+  visit(Field{"restitution", "1", "speed after over before an impact: lower wall, upper wall",
+              fraction, restitution, required},
         Walls{s.restitution_lower, s.restitution_upper}...);
   visit(Field{"friction", "1", "Coulomb coefficient", not_negative, relative}, s.friction...);
-  visit(Field{"normal_force", "N", ", what the friction coefficient multiplies", not_negative,
+  visit(Field{"normal_force", "N", "what the friction coefficient multiplies", not_negative,
               relative},
         s.normal_force...);
-  visit(Field{"contact_friction", "", "true: and a wall's own force"}, s.contact_friction...);
-  visit(Field{"pull", "N", ", towards wall_lower", finite, relative}, s.pull...);
-  visit(Field{"pull_rotates"}, s.pull_rotates...);
-  visit(Field{"pull_phase", "rad", ", of a pull that rotates", finite, late_angle},
-        s.pull_phase...);
+  visit(Field{"contact_friction", "", "true: it multiplies a wall's own force, too"},
+        s.contact_friction...);
+  visit(Field{"pull", "N", "of the yarn, towards wall_lower", finite, relative}, s.pull...);
+  visit(Field{"pull_rotates", "", "true: the pull turns with the driver plate"}, s.pull_rotates...);
+  visit(Field{"pull_phase", "rad", "of a pull that rotates", finite, late_angle}, s.pull_phase...);
   visit(Field{"centrifugal", "", "projected, inward or outward"}, s.centrifugal...);
-  visit(Field{"centrifugal_mass_radius", "kg m", "", not_negative, relative},
+  visit(Field{"centrifugal_mass_radius", "kg m", "mass of the carrier times radius of its path",
+              not_negative, relative},
         s.centrifugal_mass_radius...);
-  visit(Field{"slider_mass_radius", "kg m", "", not_negative, relative}, s.slider_mass_radius...);
-  visit(Field{"phase", "rad", "", finite, angle}, s.phase...);
-  visit(Field{"disturbance", "N", "", finite, relative}, s.disturbance...);
+  visit(Field{"slider_mass_radius", "kg m", "the same of the slider that drives it", not_negative,
+              relative},
+        s.slider_mass_radius...);
+  visit(Field{"phase", "rad", "of the driver plate at the start", finite, angle}, s.phase...);
+  visit(Field{"disturbance", "N", "amplitude of a force that shakes the carrier", finite, relative},
+        s.disturbance...);
   visit(Field{"disturbance_frequency", "rad/s", "", not_negative, relative},
         s.disturbance_frequency...);
   visit(Field{"disturbance_phase", "rad", "", finite, late_angle}, s.disturbance_phase...);
-  visit(Field{"start_position", "m", "", by_rule, with_the_track, required}, s.start_position...);
+  visit(Field{"start_position", "m", "within the walls", by_rule, with_the_track, required},
+        s.start_position...);
   visit(Field{"start_velocity", "m/s", "", finite, relative}, s.start_velocity...);
-  visit(Field{"omega", "rad/s", "", by_rule, relative}, PlateSpeed{s.omega, s.profile}...);
+  visit(Field{"omega", "rad/s", "of the driver plate; or a profile [[time, speed], ...]", by_rule,
+              relative},
+        PlateSpeed{s.omega, s.profile}...);
 }
 
 /// The same for the table [across] and the struct Across.
@@ -101,9 +110,9 @@ void visit_across_fields(const Visit& visit, Y&... y) {
   using enum Range;
   using enum Perturbation;
   using enum Presence;
-  visit(Field{"pull", "N", ", towards wall_upper", finite, relative}, y.pull...);
+  visit(Field{"pull", "N", "towards wall_upper", finite, relative}, y.pull...);
   visit(Field{"wall_lower", "m", "", finite, track, required}, y.wall_lower...);
-  visit(Field{"wall_upper", "m", "; may be inf", by_rule, with_the_track, required},
+  visit(Field{"wall_upper", "m", "> wall_lower; may be inf", by_rule, with_the_track, required},
         y.wall_upper...);
   visit(Field{"restitution", "1", "lower wall, upper wall", fraction, restitution, required},
         Walls{y.restitution_lower, y.restitution_upper}...);
@@ -117,12 +126,11 @@ template <class Visit, class... S>
 void visit_count_fields(const Visit& visit, S&... s) {
   using enum Range;
   visit(Field{"rule", "", "impacts or peaks"}, s.rule...);
-  visit(Field{"slowest", "m/s", ", rule impacts: the slowest impact that counts", positive},
+  visit(Field{"slowest", "m/s", "rule impacts: the slowest impact that counts", positive},
         s.slowest...);
-  visit(Field{"peak_high", "m", ", rule peaks: a maximum from here on counts", positive},
+  visit(Field{"peak_high", "m", "rule peaks: a maximum from here on counts", positive},
         s.peak_high...);
-  visit(Field{"peak_low", "m", ", rule peaks: a maximum up to here counts", positive},
-        s.peak_low...);
+  visit(Field{"peak_low", "m", "rule peaks: a maximum up to here counts", positive}, s.peak_low...);
 }
 
 /// The same for the table [model].
@@ -130,8 +138,8 @@ template <class Visit, class... S>
 void visit_model_fields(const Visit& visit, S&... s) {
   using enum Range;
   using enum Perturbation;
-  visit(Field{"fidelity"}, s.fidelity...);
-  visit(Field{"contact_law"}, s.contact_law...);
+  visit(Field{"fidelity", "", "impact, compliant, planar or auto"}, s.fidelity...);
+  visit(Field{"contact_law", "", "of fidelity compliant, as the next three"}, s.contact_law...);
   visit(Field{"stiffness", "N/m^contact_exponent", "", positive, relative}, s.stiffness...);
   visit(Field{"contact_exponent", "1", "1 for kelvin-voigt", positive}, s.contact_exponent...);
   visit(Field{"contact_speed", "m/s", "", positive, relative}, s.contact_speed...);

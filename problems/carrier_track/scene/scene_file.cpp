@@ -88,12 +88,35 @@ void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
   }
 }
 
+std::string_view range_text(Range range) {
+  switch (range) {
+    case Range::positive:
+      return "> 0";
+    case Range::not_negative:
+      return ">= 0";
+    case Range::fraction:
+      return "0..1";
+    case Range::any:
+    case Range::finite:
+    case Range::by_rule:
+      return "";
+  }
+  return "";
+}
+
 /// Writes the fields of a table, a line each.
 struct FieldWriter {
   std::string& text;
 
+  /// Unit, allowed range and meaning.
   static std::string comment(const Field& field) {
-    return fmt::format("{}{}", field.unit == "1" ? "" : field.unit, field.remark);
+    std::string text = field.unit == "1" ? "" : std::string(field.unit);
+    const auto append = [&text](std::string_view separator, std::string_view part) {
+      if (!part.empty()) text += fmt::format("{}{}", text.empty() ? "" : separator, part);
+    };
+    append(" ", range_text(field.range));
+    append(": ", field.remark);
+    return text;
   }
   void line(const Field& field, std::string_view value, std::string_view comment) const {
     text += fmt::format("{} = {}{}{}\n", field.key, value, comment.empty() ? "" : "  # ", comment);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "src/report/chart_data.h"
 #include "src/studies/calibration/results.h"
 
 namespace ricochet::studies::calibration {
@@ -12,6 +11,7 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
+using report::list_of;
 
 const OpenConstant& constant_of(Open open) {
   return open_constants()[static_cast<std::size_t>(open)];
@@ -38,27 +38,6 @@ Json data_of(const RankedFit& r) {
           {"right_examples", a.right_examples},
           {"quiet_share", a.quiet_share},
           {"criterion", a.criterion}};
-}
-
-Json error_chart(const Results& results) {
-  report::Chart chart{"error-against-freedom",
-                      "",
-                      {"fitted constants", report::Scale::linear, report::Range{1, 13}},
-                      {"error of the thresholds [%]", report::Scale::logarithmic}};
-  const auto sample = [](const RankedFit& r) {
-    return report::Sample{static_cast<double>(r.fit.freed.size()),
-                          std::max(0.1, 100 * r.appraisal.threshold_error)};
-  };
-  report::Series readings{"another reading", report::Mark::points, {}};
-  for (const RankedFit& r : results.readings) readings.samples.push_back(sample(r));
-  report::Series frontier{"the best reading, constants held", report::Mark::line, {}};
-  for (auto r = results.frontier.rbegin(); r != results.frontier.rend(); ++r) {
-    frontier.samples.push_back(sample(*r));
-  }
-  chart.series = {std::move(readings), std::move(frontier)};
-  chart.lines = {{report::Direction::horizontal, 5, "5 %"}};
-  chart.width = 720;
-  return report::data_of(chart);
 }
 
 /// The best reading for every answer to every question.
@@ -144,34 +123,30 @@ Json frontier_of(const std::vector<RankedFit>& frontier) {
 }
 
 Json constants_of(const Fit& fit) {
-  Json rows = Json::array();
-  for (const Open open : open_of(fit.reading)) {
+  return list_of(open_of(fit.reading), [&](Open open) -> Json {
     const OpenConstant& c = constant_of(open);
-    rows.push_back({{"constant", words_of(open)},
-                    {"value", fit.constants[static_cast<std::size_t>(open)]},
-                    {"unit", c.unit},
-                    {"freed", contains(fit.freed, open)},
-                    {"lower", c.lower},
-                    {"upper", c.upper},
-                    {"why", c.why}});
-  }
-  return rows;
+    return {{"constant", words_of(open)},
+            {"value", fit.constants[static_cast<std::size_t>(open)]},
+            {"unit", c.unit},
+            {"freed", contains(fit.freed, open)},
+            {"lower", c.lower},
+            {"upper", c.upper},
+            {"why", c.why}};
+  });
 }
 
 Json predictions_of(const Results& results) {
-  Json rows = Json::array();
-  for (const Prediction& p : results.predictions) {
+  return list_of(results.predictions, [&](const Prediction& p) -> Json {
     std::optional<double> fitted;
     for (const CaseAppraisal& c : results.choice().appraisal.cases) {
       if (c.the_case.id == p.case_id) fitted = c.score.threshold;
     }
-    rows.push_back({{"id", p.case_id},
-                    {"paper", p.paper},
-                    {"fitted", fitted},
-                    {"predicted", p.predicted},
-                    {"off", p.predicted ? Json(std::log(*p.predicted / p.paper)) : Json()}});
-  }
-  return rows;
+    return {{"id", p.case_id},
+            {"paper", p.paper},
+            {"fitted", fitted},
+            {"predicted", p.predicted},
+            {"off", p.predicted ? Json(std::log(*p.predicted / p.paper)) : Json()}};
+  });
 }
 
 Json interval_of(const Profile& p) {
@@ -185,39 +160,23 @@ Json interval_of(const Profile& p) {
           {"determined", !p.lower_open && !p.upper_open}};
 }
 
-Json profile_chart(const Profile& profile) {
-  const OpenConstant& c = constant_of(profile.constant);
-  const std::string words = words_of(profile.constant);
-  report::Chart chart;
-  chart.name = "profile-" + std::string(c.name);
-  std::replace(chart.name.begin(), chart.name.end(), '_', '-');
-  chart.x.label = c.unit.empty() ? words : fmt::format("{} [{}]", words, c.unit);
-  chart.y.label = "misfit, the others fitted anew";
-  report::Series series{"", report::Mark::line, {}};
-  for (const auto& [value, misfit] : profile.points) series.samples.push_back({value, misfit});
-  chart.series = {std::move(series)};
-  chart.lines = {{report::Direction::vertical, profile.value, "fitted"}};
-  chart.width = 360;
-  chart.height = 240;
-  Json data = report::data_of(chart);
-  data["constant"] = words;
-  return data;
+Json points_of(const Profile& profile) {
+  return list_of(profile.points, [](const auto& point) -> Json {
+    return {{"value", point.first}, {"misfit", point.second}};
+  });
 }
 
-Json sensitivity_map(const Results& results) {
-  report::Chart chart{"sensitivity", "", {"case"}, {"constant"}};
+/// What the threshold of each case owes to a constant of the choice, a row a constant.
+Json sensitivity_of(const Results& results) {
+  Json rows = Json::array();
   const std::vector<Open>& freed = results.choice().fit.freed;
-  report::HeatMap map{"change of ln(threshold) per change", {}, std::nullopt};
-  map.rows.resize(freed.size());
-  for (const Open open : freed) chart.y.categories.push_back(words_of(open));
-  for (const CaseSensitivity& row : results.sensitivities) {
-    chart.x.categories.push_back(row.case_id);
-    for (std::size_t i = 0; i < row.slopes.size(); ++i) map.rows[i].push_back(row.slopes[i]);
+  for (std::size_t i = 0; i < freed.size(); ++i) {
+    const auto slope = [i](const CaseSensitivity& row) { return row.slopes[i]; };
+    rows.push_back(
+        {{"constant", words_of(freed[i])}, {"slopes", list_of(results.sensitivities, slope)}});
   }
-  chart.heat_map = std::move(map);
-  chart.width = 720;
-  chart.height = 120 + 32 * static_cast<int>(freed.size());
-  return report::data_of(chart);
+  return {{"cases", list_of(results.sensitivities, &CaseSensitivity::case_id)},
+          {"constants", std::move(rows)}};
 }
 
 Json plan_of(const Plan& plan) {
@@ -247,7 +206,6 @@ Json data_of(const Results& results) {
                {"compared", results.readings.size() > 1},
                {"nearest", Json::array()},
                {"others", Json::array()},
-               {"errors", error_chart(results)},
                {"answers", answers_of(results.readings)},
                {"rankings", results.rankings.empty() ? Json() : rankings_of(results)},
                {"frontier", frontier_of(results.frontier)},
@@ -258,17 +216,14 @@ Json data_of(const Results& results) {
                {"determined",
                 std::count_if(profiles.begin(), profiles.end(),
                               [](const Profile& p) { return !p.lower_open && !p.upper_open; })},
-               {"intervals", Json::array()},
-               {"sensitivity", sensitivity_map(results)},
-               {"profiles", Json::array()}};
+               {"intervals", list_of(profiles, interval_of)},
+               {"sensitivity", sensitivity_of(results)},
+               {"profiles", Json::object()}};
   data["best"]["description"] = description_of(results.readings.front().fit.reading);
   for (const RankedFit& r : results.readings) {
     data[data["nearest"].size() < nearest ? "nearest" : "others"].push_back(data_of(r));
   }
-  for (const Profile& profile : profiles) {
-    data["intervals"].push_back(interval_of(profile));
-    data["profiles"].push_back(profile_chart(profile));
-  }
+  for (const Profile& p : profiles) data["profiles"][words_of(p.constant)] = points_of(p);
   return data;
 }
 

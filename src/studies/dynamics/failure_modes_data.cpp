@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/report/chart_data.h"
 #include "src/studies/dynamics/failure_modes.h"
 
 namespace ricochet::studies::dynamics {
@@ -59,7 +58,7 @@ Json data_of(const Sticking& sticking, int decades) {
            !sticking.gave_up && in_time && sticking.creep == 0 && !sticking.breaks_loose_early}};
 }
 
-Json data_of(const Elastic& elastic) {
+Json elastic_data(const Elastic& elastic) {
   const double ratio = elastic.energy_ratio;
   const double drift = ratio - 1;
   const bool lost = ratio<0.01, multiplied = ratio> 2, kept = std::abs(drift) < 1e-8;
@@ -83,52 +82,43 @@ Json data_of(const ChaoticRate& rate) {
 }
 
 Json data_of(const FailureModeStudy& study, const MethodFailures& method) {
-  Json elastic = Json::array();
-  for (const Elastic& one : method.elastic) elastic.push_back(data_of(one));
   return {{"method", method.method},
           {"zeno", data_of(method.zeno)},
           {"grazes", grazes_of(method, study.overshoots)},
           {"sticking", data_of(method.sticking, study.plan.decades)},
-          {"elastic", std::move(elastic)},
+          {"elastic", report::list_of(method.elastic, elastic_data)},
           {"rate", data_of(method.rate)}};
 }
 
-report::Chart grazing_chart(const FailureModeStudy& study,
-                            const std::vector<MethodFailures>& methods, const std::string& name) {
-  report::Chart chart;
-  chart.name = name;
-  chart.x.label = "wall missed by (-) or overshot by (+), in swings";
-  chart.y.label = "method";
-  for (const double by : study.overshoots) {
-    chart.x.categories.push_back(fmt::format("-1e{:.0f}", std::log10(by)));
+/// By how much a wall is missed (-) or overshot (+), in swings, in the order of rights_of.
+Json touches_of(const std::vector<double>& overshoots) {
+  Json touches = Json::array();
+  for (const double by : overshoots) {
+    touches.push_back(fmt::format("-1e{:.0f}", std::log10(by)));
   }
-  for (auto by = study.overshoots.rbegin(); by != study.overshoots.rend(); ++by) {
-    chart.x.categories.push_back(fmt::format("+1e{:.0f}", std::log10(*by)));
+  for (auto by = overshoots.rbegin(); by != overshoots.rend(); ++by) {
+    touches.push_back(fmt::format("+1e{:.0f}", std::log10(*by)));
   }
-  report::HeatMap map{"right [%]", {}, report::Range{0, 100}};
-  for (auto method = methods.rbegin(); method != methods.rend(); ++method) {
-    chart.y.categories.push_back(method->method);
-    auto& row = map.rows.emplace_back();
-    for (const double share : method->missed) row.push_back(std::round(100 * share));
-    for (auto share = method->touched.rbegin(); share != method->touched.rend(); ++share) {
-      row.push_back(std::round(100 * *share));
-    }
+  return touches;
+}
+
+/// How often a method is right, in whole percent.
+Json rights_of(const MethodFailures& method) {
+  Json rights = Json::array();
+  for (const double share : method.missed) rights.push_back(std::round(100 * share));
+  for (auto share = method.touched.rbegin(); share != method.touched.rend(); ++share) {
+    rights.push_back(std::round(100 * *share));
   }
-  chart.heat_map = std::move(map);
-  chart.width = 900;
-  chart.height = 340;
-  return chart;
+  return {{"method", method.method}, {"right", std::move(rights)}};
 }
 
 Json control_data(const FailureModeStudy& study, const std::vector<MethodFailures>& methods,
                   const std::string& control) {
-  Json data = {
-      {"control", control},
-      {"tight", control == "tight"},
-      {"methods", Json::array()},
-      {"chart", report::data_of(grazing_chart(study, methods, "hazards-grazing-" + control))}};
-  for (const MethodFailures& method : methods) data["methods"].push_back(data_of(study, method));
-  return data;
+  const auto failures_of = [&](const MethodFailures& method) { return data_of(study, method); };
+  return {{"control", control},
+          {"tight", control == "tight"},
+          {"methods", report::list_of(methods, failures_of)},
+          {"rights", report::list_of(methods, rights_of)}};
 }
 
 /// In how many failure modes a method of control_data fails.
@@ -166,6 +156,7 @@ Json data_of(const FailureModeStudy& study) {
     most = std::max(most, failed);
   }
   return {{"losses", study.losses},
+          {"touches", touches_of(study.overshoots)},
           {"end_of_impacts", study.tight.front().zeno.end_of_impacts},
           {"least_excess", std::pow(10.0, -plan.decades)},
           {"impacts", plan.impacts},

@@ -11,7 +11,6 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"
 #include "src/core/processor_time.h"
-#include "src/report/chart_data.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -37,28 +36,6 @@ Count count_of(const Scene& scene, double omega) {
 
 std::string name_of(double stiffness) {
   return fmt::format("1e{:.0f}", std::log10(stiffness));
-}
-
-report::Chart chart_of(const FidelityStudy& study) {
-  report::Chart chart;
-  chart.name = "fidelity";
-  chart.x.label = "stiffness [N/m^1.5]";
-  chart.y.label = "case";
-  report::HeatMap map{"equal [%]", {}, report::Range{0, 100}};
-  for (const double stiffness : study.plan.stiffnesses) {
-    chart.x.categories.push_back(name_of(stiffness));
-  }
-  for (std::size_t c = study.cases.size(); c-- > 0;) {  // from below
-    chart.y.categories.push_back(study.cases[c]);
-    auto& row = map.rows.emplace_back();
-    for (const FidelityCell& cell : study.cells[c]) {
-      const auto share = cell.share();
-      row.push_back(share ? std::optional(100 * *share) : std::nullopt);
-    }
-  }
-  chart.heat_map = std::move(map);
-  chart.height = 420;
-  return chart;
 }
 
 /// All cases with one stiffness.
@@ -127,7 +104,11 @@ Json data_of(const FidelityStudy& study) {
       {"cases", study.cases.size()},
       {"speeds", {{"tried", speeds.size()}, {"first", speeds.front()}, {"last", speeds.back()}}},
       {"stiffnesses", Json::array()},
-      {"chart", report::data_of(chart_of(study))}};
+      {"shares", Json::array()}};
+  for (std::size_t c = 0; c < study.cases.size(); ++c) {
+    data["shares"].push_back({{"case", study.cases[c]},
+                              {"equal", report::list_of(study.cells[c], &FidelityCell::share)}});
+  }
   for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
     data["stiffnesses"].push_back(total_of(study, s));
   }

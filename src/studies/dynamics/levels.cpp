@@ -1,6 +1,5 @@
 #include "src/studies/dynamics/levels.h"
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -13,7 +12,6 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"
 #include "src/core/processor_time.h"
-#include "src/report/chart_data.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -91,26 +89,6 @@ double share(int part, int whole) {
   return whole > 0 ? 1.0 * part / whole : 0.0;
 }
 
-/// Where x alone counts wrong.
-report::Chart chart_of(const LevelStudy& study) {
-  report::Chart chart;
-  chart.name = "levels";
-  chart.x.label = "pull across over pull along, tan phi";
-  chart.y.label = "case";
-  report::HeatMap map{"wrong counts [%]", {}, report::Range{0, 100}};
-  for (const double d : study.plan.directions) {
-    chart.x.categories.push_back(fmt::format("{:.2f}", d));
-  }
-  for (const LevelRow& row : study.rows) {
-    chart.y.categories.push_back(row.id);
-    auto& cells = map.rows.emplace_back();
-    for (const int wrong : row.wrong) cells.emplace_back(100 * share(wrong, row.speeds));
-  }
-  chart.heat_map = std::move(map);
-  chart.height = 420;
-  return chart;
-}
-
 }  // namespace
 
 LevelStudy study_levels(const LevelPlan& plan) {
@@ -148,7 +126,7 @@ Json data_of(const LevelStudy& study) {
                {"directions", Json::array()},
                {"cases", Json::array()},
                {"costs", Json::array()},
-               {"chart", report::data_of(chart_of(study))}};
+               {"wrong", Json::array()}};
   int speeds = 0, certain = 0, resolved = 0;
   for (const LevelRow& row : study.rows) {
     speeds += row.speeds;
@@ -163,6 +141,9 @@ Json data_of(const LevelStudy& study) {
                              {"graze", doubts(Doubt::graze)},
                              {"sensitive", doubts(Doubt::sensitive)},
                              {"resolved", row.resolved}});
+    Json shares = Json::array();  // a direction each
+    for (const int wrong : row.wrong) shares.push_back(share(wrong, row.speeds));
+    data["wrong"].push_back({{"case", row.id}, {"shares", std::move(shares)}});
     data["costs"].push_back({{"case", row.id},
                              {"compliant", row.seconds[1] / row.seconds[0]},
                              {"planar", row.seconds[2] / row.seconds[0]},

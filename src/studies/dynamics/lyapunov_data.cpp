@@ -1,84 +1,46 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "src/report/chart_data.h"
 #include "src/studies/dynamics/lyapunov.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
-using report::Direction;
 using report::Json;
-using report::Mark;
 
 constexpr double pi = std::numbers::pi;
 const double all_digits = 53 * std::log10(2.0);  // of a double: 15.95
 
-report::Chart digits_chart(const LyapunovStudy& study) {
-  report::Chart chart;
-  chart.name = "lyapunov-digits";
-  chart.x.label = "speed [rad/s]";
-  chart.y.label = "case";
-  report::HeatMap map{"digits lost", {}, report::Range{0, 16}};
-  for (const double speed : study.plan.speeds) {
-    chart.x.categories.push_back(fmt::format("{:g}", speed));
-  }
-  for (std::size_t c = study.cases.size(); c-- > 0;) {  // from below
-    chart.y.categories.push_back(study.cases[c]);
-    auto& row = map.rows.emplace_back();
-    for (const Sensitivity& cell : study.cells[c]) {
-      row.push_back(cell.chaotic() ? std::nullopt : std::optional(cell.digits_lost));
-    }
-  }
-  chart.heat_map = std::move(map);
-  chart.width = 860;
-  chart.height = 420;
-  return chart;
+/// What a motion loses; null where it loses all.
+Json digits_of(const Sensitivity& motion) {
+  return motion.chaotic() ? Json() : Json(motion.digits_lost);
 }
 
-report::Chart courses_chart(const LyapunovStudy& study) {
-  report::Chart chart;
-  chart.name = "lyapunov-courses";
-  chart.x.label = "impacts since the start";
-  chart.y = {"decimal digits of the start lost", report::Scale::linear, report::Range{-2, 22}};
-  for (const Course& course : study.courses) {
-    auto& series = chart.series.emplace_back(report::Series{course.name, Mark::line, {}});
-    for (std::size_t k = 0; k < course.digits_lost.size(); ++k) {
-      const double digits = course.digits_lost[k];
-      if (digits > chart.y.range->upper) break;
-      series.samples.push_back({static_cast<double>(k), std::max(digits, -2.0)});
-    }
+/// Impact by impact, as far as it is drawn.
+Json drawn_digits(const Course& course) {
+  Json drawn = Json::array();
+  for (const double digits : course.digits_lost) {
+    if (digits > 22) break;
+    drawn.push_back(std::max(digits, -2.0));
   }
-  chart.lines = {{Direction::horizontal, all_digits, "nothing left of 16 digits"}};
-  chart.width = 640;
-  chart.height = 360;
-  return chart;
+  return drawn;
 }
 
-report::Chart shaken_chart(const LyapunovStudy& study) {
-  report::Chart chart;
-  chart.name = "lyapunov-gap";
-  chart.x.label = "gap, in amplitudes of the shaking";
-  chart.y.label = "exponent, per period";
-  report::Series exponents{"exponent", Mark::points, {}};
-  report::Series resting{"forgets on a wall; growth in between", Mark::points, {}};
+/// The growth per period of the shaking over the gap, and what closed forms say of it.
+Json shaken_data(const LyapunovStudy& study) {
+  Json gaps = Json::array();
   for (std::size_t k = 0; k < study.shaken.size(); ++k) {
     const Sensitivity& shaken = study.shaken[k];
-    auto& series = shaken.exponent() ? exponents : resting;
-    series.samples.push_back({study.plan.gaps[k], shaken.growth * study.period});
+    gaps.push_back({{"gap", study.plan.gaps[k]},
+                    {"growth", shaken.growth * study.period},
+                    {"rests", !shaken.exponent()}});
   }
-  chart.series = {std::move(exponents), std::move(resting)};
   const double rho = (1 - study.restitution) / (1 + study.restitution);
-  chart.lines = {
-      {Direction::horizontal, 2 * std::log(study.restitution), "closed form: 2 ln(restitution)"},
-      {Direction::vertical, (pi * pi - 4) / std::hypot(2, pi * rho), "closed form: stable between"},
-      {Direction::vertical, std::hypot(pi, 2 * rho) / rho, "closed form: stable between"}};
-  chart.width = 640;
-  chart.height = 360;
-  return chart;
+  return {{"gaps", std::move(gaps)},
+          {"growth", 2 * std::log(study.restitution)},
+          {"stable_from", (pi * pi - 4) / std::hypot(2, pi * rho)},
+          {"stable_to", std::hypot(pi, 2 * rho) / rho}};
 }
 
 /// All motions of the paper's cases together.
@@ -137,19 +99,31 @@ Json data_of(const Course& course) {
 
 Json data_of(const LyapunovStudy& study) {
   const std::vector<double>& speeds = study.plan.speeds;
-  Json courses = Json::array();
-  for (const Course& course : study.courses) courses.push_back(data_of(course));
-  return {
-      {"speeds", {{"tried", speeds.size()}, {"first", speeds.front()}, {"last", speeds.back()}}},
-      {"turns", study.plan.turns},
-      {"pairs", study.plan.starts},
-      {"cases", cases_data(study)},
-      {"lively", courses.front()},
-      {"chaotic", courses.back()},
-      {"courses", courses},
-      {"digits_chart", report::data_of(digits_chart(study))},
-      {"courses_chart", report::data_of(courses_chart(study))},
-      {"shaken_chart", report::data_of(shaken_chart(study))}};
+  const auto course_data = [](const Course& course) { return data_of(course); };
+  const auto losses_of = [](const Course& course) -> Json {
+    return {{"motion", course.name}, {"digits", drawn_digits(course)}};
+  };
+  const Json courses = report::list_of(study.courses, course_data);
+  Json digits = Json::array();
+  for (std::size_t c = 0; c < study.cases.size(); ++c) {
+    digits.push_back(
+        {{"case", study.cases[c]}, {"digits", report::list_of(study.cells[c], digits_of)}});
+  }
+  return {{"speeds",
+           {{"tried", speeds.size()},
+            {"first", speeds.front()},
+            {"last", speeds.back()},
+            {"all", speeds}}},
+          {"turns", study.plan.turns},
+          {"pairs", study.plan.starts},
+          {"cases", cases_data(study)},
+          {"lively", courses.front()},
+          {"chaotic", courses.back()},
+          {"courses", courses},
+          {"all_digits", all_digits},
+          {"losses", report::list_of(study.courses, losses_of)},
+          {"digits", std::move(digits)},
+          {"shaken", shaken_data(study)}};
 }
 
 }  // namespace ricochet::studies::dynamics

@@ -6,7 +6,6 @@
 
 #include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/scene/enum_names.h"
-#include "src/report/chart_data.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -35,22 +34,10 @@ Json data_of(const LawStudy& law) {
           {"measurement_error", largest_measurement_error(law)}};
 }
 
-report::Chart chart_of(const std::vector<LawStudy>& laws) {
-  report::Chart chart;
-  chart.name = "restitution";
-  chart.x = {"restitution asked for", report::Scale::linear, report::Range{0, 1}};
-  chart.y = {"restitution returned", report::Scale::linear, report::Range{0, 1.02}};
-  chart.series = {{"as asked for", report::Mark::line, {{0, 0.0}, {1, 1.0}}}};
-  report::Series points{"simulated impacts, every law", report::Mark::points, {}};
-  for (const LawStudy& law : laws) {
-    auto& line = chart.series.emplace_back(report::Series{law.name, report::Mark::line, {}});
-    for (const auto& point : law.exact) line.samples.push_back({point.asked, point.returned});
-    for (const auto& point : law.measured) points.samples.push_back({point.asked, point.returned});
-  }
-  chart.series.push_back(std::move(points));
-  chart.width = 780;
-  chart.height = 460;
-  return chart;
+Json rows_of(const std::vector<ReturnedRestitution>& points) {
+  return report::list_of(points, [](const ReturnedRestitution& point) -> Json {
+    return {{"asked", point.asked}, {"returned", point.returned}};
+  });
 }
 
 }  // namespace
@@ -110,9 +97,12 @@ Json data_of(const std::vector<LawStudy>& laws) {
                  {"energy_returned", returned * returned}}},
                {"faithful", Json::array()},
                {"laws", Json::array()},
-               {"chart", report::data_of(chart_of(laws))}};
+               {"curves", Json::array()},
+               {"measured", Json::array()}};
   for (const LawStudy& law : laws) {
     data["laws"].push_back(data_of(law));
+    data["curves"].push_back({{"law", law.name}, {"exact", rows_of(law.exact)}});
+    for (Json& row : rows_of(law.measured)) data["measured"].push_back(std::move(row));
     if (distance(worst_of(law)) <= faithful_within) data["faithful"].push_back(law.name);
   }
   return data;

@@ -103,29 +103,6 @@ StabilityPlan quick_stability_plan() {
   return {powers_of_ten(6, 16, 2), powers_of_ten(-3, -6, -0.5), powers_of_ten(-3, -9, -3), 16};
 }
 
-std::vector<Behaviour> all_behaviours() {
-  return {Behaviour::right_count,  Behaviour::leaves_the_walls, Behaviour::too_few,
-          Behaviour::gains_energy, Behaviour::too_many,         Behaviour::gives_up};
-}
-
-std::string words_of(Behaviour behaviour) {
-  switch (behaviour) {
-    case Behaviour::right_count:
-      return "right number of impacts";
-    case Behaviour::too_many:
-      return "too many impacts";
-    case Behaviour::too_few:
-      return "impacts missed";
-    case Behaviour::gains_energy:
-      return "walls give energy";
-    case Behaviour::gives_up:
-      return "gives up";
-    case Behaviour::leaves_the_walls:
-      return "flies out through a wall";
-  }
-  throw std::invalid_argument("no such behaviour");
-}
-
 Behaviour behaviour_of(const Scene& scene, const Outcome& outcome, const Outcome& reference) {
   if (std::isinf(outcome.deepest)) return Behaviour::leaves_the_walls;
   if (!outcome.finished) return Behaviour::gives_up;

@@ -21,10 +21,6 @@ enum class Behaviour {
   leaves_the_walls  ///< by more than the gap, or not finite
 };
 
-/// The words of a legend, and its order.
-std::string words_of(Behaviour behaviour);
-std::vector<Behaviour> all_behaviours();
-
 /// A run of `scene` judged by a finished reference run of it.
 Behaviour behaviour_of(const carrier_track::Scene& scene, const carrier_track::Outcome& outcome,
                        const carrier_track::Outcome& reference);

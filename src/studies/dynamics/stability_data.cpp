@@ -1,17 +1,21 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "src/report/chart_data.h"
 #include "src/studies/dynamics/stability.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using report::Json;
-using report::Mark;
-using report::Scale;
+
+/// The words of a legend, and its order.
+constexpr std::pair<Behaviour, const char*> behaviours[] = {
+    {Behaviour::right_count, "right number of impacts"},
+    {Behaviour::leaves_the_walls, "flies out through a wall"},
+    {Behaviour::too_few, "impacts missed"},
+    {Behaviour::gains_energy, "walls give energy"},
+    {Behaviour::too_many, "too many impacts"},
+    {Behaviour::gives_up, "gives up"}};
 
 int right_counts(const StabilityMap& map) {
   int right = 0;
@@ -35,97 +39,66 @@ std::optional<double> growth(const StabilityMap& map) {
   return stiff->evaluations / soft->evaluations;
 }
 
-/// A symbol a cell, and the border that linear theory draws.
+/// The runs of every behaviour, and the border that linear theory draws.
 Json map_data(const StabilityStudy& study, const StabilityMap& map) {
   const auto& stiffnesses = study.plan.stiffnesses;
-  report::Chart chart;
-  chart.name = "stability-" + map.method;
-  chart.x = {"stiffness of the walls [N/m^1.5]", Scale::logarithmic,
-             report::Range{stiffnesses.front() / 3, stiffnesses.back() * 3}};
-  chart.y = {map.control, Scale::logarithmic,
-             report::Range{map.controls.back() / 2, map.controls.front() * 2}};
-  for (const Behaviour behaviour : all_behaviours()) {
-    report::Series series{words_of(behaviour), Mark::points, {}};
+  const auto bound = spring_bound(map.method);
+  Json data = {{"method", map.method},
+               {"control", map.control},
+               {"bound", bound},
+               {"bottom", map.controls.back() / 2},
+               {"top", map.controls.front() * 2},
+               {"behaviours", Json::array()},
+               {"border", Json::array()}};
+  for (const auto& [behaviour, words] : behaviours) {
+    Json runs = Json::array();
     for (std::size_t s = 0; s < stiffnesses.size(); ++s) {
       for (std::size_t c = 0; c < map.controls.size(); ++c) {
-        if (map.cells[s][c].behaviour == behaviour) {
-          series.samples.push_back({stiffnesses[s], map.controls[c]});
-        }
+        if (map.cells[s][c].behaviour != behaviour) continue;
+        runs.push_back({{"stiffness", stiffnesses[s]}, {"control", map.controls[c]}});
       }
     }
-    chart.series.push_back(std::move(series));
+    data["behaviours"].push_back({{"behaviour", words}, {"runs", std::move(runs)}});
   }
-  const auto bound = spring_bound(map.method);
-  if (bound) {
-    report::Series border{fmt::format("h w = {:.3g}", *bound), Mark::line, {}};
-    for (std::size_t s = 0; s < stiffnesses.size(); ++s) {
-      const double step = *bound / study.frequencies[s];
-      if (step < chart.y.range->upper) border.samples.push_back({stiffnesses[s], step});
-    }
-    chart.series.push_back(std::move(border));
+  for (std::size_t s = 0; bound && s < stiffnesses.size(); ++s) {
+    const double step = *bound / study.frequencies[s];
+    if (step < data["top"])
+      data["border"].push_back({{"stiffness", stiffnesses[s]}, {"step", step}});
   }
-  chart.width = 640;
-  chart.height = bound ? 460 : 340;
-  Json data = report::data_of(chart);
-  data["method"] = map.method;
-  data["bound"] = bound;
   return data;
 }
 
-report::Chart cost_chart(const StabilityStudy& study) {
-  report::Chart chart;
-  chart.name = "stability-cost";
-  chart.x = {"stiffness of the walls [N/m^1.5]", Scale::logarithmic};
-  chart.y = {"evaluations of the force per impact", Scale::logarithmic};
-  for (const StabilityMap& map : study.maps) {
-    auto& series = chart.series.emplace_back(report::Series{map.method, Mark::line, {}});
-    for (std::size_t s = 0; s < map.cells.size(); ++s) {
-      const auto cell = cheapest_right(map.cells[s]);
-      series.samples.push_back(
-          {study.plan.stiffnesses[s], cell ? std::optional(cell->evaluations) : std::nullopt});
-    }
+/// What something costs, stiffness by stiffness.
+template <class Evaluations>
+Json costs_of(const StabilityStudy& study, const Evaluations& evaluations_of) {
+  Json costs = Json::array();
+  for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
+    costs.push_back({{"stiffness", study.plan.stiffnesses[s]}, {"evaluations", evaluations_of(s)}});
   }
-  chart.width = 640;
-  chart.height = 360;
-  return chart;
+  return costs;
 }
 
-report::Chart return_chart(const StabilityStudy& study) {
-  report::Chart chart;
-  chart.name = "stability-return";
-  chart.x = {"step times frequency of the wall, h w"};
-  chart.y = {"speed after over speed before", Scale::logarithmic};
-  for (const ReturnCurve& curve : study.returns) {
-    auto& series = chart.series.emplace_back(report::Series{
-        fmt::format("{}, force ~ depth^{}", curve.method, curve.exponent), Mark::line, {}});
-    for (const Return& point : curve.returns) {
-      series.samples.push_back({point.scaled_step, point.ratio});
-    }
-  }
-  for (const double bound : {2.0, std::sqrt(8.0)}) {
-    chart.lines.push_back({report::Direction::vertical, bound, "bounds of theory, 2 and 2.83"});
-  }
-  chart.width = 720;
-  chart.height = 360;
-  return chart;
+Json right_costs(const StabilityStudy& study, const StabilityMap& map) {
+  return costs_of(study, [&](std::size_t s) {
+    const auto cell = cheapest_right(map.cells[s]);
+    return cell ? Json(cell->evaluations) : Json();
+  });
 }
 
-report::Chart rest_chart(const StabilityStudy& study) {
-  report::Chart chart;
-  chart.name = "stability-rest";
-  chart.x = {"stiffness of the wall [N/m^1.5]", Scale::logarithmic};
-  chart.y = {"evaluations of the force", Scale::logarithmic};
-  for (const RestCost& cost : study.rests) {
-    auto& series = chart.series.emplace_back(report::Series{cost.method, Mark::line, {}});
-    for (std::size_t s = 0; s < cost.rests.size(); ++s) {
-      const Rest& rest = cost.rests[s];
-      series.samples.push_back({study.plan.stiffnesses[s],
-                                rest.depth_error ? std::optional(rest.evaluations) : std::nullopt});
-    }
-  }
-  chart.width = 640;
-  chart.height = 360;
-  return chart;
+Json rest_costs(const StabilityStudy& study, const RestCost& cost) {
+  return costs_of(study, [&](std::size_t s) {
+    return cost.rests[s].depth_error ? Json(cost.rests[s].evaluations) : Json();
+  });
+}
+
+Json curve_of(const ReturnCurve& curve) {
+  const auto point_of = [](const Return& point) -> Json {
+    return {{"scaled_step", point.scaled_step}, {"ratio", point.ratio}};
+  };
+  return {{"method", curve.method},
+          {"exponent", curve.exponent},
+          {"onset", onset(curve, 1 / 0.9)},
+          {"points", report::list_of(curve.returns, point_of)}};
 }
 
 Json data_of(const Rest& rest) {
@@ -135,25 +108,26 @@ Json data_of(const Rest& rest) {
 }  // namespace
 
 Json data_of(const StabilityStudy& study) {
-  Json data = {{"softest", study.plan.stiffnesses.front()},
-               {"stiffest", study.plan.stiffnesses.back()},
+  const std::vector<double>& stiffnesses = study.plan.stiffnesses;
+  Json data = {{"softest", stiffnesses.front()},
+               {"stiffest", stiffnesses.back()},
+               {"left", stiffnesses.front() / 3},
+               {"right", stiffnesses.back() * 3},
                {"phases", study.plan.phases},
                {"rest_seconds", rest_seconds},
                {"rest_tolerance", rest_tolerance},
                {"hard",
                 {{"method", study.hard.method},
                  {"right", right_counts(study.hard)},
-                 {"steps", study.hard.controls.size()}}},
-               {"return_chart", report::data_of(return_chart(study))},
-               {"cost_chart", report::data_of(cost_chart(study))},
-               {"rest_chart", report::data_of(rest_chart(study))}};
-  for (const char* list : {"borders", "failing", "growths", "returns", "orders", "rests", "resting",
-                           "restless", "fixed_maps", "adaptive_maps"}) {
+                 {"steps", study.hard.controls.size()}}}};
+  for (const char* list : {"borders", "failing", "growths", "rests", "resting", "restless",
+                           "rest_costs", "fixed_maps", "adaptive_maps"}) {
     data[list] = Json::array();
   }
   int wrong = 0, runs = 0;
   for (const StabilityMap& map : study.maps) {
-    data["growths"].push_back({{"method", map.method}, {"growth", growth(map)}});
+    data["growths"].push_back(
+        {{"method", map.method}, {"growth", growth(map)}, {"costs", right_costs(study, map)}});
     if (const auto bound = spring_bound(map.method)) {
       const Border border = border_of(map, study.frequencies);
       data["borders"].push_back({{"method", map.method},
@@ -172,19 +146,17 @@ Json data_of(const StabilityStudy& study) {
   data["any_failing"] = wrong > 0;
   data["wrong"] = wrong;
   data["runs"] = runs;
-  for (const ReturnCurve& curve : study.returns) {
-    data["returns"].push_back(
-        {{"method", curve.method}, {"exponent", curve.exponent}, {"onset", onset(curve, 1 / 0.9)}});
-  }
-  for (const EdgeOrder& order : study.orders) {
-    data["orders"].push_back({{"wall", order.wall},
-                              {"expected", order.expected},
-                              {"measured", order.measured},
-                              {"error", order.error}});
-  }
+  data["returns"] = report::list_of(study.returns, curve_of);
+  data["orders"] = report::list_of(study.orders, [](const EdgeOrder& order) -> Json {
+    return {{"wall", order.wall},
+            {"expected", order.expected},
+            {"measured", order.measured},
+            {"error", order.error}};
+  });
   for (const RestCost& cost : study.rests) {
     const auto& error = cost.rests.back().depth_error;
     data[error && *error < 1e-9 ? "resting" : "restless"].push_back(cost.method);
+    data["rest_costs"].push_back({{"method", cost.method}, {"costs", rest_costs(study, cost)}});
     data["rests"].push_back({{"method", cost.method},
                              {"soft", data_of(cost.rests.front())},
                              {"stiff", data_of(cost.rests.back())}});

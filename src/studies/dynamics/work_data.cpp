@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/report/chart_data.h"
 #include "src/studies/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using report::Json;
-using report::Scale;
 
 /// What an error is held to: in a chaotic scene that of the rate, else that of impact times [s].
 std::vector<double> limits_of(const SceneWork& work) {
@@ -52,9 +50,13 @@ double cost_of(const SceneWork& work, const Trial& trial) {
   return trial.seconds / work.impacts;
 }
 
+struct Errors {
+  double lower, upper;
+};
+
 /// From the decade below the smallest error to one above the largest: where failures are drawn.
-report::Range errors_of(const SceneWork& work) {
-  report::Range range{1e-3, 1e-3};
+Errors errors_of(const SceneWork& work) {
+  Errors range{1e-3, 1e-3};
   for (const MethodWork& method : work.methods) {
     for (const Trial& trial : method.trials) {
       if (!trial.error || method.control == "none") continue;
@@ -66,38 +68,30 @@ report::Range errors_of(const SceneWork& work) {
           std::pow(10, std::ceil(std::log10(range.upper)) + 1)};
 }
 
-/// Error against processor time.
-report::Chart chart_of(const SceneWork& work) {
-  const bool chaotic = work.benchmark.chaotic;
-  const report::Range errors = errors_of(work);
-  report::Chart chart;
-  chart.name = "work-" + work.benchmark.id;
-  chart.title = work.benchmark.name;
-  chart.x = {"processor time per impact [s]", Scale::logarithmic};
-  chart.y = {chaotic ? "relative error of impacts per second" : "impact-time error [s]",
-             Scale::logarithmic, report::Range{errors.lower, 3 * errors.upper}};
-  chart.lines = {{report::Direction::horizontal, errors.upper, "failed"}};
+/// The error of every trial over its processor time per impact [s]; of a method without control the
+/// time alone.
+void add_trials(const SceneWork& work, Json& data) {
+  const Errors errors = errors_of(work);
+  const double spread = work.rate_spread;
+  data["bottom"] = errors.lower;
+  data["failed_at"] = errors.upper;
+  data["top"] = 3 * errors.upper;
+  data["shown_spread"] = work.benchmark.chaotic && spread > errors.lower ? Json(spread) : Json();
+  data["exact"] = data["controlled"] = Json::array();
   for (const MethodWork& method : work.methods) {
     if (method.control == "none") {
-      chart.lines.push_back(
-          {report::Direction::vertical, cost_of(work, method.trials.front()), method.method});
+      data["exact"].push_back(
+          {{"method", method.method}, {"cost", cost_of(work, method.trials.front())}});
       continue;
     }
-    auto& series =
-        chart.series.emplace_back(report::Series{method.method, report::Mark::points, {}});
+    Json trials = Json::array();
     for (const Trial& trial : method.trials) {
-      series.samples.push_back(
-          {cost_of(work, trial),
-           trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper});
+      trials.push_back(
+          {{"cost", cost_of(work, trial)},
+           {"error", trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper}});
     }
+    data["controlled"].push_back({{"method", method.method}, {"trials", std::move(trials)}});
   }
-  if (chaotic && work.rate_spread > errors.lower) {
-    chart.lines.push_back(
-        {report::Direction::horizontal, work.rate_spread, "as right as can be told"});
-  }
-  chart.width = 640;
-  chart.height = 400;
-  return chart;
 }
 
 /// Which other methods keep within a limit, and the fastest of them.
@@ -156,13 +150,13 @@ Json data_of(const SceneWork& work) {
                {"spread_percent", if_chaotic(100 * work.rate_spread)},
                {"limits", Json::array()},
                {"failing", Json::array()},
-               {"methods", Json::array()},
-               {"chart", report::data_of(chart_of(work))}};
+               {"methods", Json::array()}};
   for (const double limit : limits_of(work)) data["limits"].push_back(data_of(work, limit));
   for (const MethodWork& method : work.methods) {
     data["methods"].push_back(data_of(work, method));
     if (fails(method.trials.back(), benchmark.chaotic)) data["failing"].push_back(method.method);
   }
+  add_trials(work, data);
   return data;
 }
 

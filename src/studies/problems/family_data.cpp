@@ -7,14 +7,12 @@
 
 #include "embedded/families.h"
 #include "src/core/verdict.h"
-#include "src/report/chart_data.h"
 #include "src/report/filled_text.h"
 
 namespace ricochet::studies::problems {
 namespace {
 
 using report::Json;
-using report::Mark;
 
 constexpr int chart_samples = 720;
 constexpr Eigen::Index coordinates_shown = 5;
@@ -32,15 +30,13 @@ const Question& most_constrained(const Family& family) {
 }
 
 Json forms_of(const Question& question) {
-  Json rows = Json::array();
-  for (const Form& form : question.forms()) {
+  return report::list_of(question.forms(), [&](const Form& form) -> Json {
     const Problem problem = question.problem(form);
-    rows.push_back({{"form", question.name_of(form)},
-                    {"constraints", problem.constraints},
-                    {"derivatives", static_cast<bool>(problem.differentiate)},
-                    {"residuals", static_cast<bool>(problem.residuals)}});
-  }
-  return rows;
+    return {{"form", question.name_of(form)},
+            {"constraints", problem.constraints},
+            {"derivatives", static_cast<bool>(problem.differentiate)},
+            {"residuals", static_cast<bool>(problem.residuals)}};
+  });
 }
 
 Json variables_of(const Problem& problem) {
@@ -78,38 +74,35 @@ Json row_of(const Question& question) {
   return row;
 }
 
+/// The question as a form of it is, over its one variable.
+Json curve_of(const Question& question, const Form& form) {
+  const Problem problem = question.problem(form);
+  const bool constrained = problem.constraints > 0;
+  Json points = Json::array();
+  for (int k = 0; k <= chart_samples; ++k) {
+    const Vector x =
+        problem.lower + (problem.upper - problem.lower) * static_cast<double>(k) / chart_samples;
+    const Values values = problem.evaluate(x);
+    points.push_back(
+        {{"x", x[0]}, {"value", constrained ? values.constraints[0] : values.objective}});
+  }
+  return {{"form", question.name_of(form)}, {"points", std::move(points)}};
+}
+
 /// What is true of a question of one variable, and what a solver sees where it is smoothed.
 Json chart_of(const Family& family) {
   const Question& question = family.questions.at(family.questions.size() > 3 ? 3 : 0);
   const Problem& stated = question.stated;
-  const bool constrained = stated.constraints > 0;
-  report::Chart chart;
-  chart.name = "problem-" + family.name;
-  chart.title = stated.name;
-  const Variable variable = stated.variables.empty() ? Variable{"x", ""} : stated.variables.front();
-  chart.x = {
-      variable.unit.empty() ? variable.name : fmt::format("{} [{}]", variable.name, variable.unit),
-      report::Scale::linear, report::Range{stated.lower[0], stated.upper[0]}};
-  chart.y = {constrained ? "constraint, quiet up to 0" : "objective"};
-  const auto add = [&](const Form& form, Mark mark) {
-    const Problem problem = question.problem(form);
-    report::Series series{question.name_of(form), mark, {}};
-    for (int k = 0; k <= chart_samples; ++k) {
-      const Vector x =
-          problem.lower + (problem.upper - problem.lower) * static_cast<double>(k) / chart_samples;
-      const Values values = problem.evaluate(x);
-      series.samples.push_back({x[0], constrained ? values.constraints[0] : values.objective});
-    }
-    chart.series.push_back(std::move(series));
-  };
-  add({}, Mark::steps);
-  if (stated.smoothed) add({question.width}, Mark::line);
-  if (constrained) chart.lines = {{report::Direction::horizontal, 0.0, "limit"}};
-  if (stated.best_point) {
-    chart.lines.push_back({report::Direction::vertical, (*stated.best_point)[0], "best known"});
-  }
-  chart.width = 780;
-  return report::data_of(chart);
+  const Json variable = variables_of(stated)[0];
+  return {{"question", stated.name},
+          {"variable", stated.variables.empty() ? Json("x") : variable["name"]},
+          {"unit", variable["unit"]},
+          {"lower", stated.lower[0]},
+          {"upper", stated.upper[0]},
+          {"limit", stated.constraints > 0 ? Json(0) : Json()},
+          {"truth", curve_of(question, {})},
+          {"smoothed", stated.smoothed ? curve_of(question, {question.width}) : Json()},
+          {"best", stated.best_point ? Json((*stated.best_point)[0]) : Json()}};
 }
 
 /// The least and the most over the questions; `one` where they are the same.
@@ -163,10 +156,9 @@ Json family_data(const Family& family) {
                {"penalty_weight",
                 constrained.stated.constraints > 0 ? Json(constrained.penalty_weight) : Json()},
                {"forms", forms_of(constrained)},
-               {"questions", Json::array()},
+               {"questions", report::list_of(family.questions, row_of)},
                {"charts", Json::array()}};
   data.update(texts_of(family));
-  for (const Question& question : family.questions) data["questions"].push_back(row_of(question));
   if (first.stated.dimension() == 1) data["charts"].push_back(chart_of(family));
   return data;
 }

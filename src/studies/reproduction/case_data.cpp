@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "src/report/chart_data.h"
-#include "src/report/text.h"
+#include "src/report/polyline.h"
 #include "src/studies/reproduction/data.h"
 #include "src/studies/reproduction/path_chart.h"
 
@@ -19,73 +16,43 @@ Json relative_error(const std::optional<double>& computed, const std::optional<d
   return computed && paper ? Json(*computed / *paper - 1) : Json();
 }
 
-report::Chart chart_of_thresholds(const std::vector<CaseStudy>& cases) {
-  report::Chart chart;
-  chart.name = "thresholds";
-  chart.x.label = "case";
-  chart.y = {"threshold [rad/s]", report::Scale::logarithmic, report::Range{1, 20}};
-  report::Series paper{"paper", report::Mark::points, {}};
-  report::Series computed{"computed", report::Mark::points, {}};
-  for (const CaseStudy& c : cases) {
-    const auto position = static_cast<double>(chart.x.categories.size());
-    chart.x.categories.push_back(c.the_case.id);
-    paper.samples.push_back({position, c.the_case.claim.threshold});
-    computed.samples.push_back({position, c.score.threshold});
-  }
-  chart.series = {paper, computed};
-  chart.width = 640;
-  return chart;
-}
-
-/// The staircase, with a sample only where it jumps.
-std::vector<report::Sample> samples_of(const SpeedScan& scan) {
-  std::vector<report::Sample> samples;
+/// The count over the speeds, with a row only where it jumps.
+Json curve_of(const CaseStudy& c) {
+  const SpeedScan scan = c.scan.step < 0.01 ? thinned(c.scan, 10) : c.scan;
+  Json staircase = Json::array();
   for (std::size_t k = 0; k < scan.counts.size(); ++k) {
     const bool last = k + 1 == scan.counts.size();
     if (k > 0 && !last && scan.counts[k] == scan.counts[k - 1]) continue;
-    samples.push_back({scan.omega(k), scan.counts[k]});
+    staircase.push_back({{"speed", scan.omega(k)}, {"count", scan.counts[k]}});
   }
-  return samples;
-}
-
-Json curve_of(const CaseStudy& c) {
-  const Case& the_case = c.the_case;
-  const SpeedScan shown = c.scan.step < 0.01 ? thinned(c.scan, 10) : c.scan;
-  report::Chart chart;
-  chart.name = "count-" + report::lower_case(the_case.id);
-  chart.x = {"speed [rad/s]", report::Scale::linear, report::Range{0, 18}};
-  const int most = *std::max_element(shown.counts.begin(), shown.counts.end());
-  chart.y = {"collisions", report::Scale::linear, report::Range{0, 1.1 * most}};
-  chart.series = {{"", report::Mark::steps, samples_of(shown)}};
-  using report::Direction;
-  // In this order, so that each line looks the same in every chart.
-  chart.lines = {{Direction::horizontal, quiet_limit(c.score.quiet_count), "quiet up to here"}};
-  if (c.score.threshold) {
-    chart.lines.push_back({Direction::vertical, *c.score.threshold, "threshold"});
-  }
-  if (the_case.claim.threshold) {
-    chart.lines.push_back({Direction::vertical, *the_case.claim.threshold, "paper's threshold"});
-  }
-  Json data = report::data_of(chart);
-  data.update({{"id", the_case.id},
-               {"restitution", the_case.restitution},
-               {"friction", the_case.friction},
-               {"disturbance", the_case.disturbance}});
-  return data;
+  return {{"quiet_limit", quiet_limit(c.score.quiet_count)},
+          {"top", 1.1 * *std::max_element(scan.counts.begin(), scan.counts.end())},
+          {"staircase", std::move(staircase)}};
 }
 
 Json path_of(const CaseStudy& c, double omega, const char* side, const Recording& recording) {
   Scene scene = c.scene;
   scene.omega = omega;
-  const int number = c.the_case.claim.figure->number;
-  Json data =
-      report::data_of(path_chart(scene, recording, fmt::format("path-{}-{}", number, side), ""));
-  data.update({{"figure", number},
-               {"id", c.the_case.id},
-               {"omega", omega},
-               {"count", recording.count},
-               {"doubt", recording.certainty.certain ? "" : recording.certainty.reason}});
-  return data;
+  Json path = Json::array();
+  const report::Series line{"", report::Mark::line, path_samples(scene, recording)};
+  const auto parts = report::polylines(line);
+  for (const report::Sample& corner : parts.at(0)) {
+    path.push_back({{"at", corner.position}, {"x", corner.value}});
+  }
+  const double lower = scene.wall_lower / millimetre;
+  const double upper = scene.wall_upper / millimetre;
+  const double margin = 0.1 * (upper - lower);
+  return {{"figure", c.the_case.claim.figure->number},
+          {"side", side},
+          {"id", c.the_case.id},
+          {"omega", omega},
+          {"count", recording.count},
+          {"doubt", recording.certainty.certain ? "" : recording.certainty.reason},
+          {"lower_wall", lower},
+          {"upper_wall", upper},
+          {"bottom", lower - margin},
+          {"top", upper + margin},
+          {"path", std::move(path)}};
 }
 
 /// Impacts that count, before and after the first tenth of a turn.
@@ -141,25 +108,23 @@ Json threshold_data(const std::vector<CaseStudy>& cases) {
     row["quiet_up_to"] = std::floor(quiet_limit(c.score.quiet_count));
     examples.push_back(std::move(row));
   }
-  return {{"examples", std::move(examples)},
-          {"wrong", std::move(wrong)},
-          {"chart", report::data_of(chart_of_thresholds(cases))}};
+  return {{"examples", std::move(examples)}, {"wrong", std::move(wrong)}};
 }
 
 Json curve_data(const std::vector<CaseStudy>& cases) {
-  Json curves = Json::array();
-  for (const CaseStudy& c : cases) curves.push_back(curve_of(c));
-  return curves;
+  Json by_id = Json::object();
+  for (const CaseStudy& c : cases) by_id[c.the_case.id] = curve_of(c);
+  return by_id;
 }
 
 Json path_data(const std::vector<CaseStudy>& cases) {
   Json impacts = Json::array();
-  Json charts = Json::array();
+  Json paths = Json::array();
   for (const CaseStudy& c : cases) {
     if (!c.paths) continue;
     const auto& [number, quiet, loud] = *c.the_case.claim.figure;
-    charts.push_back(path_of(c, quiet, "quiet", c.paths->quiet));
-    charts.push_back(path_of(c, loud, "loud", c.paths->loud));
+    paths.push_back(path_of(c, quiet, "quiet", c.paths->quiet));
+    paths.push_back(path_of(c, loud, "loud", c.paths->loud));
     const auto& id = c.the_case.id;
     if (id != "C1" && id != "C2" && id != "C4") continue;
     impacts.push_back({{"id", id},
@@ -168,7 +133,7 @@ Json path_data(const std::vector<CaseStudy>& cases) {
                        {"quiet", impacts_of(c, quiet, c.paths->quiet)},
                        {"loud", impacts_of(c, loud, c.paths->loud)}});
   }
-  return {{"impacts", std::move(impacts)}, {"charts", std::move(charts)}};
+  return {{"impacts", std::move(impacts)}, {"paths", std::move(paths)}};
 }
 
 }  // namespace ricochet::studies::reproduction

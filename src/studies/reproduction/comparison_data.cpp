@@ -1,12 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <tuple>
 
 #include "problems/carrier_track/questions/speed_problem.h"
-#include "src/report/chart_data.h"
-#include "src/report/text.h"
 #include "src/statistics/bootstrap.h"
 #include "src/studies/reproduction/data.h"
 
@@ -69,45 +65,24 @@ Json rows_of(const Contests& contests, const std::vector<Solver>& solvers) {
   return rows;
 }
 
-report::Chart map_of(const Contests& contests, const std::vector<Solver>& solvers,
-                     const std::string& name) {
-  report::Chart chart;
-  chart.name = "solved-" + name;
-  chart.x.label = "case";
-  for (const ContestResult* contest : contests)
-    chart.x.categories.push_back(contest->question.machine);
-  report::HeatMap map{"solved [%]", {}, report::Range{0, 100}};
+/// Which share of its runs each solver solves, case by case.
+Json shares_of(const Contests& contests, const std::vector<Solver>& solvers) {
+  Json rows = Json::array();
   for (const Solver& solver : solvers) {
-    std::vector<std::optional<double>> row;
+    Json shares = Json::array();
     for (const ContestResult* contest : contests) {
       const Standing* s = standing_of(*contest, solver.name);
-      if (s != nullptr) row.emplace_back(100 * share_solved(*s));
+      if (s != nullptr) shares.push_back(share_solved(*s));
     }
-    if (row.empty()) continue;
-    map.rows.push_back(std::move(row));
-    chart.y.categories.push_back(solver.name);
+    if (!shares.empty()) rows.push_back({{"solver", solver.name}, {"shares", std::move(shares)}});
   }
-  chart.heat_map = std::move(map);
-  chart.width = 640;
-  chart.height = 460;
-  chart.description = "Heat map of solved [%] over case and solver.";
-  return chart;
+  return rows;
 }
 
 /// The cases whose progress is drawn: the paper's first at either restitution, and one disturbed.
 bool is_charted(const std::string& case_id) {
   return case_id == "C1" || case_id == "C2" || case_id == "C9";
 }
-
-struct Price {
-  const char* name;
-  const char* label;
-  std::vector<Progression> ContestResult::*of;
-};
-
-constexpr std::array<Price, 2> prices{
-    {{"evaluations", "evaluations", &ContestResult::by_evaluations},
-     {"seconds", "processor time [s]", &ContestResult::by_seconds}}};
 
 /// Solvers that share a chart: more than seven lines with bands cannot be told apart.
 struct Group {
@@ -134,47 +109,45 @@ constexpr std::array<Group, 3> groups{
 /// Below this gap [rad/s] the exhaustive scan cannot tell; the logarithmic axis ends here.
 constexpr double smallest_gap = 1e-3;
 
-report::Series series_of(const Progression& progression, const ContestResult& contest) {
+Json progression_of(const Progression& progression, const ContestResult& contest) {
   const auto shown = [&](double reached) {
     return asks_for_count(contest)
                ? reached
                : std::max(smallest_gap, reached - *contest.question.stated.best_known);
   };
-  report::Series series{progression.solver, report::Mark::line, {}};
-  for (std::size_t k = 0; k < progression.price.size(); ++k) {
-    const double lower = shown(progression.lower[k]);
-    const double upper = shown(progression.upper[k]);
-    const bool bounded = std::isfinite(lower) && std::isfinite(upper);
-    series.samples.push_back({progression.price[k], shown(progression.median[k]),
-                              bounded ? std::optional(report::Range{lower, upper}) : std::nullopt});
+  Json points = Json::array();
+  const auto at = [&](std::size_t k) {
+    return std::tuple(progression.median[k], progression.lower[k], progression.upper[k]);
+  };
+  const std::size_t size = progression.price.size();
+  for (std::size_t k = 0; k < size; ++k) {
+    const bool level = k > 0 && k + 1 < size && at(k - 1) == at(k) && at(k) == at(k + 1);
+    if (level) continue;  // a line is the same without it
+    points.push_back({{"price", progression.price[k]},
+                      {"median", shown(progression.median[k])},
+                      {"lower", shown(progression.lower[k])},
+                      {"upper", shown(progression.upper[k])}});
   }
-  return series;
+  return {{"solver", progression.solver}, {"points", std::move(points)}};
 }
 
-Json progress_of(const ContestResult& contest, const Price& price, const Group& group) {
-  report::Chart chart;
-  const char* goal = asks_for_count(contest) ? "fewest" : "fastest";
-  chart.name = fmt::format("{}-{}-{}-{}", goal, report::lower_case(contest.question.machine),
-                           group.name, price.name);
-  chart.x = {price.label, report::Scale::logarithmic};
-  if (asks_for_count(contest)) {
-    chart.y.label = "true count";
-    chart.lines = {
-        {report::Direction::horizontal, *contest.question.stated.best_known, "best known"}};
-  } else {
-    chart.y = {"gap to the fastest [rad/s]", report::Scale::logarithmic,
-               report::Range{smallest_gap, 20}};
-  }
-  const auto& progressions = contest.*price.of;
+Json progress_of(const ContestResult& contest, bool timed, const Group& group) {
+  const bool exact = asks_for_count(contest);
+  const auto& progressions = timed ? contest.by_seconds : contest.by_evaluations;
+  Json solvers = Json::array();
   for (std::size_t i = 0; i < progressions.size(); ++i) {
     if (group.holds(contest.standings[i])) {
-      chart.series.push_back(series_of(progressions[i], contest));
+      solvers.push_back(progression_of(progressions[i], contest));
     }
   }
-  chart.height = 360;
-  Json data = report::data_of(chart);
-  data.update({{"id", contest.question.machine}, {"goal", goal}, {"group", group.title}});
-  return data;
+  return {{"id", contest.question.machine},
+          {"exact", exact},
+          {"timed", timed},
+          {"best_known", exact ? Json(*contest.question.stated.best_known) : Json()},
+          {"smallest_gap", exact ? Json() : Json(smallest_gap)},
+          {"group", group.name},
+          {"group_title", group.title},
+          {"solvers", std::move(solvers)}};
 }
 
 /// The questions of which a run found a better value than was known, by how much, and who did.
@@ -205,9 +178,10 @@ Json comparison_data(const Results& results) {
     by_goal[asks_for_count(contest) ? 1 : 0].push_back(&contest);
     if (!is_charted(contest.question.machine)) continue;
     for (const Group& group : groups) {
-      for (const Price& price : prices) progress.push_back(progress_of(contest, price, group));
+      for (const bool timed : {false, true}) progress.push_back(progress_of(contest, timed, group));
     }
   }
+  const auto machine_of = [](const ContestResult* c) { return c->question.machine; };
   const auto goal = [&](const Contests& contests, const std::string& name, const char* title,
                         const char* unit, bool exact) -> Json {
     return {{"goal", title},
@@ -215,7 +189,8 @@ Json comparison_data(const Results& results) {
             {"unit", unit},
             {"exact", exact},
             {"rows", rows_of(contests, results.solvers)},
-            {"map", report::data_of(map_of(contests, results.solvers, name))}};
+            {"machines", report::list_of(contests, machine_of)},
+            {"shares", shares_of(contests, results.solvers)}};
   };
   const Json new_bests = new_bests_of(results.contests);
   return {{"penalty_weight", carrier_track::speed_penalty},

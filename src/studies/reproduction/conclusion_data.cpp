@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "src/report/chart_data.h"
 #include "src/studies/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
@@ -10,34 +7,23 @@ namespace {
 
 using report::Json;
 
-std::vector<std::string> names_of(const std::vector<double>& positions) {
-  std::vector<std::string> names;
-  for (const double position : positions) names.push_back(fmt::format("{}", position));
-  return names;
-}
-
-Json map_at(const CountGrid& grid, std::size_t disturbance, report::Range colours) {
-  report::Chart chart;
-  chart.name = fmt::format("grid-{}", disturbance + 1);
-  chart.x.label = "restitution";
-  chart.x.categories = names_of(grid.restitutions);
-  chart.y.label = "friction";
-  chart.y.categories = names_of(grid.frictions);
-  report::HeatMap map{"mean count", {}, colours};
+/// The mean counts at a disturbance, a row a friction.
+Json means_at(const CountGrid& grid, std::size_t disturbance) {
+  Json rows = Json::array();
   for (std::size_t f = 0; f < grid.frictions.size(); ++f) {
-    auto& row = map.rows.emplace_back();
+    Json means = Json::array();
     for (std::size_t r = 0; r < grid.restitutions.size(); ++r) {
-      row.push_back(grid.mean(r, f, disturbance));
+      means.push_back(grid.mean(r, f, disturbance));
     }
+    rows.push_back({{"friction", grid.frictions[f]}, {"means", std::move(means)}});
   }
-  chart.heat_map = std::move(map);
-  Json data = report::data_of(chart);
-  data["disturbance"] = grid.disturbances[disturbance];
-  return data;
+  return {{"number", disturbance + 1},
+          {"disturbance", grid.disturbances[disturbance]},
+          {"frictions", std::move(rows)}};
 }
 
 /// With the first few of its exceptions, of which all are where it disagrees.
-Json data_of(const Trend& trend) {
+Json trend_data(const Trend& trend) {
   constexpr std::size_t shown = 4;
   Json first = Json::array();
   for (const Reversal& e : trend.exceptions) {
@@ -63,11 +49,14 @@ Json data_of(const Trend& trend) {
 }  // namespace
 
 Json conclusion_data(const CountGrid& grid, const std::vector<Trend>& trends) {
-  Json data = {{"trends", Json::array()}, {"charts", Json::array()}};
-  for (const Trend& trend : trends) data["trends"].push_back(data_of(trend));
   const auto [least, most] = std::minmax_element(grid.means.begin(), grid.means.end());
+  Json data = {{"trends", report::list_of(trends, trend_data)},
+               {"restitutions", grid.restitutions},
+               {"least", *least},
+               {"most", *most},
+               {"grid", Json::array()}};
   for (std::size_t d = 0; d < grid.disturbances.size(); ++d) {
-    data["charts"].push_back(map_at(grid, d, {*least, *most}));
+    data["grid"].push_back(means_at(grid, d));
   }
   return data;
 }

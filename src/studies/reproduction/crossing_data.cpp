@@ -1,8 +1,7 @@
-#include <cmath>
+#include <algorithm>
 #include <numbers>
 
 #include "problems/carrier_track/paper/crossing_motion.h"
-#include "src/report/chart_data.h"
 #include "src/studies/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
@@ -23,31 +22,21 @@ TheoreticalMotion motion_at(double turned) {
   return on_crossing(radius, omega, angle * degree);
 }
 
-report::Json chart_of(const char* name, const char* label, double TheoreticalMotion::*part) {
-  report::Chart chart;
-  chart.name = name;
-  chart.x.label = "driver plates [degrees turned since the crossing began]";
-  chart.y.label = label;
-  report::Series series{"", report::Mark::line, {}};
-  double most = 0;
-  for (double turned = -arc; turned <= 2 * half_crossing + arc; turned += 0.5) {
-    const double value = motion_at(turned).*part;
-    series.samples.push_back({turned, value});
-    most = std::max(most, value);
-  }
-  chart.y.range = report::Range{0, 1.1 * most};
-  chart.series = {std::move(series)};
-  chart.lines = {{report::Direction::vertical, 0, "crossing"},
-                 {report::Direction::vertical, 2 * half_crossing, "crossing"}};
-  return report::data_of(chart);
-}
-
 }  // namespace
 
 report::Json crossing_data() {
-  return {{"speed", chart_of("crossing-speed", "speed [m/s]", &TheoreticalMotion::speed)},
-          {"acceleration", chart_of("crossing-acceleration", "acceleration [m/s²]",
-                                    &TheoreticalMotion::acceleration)}};
+  report::Json motion = report::Json::array();
+  TheoreticalMotion most{};
+  for (double turned = -arc; turned <= 2 * half_crossing + arc; turned += 0.5) {
+    const TheoreticalMotion at = motion_at(turned);
+    motion.push_back({{"turned", turned}, {"speed", at.speed}, {"acceleration", at.acceleration}});
+    most.speed = std::max(most.speed, at.speed);
+    most.acceleration = std::max(most.acceleration, at.acceleration);
+  }
+  return {{"end", 2 * half_crossing},
+          {"top_speed", 1.1 * most.speed},
+          {"top_acceleration", 1.1 * most.acceleration},
+          {"motion", std::move(motion)}};
 }
 
 }  // namespace ricochet::studies::reproduction

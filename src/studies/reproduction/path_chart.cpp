@@ -4,27 +4,36 @@
 #include <numbers>
 
 namespace ricochet::studies::reproduction {
+namespace {
 
-report::Chart path_chart(const carrier_track::Scene& scene,
-                         const carrier_track::Recording& recording, std::string name,
-                         std::string title) {
-  constexpr double millimetre = 1e-3;
-  const bool turns =
-      std::holds_alternative<carrier_track::Revolutions>(scene.window) && scene.profile.empty();
-  const double unit = turns ? 2 * std::numbers::pi / scene.omega : 1.0;
-  report::Chart chart;
-  chart.name = std::move(name);
-  chart.title = std::move(title);
-  chart.x.label = turns ? "driver plate [turns]" : "time [s]";
-  chart.y.label = "x [mm]";
-  report::Series path{"", report::Mark::line, {}};
+bool in_turns(const carrier_track::Scene& scene) {
+  return std::holds_alternative<carrier_track::Revolutions>(scene.window) && scene.profile.empty();
+}
+
+}  // namespace
+
+std::vector<report::Sample> path_samples(const carrier_track::Scene& scene,
+                                         const carrier_track::Recording& recording) {
+  const double unit = in_turns(scene) ? 2 * std::numbers::pi / scene.omega : 1.0;
+  std::vector<report::Sample> samples;
   double last = -1;
   for (const carrier_track::Sample& s : recording.path) {
     if (s.time <= last) continue;  // an impact has two samples, before and after
     last = s.time;
-    path.samples.push_back({s.time / unit, s.position / millimetre});
+    samples.push_back({s.time / unit, s.position / millimetre});
   }
-  chart.series = {std::move(path)};
+  return samples;
+}
+
+report::Chart path_chart(const carrier_track::Scene& scene,
+                         const carrier_track::Recording& recording, std::string name,
+                         std::string title) {
+  report::Chart chart;
+  chart.name = std::move(name);
+  chart.title = std::move(title);
+  chart.x.label = in_turns(scene) ? "driver plate [turns]" : "time [s]";
+  chart.y.label = "x [mm]";
+  chart.series = {{"", report::Mark::line, path_samples(scene, recording)}};
   const double lower = scene.wall_lower / millimetre;
   const double upper = scene.wall_upper / millimetre;
   chart.lines = {{report::Direction::horizontal, lower, "wall"}};

@@ -1,10 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "problems/carrier_track/paper/sustained_bouncing.h"
-#include "src/report/chart_data.h"
 #include "src/studies/reproduction/data.h"
 #include "src/studies/reproduction/theory.h"
 
@@ -13,7 +11,6 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
-using report::Mark;
 
 using Points = std::vector<ThresholdPoint>;
 using SceneSpeed = std::optional<double> (*)(const Scene&);
@@ -114,36 +111,29 @@ double root_of_loss(double restitution) {
   return std::sqrt((1 - restitution) / (1 + restitution));
 }
 
-report::Chart chart_of(const std::vector<Thresholds>& both) {
-  report::Chart chart;
-  chart.name = "theory";
-  chart.x = {"sqrt((1 - e) / (1 + e))", report::Scale::logarithmic, report::Range{0.2, 1.0}};
-  chart.y = {"threshold [rad/s]", report::Scale::logarithmic};
-  for (const Thresholds& one : both) {
-    std::vector<double> frictions;
-    for (const ThresholdPoint& point : one.points) frictions.push_back(point.friction);
-    std::sort(frictions.begin(), frictions.end());
-    frictions.erase(std::unique(frictions.begin(), frictions.end()), frictions.end());
-    for (const double friction : frictions) {
-      report::Series series{fmt::format("{}, friction {}", one.name, friction), Mark::points, {}};
-      for (const ThresholdPoint& point : one.points) {
-        if (point.friction != friction) continue;
-        series.samples.push_back({root_of_loss(point.restitution), point.threshold});
-      }
-      chart.series.push_back(std::move(series));
-    }
+/// The thresholds of one origin with one friction.
+Json group_of(const Thresholds& one, double friction) {
+  Json points = Json::array();
+  for (const ThresholdPoint& point : one.points) {
+    if (point.friction != friction) continue;
+    points.push_back(
+        {{"root_of_loss", root_of_loss(point.restitution)}, {"threshold", point.threshold}});
   }
+  return {{"name", one.name}, {"friction", friction}, {"points", std::move(points)}};
+}
+
+/// What the chart shows: the thresholds by friction, and the formula's line through them.
+void add_curves(const std::vector<Thresholds>& both, Json& data) {
+  data["groups"] = data["lines"] = Json::array();
   for (const Thresholds& one : both) {
+    std::set<double> frictions;
+    for (const ThresholdPoint& point : one.points) frictions.insert(point.friction);
+    for (const double friction : frictions) data["groups"].push_back(group_of(one, friction));
     const auto fit = fitted(square_root_formula(), one.points);
     if (!fit) continue;
     const double c = fit->constants[0];
-    chart.series.push_back({fmt::format("{}, {:.1f} sqrt((1 - e) / (1 + e))", one.name, c),
-                            Mark::line,
-                            {{0.2, 0.2 * c}, {1.0, c}}});
+    data["lines"].push_back({{"name", one.name}, {"at_1", c}, {"at_0_2", 0.2 * c}});
   }
-  chart.width = 780;
-  chart.height = 460;
-  return chart;
 }
 
 /// Two cases that differ in one property only.
@@ -262,15 +252,16 @@ Json height_data(const std::vector<CaseStudy>& cases) {
 Json theory_data(const std::vector<CaseStudy>& cases) {
   const std::vector<Thresholds> both = thresholds_of(cases);
   const Points& computed = both[1].points;
-  return {{"thresholds", {data_of(both[0]), data_of(both[1])}},
-          {"predicted_factor", root_of_loss(0.1) / root_of_loss(0.9)},
-          {"bouncing_friction", bouncing_friction(cases)},
-          {"speeds",
-           {speed_data("lift-off", lift_off_speed, cases, computed),
-            speed_data("sustained bouncing", sustained_bouncing_speed, cases, computed)}},
-          {"height", height_data(cases)},
-          {"formulas", table_of(cases, both)},
-          {"chart", report::data_of(chart_of(both))}};
+  Json data = {{"thresholds", {data_of(both[0]), data_of(both[1])}},
+               {"predicted_factor", root_of_loss(0.1) / root_of_loss(0.9)},
+               {"bouncing_friction", bouncing_friction(cases)},
+               {"speeds",
+                {speed_data("lift-off", lift_off_speed, cases, computed),
+                 speed_data("sustained bouncing", sustained_bouncing_speed, cases, computed)}},
+               {"height", height_data(cases)},
+               {"formulas", table_of(cases, both)}};
+  add_curves(both, data);
+  return data;
 }
 
 }  // namespace ricochet::studies::reproduction

@@ -9,12 +9,14 @@
 #include "problems/carrier_track/questions/machine.h"
 #include "problems/carrier_track/questions/speed_range.h"
 #include "src/campaign/progress.h"
+#include "src/statistics/bootstrap.h"
 #include "src/statistics/rank_correlation.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 std::vector<double> over_speeds(const Machine& machine, double width, const BiasPlan& plan) {
   std::vector<double> values(static_cast<std::size_t>(std::lround(fastest_speed / plan.step)));
@@ -71,6 +73,55 @@ BiasStudy study_bias(const BiasPlan& plan) {
     progress.advance(1);
   }
   return study;
+}
+
+namespace {
+
+Json width_data(const Bias& bias) {
+  return {{"width", bias.width},
+          {"error", bias.error},
+          {"rank_correlation", bias.rank_correlation},
+          {"count_regret", bias.count_regret},
+          {"count_is_lowest", bias.count_regret <= 0},
+          {"speed", bias.speed},
+          {"speed_regret", bias.speed_regret},
+          {"quiet", bias.speed ? Json(!bias.loud) : Json()}};
+}
+
+Json case_data(const CaseBias& row) {
+  return {{"id", row.id},
+          {"lowest", row.lowest},
+          {"fastest", row.fastest},
+          {"widths", report::list_of(row.biases, width_data)}};
+}
+
+/// How wrong the fastest quiet speed is over the cases, at one width.
+Json over_cases(const BiasStudy& study, std::size_t width) {
+  std::vector<double> wrong;
+  int loud = 0;
+  for (const CaseBias& row : study.cases) {
+    const Bias& bias = row.biases[width];
+    wrong.push_back(bias.speed_regret ? std::abs(*bias.speed_regret) : 18.0);
+    loud += bias.loud ? 1 : 0;
+  }
+  return {{"width", study.plan.widths[width]},
+          {"median", quantile(wrong, 0.5)},
+          {"worst", *std::max_element(wrong.begin(), wrong.end())},
+          {"loud", loud},
+          {"cases", study.cases.size()}};
+}
+
+}  // namespace
+
+Json data_of(const BiasStudy& study) {
+  const std::size_t last = study.plan.widths.size() - 1;
+  std::size_t usual = 0;
+  while (usual < last && study.plan.widths[usual] > 0.25) ++usual;
+  return {{"usual", over_cases(study, usual)},
+          {"narrowest", over_cases(study, last)},
+          {"speeds", std::lround(18 / study.plan.step)},
+          {"widths", study.plan.widths.size()},
+          {"cases", report::list_of(study.cases, case_data)}};
 }
 
 }  // namespace ricochet::studies::surrogate

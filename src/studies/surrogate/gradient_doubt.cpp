@@ -10,12 +10,14 @@
 #include "problems/carrier_track/questions/machine.h"
 #include "problems/carrier_track/questions/speed_range.h"
 #include "src/campaign/progress.h"
+#include "src/core/problem.h"
 #include "src/statistics/bootstrap.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 constexpr double agreement = 1e-6;   // relative
 constexpr double trend_reach = 0.5;  // [rad/s] to either side
@@ -122,6 +124,61 @@ GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
     study.by_width.push_back(sum_of(every));
   }
   return study;
+}
+
+namespace {
+
+/// Shares of the points, but `trending` is a share of those that have a trend.
+Json quality_data(const GradientQuality& q) {
+  const auto share = [](int part, int whole) {
+    return whole > 0 ? Json(static_cast<double>(part) / whole) : Json();
+  };
+  const auto doubted = [&](GradientDoubt doubt) {
+    return share(q.doubts[static_cast<std::size_t>(doubt)], q.points);
+  };
+  return {{"points", q.points},
+          {"agreeing", share(q.agreeing, q.points)},
+          {"flat", doubted(GradientDoubt::flat)},
+          {"kink", doubted(GradientDoubt::kink)},
+          {"sensitive", doubted(GradientDoubt::sensitive)},
+          {"trending", share(q.right, q.trending)},
+          {"reach", std::pow(10.0, q.log_reach)},
+          {"log_reach", q.log_reach}};
+}
+
+}  // namespace
+
+Json data_of(const GradientDoubtStudy& study) {
+  GradientQuality all;
+  for (const CaseQuality& row : study.rows) {
+    for (const GradientQuality& q : row.cells) {
+      all.points += q.points;
+      all.agreeing += q.agreeing;
+      all.trending += q.trending;
+      all.right += q.right;
+      for (std::size_t d = 0; d < all.doubts.size(); ++d) all.doubts[d] += q.doubts[d];
+    }
+  }
+  Json widths = Json::array();
+  for (std::size_t w = 0; w < study.plan.widths.size(); ++w) {
+    widths.push_back({{"width", study.plan.widths[w]}});
+    widths.back().update(quality_data(study.by_width[w]));
+  }
+  Json speeds = Json::array();
+  for (int k = 0; k < study.plan.cells; ++k) {
+    speeds.push_back((k + 0.5) * (fastest_speed / study.plan.cells));
+  }
+  const auto case_data = [](const CaseQuality& row) -> Json {
+    return {{"id", row.id}, {"cells", report::list_of(row.cells, quality_data)}};
+  };
+  const auto step_data = [](const StepError& error) -> Json {
+    return {{"step", error.step}, {"median", error.median}, {"upper", error.upper}};
+  };
+  return {{"all", quality_data(all)},
+          {"widths", std::move(widths)},
+          {"speeds", std::move(speeds)},
+          {"cases", report::list_of(study.rows, case_data)},
+          {"steps", report::list_of(study.step_errors, step_data)}};
 }
 
 }  // namespace ricochet::studies::surrogate

@@ -98,7 +98,7 @@ TEST(BestValues, LooksAgainForWhatWasChanged) {
 
 TEST(BestValues, RefusesWhatIsOfAnotherReading) {
   const auto file = fresh_file();
-  write_text_file(file.string() + ".part", write_best_values({"sideways", {}}));
+  write_text_file(file.string() + ".part", carrier_track::write_best_values({"sideways", {}}));
   EXPECT_THROW(find_best_values(questions(), {}, file), InputError);
 }
 

@@ -1,0 +1,48 @@
+#include "problems/carrier_track/counting/limit.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "problems/carrier_track/counting/wear.h"
+
+namespace ricochet::carrier_track::inline counting {
+namespace {
+
+struct FastestImpact : Observer {
+  double speed = 0;
+
+  void impact(double /*time*/, Wall /*wall*/, double approach) {
+    speed = std::max(speed, approach);
+  }
+};
+
+}  // namespace
+
+double turns_of(const Scene& scene) {
+  return scene.omega * duration_of(scene) / (2 * std::numbers::pi);
+}
+
+double measured(const Scene& scene, Measure measure) {
+  switch (measure) {
+    case Measure::collisions:
+      return objective(scene, 0.0);
+    case Measure::collisions_per_turn:
+      return objective(scene, 0.0) / turns_of(scene);
+    case Measure::energy:
+      return 1e-3 * wear(scene);
+    case Measure::impact_speed:
+      break;
+  }
+  FastestImpact fastest;
+  simulate_at_needed_fidelity(scene, fastest);
+  return fastest.speed;
+}
+
+Split split_by(const Scene& scene, const Limit& limit, double step, double highest) {
+  const auto loud = [&](double omega) {
+    return measured(at_speed(scene, omega), limit.measure) > limit.at_most ? 1 : 0;
+  };
+  return best_split(scan_speeds(loud, step, highest), 0.5);
+}
+
+}  // namespace ricochet::carrier_track::inline counting

@@ -1,0 +1,70 @@
+#include "problems/carrier_track/counting/quiet_speed.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet::carrier_track::inline counting {
+namespace {
+
+/// The slowest speed [rad/s] whose steps are looked for: a tenth of a turn a minute.
+constexpr double slowest_speed = 0.01;
+
+/// The step again, between two neighbours of the fine scan.
+Step located(Step step, const SpeedScan& fine) {
+  const auto index = [&](double omega) {
+    const auto k = static_cast<std::ptrdiff_t>(std::lround(omega / fine.step)) - 1;
+    return std::clamp<std::ptrdiff_t>(k, 0, static_cast<std::ptrdiff_t>(fine.counts.size()));
+  };
+  // The coarse scan has put it between two speeds a fivehundredth apart.
+  const std::ptrdiff_t begin = index(step.omega * 0.99);
+  const std::ptrdiff_t end = index(step.omega * 1.01) + 1;
+  SpeedScan near{fine.step, {}};
+  for (std::ptrdiff_t k = begin; k < end && k < index(1e300); ++k) {
+    near.counts.push_back(fine.counts[static_cast<std::size_t>(k)]);
+  }
+  if (const auto speed = best_split(near, step.limit()).speed) {
+    step.omega = *speed + fine.step * static_cast<double>(begin);
+  }
+  return step;
+}
+
+CountThere count_there(const Scene& scene, double omega) {
+  const Scene there = at_speed(scene, omega);
+  const Recording recording = record(there, 0, 0);
+  return {omega, recording.count, recording.count / turns_of(there), recording.certainty.certain,
+          recording.certainty.reason};
+}
+
+}  // namespace
+
+QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
+  const CountAt count = [&scene](double omega) { return count_at(scene, omega); };
+  QuietSpeed answer;
+  answer.options = options;
+  answer.scan = scan_logarithmically(count, slowest_speed, judged_share * options.fastest);
+  answer.staircase = staircase_of(answer.scan, options.fastest);
+  const SpeedScan fine = scan_speeds(count, options.step, options.fastest);
+  for (Step& step : answer.staircase.steps) {
+    step = located(step, fine);
+    answer.steps.push_back({step, best_split(fine, step.limit()).first_loud});
+  }
+  answer.limit = options.limit;
+  if (options.limit) {
+    answer.split = split_by(scene, *options.limit, options.step, options.fastest);
+  } else if (const auto main = answer.staircase.main_step()) {
+    answer.limit = {Measure::collisions, std::floor(main->limit())};
+    answer.split = best_split(fine, main->limit());
+    answer.split.speed = main->omega;  // judged by the speeds around it, and not by the range
+  }
+  if (!answer.limit) return answer;
+  // A range without a loud speed is quiet to its end.
+  const double loud = answer.split.first_loud.value_or(options.fastest + options.step);
+  if (loud > 1.5 * options.step) answer.fastest_quiet = loud - options.step;
+  const double at = answer.fastest_quiet.value_or(loud);
+  for (const double omega : {at - options.step, at, at + options.step}) {
+    if (omega > options.step / 2) answer.around.push_back(count_there(scene, omega));
+  }
+  return answer;
+}
+
+}  // namespace ricochet::carrier_track::inline counting

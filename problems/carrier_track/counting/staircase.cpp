@@ -1,0 +1,148 @@
+#include "problems/carrier_track/counting/staircase.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ricochet::carrier_track::inline counting {
+namespace {
+
+constexpr double per_e_fold = LogarithmicScan::per_e_fold;
+constexpr double reaches[] = {1.1, 1.2, 1.35, 1.5, 1.75, 2};
+
+/// How many speeds of a scan lie between a speed and so many times it.
+std::size_t speeds_within(double reach) {
+  return static_cast<std::size_t>(std::lround(per_e_fold * std::log(reach)));
+}
+
+/// The value that has so many others before it when they are sorted.
+int in_order(const int* begin, const int* end, std::size_t before) {
+  std::vector<int> values(begin, end);
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(before);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// A step between the speeds k - 1 and k of the scan.
+struct Candidate {
+  std::size_t k = 0;
+  std::size_t width = 0;  ///< speeds within reach, on either side
+  Step step{};
+};
+
+/// The most significant step there; of no significance where there is none.
+Candidate candidate_at(const LogarithmicScan& scan, std::size_t k) {
+  Candidate best;
+  for (const double reach : reaches) {
+    const std::size_t width = speeds_within(reach);
+    if (k < width || k + width > scan.counts.size()) break;
+    const int* const here = scan.counts.data() + k;
+    const std::size_t tenth = width / 10;
+    const int below = in_order(here - width, here, width - 1 - tenth);
+    const int above = in_order(here, here + width, tenth);
+    if (2 * above < 3 * below || above < below + 2) continue;
+    const double significance = std::log((1.0 + above) / (1.0 + below)) * std::log(reach);
+    if (significance > best.step.significance) {
+      best = {k, width, {0, below, above, reach, 0, significance}};
+    }
+  }
+  return best;
+}
+
+/// Puts the step where the speeds within its reach divide best.
+void divide_best(const LogarithmicScan& scan, Candidate& candidate) {
+  auto& [k, width, step] = candidate;
+  const double limit = step.limit();
+  const std::size_t begin = k - width;
+  const std::size_t end = k + width;
+  const auto loud = [&](std::size_t i) { return scan.counts[i] > limit; };
+  std::size_t wrong = 0;  // with everything called loud
+  for (std::size_t i = begin; i < end; ++i) wrong += loud(i) ? 0 : 1;
+  std::size_t best = wrong;
+  k = begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    wrong = loud(i) ? wrong + 1 : wrong - 1;
+    if (wrong < best) {
+      best = wrong;
+      k = i + 1;
+    }
+  }
+  step.misclassified = static_cast<double>(best) / static_cast<double>(2 * width);
+  step.omega = std::sqrt(scan.omega(k - 1) * scan.omega(k));
+}
+
+Level level_of(const LogarithmicScan& scan, std::size_t begin, std::size_t end) {
+  const int* const first = scan.counts.data() + begin;
+  const int* const last = scan.counts.data() + end;
+  const std::size_t size = end - begin;
+  return {scan.omega(begin), scan.omega(end - 1), in_order(first, last, size / 10),
+          in_order(first, last, size / 2), in_order(first, last, size - 1 - size / 10)};
+}
+
+}  // namespace
+
+double LogarithmicScan::omega(std::size_t k) const {
+  return std::exp((first + static_cast<double>(k)) / per_e_fold);
+}
+
+LogarithmicScan scan_logarithmically(const CountAt& count, double lowest, double highest) {
+  LogarithmicScan scan;
+  scan.first = static_cast<int>(std::ceil(per_e_fold * std::log(lowest)));
+  const int last = static_cast<int>(std::floor(per_e_fold * std::log(highest)));
+  scan.counts.resize(static_cast<std::size_t>(std::max(0, last - scan.first + 1)));
+  tbb::parallel_for(std::size_t{0}, scan.counts.size(),
+                    [&](std::size_t k) { scan.counts[k] = count(scan.omega(k)); });
+  return scan;
+}
+
+Staircase staircase_of(const LogarithmicScan& scan, double fastest) {
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 1; k < scan.counts.size(); ++k) {
+    if (scan.counts[k] <= scan.counts[k - 1]) continue;
+    const Candidate candidate = candidate_at(scan, k);
+    if (candidate.step.significance > 0) candidates.push_back(candidate);
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+    return a.step.significance > b.step.significance;
+  });
+  // What is within a tenth of a more significant step is part of it.
+  const std::size_t near = speeds_within(1.1);
+  std::vector<bool> taken(scan.counts.size() + 1);
+  std::vector<Candidate> chosen;
+  for (Candidate& candidate : candidates) {
+    if (taken[candidate.k]) continue;
+    const std::size_t found = candidate.k;
+    divide_best(scan, candidate);
+    for (const std::size_t k : {found, candidate.k}) {
+      const std::size_t begin = k > near ? k - near : 0;
+      std::fill(taken.begin() + static_cast<std::ptrdiff_t>(begin),
+                taken.begin() + static_cast<std::ptrdiff_t>(std::min(k + near, taken.size())),
+                true);
+    }
+    if (candidate.step.omega <= fastest) chosen.push_back(candidate);
+  }
+  std::sort(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.k < b.k; });
+
+  Staircase staircase;
+  std::size_t begin = 0;
+  for (const Candidate& candidate : chosen) {
+    staircase.steps.push_back(candidate.step);
+    staircase.levels.push_back(level_of(scan, begin, candidate.k));
+    begin = candidate.k;
+  }
+  std::size_t end = begin;
+  while (end < scan.counts.size() && scan.omega(end) <= fastest) ++end;
+  if (end > begin) staircase.levels.push_back(level_of(scan, begin, end));
+  return staircase;
+}
+
+std::optional<Step> Staircase::main_step() const {
+  const auto highest =
+      std::max_element(steps.begin(), steps.end(), [](const Step& a, const Step& b) {
+        return a.significance < b.significance;  // the first of equals
+      });
+  return highest == steps.end() ? std::nullopt : std::optional(*highest);
+}
+
+}  // namespace ricochet::carrier_track::inline counting

@@ -1,0 +1,198 @@
+#include "src/cli/quiet_speed_output.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace ricochet::cli {
+namespace {
+
+using namespace carrier_track;
+
+constexpr double rpm = 30 / std::numbers::pi;  // of a rad/s
+constexpr int drawn_machines = 200;
+
+/// A multiple of the scan's step without the last digits of its rounding.
+double rounded(double speed) {
+  return std::round(speed * 1e9) / 1e9;
+}
+
+std::string text_of(const Limit& limit) {
+  switch (limit.measure) {
+    case Measure::collisions:
+      return fmt::format("at most {} collisions in the window", limit.at_most);
+    case Measure::collisions_per_turn:
+      return fmt::format("at most {} collisions a turn", limit.at_most);
+    case Measure::energy:
+      return fmt::format("at most {} J into the walls in the window", limit.at_most);
+    case Measure::impact_speed:
+      return fmt::format("no impact faster than {} m/s", limit.at_most);
+  }
+  return "";
+}
+
+const char* key_of(Measure measure) {
+  switch (measure) {
+    case Measure::collisions:
+      return "collisions";
+    case Measure::collisions_per_turn:
+      return "collisions_per_turn";
+    case Measure::energy:
+      return "energy";
+    case Measure::impact_speed:
+      return "impact_speed";
+  }
+  return "";
+}
+
+std::string text_of(const CountThere& there) {
+  return fmt::format("{:.3f} rad/s: {} collisions, {:.3g} a turn, {}", there.omega, there.count,
+                     there.per_turn,
+                     there.certain ? "certain" : "not certain (" + there.doubt + ")");
+}
+
+/// The answer in a sentence or two.
+std::string headline(const QuietSpeedOutput& output) {
+  const QuietSpeed& answer = output.answer;
+  const std::string range = fmt::format("up to {} rad/s", answer.options.fastest);
+  if (!answer.limit) {
+    const auto& level = answer.staircase.levels.front();
+    return fmt::format(
+        "{}: there is no threshold {}: the count, {} to {}, makes no step by half or more. Say how "
+        "much is too much: --allow, --allow-per-turn, --allow-energy or --allow-speed.\n",
+        output.name, range, level.low, level.high);
+  }
+  if (!answer.split.first_loud) {
+    return fmt::format("{}: every speed {} is quiet: {}.\n", output.name, range,
+                       text_of(*answer.limit));
+  }
+  if (!answer.fastest_quiet) {
+    return fmt::format("{}: no speed is quiet: {} is broken at {} already.\n", output.name,
+                       text_of(*answer.limit), both_units(*answer.split.first_loud));
+  }
+  return fmt::format("{}: the fastest quiet speed is {}: {}.\n", output.name,
+                     both_units(*answer.fastest_quiet), text_of(*answer.limit));
+}
+
+}  // namespace
+
+std::string both_units(double omega) {
+  return fmt::format("{:.3f} rad/s ({:.2f} rpm)", omega, omega * rpm);
+}
+
+QuietSpeedOutput ask_quiet_speed(const std::string& name, const Scene& scene,
+                                 const QuietSpeedOptions& options, double tolerance) {
+  QuietSpeedOutput output{name, scene, quiet_speed(scene, options), {}, tolerance, {}};
+  const QuietSpeed& answer = output.answer;
+  if (!answer.limit || !answer.split.speed) return output;
+  const double divide = *answer.split.speed;
+  output.sensitivities = sensitivities(scene, *answer.limit, divide);
+  if (tolerance > 0) {
+    output.range = tolerance_range(scene, *answer.limit, divide, tolerance, drawn_machines, 1);
+  }
+  return output;
+}
+
+std::string text_of_steps(const QuietSpeed& answer) {
+  if (answer.steps.empty()) {
+    return "The staircase has no step by half or more.\n";
+  }
+  const double main = answer.staircase.main_step()->omega;
+  std::string text = "Steps of the staircase (a step is louder by half, and by two collisions):\n";
+  for (const auto& [step, first_loud] : answer.steps) {
+    text +=
+        fmt::format("  {}: from at most {} to at least {} collisions; {} to {:.2f} times it{}\n",
+                    both_units(step.omega), step.below, step.above,
+                    fmt::format("holds from {:.2f}", 1 / step.reach), step.reach,
+                    step.omega == main ? "  <- the most significant" : "");
+  }
+  return text;
+}
+
+std::string text_of(const QuietSpeedOutput& output) {
+  const QuietSpeed& answer = output.answer;
+  std::string text = headline(output);
+  if (answer.split.speed) {
+    text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
+  }
+  for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
+  text += text_of_steps(answer);
+  if (!answer.options.limit && !answer.steps.empty()) {
+    text +=
+        "Significance is how much louder times how long both levels last, on logarithmic axes; no "
+        "speed beyond twice a step changes it, so that the end of the range does not matter.\n";
+  }
+  if (!output.sensitivities.empty()) {
+    text += "One percent more moves the divide by:";
+    for (const Sensitivity& s : output.sensitivities) {
+      if (std::abs(s.percent) < 0.005) continue;
+      text += fmt::format(" {} {:+.2f} %;", s.key, s.percent);
+    }
+    text.back() = '.';
+    text += "\n";
+  }
+  if (output.range) {
+    text += fmt::format(
+        "With every constant uncertain by {:.3g} %, {} machines divide between {} and {}{}.\n",
+        100 * output.tolerance, output.range->machines - output.range->without,
+        both_units(output.range->lowest), both_units(output.range->highest),
+        output.range->without == 0
+            ? ""
+            : fmt::format("; {} not within two thirds and three halves of the speed",
+                          output.range->without));
+  }
+  return text;
+}
+
+Json json_of(const QuietSpeedOutput& output) {
+  const QuietSpeed& answer = output.answer;
+  Json steps = Json::array();
+  for (const auto& [step, first_loud] : answer.steps) {
+    steps.push_back({{"omega", rounded(step.omega)},
+                     {"below", step.below},
+                     {"above", step.above},
+                     {"reach", step.reach},
+                     {"significance", step.significance},
+                     {"first_loud", json_of(first_loud)}});
+  }
+  Json levels = Json::array();
+  for (const Level& level : answer.staircase.levels) {
+    levels.push_back({{"from", level.from},
+                      {"to", level.to},
+                      {"low", level.low},
+                      {"typical", level.typical},
+                      {"high", level.high}});
+  }
+  Json around = Json::array();
+  for (const CountThere& there : answer.around) {
+    around.push_back({{"omega", rounded(there.omega)},
+                      {"count", there.count},
+                      {"per_turn", there.per_turn},
+                      {"certain", there.certain}});
+  }
+  Json moves = Json::object();
+  for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
+  Json json = {{"fastest_quiet", Json()}, {"fastest_quiet_rpm", Json()},
+               {"limit", Json()},         {"steps", steps},
+               {"levels", levels},        {"around", around},
+               {"percent_for_one", moves}};
+  if (answer.fastest_quiet) {
+    json["fastest_quiet"] = rounded(*answer.fastest_quiet);
+    json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;
+  }
+  if (answer.limit) {
+    json["limit"] = {{"measure", key_of(answer.limit->measure)},
+                     {"at_most", answer.limit->at_most}};
+  }
+  if (output.range) {
+    json["with_tolerance"] = {{"tolerance", output.tolerance},
+                              {"lowest", output.range->lowest},
+                              {"highest", output.range->highest},
+                              {"machines", output.range->machines},
+                              {"without", output.range->without}};
+  }
+  return json;
+}
+
+}  // namespace ricochet::cli

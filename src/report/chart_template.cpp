@@ -1,0 +1,156 @@
+#include "src/report/chart_template.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ricochet::report {
+namespace {
+
+/// What one of some words stands for; the first where there is none.
+template <class Value>
+Value chosen(const Part& part, std::string_view key, const Scopes& scopes,
+             std::initializer_list<std::pair<std::string_view, Value>> words) {
+  if (!part.has(key)) return words.begin()->second;
+  const std::string text = part.filled_text(key, scopes);
+  for (const auto& [word, value] : words) {
+    if (text == word) return value;
+  }
+  throw std::logic_error(fmt::format("a template's {} cannot be {}", key, text));
+}
+
+/// Small letters and digits, other characters as hyphens.
+std::string stem_of(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (!(c >= 'a' && c <= 'z') && !(c >= '0' && c <= '9')) c = '-';
+  }
+  return text;
+}
+
+std::optional<Range> range_between(const std::optional<double>& lower,
+                                   const std::optional<double>& upper) {
+  if (!lower || !upper) return std::nullopt;
+  return Range{*lower, *upper};
+}
+
+std::optional<Range> range_of(const Part& part, const Scopes& scopes) {
+  const toml::array* ends = part.list("range");
+  if (ends == nullptr) return std::nullopt;
+  if (ends->size() != 2) throw std::logic_error("a template's range must have two ends");
+  return range_between(number_in((*ends)[0], scopes), number_in((*ends)[1], scopes));
+}
+
+/// The scopes of each category of an axis, in the order of the axis.
+std::vector<Scopes> categories_of(const Part& axis, const Scopes& scopes) {
+  std::vector<Scopes> places;
+  if (!axis.has("categories")) return places;
+  for (const Json& entry : found_in(scopes, axis.text("categories"))) {
+    places.push_back(with(scopes, entry));
+  }
+  if (chosen<bool>(axis, "order", scopes, {{"up", false}, {"down", true}})) {
+    std::reverse(places.begin(), places.end());
+  }
+  return places;
+}
+
+Axis axis_of(const Part& part, const Scopes& scopes) {
+  Axis axis{part.filled_text("label", scopes),
+            chosen<Scale>(part, "scale", scopes,
+                          {{"linear", Scale::linear}, {"logarithmic", Scale::logarithmic}}),
+            range_of(part, scopes)};
+  for (const Scopes& place : categories_of(part, scopes)) {
+    axis.categories.push_back(part.has("category") ? part.filled_text("category", place)
+                                                   : filled("{{.}}", place));
+  }
+  return axis;
+}
+
+/// Whether an axis has a place for the number.
+bool has_place(const Axis& axis, const std::optional<double>& number) {
+  return number && (axis.scale == Scale::linear || *number > 0);
+}
+
+Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
+  Series series{
+      part.filled_text("label", scopes),
+      chosen<Mark>(part, "mark", scopes,
+                   {{"line", Mark::line}, {"steps", Mark::steps}, {"points", Mark::points}}),
+      {}};
+  const auto add = [&](const std::optional<double>& x, const std::optional<double>& y,
+                       const std::optional<Range>& spread = {}) {
+    if (!has_place(chart.x, x)) return;
+    series.samples.push_back({*x, has_place(chart.y, y) ? y : std::nullopt, spread});
+  };
+  if (const toml::array* samples = part.list("samples")) {
+    for (const toml::node& node : *samples) {
+      const toml::array& sample = *node.as_array();
+      add(number_in(sample.at(0), scopes), number_in(sample.at(1), scopes));
+    }
+    return series;
+  }
+  double number = 0;
+  for (const std::string& rows : part.texts("rows")) {
+    for (const Json& row : found_in(scopes, rows)) {
+      const Scopes in_row = with(scopes, row);
+      const double own = number++;
+      if (part.has("where") && !holds(part.text("where"), in_row)) continue;
+      add(part.has("x") ? part.number("x", in_row) : own, part.number("y", in_row),
+          range_between(part.number("lower", in_row), part.number("upper", in_row)));
+    }
+  }
+  if (series.mark != Mark::points) {
+    std::ranges::stable_sort(series.samples, {}, &Sample::position);
+  }
+  return series;
+}
+
+HeatMap heat_map_of(const Part& part, const Part& y, const Scopes& scopes) {
+  HeatMap map{part.filled_text("label", scopes), {}, range_of(part, scopes)};
+  for (const Scopes& row : categories_of(y, scopes)) {
+    auto& cells = map.rows.emplace_back();
+    for (const Json& cell : found_in(row, part.text("cells"))) {
+      const Scopes in_cell = with(row, cell);
+      cells.push_back(part.number("value", in_cell));
+    }
+  }
+  return map;
+}
+
+}  // namespace
+
+Chart chart_of(const Part& part, const Scopes& scopes) {
+  Chart chart;
+  chart.name = stem_of(filled(part.text("name"), scopes));
+  chart.title = filled(part.text("title"), scopes);
+  chart.x = axis_of(part.part("x"), scopes);
+  chart.y = axis_of(part.part("y"), scopes);
+  for (const Part& series : part.parts("series")) {
+    for (const Scopes& place : places_of(series, scopes)) {
+      chart.series.push_back(series_of(series, place, chart));
+    }
+  }
+  for (const Part& line : part.parts("lines")) {
+    const bool vertical = line.has("vertical");
+    for (const Scopes& place : places_of(line, scopes)) {
+      const auto position = line.number(vertical ? "vertical" : "horizontal", place);
+      if (!position) continue;
+      chart.lines.push_back({vertical ? Direction::vertical : Direction::horizontal, *position,
+                             line.filled_text("label", place)});
+    }
+  }
+  if (part.has("heat_map")) {
+    chart.heat_map = heat_map_of(part.part("heat_map"), part.part("y"), scopes);
+  }
+  const auto pixels = [&](std::string_view key, int usual) {
+    return static_cast<int>(part.number(key, scopes).value_or(usual));
+  };
+  chart.width = pixels("width", chart.width);
+  chart.height = pixels("height", chart.height) +
+                 pixels("row_height", 0) * static_cast<int>(chart.y.categories.size());
+  chart.description = part.filled_text("description", scopes);
+  return chart;
+}
+
+}  // namespace ricochet::report

@@ -1,0 +1,67 @@
+#include "problems/carrier_track/counting/quiet_speed.h"
+
+#include <gtest/gtest.h>
+
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+Scene case_scene(const char* id) {
+  return scene_of(find_case(id), default_reading().scene);
+}
+
+/// The first scanned speed whose count is above the limit, by looking at every one.
+double first_above(const Scene& scene, double limit) {
+  for (int k = 1;; ++k) {
+    if (count_at(scene, k * 1e-3) > limit) return k * 1e-3;
+  }
+}
+
+TEST(QuietSpeed, IsTheSameWhereverTheRangeEnds) {
+  const Scene scene = case_scene("C1");
+  const QuietSpeed answer = quiet_speed(scene, {});
+  ASSERT_TRUE(answer.fastest_quiet);
+  for (const double fastest : {6.0, 14.0, 30.0}) {
+    const QuietSpeed other = quiet_speed(scene, {std::nullopt, 1e-3, fastest});
+    EXPECT_EQ(other.fastest_quiet, answer.fastest_quiet) << fastest;
+    EXPECT_EQ(other.split.speed, answer.split.speed) << fastest;
+  }
+}
+
+TEST(QuietSpeed, KnowsBothStepsOfTheFirstCase) {
+  const Scene scene = case_scene("C1");
+  const QuietSpeed answer = quiet_speed(scene, {});
+  ASSERT_EQ(answer.steps.size(), 2U);
+  for (const StepAnswer& step : answer.steps) {
+    EXPECT_NEAR(step.first_loud.value_or(0), first_above(scene, step.step.limit()), 1e-9);
+    EXPECT_NEAR(step.step.omega, *step.first_loud, 2e-3);
+  }
+  EXPECT_NEAR(*answer.fastest_quiet, *answer.steps[0].first_loud - 1e-3, 1e-9);
+  ASSERT_EQ(answer.around.size(), 3U);
+  EXPECT_LE(answer.around[1].count, answer.limit->at_most);
+  EXPECT_GT(answer.around[2].count, answer.limit->at_most);
+}
+
+TEST(QuietSpeed, KeepsTheLimitThatIsGiven) {
+  const Scene scene = case_scene("C1");
+  const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 6}, 1e-3, 18});
+  EXPECT_NEAR(*answer.fastest_quiet, first_above(scene, 6) - 1e-3, 1e-9);
+  const QuietSpeed any = quiet_speed(scene, {Limit{Measure::collisions, 1000}, 1e-3, 18});
+  EXPECT_FALSE(any.split.first_loud);
+  EXPECT_NEAR(*any.fastest_quiet, 18, 1e-9);
+  const QuietSpeed nothing = quiet_speed(scene, {Limit{Measure::collisions, 0}, 1e-3, 18});
+  EXPECT_FALSE(nothing.fastest_quiet);
+}
+
+TEST(QuietSpeed, SaysThatThereIsNoThresholdWhereTheCountRisesThroughout) {
+  const QuietSpeed answer = quiet_speed(case_scene("C2"), {});
+  EXPECT_TRUE(answer.steps.empty());
+  EXPECT_FALSE(answer.limit);
+  EXPECT_FALSE(answer.fastest_quiet);
+  EXPECT_GT(answer.staircase.levels.front().high, 2 * answer.staircase.levels.front().low);
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

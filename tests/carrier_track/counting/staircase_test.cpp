@@ -1,0 +1,142 @@
+#include "problems/carrier_track/counting/staircase.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/core/random.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+/// The staircase up to `fastest` of a count that is known at every speed.
+Staircase staircase_to(double fastest, const CountAt& count) {
+  return staircase_of(scan_logarithmically(count, 0.01, judged_share * fastest), fastest);
+}
+
+TEST(Staircase, CountsAtTheSameSpeedsWhereverItEnds) {
+  const auto count = [](double omega) { return static_cast<int>(100 * omega); };
+  const LogarithmicScan shorter = scan_logarithmically(count, 0.01, 5);
+  const LogarithmicScan longer = scan_logarithmically(count, 0.01, 50);
+  EXPECT_EQ(shorter.first, longer.first);
+  ASSERT_LT(shorter.counts.size(), longer.counts.size());
+  for (std::size_t k = 0; k < shorter.counts.size(); ++k) {
+    EXPECT_EQ(shorter.omega(k), longer.omega(k));
+    EXPECT_EQ(shorter.counts[k], longer.counts[k]);
+  }
+  EXPECT_GE(shorter.omega(0), 0.01);
+  EXPECT_LE(shorter.omega(shorter.counts.size() - 1), 5);
+  EXPECT_NEAR(std::log(shorter.omega(500) / shorter.omega(0)), 1, 1e-12);
+}
+
+TEST(Staircase, FindsOneStepWhereItIs) {
+  const Staircase staircase = staircase_to(18, [](double w) { return w < 5 ? 4 : 9; });
+  ASSERT_EQ(staircase.steps.size(), 1U);
+  const Step& step = staircase.steps.front();
+  EXPECT_NEAR(step.omega, 5, 5 * 0.001);
+  EXPECT_EQ(step.below, 4);
+  EXPECT_EQ(step.above, 9);
+  EXPECT_EQ(step.reach, 2);
+  EXPECT_EQ(step.misclassified, 0);
+  EXPECT_NEAR(step.significance, std::log(10.0 / 5.0) * std::log(2.0), 1e-12);
+  ASSERT_EQ(staircase.levels.size(), 2U);
+  EXPECT_EQ(staircase.levels[0].typical, 4);
+  EXPECT_EQ(staircase.levels[1].typical, 9);
+}
+
+TEST(Staircase, HasNoStepWhereTheCountIsOfOneKind) {
+  EXPECT_TRUE(staircase_to(18, [](double) { return 7; }).steps.empty());
+  EXPECT_TRUE(staircase_to(18, [](double) { return 0; }).steps.empty());
+  // One collision more or less is the same kind, and so is less than half as many again.
+  EXPECT_TRUE(staircase_to(18, [](double w) { return w < 3 ? 1 : 2; }).steps.empty());
+  EXPECT_TRUE(staircase_to(18, [](double w) { return w < 3 ? 11 : 14; }).steps.empty());
+  EXPECT_FALSE(staircase_to(18, [](double w) { return w < 3 ? 0 : 2; }).main_step() ==
+               std::nullopt);
+}
+
+TEST(Staircase, HasNoThresholdWhereTheCountRisesThroughout) {
+  for (const double power : {0.5, 1.0, 2.0}) {
+    const auto rising = [power](double w) { return static_cast<int>(50 * std::pow(w, power)); };
+    for (const Step& step : staircase_to(18, rising).steps) {
+      EXPECT_LT(step.omega, 1) << "counts of a few have steps of their own; power " << power;
+    }
+  }
+}
+
+TEST(Staircase, HasNoStepInNoise) {
+  Random random(3);
+  LogarithmicScan scan = scan_logarithmically([](double) { return 0; }, 0.01, judged_share * 18);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    for (int& count : scan.counts) count = static_cast<int>(20 * uniform(random));
+    EXPECT_TRUE(staircase_of(scan, 18).steps.empty());
+  }
+}
+
+TEST(Staircase, FindsAStepThatSomeSpeedsDoNotTake) {
+  Random random(5);
+  std::vector<bool> odd(100'000);
+  for (std::size_t k = 0; k < odd.size(); ++k) odd[k] = uniform(random) < 0.06;
+  const auto count = [&](double w) {
+    return (w < 6) != odd[static_cast<std::size_t>(w * 1000)] ? 3 : 12;
+  };
+  const auto main = staircase_to(18, count).main_step();
+  ASSERT_TRUE(main);
+  EXPECT_NEAR(main->omega, 6, 6 * 0.01);
+  EXPECT_NEAR(main->misclassified, 0.06, 0.02);
+}
+
+TEST(Staircase, IsTheSameInOtherUnits) {
+  const auto count = [](double w) { return w < 2 ? 3 : w < 7 ? 8 : 13; };
+  const Staircase slow = staircase_to(18, count);
+  const Staircase fast = staircase_to(180, [&](double w) { return count(w / 10); });
+  ASSERT_EQ(slow.steps.size(), 2U);
+  ASSERT_EQ(fast.steps.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(fast.steps[i].omega, 10 * slow.steps[i].omega, 0.02 * slow.steps[i].omega);
+    EXPECT_EQ(fast.steps[i].significance, slow.steps[i].significance);
+  }
+}
+
+/// Where a scan ends must not matter for a step within it.
+void expect_the_same_steps(const LogarithmicScan& whole, double fastest, const char* name) {
+  const Staircase far = staircase_of(whole, 20);
+  LogarithmicScan part = whole;
+  while (part.omega(part.counts.size() - 1) > judged_share * fastest) part.counts.pop_back();
+  const Staircase near = staircase_of(part, fastest);
+  std::size_t within = 0;
+  for (const Step& step : far.steps) within += step.omega <= fastest ? 1 : 0;
+  ASSERT_EQ(near.steps.size(), within) << name << " to " << fastest;
+  for (std::size_t i = 0; i < within; ++i) {
+    EXPECT_EQ(near.steps[i].omega, far.steps[i].omega) << name << " to " << fastest;
+    EXPECT_EQ(near.steps[i].significance, far.steps[i].significance) << name;
+  }
+}
+
+TEST(Staircase, DoesNotHangOnWhereTheScanEnds) {
+  Random random(7);
+  int with_steps = 0;
+  for (const Case& a_case : all_cases()) {
+    const Scene scene = scene_of(a_case, default_reading().scene);
+    for (int drawn = 0; drawn < 5; ++drawn) {
+      Scene machine = scene;
+      if (drawn > 0) {
+        for (const std::string& key : constants_of(scene)) {
+          machine = scaled(machine, key, std::exp(2 * uniform(random) - 1));
+        }
+      }
+      const LogarithmicScan whole = scan_logarithmically(
+          [&](double omega) { return count_at(machine, omega); }, 0.01, judged_share * 20);
+      with_steps += staircase_of(whole, 20).steps.empty() ? 0 : 1;
+      for (const double fastest : {3.0, 7.0, 14.0}) {
+        expect_the_same_steps(whole, fastest, a_case.id.c_str());
+      }
+    }
+  }
+  EXPECT_GT(with_steps, 20);
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -17,7 +17,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 }
 
 /// In single quotes, as bash and zsh read them.
-std::string quoted(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
   return "'" + replaced(text, "'", "'\\''") + "'";
 }
 
@@ -40,7 +40,8 @@ bool is_positional(const Json& option) {
 /// What follows a command's name and, where there is one, an option that takes a value.
 std::string bash_case(const std::string& pattern, const Json& option) {
   if (is_file(option)) return fmt::format("    {}) files=yes ;;\n", pattern);
-  return fmt::format("    {}) words={} ;;\n", pattern, quoted(words_of(option.at("choices"))));
+  return fmt::format("    {}) words={} ;;\n", pattern,
+                     shell_quoted(words_of(option.at("choices"))));
 }
 
 std::string bash(const Json& commands) {
@@ -55,10 +56,10 @@ std::string bash(const Json& commands) {
       files = files || (is_positional(option) && is_file(option));
       if (is_positional(option) || !option.at("takes_value").get<bool>()) continue;
       for (const Json& each : option.at("names")) {
-        cases += bash_case(quoted(name + " " + each.get<std::string>()), option);
+        cases += bash_case(shell_quoted(name + " " + each.get<std::string>()), option);
       }
     }
-    cases += fmt::format("    {}*) words={}{} ;;\n", quoted(name + " "), quoted(words),
+    cases += fmt::format("    {}*) words={}{} ;;\n", shell_quoted(name + " "), shell_quoted(words),
                          files ? " files=yes" : "");
   }
   return fmt::format(R"(# bash completion of ricochet
@@ -75,7 +76,7 @@ _ricochet() {{
 }}
 complete -F _ricochet ricochet
 )",
-                     quoted(names), cases);
+                     shell_quoted(names), cases);
 }
 
 /// What a value can be, as zsh's _arguments has it.
@@ -89,15 +90,16 @@ std::string zsh(const Json& commands) {
   std::string names, cases;
   for (const Json& command : commands) {
     const std::string name = text_of(command, "name");
-    names += "    " + quoted(name + ":" + text_of(command, "summary")) + "\n";
+    names += "    " + shell_quoted(name + ":" + text_of(command, "summary")) + "\n";
     std::string arguments;
     for (const Json& option : command.at("options")) {
       const std::string help = replaced(replaced(text_of(option, "help"), "[", "\\["), "]", "\\]");
       const bool takes_value = option.at("takes_value").get<bool>();
-      if (is_positional(option)) arguments += " \\\n        " + quoted(":" + zsh_value(option));
+      if (is_positional(option))
+        arguments += " \\\n        " + shell_quoted(":" + zsh_value(option));
       for (const Json& each : option.at("names")) {
-        arguments += " \\\n        " + quoted(each.get<std::string>() + "[" + help + "]" +
-                                              (takes_value ? zsh_value(option) : ""));
+        arguments += " \\\n        " + shell_quoted(each.get<std::string>() + "[" + help + "]" +
+                                                    (takes_value ? zsh_value(option) : ""));
       }
     }
     cases += fmt::format("    {})\n      _arguments{} ;;\n", name, arguments);

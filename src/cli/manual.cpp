@@ -39,8 +39,8 @@ std::string option(const Json& described) {
           ? " \\fI" + plain(value.empty() ? "VALUE" : value) + "\\fR"
           : "",
       plain(text_of(described, "help")));
-  if (!choices.empty()) text += plain(fmt::format("\nOne of {}.", fmt::join(choices, ", ")));
-  if (!standard.empty()) text += plain(fmt::format("\nBy default {}.", standard));
+  if (!choices.empty()) text += "\n" + plain(fmt::format("One of {}.", fmt::join(choices, ", ")));
+  if (!standard.empty()) text += "\n" + plain(fmt::format("By default {}.", standard));
   return text + "\n";
 }
 

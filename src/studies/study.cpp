@@ -1,6 +1,7 @@
 #include "src/studies/study.h"
 
 #include <fmt/format.h>
+#include <sched.h>
 
 #include <chrono>
 #include <thread>
@@ -17,6 +18,14 @@ constexpr const char* compiler = "Clang " __VERSION__;
 constexpr const char* compiler = "GCC " __VERSION__;
 #endif
 
+/// The cores that this process may use.
+int cores() {
+  cpu_set_t allowed;
+  return sched_getaffinity(0, sizeof allowed, &allowed) == 0
+             ? CPU_COUNT(&allowed)
+             : static_cast<int>(std::thread::hardware_concurrency());
+}
+
 }  // namespace
 
 Finished run(const Study& study, bool quick, const std::filesystem::path& folder) {
@@ -28,7 +37,7 @@ Finished run(const Study& study, bool quick, const std::filesystem::path& folder
                        {"made",
                         {{"version", RICOCHET_VERSION},
                          {"compiler", compiler},
-                         {"threads", std::thread::hardware_concurrency()},
+                         {"threads", cores()},
                          {"seconds", elapsed.count()},
                          {"quick", quick}}}};
   data.update(results);

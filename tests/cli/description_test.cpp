@@ -46,10 +46,12 @@ TEST(Description, HasEveryCommandForTheOtherShellsAndTheManual) {
               AllOf(HasSubstr("-n __fish_use_subcommand -a calibrate"),
                     HasSubstr("'__fish_seen_subcommand_from calibrate' -l all-readings"),
                     HasSubstr("-l format -x -a 'text json'")));
-  EXPECT_THAT(call("describe man").out,
-              AllOf(HasSubstr(".TH RICOCHET 1"), HasSubstr(".SS best\\-values"),
-                    HasSubstr("\\fB\\-\\-omega\\fR \\fIFLOAT\\fR"),
-                    HasSubstr("\\-\\-all\\-readings"), HasSubstr(".SH EXIT STATUS")));
+  EXPECT_THAT(
+      call("describe man").out,
+      AllOf(HasSubstr(".TH RICOCHET 1"), HasSubstr(".SS best\\-values"),
+            HasSubstr("\\fB\\-\\-omega\\fR \\fIFLOAT\\fR"), HasSubstr("\\-\\-all\\-readings"),
+            HasSubstr("What to print: text or json.\nOne of text, json."),
+            HasSubstr(".SH EXIT STATUS")));
 }
 
 TEST(Description, OfEveryCommandHasExamplesAndExitCodes) {

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,18 @@ TEST(Verify, ShowsOneSceneWithBothListsOfImpacts) {
 TEST(Verify, RefusesNumbersThatMakeNoSense) {
   expect_refusal("verify --scenes 0", "--scenes");
   expect_refusal("verify --scene-index -1", "--scene-index");
+}
+
+TEST(Verify, TellsOfTheCoresThatItMayUse) {
+  cpu_set_t all, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+  CPU_ZERO(&one);
+  CPU_SET(static_cast<std::size_t>(sched_getcpu()), &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);  // the program inherits it
+  const auto folder = fresh_folder();
+  call("verify --scenes 1 --out " + folder.string());
+  sched_setaffinity(0, sizeof all, &all);
+  EXPECT_THAT(read(folder / "data.json"), testing::HasSubstr("\"threads\": 1,"));
 }
 
 }  // namespace

@@ -90,14 +90,18 @@ void check_speed(const Scene& scene, const Checker& checker, const std::string& 
 
 /// That the window ends before a simulation has gone through the forces for minutes.
 void check_window(const Scene& scene, const Checker& checker) {
-  const double duration = duration_of(scene);
-  checker.require(duration <= largest_number, "window", duration, "at most 1e15 [s]");
   double fastest = scene.profile.empty() ? scene.omega : 0.0;
   for (const auto& knot : scene.profile) fastest = std::max(fastest, knot.omega);
   if (scene.disturbance != 0) fastest = std::max(fastest, scene.disturbance_frequency);
-  checker.require(duration * fastest <= 2 * std::numbers::pi * longest_window, "window", duration,
-                  fmt::format("at most {} [s], 1e6 periods of the fastest force, of {} rad/s",
-                              2 * std::numbers::pi * longest_window / fastest, fastest));
+  const double duration = duration_of(scene);
+  const double longest = std::min(largest_number, 2 * std::numbers::pi * longest_window / fastest);
+  const auto* turns = std::get_if<Revolutions>(&scene.window);
+  const double count = turns != nullptr ? turns->count : std::get<Seconds>(scene.window).count;
+  checker.require(duration <= longest * (1 + 1e-12), turns != nullptr ? "revolutions" : "seconds",
+                  count,
+                  fmt::format("at most {}, for 1e6 periods of the fastest force, of {} rad/s, and "
+                              "1e15 s",
+                              count * (longest / duration), fastest));
 }
 
 void check_profile(const Scene& scene, const Checker& checker) {
@@ -140,8 +144,9 @@ void check_contact_law(const Scene& scene, const std::string& origin) {
   if (!needs_restitution(scene.contact_law)) return;
   const Checker checker(origin, "scene.");
   for (const double restitution : {scene.restitution_lower, scene.restitution_upper}) {
-    checker.require(restitution >= smallest_restitution, "restitution", restitution,
-                    "at least 1e-6, because the damping of this model.contact_law is infinite at 0");
+    checker.require(
+        restitution >= smallest_restitution, "restitution", restitution,
+        "at least 1e-6, because the damping of this model.contact_law is infinite at 0");
   }
   checker.require(!scene.contact_friction || scene.friction <= 1 - smallest_restitution, "friction",
                   scene.friction,
@@ -154,7 +159,7 @@ void check_contact_law(const Scene& scene, const std::string& origin) {
 void check_omega(const Scene& scene, const std::string& origin, const std::string& name) {
   const Checker checker(origin, "");
   check_speed(scene, checker, name);
-  check_window(scene, checker);
+  check_window(scene, Checker(origin, "window."));
 }
 
 void check(const Scene& scene, const std::string& origin) {
@@ -180,7 +185,7 @@ void check(const Scene& scene, const std::string& origin) {
   } else {
     window(Field{"seconds", "s", "", Range::positive}, std::get<Seconds>(scene.window).count);
   }
-  check_window(scene, Checker(origin, ""));
+  check_window(scene, window);
   visit_count_fields(Checker(origin, "count."), scene);
   visit_model_fields(Checker(origin, "model."), scene);
   check_contact_law(scene, origin);

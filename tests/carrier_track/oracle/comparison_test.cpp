@@ -26,6 +26,25 @@ TEST(Comparison, FindsNoWrongCountAmongThoseCalledCertain) {
   EXPECT_GT(matched, 5 * scenes);
 }
 
+TEST(Comparison, FindsNoWrongCountAmongSlowImpactsAndMaxima) {
+  for (const Hostility hostility : {Hostility::slow_limit, Hostility::maxima}) {
+    int certain = 0;
+    int endless = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Comparison c = compare(hostile_scene(hostility, 2, i).scene);
+      endless += c.endless ? 1 : 0;
+      if (!c.compared || !c.certain) continue;
+      ++certain;
+      EXPECT_TRUE(c.agrees()) << "scene " << i << ": " << c.count << ", truly " << c.truth;
+      EXPECT_EQ(c.missed + c.spurious, 0) << "scene " << i;
+    }
+    EXPECT_GT(certain, 100);
+    if (hostility == Hostility::maxima) {
+      EXPECT_GT(endless, 100);
+    }
+  }
+}
+
 TEST(Comparison, AgreesOnEveryCaseToTheLastDigits) {
   for (const Case& a_case : all_cases()) {
     for (const double omega : {0.5, 2.0, 9.0}) {
@@ -42,6 +61,13 @@ TEST(Comparison, PairsFastImpactsAlone) {
   EXPECT_EQ(faster(impacts, 0.7).size(), 1U);
   EXPECT_EQ(faster(impacts, 0.5).size(), 1U);
   EXPECT_EQ(faster(impacts, 0.1).size(), 2U);
+}
+
+TEST(Comparison, LooksAtMaximaThatCountAlone) {
+  Scene scene;
+  scene.peak_high = 3;
+  scene.peak_low = 1;
+  EXPECT_EQ(counted({{0, 4}, {1, 3}, {2, 2}, {3, 0.5}}, scene).size(), 2U);
 }
 
 TEST(Comparison, CallsCountsThatRoundingDecidesUncertain) {

@@ -24,6 +24,8 @@ class Recorder : public Observer {
     recording_.peaks.push_back({time, position});
   }
 
+  void hops(double time, Wall wall) { trace_.hops(time, wall); }
+
   void contact(double time, double position, double velocity) {
     trace_.contact(time, position, velocity);
     if (std::isfinite(spacing_)) recording_.path.push_back({time, position, velocity});

@@ -16,9 +16,9 @@ namespace ricochet::carrier_track::inline counting {
 /// Why a count is not certain: the first cause in time.
 enum class Doubt {
   none,
-  margin,    ///< the change takes a feature's margin z to or across zero
-  window,    ///< the change takes a feature that counts to or across the end of the window
-  graze,     ///< a wall is touched or missed, or a maximum is there or not, with the change
+  margin,     ///< the change takes a feature's margin z to or across zero
+  window,     ///< the change takes a feature that counts to or across the end of the window
+  graze,      ///< a wall is touched or missed, or a maximum is there or not, with the change
   sensitive,  ///< the change has grown beyond 1e6-fold, or leads to a motion that is refused
   endless     ///< maxima count of which there is no last one, see FeatureTrace
 };

@@ -47,7 +47,7 @@ Json wear_data(const Scene& scene, double fastest) {
 }
 
 /// One run at a speed, with its impacts that count.
-Json path_data(const Scene& scene, double omega, const char* side) {
+Json path_data(const Scene& scene, double omega, const char* side, const char* speed) {
   const Scene there = at_speed(scene, omega);
   const Recording recording = record(there, 0, 2000);
   const bool in_turns = std::holds_alternative<Revolutions>(there.window);
@@ -65,13 +65,19 @@ Json path_data(const Scene& scene, double omega, const char* side) {
     const double wall = impact.wall == Wall::upper ? there.wall_upper : there.wall_lower;
     impacts.push_back({{"at", impact.time / unit}, {"x", wall / millimetre}});
   }
+  Json zoom;
+  if (const auto stretch = busiest_stretch(there, recording)) {
+    zoom = {{"from", stretch->from / unit}, {"to", stretch->to / unit}};
+  }
   return {{"side", side},
+          {"speed", speed},
           {"omega", omega},
           {"count", recording.count},
           {"unit", in_turns ? "driver plate [turns]" : "time [s]"},
           {"lower_wall", there.wall_lower / millimetre},
           {"upper_wall",
            std::isfinite(there.wall_upper) ? Json(there.wall_upper / millimetre) : Json()},
+          {"zoom", std::move(zoom)},
           {"path", std::move(path)},
           {"impacts", std::move(impacts)}};
 }
@@ -107,10 +113,12 @@ Json compute(const AdviceOptions& options) {
   data["changes"] = change_data(answer.sensitivities);
   data["paths"] = Json::array();
   if (found.fastest_quiet) {
-    data["paths"].push_back(path_data(options.scene, *found.fastest_quiet, "quiet"));
+    data["paths"].push_back(
+        path_data(options.scene, *found.fastest_quiet, "quiet", "fastest quiet speed"));
   }
   if (found.split.first_loud) {
-    data["paths"].push_back(path_data(options.scene, *found.split.first_loud, "loud"));
+    data["paths"].push_back(
+        path_data(options.scene, *found.split.first_loud, "loud", "first speed that is louder"));
   }
   return data;
 }

@@ -78,7 +78,7 @@ std::optional<Stretch> busiest_stretch(const Scene& scene, const Recording& reco
     if (impact.speed > scene.slowest) times.push_back(impact.time);
   }
   if (times.size() < 3) return std::nullopt;
-  const std::size_t most = (3 * times.size() + 3) / 4;
+  const std::size_t most = (2 * times.size() + 2) / 3;
   Stretch best{times.front(), times.back()};
   for (std::size_t k = 0; k + most <= times.size(); ++k) {
     if (times[k + most - 1] - times[k] < best.to - best.from)

@@ -48,7 +48,7 @@ struct Stretch {
   double from, to;
 };
 
-/// Where most happens: the shortest stretch with three quarters of the impacts that count, and a
+/// Where most happens: the shortest stretch with two thirds of the impacts that count, and a
 /// quarter of itself more on either side, within the window. Nothing where that is no small part of
 /// the window, or where fewer than three impacts count.
 std::optional<Stretch> busiest_stretch(const Scene& scene, const Recording& recording);

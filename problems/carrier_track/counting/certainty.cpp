@@ -167,6 +167,11 @@ std::string graze_sentence(const Graze& graze, bool given) {
       graze.time, wall, graze.distance);
 }
 
+std::string unsure_sentence(const char* what, double time) {
+  return fmt::format("{} that counts, at {:.6g} s, is there or not with the tenth digit", what,
+                     time);
+}
+
 std::string endless_sentence(const FeatureTrace::Endless& endless) {
   return fmt::format(
       "from {:.6g} s on maxima count that never end, of ever smaller hops or swings at the {} wall",
@@ -185,10 +190,7 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
       return fmt::format("{} at {:.6g} s is within {:.2g} s of the end of the window", what, s.time,
                          std::abs(s.left));
     case Doubt::graze:
-      return graze
-                 ? graze_sentence(*graze, graze_is_given)
-                 : fmt::format("{} that counts, at {:.6g} s, is there or not with the tenth digit",
-                               what, s.time);
+      return graze ? graze_sentence(*graze, graze_is_given) : unsure_sentence(what, s.time);
     case Doubt::endless:
       break;  // of all the changed scenes alike
     case Doubt::sensitive:
@@ -235,6 +237,8 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
     return certainty;
   };
   if (trace.endless()) return give_up(Doubt::endless, endless_sentence(*trace.endless()));
+  if (trace.shallow_peak())
+    return give_up(Doubt::graze, unsure_sentence("a maximum", *trace.shallow_peak()));
   if (!trace.finite()) return give_up(Doubt::sensitive, "numbers overflow");
   const double duration = duration_of(scene);
   Suspect first;

@@ -18,7 +18,10 @@ void FeatureTrace::impact(double time, Wall wall, double speed) {
 void FeatureTrace::peak(double time, double position) {
   // It is told when the body moves down from it, which is now.
   std::size_t kind = high_peak;
-  const auto keep = [&](double z, double /*left*/) { tell(kind++, z); };
+  const auto keep = [&](double z, double /*left*/) {
+    tell(kind++, z);
+    counting_peak_ = counting_peak_ || (z > 0 && position < scene_.wall_upper);
+  };
   Features<double, decltype(keep)>(scene_, keep).peak(time, position);
 }
 

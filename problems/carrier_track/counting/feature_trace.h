@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "problems/carrier_track/models/observer.h"
+#include "problems/carrier_track/scene/perturbation.h"
 #include "problems/carrier_track/scene/scene.h"
 
 namespace ricochet::carrier_track::inline counting {
@@ -45,6 +47,10 @@ class FeatureTrace : public Observer {
     const auto start = path.at(0.0);
     finite_ = finite_ && std::isfinite(start.position + start.velocity + time + duration);
     swung_out_ = false;
+    if (std::exchange(counting_peak_, false)) {
+      const double drop = start.position - path.at(duration).position;
+      if (drop <= perturbation_size * (start.position - scene_.wall_lower)) shallow_ = time;
+    }
     if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * start.velocity > 0)) {
       turn(time, start.position);
     }
@@ -70,6 +76,10 @@ class FeatureTrace : public Observer {
   };
   const std::optional<Endless>& endless() const { return endless_; }
 
+  /// When [s] a maximum off the walls was told that counts, and that the body fell from by less
+  /// than the tenth digit of its height: where a speed only touches zero, rounding makes one.
+  const std::optional<double>& shallow_peak() const { return shallow_; }
+
   /// Whether all that was told are numbers: some are none where numbers overflow.
   bool finite() const { return finite_; }
 
@@ -84,6 +94,8 @@ class FeatureTrace : public Observer {
   double now_ = 0;             // [s]
   std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
   std::optional<Endless> endless_;
+  std::optional<double> shallow_;
+  bool counting_peak_ = false;  // whether one was told, from which the body falls now
   bool finite_ = true;
   bool swung_out_ = false;  // whether the body has moved outwards in its present contact
 };

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "problems/carrier_track/models/simulate.h"
 
@@ -120,6 +121,26 @@ TEST(FeatureTrace, TellsOfSwingsInAWallWithoutAnEnd) {
   EXPECT_TRUE(trace_of(scene).endless());
   scene.window = Seconds{1.0};  // before it comes down
   EXPECT_FALSE(trace_of(scene).endless());
+}
+
+TEST(FeatureTrace, KnowsAMaximumThatRoundingMakes) {
+  // From rest by x'' = sin t: the speed 1 - cos t touches zero at every turn, and is never below.
+  Scene scene;
+  scene.wall_upper = 100.0;
+  scene.rule = CountRule::peaks;
+  scene.centrifugal_mass_radius = 1.0;
+  scene.start_position = 0.0;
+  scene.window = Seconds{30.0};
+  int told = 0;
+  for (int i = 0; i < 20; ++i) {
+    scene.phase = -std::numbers::pi / 2 - 0.1 * i;  // it is released when the force has turned
+    const FeatureTrace trace = trace_of(scene);
+    const bool one = !trace.features(FeatureTrace::high_peak).empty();
+    EXPECT_EQ(trace.shallow_peak().has_value(), one);
+    told += one ? 1 : 0;
+  }
+  EXPECT_GT(told, 0) << "none to doubt";
+  EXPECT_FALSE(trace_of(thrown_body()).shallow_peak());
 }
 
 TEST(FeatureTrace, KnowsWhatIsNoNumber) {

@@ -29,6 +29,24 @@ install(FILES
   DESTINATION ${package_folder})
 install(FILES README.md LICENSE TYPE DOC)
 
+# The manual and the completions, made of the one description of the commands.
+set(descriptions ${PROJECT_BINARY_DIR}/descriptions)
+foreach(form man bash zsh fish)
+  add_custom_command(OUTPUT ${descriptions}/${form}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${descriptions}
+    COMMAND ricochet describe ${form} > ${descriptions}/${form}
+    DEPENDS ricochet ricochet_studies VERBATIM)
+endforeach()
+add_custom_target(ricochet_descriptions ALL
+  DEPENDS ${descriptions}/man ${descriptions}/bash ${descriptions}/zsh ${descriptions}/fish)
+install(FILES ${descriptions}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME ricochet.1)
+install(FILES ${descriptions}/bash RENAME ricochet
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${descriptions}/zsh RENAME _ricochet
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${descriptions}/fish RENAME ricochet.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
 # The package of Debian. Who builds with the library needs the -dev packages of what it is made of.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The authors of ricochet <ricochet@localhost>")

@@ -4,42 +4,60 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 
 namespace ricochet {
+namespace {
 
 using std::chrono::steady_clock;
+
+std::atomic<bool> silent = false;
+
+}  // namespace
+
+void Progress::silence() {
+  silent = true;
+}
 
 Progress::Progress(std::string what, double work)
     : what_(std::move(what)),
       work_(work),
-      shown_(isatty(STDERR_FILENO) == 1),
+      redraws_(isatty(STDERR_FILENO) == 1),
       start_(steady_clock::now()),
-      drawn_(start_) {}
+      drawn_(start_),
+      interrupted_([this] {
+        if (!silent.exchange(true) && redraws_) std::fputs("\n", stderr);  // the bar stays
+      }) {}
 
 Progress::~Progress() {
-  if (shown_) draw(true);
+  if (redraws_ && !silent) draw(true);
 }
 
 void Progress::advance(double work) {
+  using namespace std::chrono_literals;
   const std::lock_guard lock(mutex_);
   done_ += work;
-  if (!shown_ || steady_clock::now() - drawn_ < std::chrono::milliseconds(100)) return;
+  if (silent || steady_clock::now() - drawn_ < (redraws_ ? 100ms : 10s)) return;
   drawn_ = steady_clock::now();
   draw(false);
 }
 
-void Progress::draw(bool last) {
+void Progress::draw(bool last) const {
   constexpr int width = 30;
   const double share = std::clamp(done_ / work_, 0.0, 1.0);
   const double elapsed = std::chrono::duration<double>(steady_clock::now() - start_).count();
-  const auto filled = static_cast<std::size_t>(share * width);
-  const std::string bar = std::string(filled, '=') + std::string(width - filled, ' ');
   const std::string time =
       last ? fmt::format("{:.1f} s", elapsed)
            : (share > 0 ? fmt::format("{:.0f} s left", elapsed * (1 - share) / share) : "");
-  fmt::print(stderr, "\r\033[K{:<28} [{}] {:3.0f} %  {}{}", what_, bar, 100 * share, time,
-             last ? "\n" : "");
+  if (redraws_) {
+    const auto filled = static_cast<std::size_t>(share * width);
+    const std::string bar = std::string(filled, '=') + std::string(width - filled, ' ');
+    fmt::print(stderr, "\r\033[K{:<28} [{}] {:3.0f} %  {}{}", what_, bar, 100 * share, time,
+               last ? "\n" : "");
+  } else {
+    fmt::print(stderr, "{}: {:.0f} %, {}\n", what_, 100 * share, time);
+  }
   std::fflush(stderr);
 }
 

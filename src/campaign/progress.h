@@ -4,10 +4,13 @@
 #include <mutex>
 #include <string>
 
+#include "src/core/interruption.h"
+
 namespace ricochet {
 
-/// A line on standard error with the share done and the time left, redrawn at most ten times a
-/// second; silent where standard error is no terminal. Safe to advance from several threads.
+/// The share done and the time left, on standard error: a line that is redrawn at most ten times a
+/// second on a terminal, a new line every ten seconds elsewhere. Safe to advance from several
+/// threads.
 class Progress {
  public:
   /// `work` > 0 is in any unit that grows evenly with time.
@@ -18,16 +21,20 @@ class Progress {
 
   void advance(double work);
 
+  /// From now on none is shown.
+  static void silence();
+
  private:
-  void draw(bool last);
+  void draw(bool last) const;
 
   std::string what_;
   double work_;
   double done_ = 0;
-  bool shown_;
+  bool redraws_;  ///< on a terminal
   std::mutex mutex_;
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point drawn_;
+  AtInterruption interrupted_;
 };
 
 }  // namespace ricochet

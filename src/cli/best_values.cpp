@@ -7,7 +7,7 @@
 
 #include "problems/carrier_track/questions/families.h"
 #include "src/core/error.h"
-#include "src/report/file_set.h"
+#include "src/core/folder_lock.h"
 #include "src/studies/best_values/best_values.h"
 
 namespace ricochet::cli {
@@ -21,10 +21,7 @@ int best_values(const BestValuesOptions& options) {
   plan.questions = options.questions;
   if (options.seconds) plan.seconds = *options.seconds;
   const std::filesystem::path file = options.out;
-  if (file.has_parent_path()) {
-    report::require_writable(file.parent_path());
-    std::filesystem::create_directories(file.parent_path());
-  }
+  const FolderLock alone(file.has_parent_path() ? file.parent_path() : ".");
   std::vector<Question> questions;
   for (const Family& family : carrier_track::case_families()) {
     questions.insert(questions.end(), family.questions.begin(), family.questions.end());

@@ -4,9 +4,15 @@
 
 namespace ricochet::cli {
 
-/// Prints what there is of "cases", "questions" (or "problems", as they were called), "solvers" or
-/// "readings"; with a scene file, if its name is not empty, those of that machine. Returns the exit
-/// code.
-int list(const std::string& what, const std::string& scene_file, bool json);
+struct ListOptions {
+  std::string what;  ///< cases, questions (or problems, as they were called), solvers or readings
+  std::string scene_file;  ///< of questions: of this machine; empty for the paper's
+  std::string family;      ///< of questions: those of this family; empty for all
+  std::string solver;      ///< of questions: those that it accepts in some form; empty for all
+  bool json = false;
+};
+
+/// Prints what there is. Returns the exit code.
+int list(const ListOptions& options);
 
 }  // namespace ricochet::cli

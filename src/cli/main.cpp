@@ -1,13 +1,24 @@
-#include <set>
+#include <fmt/format.h>
 
+#include <chrono>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/command_line.h"
+#include "src/cli/completion.h"
 #include "src/cli/list.h"
 #include "src/cli/machine.h"
+#include "src/cli/manual.h"
 #include "src/cli/other_program.h"
 #include "src/cli/simulate.h"
 #include "src/cli/threshold.h"
+#include "src/core/folder_lock.h"
+#include "src/report/process.h"
 #include "src/report/report.h"
 #include "src/studies/reproduction/study.h"
 
@@ -15,8 +26,13 @@ namespace ricochet::cli {
 namespace {
 
 void add_scene_choice(CLI::App* command, SceneChoice& choice) {
-  command->add_option("--case", choice.case_id, "A case of the paper, C1..C12");
-  command->add_option("--scene", choice.scene_file, "A machine of your own, a TOML file");
+  std::vector<std::string> cases;
+  for (const carrier_track::Case& a_case : carrier_track::all_cases()) cases.push_back(a_case.id);
+  command->add_option("--case", choice.case_id, "A case of the paper")
+      ->type_name(fmt::format("CASE:{{{}}}", fmt::join(cases, ",")));
+  command
+      ->add_option("--scene", choice.scene_file, "A machine of your own, a TOML file; - reads it")
+      ->type_name("FILE");
 }
 
 void add_request(CLI::App* command, QuietSpeedRequest& asked) {
@@ -36,7 +52,9 @@ class Program : public CommandLine {
  public:
   Program() {
     add_study("reproduce", "The main job: every case against the paper, as a report",
-              studies::reproduction_study);
+              studies::reproduction_study,
+              "  ricochet reproduce                      writes reports/reproduction/index.html\n"
+              "  ricochet reproduce --quick --out first  a first look, in seconds");
     add_simulate();
     add_threshold();
     add_machine();
@@ -44,11 +62,15 @@ class Program : public CommandLine {
     add_list();
     add_report();
     for (const OtherCommand& other : other_commands) add_other(other);
+    add_description();
   }
 
  private:
   void add_simulate() {
-    CLI::App* command = add("simulate", "One run: impacts, peaks, count, certainty");
+    CLI::App* command =
+        add("simulate", "One run: impacts, peaks, count, certainty",
+            "  ricochet simulate --case C1 --omega 5\n"
+            "  ricochet simulate --scene machine.toml --plot path.svg --csv path.csv");
     add_scene_choice(command, simulate_.scene);
     add_format(command, simulate_.json);
     command->add_option("--omega", simulate_.omega, "Speed [rad/s] in place of the scene's");
@@ -58,13 +80,17 @@ class Program : public CommandLine {
         ->check(CLI::IsMember(levels));
     command->add_option("--width", simulate_.width, "Smoothing width of the surrogate")
         ->capture_default_str();
-    command->add_option("--csv", simulate_.csv, "File for the path: time, position, velocity");
-    command->add_option("--plot", simulate_.plot, "SVG file for a picture of the path");
+    command->add_option("--csv", simulate_.csv, "File for the path: time, position, velocity")
+        ->type_name("FILE");
+    command->add_option("--plot", simulate_.plot, "SVG file for a picture of the path")
+        ->type_name("FILE");
     on_call(command, [this] { return simulate(simulate_); });
   }
 
   void add_threshold() {
-    CLI::App* command = add("threshold", "The fastest quiet speed, to 1e-3 rad/s");
+    CLI::App* command = add("threshold", "The fastest quiet speed, to 1e-3 rad/s",
+                            "  ricochet threshold --scene machine.toml\n"
+                            "  ricochet threshold --all --format json");
     add_scene_choice(command, threshold_.scene);
     add_format(command, threshold_.json);
     command->add_flag("--all", threshold_.all, "Every case of the paper");
@@ -73,24 +99,34 @@ class Program : public CommandLine {
   }
 
   void add_machine() {
-    CLI::App* command = add("machine", "A machine of your own: new, check FILE, advise FILE");
+    CLI::App* command = add("machine", "A machine of your own: new, check FILE, advise FILE",
+                            "  ricochet machine new > machine.toml\n"
+                            "  ricochet machine check machine.toml\n"
+                            "  ricochet machine advise machine.toml --tolerance 5");
     command->require_subcommand(1);
     CLI::App* fresh = command->add_subcommand("new", "Prints a file to start from");
     on_call(fresh, [] { return new_machine(); });
     CLI::App* check = command->add_subcommand(
         "check", "Every field with unit and range, and what looks like a slip");
-    check->add_option("file", machine_file_, "The machine, a TOML file")->required();
+    check->add_option("file", machine_file_, "The machine, a TOML file; - reads it")
+        ->type_name("FILE")
+        ->required();
     on_call(check, [this] { return check_machine(machine_file_); });
     CLI::App* advise = command->add_subcommand(
         "advise", "How fast it may turn, as a page: staircase, paths, wear, what to change");
-    advise->add_option("file", machine_file_, "The machine, a TOML file")->required();
-    advise->add_option("--out", advice_out_, "Folder for the page")->capture_default_str();
+    advise->add_option("file", machine_file_, "The machine, a TOML file; - reads it")
+        ->type_name("FILE")
+        ->required();
+    advise->add_option("--out", advice_out_, "Folder for the page")
+        ->type_name("FOLDER")
+        ->capture_default_str();
     add_request(advise, advice_);
     on_call(advise, [this] { return advise_machine(machine_file_, advice_, advice_out_); });
   }
 
   void add_scene() {
-    CLI::App* command = add("scene", "Prints a scene as TOML, to start a machine of your own");
+    CLI::App* command = add("scene", "Prints a scene as TOML, to start a machine of your own",
+                            "  ricochet scene --case C1 > machine.toml");
     add_scene_choice(command, scene_);
     on_call(command, [this] {
       std::fputs(carrier_track::write_scene(choose_scene(scene_).scene).c_str(), stdout);
@@ -99,21 +135,39 @@ class Program : public CommandLine {
   }
 
   void add_list() {
-    CLI::App* command = add("list", "What there is");
-    command->add_option("what", list_, "cases, questions, solvers or readings")
+    CLI::App* command = add("list", "What there is",
+                            "  ricochet list questions --family top-speed\n"
+                            "  ricochet list questions --solver-accepts nlopt-slsqp --format json");
+    command->add_option("what", list_.what, "cases, questions, solvers or readings")
         ->required()
         ->check(CLI::IsMember({"cases", "questions", "problems", "solvers", "readings"}));
-    command->add_option("--scene", list_scene_, "Of questions: a machine of your own, a TOML file");
-    add_format(command, list_json_);
-    on_call(command, [this] { return list(list_, list_scene_, list_json_); });
+    command
+        ->add_option("--scene", list_.scene_file,
+                     "Of questions: a machine of your own, a TOML file")
+        ->type_name("FILE");
+    command->add_option("--family", list_.family, "Of questions: those of this family")
+        ->type_name("FAMILY");
+    command
+        ->add_option("--solver-accepts", list_.solver,
+                     "Of questions: those with a form that this solver accepts")
+        ->type_name("SOLVER");
+    add_format(command, list_.json);
+    on_call(command, [this] { return list(list_); });
   }
 
   void add_report() {
-    CLI::App* command = add("report", "Draws a report again, from the data beside it");
-    command->add_option("folder", report_from_, "Where its data.json is")->required();
-    command->add_option("--out", report_out_, "Another folder for what is drawn");
+    CLI::App* command = add("report", "Draws a report again, from the data beside it",
+                            "  ricochet report reports/reproduction\n"
+                            "  ricochet report reports/reference --out elsewhere");
+    command->add_option("folder", report_from_, "Where its data.json is")
+        ->type_name("FOLDER")
+        ->required();
+    command->add_option("--out", report_out_, "Another folder for what is drawn")
+        ->type_name("FOLDER");
     on_call(command, [this] {
-      report::redraw_report(report_from_, report_out_.empty() ? report_from_ : report_out_);
+      const std::string& out = report_out_.empty() ? report_from_ : report_out_;
+      const FolderLock alone(out);
+      report::redraw_report(report_from_, out);
       return 0;
     });
   }
@@ -127,14 +181,44 @@ class Program : public CommandLine {
     on_call(command, [other, command]() -> int { hand_over(other, command->remaining()); });
   }
 
+  /// What is installed beside the program: its manual, and completions for the shells.
+  void add_description() {
+    CLI::App* command = add("describe", "Prints the manual, or the completion of a shell");
+    command->group("");  // hidden
+    command->add_option("form", description_, "What to print")
+        ->required()
+        ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+    on_call(command, [this] {
+      const Json commands = every_description();
+      std::fputs(
+          (description_ == "man" ? manual(commands) : completion(description_, commands)).c_str(),
+          stdout);
+      return 0;
+    });
+  }
+
+  /// Of the commands of the other programs, too, as far as these can be asked.
+  Json every_description() const {
+    Json commands = description();
+    const auto result =
+        report::run_process({path_of(other_commands[0]), "describe"}, "", std::chrono::seconds(10));
+    if (result.status != 0) return commands;
+    for (const Json& theirs : Json::parse(result.output)) {
+      for (Json& own : commands) {
+        if (own["name"] == theirs["name"]) own = theirs;
+      }
+    }
+    return commands;
+  }
+
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   SceneChoice scene_;
   std::string machine_file_;
   QuietSpeedRequest advice_;
   std::string advice_out_ = "reports/advice";
-  std::string list_, list_scene_;
-  bool list_json_ = false;
+  ListOptions list_;
+  std::string description_;
   std::string report_from_, report_out_;
 };
 

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "src/core/interruption.h"
+
 namespace ricochet::cli {
 
 const char* summary_of(const std::string& command) {
@@ -17,13 +19,17 @@ const char* summary_of(const std::string& command) {
   throw std::out_of_range(command);
 }
 
+std::string path_of(const OtherCommand& other) {
+  return std::filesystem::read_symlink("/proc/self/exe").replace_filename(other.program).string();
+}
+
 void hand_over(const OtherCommand& other, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"ricochet", other.command});
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  const std::string program =
-      std::filesystem::read_symlink("/proc/self/exe").replace_filename(other.program).string();
+  const std::string program = path_of(other);
+  end_at_once_when_interrupted();
   execv(program.c_str(), argv.data());  // returns only if it fails
   throw std::runtime_error(fmt::format("{}: {}: {}", other.command, program, std::strerror(errno)));
 }

@@ -30,6 +30,9 @@ inline constexpr OtherCommand other_commands[] = {
 /// The summary of one of these commands. Throws std::out_of_range if it is none.
 const char* summary_of(const std::string& command);
 
+/// Where that program is: beside this one.
+std::string path_of(const OtherCommand& other);
+
 /// Becomes that program, which is called with the command and the arguments. Throws
 /// std::runtime_error if it is not there; otherwise it does not return.
 [[noreturn]] void hand_over(const OtherCommand& other, std::vector<std::string> arguments);

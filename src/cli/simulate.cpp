@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <filesystem>
 #include <optional>
+#include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -167,6 +171,26 @@ void print(const ChosenScene& chosen, const Recording& recording) {
   print_features(chosen.scene, recording);
 }
 
+/// Whether both are one regular file, or would be.
+bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code none;
+  if (std::filesystem::exists(a, none) && !std::filesystem::is_regular_file(a, none)) return false;
+  return std::filesystem::equivalent(a, b, none) ||
+         std::filesystem::weakly_canonical(a, none) == std::filesystem::weakly_canonical(b, none);
+}
+
+/// Throws InputError where a file would be written over the scene, or over the other.
+void refuse_same_files(const SimulateOptions& options) {
+  const std::string& scene = options.scene.scene_file;
+  for (const auto& [option, file, other] :
+       {std::tuple("--csv", options.csv, scene), std::tuple("--plot", options.plot, scene),
+        std::tuple("--plot", options.plot, options.csv)}) {
+    if (file.empty() || other.empty() || !are_same(file, other)) continue;
+    throw InputError(fmt::format("{} {}: must be another file than {}", option, file,
+                                 other == scene ? "the scene" : "that of --csv"));
+  }
+}
+
 }  // namespace
 
 int simulate(const SimulateOptions& options) {
@@ -182,10 +206,13 @@ int simulate(const SimulateOptions& options) {
   if (!(options.width > 0 && std::isfinite(options.width))) {
     throw InputError(fmt::format("--width {}: must be a finite number > 0", options.width));
   }
+  refuse_same_files(options);
   const bool path = !options.csv.empty() || !options.plot.empty();
   const Recording recording = record(chosen.scene, options.width, path ? 2000 : 0);
-  if (!options.csv.empty()) write_text_file(options.csv, csv_of(recording));
-  if (!options.plot.empty()) write_text_file(options.plot, picture_of(chosen, recording));
+  std::deque<TextDraft> drafts;
+  if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(recording));
+  if (!options.plot.empty()) drafts.emplace_back(options.plot, picture_of(chosen, recording));
+  for (TextDraft& draft : drafts) draft.commit();
   if (options.json) {
     print_json(recording);
   } else {

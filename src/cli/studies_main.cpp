@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <optional>
 
 #include "src/cli/best_values.h"
@@ -18,16 +20,21 @@ class Studies : public CommandLine {
  public:
   Studies() {
     add_calibrate();
-    add_study("dynamics", summary_of("dynamics"), studies::dynamics_study);
-    add_study("surrogate", summary_of("surrogate"), studies::surrogate_study);
+    add_study("dynamics", summary_of("dynamics"), studies::dynamics_study,
+              "  ricochet dynamics --quick");
+    add_study("surrogate", summary_of("surrogate"), studies::surrogate_study,
+              "  ricochet surrogate --quick");
     add_verify();
     add_problems();
     add_best_values();
+    add_description();
   }
 
  private:
   void add_calibrate() {
-    CLI::App* command = add("calibrate", summary_of("calibrate"));
+    CLI::App* command = add("calibrate", summary_of("calibrate"),
+                            "  ricochet calibrate --quick\n"
+                            "  ricochet calibrate --all-readings --check");
     command->add_option("--reading", calibration_.reading,
                         "One of ricochet list readings, for the default one");
     command->add_flag("--all-readings", calibration_.all_readings, "Every reading, compared");
@@ -46,7 +53,9 @@ class Studies : public CommandLine {
   }
 
   void add_verify() {
-    CLI::App* command = add("verify", summary_of("verify"));
+    CLI::App* command = add("verify", summary_of("verify"),
+                            "  ricochet verify --scenes 10000\n"
+                            "  ricochet verify --scene-index 17");
     command->add_option("--scenes", verification_.scenes, "How many random and hostile scenes")
         ->capture_default_str();
     command->add_option("--seed", verification_.seed, "Of the scenes")->capture_default_str();
@@ -62,20 +71,39 @@ class Studies : public CommandLine {
   }
 
   void add_problems() {
-    CLI::App* command = add_study("problems", summary_of("problems"),
-                                  [this] { return studies::problems_study(problems_scene_); });
-    command->add_option("--scene", problems_scene_,
-                        "A machine of your own, a TOML file, for the paper's cases");
+    CLI::App* command = add_study(
+        "problems", summary_of("problems"),
+        [this] { return studies::problems_study(problems_scene_); },
+        "  ricochet problems\n"
+        "  ricochet problems --scene machine.toml --out mine");
+    command
+        ->add_option("--scene", problems_scene_,
+                     "A machine of your own, a TOML file, for the paper's cases; - reads it")
+        ->type_name("FILE");
   }
 
   void add_best_values() {
-    CLI::App* command = add("best-values", summary_of("best-values"));
+    CLI::App* command = add("best-values", summary_of("best-values"),
+                            "  ricochet best-values --questions 'robust-*-C4'\n"
+                            "  ricochet best-values --seconds 600  # and the same again, to go on");
     command->add_option("--questions,--problems", best_values_.questions,
                         "A pattern such as robust-*-C4, or a part of their names");
     command->add_option("--seconds", best_values_.seconds,
                         "Begin nothing later; the same command then goes on");
-    command->add_option("--out", best_values_.out, "The file of the values")->capture_default_str();
+    command->add_option("--out", best_values_.out, "The file of the values")
+        ->type_name("FILE")
+        ->capture_default_str();
     on_call(command, [this] { return best_values(best_values_); });
+  }
+
+  /// For ricochet, which describes all commands.
+  void add_description() {
+    CLI::App* command = add("describe", "Prints what there is to say of the commands, as JSON");
+    command->group("");  // hidden
+    on_call(command, [this] {
+      fmt::print("{}\n", description().dump());
+      return 0;
+    });
   }
 
   studies::CalibrationOptions calibration_;

@@ -1,41 +1,157 @@
 #include "src/core/text_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
-#include <fstream>
+#include <charconv>
+#include <cstdio>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "src/core/error.h"
 
 namespace ricochet {
+namespace {
 
-void write_text_file(const std::filesystem::path& path, const std::string& text) {
-  const auto fail = [&path](const std::string& reason) {
-    throw InputError(fmt::format("{}: cannot be written: {}", path.string(), reason));
-  };
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// Of a name in /proc/self/fd, to which /dev/stdout and /dev/fd lead.
+std::optional<int> descriptor_named(const fs::path& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) fail("it is a folder");
-  std::filesystem::path draft = path;
-  draft += fmt::format(".{}.part", getpid());
+  const fs::path descriptors = fs::canonical("/proc/self/fd", error);
+  if (error || fs::canonical(folder_of(path), error) != descriptors) return std::nullopt;
+  const std::string name = path.filename();
+  int descriptor = 0;
+  const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), descriptor);
+  if (failure != std::errc() || end != name.data() + name.size()) return std::nullopt;
+  return descriptor;
+}
+
+/// Returns an error number, 0 for none.
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno != EINTR) return errno;
+    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+/// Closes it whatever came before; a disk may tell only then that it is full.
+int close_after(int descriptor, int error) {
+  const bool closed = ::close(descriptor) == 0;
+  return error == 0 && !closed ? errno : error;
+}
+
+}  // namespace
+
+bool is_failure_of_the_system(int error) {
+  constexpr int of_the_system[] = {ENOSPC, EDQUOT, EIO,    EFBIG,   EPIPE, EBADF,
+                                   ENOMEM, EMFILE, ENFILE, ENOBUFS, ENXIO, EAGAIN};
+  return std::find(std::begin(of_the_system), std::end(of_the_system), error) !=
+         std::end(of_the_system);
+}
+
+TextDraft::TextDraft(fs::path file, std::string_view text)
+    : file_(std::move(file)), target_(file_), interrupted_([this] { discard(); }) {
+  constexpr int most_links = 40;  // as many as the system follows
+  std::error_code none;
+  descriptor_ = descriptor_named(target_);
+  for (int links = 0; !descriptor_ && fs::is_symlink(target_, none); ++links) {
+    if (links == most_links) fail(ELOOP);
+    target_ = folder_of(target_) / fs::read_symlink(target_, none);
+    descriptor_ = descriptor_named(target_);
+  }
+  struct stat now {};
+  const bool there = !descriptor_ && ::stat(target_.c_str(), &now) == 0;
+  if (!descriptor_ && !there && errno != ENOENT) fail(errno);
+  if (there && S_ISDIR(now.st_mode)) fail(EISDIR);
+  if (descriptor_ || (there && !S_ISREG(now.st_mode))) {
+    text_ = text;
+    return;
+  }
+  // Root may write to all files, and still means a read-only one to stay.
+  constexpr mode_t writable = S_IWUSR | S_IWGRP | S_IWOTH;
+  if (there && ((now.st_mode & writable) == 0 || ::access(target_.c_str(), W_OK) != 0)) {
+    fail(EACCES);
+  }
+  write_aside(text);
+  if (!there) return;
+  // Of another owner's file the mode alone can be kept.
+  if (::chown(draft_.c_str(), now.st_uid, now.st_gid) != 0) errno = 0;
+  constexpr mode_t all_modes = 07777;
+  if (::chmod(draft_.c_str(), now.st_mode & all_modes) != 0) {
+    const int error = errno;
+    discard();
+    fail(error);
+  }
+}
+
+TextDraft::~TextDraft() {
+  discard();
+}
+
+void TextDraft::discard() const {
+  if (!draft_.empty()) ::unlink(draft_.c_str());
+}
+
+void TextDraft::fail(int error) const {
+  const std::string message = fmt::format("{}: cannot be written: {}", file_.string(),
+                                          std::generic_category().message(error));
+  if (is_failure_of_the_system(error)) throw OutputError(message);
+  throw InputError(message);
+}
+
+void TextDraft::write_aside(std::string_view text) {
+  static std::atomic<int> drafts = 0;
+  int descriptor = -1;
   {
-    errno = 0;
-    std::ofstream stream(draft, std::ios::binary);
-    stream << text;
-    stream.close();
-    if (!stream) {
-      const std::string reason = std::generic_category().message(errno);
-      std::filesystem::remove(draft, error);
-      fail(reason);
-    }
+    const Uninterrupted made_and_known;
+    do {  // the name may be that of a process which was killed
+      draft_ = folder_of(target_) / fmt::format(".ricochet.{}.{}.part", getpid(), drafts++);
+      descriptor = ::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (descriptor < 0 && errno == EEXIST);
   }
-  std::filesystem::rename(draft, path, error);
-  if (error) {
-    const std::string reason = error.message();
-    std::filesystem::remove(draft, error);
-    fail(reason);
+  if (descriptor < 0) {
+    draft_.clear();
+    fail(errno);
   }
+  int error = write_all(descriptor, text);
+  if (error == 0 && ::fsync(descriptor) != 0 && errno != EINVAL) error = errno;
+  error = close_after(descriptor, error);
+  if (error == 0) return;
+  discard();
+  fail(error);
+}
+
+void TextDraft::write_through() const {
+  if (descriptor_ == STDOUT_FILENO) std::fflush(stdout);
+  const int descriptor = descriptor_ ? ::fcntl(*descriptor_, F_DUPFD_CLOEXEC, 0)
+                                     : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) fail(errno);
+  const int error = close_after(descriptor, write_all(descriptor, text_));
+  if (error != 0) fail(error);
+}
+
+void TextDraft::commit() {
+  if (draft_.empty()) return write_through();
+  const Uninterrupted whole;
+  if (::rename(draft_.c_str(), target_.c_str()) != 0) fail(errno);
+  draft_.clear();
+}
+
+void write_text_file(const fs::path& file, std::string_view text) {
+  TextDraft(file, text).commit();
 }
 
 }  // namespace ricochet

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -67,7 +68,15 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     posix_spawn_file_actions_adddup2(&actions, fileno(files[standard].get()), standard);
   pid_t child = 0;
-  const int code = posix_spawn(&child, argv[0], &actions, nullptr, argv.data(), environment);
+  // What ends this program tidily is blocked here; there it shall act as the system has it.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  const int code = posix_spawn(&child, argv[0], &actions, &attributes, argv.data(), environment);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   require(code == 0, code, argv[0]);
   int status = 0;

@@ -11,7 +11,4 @@ namespace ricochet::report {
 std::string finish_svg(const std::string& svg, const std::string& name, const std::string& title,
                        const std::string& description);
 
-/// How every finished SVG starts.
-inline constexpr const char* svg_start = "<svg class=\"ricochet-chart\"";
-
 }  // namespace ricochet::report

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "src/report/file_set.h"
+#include "src/core/folder_lock.h"
 #include "src/report/report.h"
 
 namespace ricochet::studies {
@@ -20,7 +20,7 @@ constexpr const char* compiler = "GCC " __VERSION__;
 }  // namespace
 
 Finished run(const Study& study, bool quick, const std::filesystem::path& folder) {
-  report::require_writable(folder);
+  const FolderLock alone(folder);
   const auto start = std::chrono::steady_clock::now();
   report::Json results = study.compute(quick);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -29,6 +29,7 @@ TEST(BestValues, RefusesWhatItCannotDo) {
                  "nothing");
   expect_refusal("best-values --seconds -3", "--seconds");
   expect_refusal("certify --problems nothing", "nothing");  // as it was called
+  expect_refusal("certify --problems profile-2-C1", "did you mean profile-wear-2-C1 or");
 }
 
 }  // namespace

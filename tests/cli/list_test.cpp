@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 
 #include "tests/cli/tool.h"
 
@@ -58,6 +60,25 @@ TEST(List, PrintsATableForPeople) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out.find("reading"), 0U);
   EXPECT_NE(outcome.out.find("projected-constant-revolutions-weight"), std::string::npos);
+}
+
+TEST(List, FitsIntoAHundredColumns) {
+  for (const char* what : {"cases", "questions", "solvers", "readings"}) {
+    std::istringstream lines(call(std::string("list ") + what).out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+TEST(List, HasTheQuestionsOfAFamilyAndThoseThatASolverAccepts) {
+  const auto family = listed("questions --family top-speed");
+  ASSERT_EQ(family.size(), 12U);
+  EXPECT_EQ(family[0]["question"], "top-speed-C1");
+  const auto accepted = listed("questions --solver-accepts scan");
+  ASSERT_GT(accepted.size(), 12U);
+  for (const auto& question : accepted) EXPECT_EQ(question["dimension"], 1);
+  expect_refusal("list questions --family top-sped", "did you mean top-speed?");
+  expect_refusal("list questions --solver-accepts ipot", "did you mean ipopt");
+  expect_refusal("list cases --family top-speed", "--family");
 }
 
 TEST(List, RefusesWhatThereIsNot) {

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
@@ -19,7 +22,11 @@ TEST(Main, NamesEveryCommandInItsHelp) {
 }
 
 TEST(Main, TellsItsVersion) {
-  EXPECT_THAT(call("--version").out, HasSubstr("ricochet 0.1.0"));
+  const std::string text = call("--version").out;
+  EXPECT_THAT(text, testing::StartsWith("ricochet 0.1.0 (commit "));
+  for (const char* library : {"Eigen 3", "fmt ", "CLI11 ", "NLopt "}) {
+    EXPECT_THAT(text, HasSubstr(library));
+  }
 }
 
 TEST(Main, RefusesWhatItDoesNotKnow) {
@@ -28,6 +35,49 @@ TEST(Main, RefusesWhatItDoesNotKnow) {
   expect_refusal("simulate --case C1 --speed 3", "--speed");
   expect_refusal("simulate --case C1 --omega fast", "--omega");
   expect_refusal("threshold --case C1 --format xml", "--format");
+}
+
+TEST(Main, SaysWhatMayHaveBeenMeant) {
+  expect_refusal("simulat", "simulat is no command; did you mean simulate?");
+  expect_refusal("simulate --case C1 --omga 3", "did you mean --omega?");
+  expect_refusal("simulate --case C1 --omega=3 --plt=x", "did you mean --plot?");
+}
+
+TEST(Main, RefusesEmptyValues) {
+  for (const char* arguments : {"simulate --case C1 --omega ''", "simulate --case C1 --csv ''",
+                                "reproduce --out ''", "simulate --scene ''", "report ''"}) {
+    expect_refusal(arguments, "must not be empty");
+  }
+}
+
+TEST(Main, EchoesBadInputInOneShortLine) {
+  const Outcome outcome = call("simulate --case \"$(printf 'C\\033[31m%0100000d')\"");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_LT(outcome.err.size(), 5000U);
+  EXPECT_THAT(outcome.err, HasSubstr("C\\x1b[31m000"));
+}
+
+TEST(Main, ReportsOutputThatIsLost) {
+  for (const char* arguments : {"scene --case C1", "list questions", "list questions --format json",
+                                "simulate --case C1", "--version", "--help", "list --help"}) {
+    for (const char* output : {">/dev/full", ">&-"}) {
+      const Outcome outcome = call_with_output(arguments, output);
+      EXPECT_EQ(outcome.exit_code, 1) << arguments << output;
+      EXPECT_THAT(outcome.err, testing::StartsWith("ricochet: standard output: ")) << arguments;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+  }
+}
+
+TEST(Main, NeedsNoOutputWhereThereIsNone) {
+  EXPECT_EQ(call_with_output("list speeds", ">/dev/full").exit_code, 2);
+}
+
+TEST(Main, ColoursErrorsWhereAsked) {
+  const std::string wrong = "simulate --case C77 --color ";
+  EXPECT_THAT(call(wrong + "always").err, HasSubstr("\x1b[31mricochet:\x1b[m --case C77"));
+  EXPECT_THAT(call(wrong + "never").err, testing::StartsWith("ricochet: --case"));
+  expect_refusal("simulate --case C77", "C77");
 }
 
 }  // namespace

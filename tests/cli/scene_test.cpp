@@ -1,5 +1,9 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
 
 #include "tests/cli/tool.h"
 
@@ -37,7 +41,44 @@ TEST(Scene, IsRefusedIfMissingTruncatedOrAFolder) {
 TEST(Scene, MustBeOneAndKnown) {
   expect_refusal("simulate", "--case ID");
   expect_refusal("simulate --case C1 --scene machine.toml", "--case ID");
-  expect_refusal("simulate --case C13", "C13: there is no such case; allowed: C1, C2");
+  expect_refusal("simulate --case C13",
+                 "C13: there is no such case; did you mean C1 or C3 or C10?");
+  expect_refusal("simulate --case X99", "X99: there is no such case; allowed: C1, C2");
+}
+
+TEST(Scene, IsReadFromStandardInput) {
+  const auto file = write(fresh_folder(), "machine.toml", call("scene --case C2").out);
+  for (const char* scene :
+       {"simulate --format json --scene", "list questions --scene", "scene --scene"}) {
+    EXPECT_EQ(call(fmt::format("{} - <{}", scene, file.string())).out,
+              call(fmt::format("{} {}", scene, file.string())).out);
+  }
+  expect_refusal("simulate --scene - </dev/null", "standard input: the table [scene] is missing");
+}
+
+TEST(Scene, OfACaseIsFoundInEitherLetterCase) {
+  EXPECT_EQ(call("scene --case c10").out, call("scene --case C10").out);
+  EXPECT_THAT(call("simulate --case c1").out, testing::StartsWith("C1 at"));
+}
+
+TEST(Scene, WithAMistypedKeyIsToldWhatWasMeant) {
+  std::string text = call("scene --case C1").out;
+  text.replace(text.find("friction"), 8, "fricton");
+  const auto file = write(fresh_folder(), "machine.toml", text);
+  expect_refusal("scene --scene " + file.string(),
+                 "scene.fricton is not a key; did you mean friction or");
+}
+
+TEST(Scene, ThatCannotBeReachedIsRefused) {
+  const auto folder = fresh_folder();
+  std::filesystem::create_symlink("loop", folder / "loop");
+  for (const std::string command :
+       {"simulate --scene ", "scene --scene ", "report ", "list questions --scene ",
+        "simulate --case C1 --csv ", "reproduce --quick --out ", "calibrate --quick --out ",
+        "report " RICOCHET_SOURCE "/reports/reference --out "}) {
+    expect_refusal(command + (folder / "loop").string(), "loop");
+    expect_refusal(command + (folder / "loop" / "deeper").string(), "loop");
+  }
 }
 
 }  // namespace

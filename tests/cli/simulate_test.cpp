@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
@@ -100,6 +102,39 @@ TEST(Simulate, RefusesSpeedsThatNoPlateTurnsAt) {
   }
   expect_refusal("simulate --case C1 --width 0", "--width");
   expect_refusal("simulate --case C1 --fidelity perfect", "--fidelity");
+}
+
+TEST(Simulate, NeverWritesOverItsInput) {
+  const auto folder = fresh_folder();
+  const std::string text = call("scene --case C1").out;
+  const auto scene = write(folder, "machine.toml", text);
+  std::filesystem::create_symlink(scene, folder / "link");
+  std::filesystem::create_hard_link(scene, folder / "same");
+  for (const char* name : {"machine.toml", "link", "same", "../Simulate/machine.toml"}) {
+    for (const char* option : {"--csv ", "--plot "}) {
+      const auto file =
+          (folder / std::regex_replace(name, std::regex("Simulate"), folder.filename().string()))
+              .string();
+      expect_refusal("simulate --scene " + scene.string() + " " + option + file, "the scene");
+      expect_refusal("simulate --scene " + (folder / "link").string() + " " + option + file,
+                     "the scene");
+    }
+  }
+  EXPECT_EQ(read(scene), text);
+  const std::string both = (folder / "both").string();
+  expect_refusal("simulate --case C1 --csv " + both + " --plot " + both, "--csv");
+  EXPECT_FALSE(std::filesystem::exists(both));
+}
+
+/// Not by their names in /dev: a test that fails must not harm them.
+TEST(Simulate, WritesThroughStandardOutputAndDevices) {
+  const Outcome outcome = call("simulate --case C1 --csv /proc/self/fd/1");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::StartsWith("time_s,"));
+  EXPECT_THAT(outcome.out, HasSubstr("C1 at 3 rad/s: 5 collisions"));
+  const Outcome full = call_with_output("simulate --case C1 --csv /proc/self/fd/1", ">/dev/full");
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_EQ(full.err, "ricochet: /proc/self/fd/1: cannot be written: No space left on device\n");
 }
 
 TEST(Simulate, WritesNothingWhereItCannot) {

@@ -12,6 +12,18 @@
 
 namespace ricochet::cli {
 
+namespace {
+
+Outcome call_in_shell(const std::string& command) {
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string stem =
+      testing::TempDir() + fmt::format("ricochet_cli_{}_{}", test->test_suite_name(), test->name());
+  const int status = std::system(fmt::format("({}) >{}.out 2>{}.err", command, stem, stem).c_str());
+  return {WEXITSTATUS(status), read(stem + ".out"), read(stem + ".err")};
+}
+
+}  // namespace
+
 std::filesystem::path fresh_folder() {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
   const auto folder = std::filesystem::path(testing::TempDir()) /
@@ -34,12 +46,16 @@ std::filesystem::path write(const std::filesystem::path& folder, const std::stri
 }
 
 Outcome call(const std::string& arguments) {
-  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string stem =
-      testing::TempDir() + fmt::format("ricochet_cli_{}_{}", test->test_suite_name(), test->name());
-  const int status = std::system(
-      fmt::format("{} {} >{}.out 2>{}.err", RICOCHET_PROGRAM, arguments, stem, stem).c_str());
-  return {WEXITSTATUS(status), read(stem + ".out"), read(stem + ".err")};
+  return call_in_shell(fmt::format("{} {}", RICOCHET_PROGRAM, arguments));
+}
+
+Outcome call_with_output(const std::string& arguments, const std::string& output) {
+  return call_in_shell(fmt::format("{} {} {}", RICOCHET_PROGRAM, arguments, output));
+}
+
+Outcome call_interrupted(const std::string& signal, const std::string& arguments) {
+  return call_in_shell(fmt::format("timeout --preserve-status --signal={} 1 {} {}", signal,
+                                   RICOCHET_PROGRAM, arguments));
 }
 
 void expect_refusal(const std::string& arguments, const std::string& complaint) {

@@ -14,6 +14,12 @@ struct Outcome {
 /// Calls the program under test with the arguments, as a shell would read them.
 Outcome call(const std::string& arguments);
 
+/// The same with standard output put elsewhere, as a shell would, e.g. ">/dev/full".
+Outcome call_with_output(const std::string& arguments, const std::string& output);
+
+/// The same, but after a second it is sent the signal of that name.
+Outcome call_interrupted(const std::string& signal, const std::string& arguments);
+
 /// An empty folder of this test's own.
 std::filesystem::path fresh_folder();
 

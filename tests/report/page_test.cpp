@@ -5,11 +5,11 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 #include <stdexcept>
 
 #include "src/core/error.h"
-#include "src/report/file_set.h"
 #include "tests/report/sample_charts.h"
 
 namespace ricochet::report {
@@ -61,8 +61,8 @@ Page page_with(const std::vector<std::string>& charts) {
 
 TEST_F(PageFiles, AreThePageTheSummaryAndTheCharts) {
   write_page(page_with({"one", "two"}), root_ / "a" / "b");
-  EXPECT_THAT(names(root_ / "a" / "b"),
-              UnorderedElementsAre("index.html", "summary.md", "one.svg", "two.svg"));
+  EXPECT_THAT(names(root_ / "a" / "b"), UnorderedElementsAre("index.html", "manifest.txt",
+                                                             "summary.md", "one.svg", "two.svg"));
 }
 
 TEST_F(PageFiles, HoldEverythingInOneHtmlFile) {
@@ -132,11 +132,27 @@ TEST_F(PageFiles, HaveNoRowOfTheWrongLength) {
 TEST_F(PageFiles, ReplaceAnEarlierReportAndNothingElse) {
   write_page(page_with({"old", "both"}), root_);
   write(root_ / "notes.txt", "mine");
-  write(root_ / "logo.svg", "<svg>mine</svg>");
+  write(root_ / "logo.svg", read(root_ / "old.svg"));  // drawn by ricochet simulate --plot
   write_page(page_with({"both", "new"}), root_);
-  EXPECT_THAT(names(root_), UnorderedElementsAre("index.html", "summary.md", "both.svg", "new.svg",
-                                                 "notes.txt", "logo.svg"));
+  EXPECT_THAT(names(root_), UnorderedElementsAre("index.html", "manifest.txt", "summary.md",
+                                                 "both.svg", "new.svg", "notes.txt", "logo.svg"));
   EXPECT_EQ(read(root_ / "notes.txt"), "mine");
+}
+
+TEST_F(PageFiles, LeaveWhatTheUserHasChangedSince) {
+  write_page(page_with({"old"}), root_);
+  write(root_ / "old.svg", "<svg class=\"ricochet-chart\">mine</svg>");
+  write_page(page_with({"new"}), root_);
+  EXPECT_TRUE(fs::exists(root_ / "old.svg"));
+}
+
+TEST_F(PageFiles, OfAManifestThatSomeoneWroteTouchNothingElsewhere) {
+  write_page(page_with({"old"}), root_ / "a");
+  write_page(page_with({"old"}), root_ / "b");
+  write(root_ / "a" / "manifest.txt",
+        std::regex_replace(read(root_ / "a" / "manifest.txt"), std::regex("old"), "../b/old"));
+  write_page(page_with({"new"}), root_ / "a");
+  EXPECT_TRUE(fs::exists(root_ / "b" / "old.svg"));
 }
 
 TEST_F(PageFiles, AreTheSameBytesEveryTime) {
@@ -155,21 +171,14 @@ TEST_F(PageFiles, AreNotWrittenIntoAFolderThatCannotBe) {
   EXPECT_EQ(read(root_ / "file"), "mine");
 }
 
-TEST_F(PageFiles, CanBeRefusedBeforeAnyWork) {
-  EXPECT_NO_THROW(require_writable(root_ / "new" / "folder"));
-  EXPECT_FALSE(std::filesystem::exists(root_ / "new"));
-  write(root_ / "file", "mine");
-  EXPECT_THROW(require_writable(root_ / "file" / "folder"), InputError);
-  EXPECT_THROW(require_writable(root_ / "file"), InputError);
-}
-
 TEST_F(PageFiles, StayAsTheyWereIfOneCannotBeReplaced) {
   write_page(page_with({"old"}), root_);
   const std::string before = read(root_ / "index.html");
   fs::create_directory(root_ / "new.svg");
   EXPECT_THROW(write_page(page_with({"new"}), root_), InputError);
   EXPECT_EQ(read(root_ / "index.html"), before);
-  EXPECT_THAT(names(root_), UnorderedElementsAre("index.html", "summary.md", "old.svg", "new.svg"));
+  EXPECT_THAT(names(root_), UnorderedElementsAre("index.html", "manifest.txt", "summary.md",
+                                                 "old.svg", "new.svg"));
 }
 
 TEST_F(PageFiles, AreNotWrittenIfNamesRepeat) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "src/core/error.h"
+#include "src/core/near_names.h"
 
 namespace ricochet::carrier_track::inline paper {
 
@@ -25,12 +26,13 @@ std::vector<Case> all_cases() {
 }
 
 Case find_case(const std::string& id) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Case& a_case : all_cases()) {
-    if (a_case.id == id) return a_case;
-    known += (known.empty() ? "" : ", ") + a_case.id;
+    if (equal_in_any_case(a_case.id, id)) return a_case;
+    known.push_back(a_case.id);
   }
-  throw InputError(fmt::format("--case {}: there is no such case; allowed: {}", id, known));
+  throw InputError(
+      fmt::format("--case {}: there is no such case; {}", id, what_instead(id, known)));
 }
 
 Scene scene_of(const Case& a_case, const Scene& reading) {

@@ -16,7 +16,8 @@ constexpr double gravity = 9.81;  // m/s^2
 class Doubts {
  public:
   template <class... Values>
-  void add_if(bool doubtful, fmt::format_string<const Values&...> sentence, const Values&... values) {
+  void add_if(bool doubtful, fmt::format_string<const Values&...> sentence,
+              const Values&... values) {
     if (doubtful) sentences_.push_back(fmt::format(sentence, values...));
   }
 

@@ -144,8 +144,9 @@ struct FieldWriter {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
-  const toml::table file = parse_toml_file(path);
-  const std::string origin = path.string();
+  const bool standard_input = path == "-";
+  const toml::table file = parse_toml_file(standard_input ? "/dev/stdin" : path);
+  const std::string origin = standard_input ? "standard input" : path.string();
   static constexpr std::array<std::string_view, 5> tables = {"scene", "across", "window", "count",
                                                              "model"};
   for (const auto& [key, node] : file) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "src/core/error.h"
+#include "src/core/near_names.h"
 
 namespace ricochet::carrier_track::inline scene {
 namespace {
@@ -136,8 +137,8 @@ void TomlTable::finish() const {
   if (table_ == nullptr) return;
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
-    throw InputError(fmt::format("{}: {}.{} is not a key; allowed: {}", origin_, name_, key.str(),
-                                 fmt::join(known_, ", ")));
+    throw InputError(fmt::format("{}: {}.{} is not a key; {}", origin_, name_, key.str(),
+                                 what_instead(key.str(), {known_.begin(), known_.end()})));
   }
 }
 

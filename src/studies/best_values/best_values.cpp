@@ -17,6 +17,8 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/campaign/progress.h"
 #include "src/core/error.h"
+#include "src/core/interruption.h"
+#include "src/core/near_names.h"
 #include "src/core/text_file.h"
 #include "src/core/verdict.h"
 
@@ -59,6 +61,30 @@ BestValues known_values(const std::vector<Question>& questions, const std::files
   return known;
 }
 
+/// What a call that was stopped has finished: what comes out again at its point. What was changed
+/// since is looked for anew.
+BestValues read_part(const std::vector<Question>& questions, const std::filesystem::path& part) {
+  BestValues finished = read_if_there(part);
+  if (finished.reading != default_reading().name) {
+    throw InputError(fmt::format("{}: must be of the reading {}, and is of {}: move it away",
+                                 part.string(), default_reading().name, finished.reading));
+  }
+  for (const Question& question : questions) {
+    const auto found = finished.of.find(question.name());
+    if (found == finished.of.end()) continue;
+    if (found->second.value != worth(question.stated, found->second)) finished.of.erase(found);
+  }
+  return finished;
+}
+
+std::string nothing_matches(const std::vector<Question>& questions, const std::string& pattern) {
+  std::vector<std::string> names;
+  for (const Question& question : questions) names.push_back(question.name());
+  const std::vector<std::string> near = near_names(pattern, names);
+  return fmt::format("--questions {}: none of the paper's cases matches; {}", pattern,
+                     near.empty() ? "see ricochet list questions" : what_instead(pattern, names));
+}
+
 /// The work of a question, to show progress: about proportional to the time. A scan by steps of
 /// 1e-3 takes as long as a search over two variables.
 double work_of(const Question& question) {
@@ -86,12 +112,14 @@ Outcome find_best_values(const std::vector<Question>& questions, const Plan& pla
     work += work_of(question);
   }
   if (wanted.empty()) {
-    throw InputError(fmt::format("--questions {}: nothing matches; see ricochet list questions",
-                                 plan.questions));
+    throw InputError(nothing_matches(questions, plan.questions));
   }
   const std::filesystem::path part = file.string() + ".part";
   BestValues known = known_values(questions, file);
-  BestValues finished = read_if_there(part);
+  BestValues finished = read_part(questions, part);
+  const AtInterruption kept([] {}, fmt::format("finished searches are kept in {}: the same command "
+                                               "goes on",
+                                               part.string()));
   // The longest first, so that no core waits for another at the end.
   std::stable_sort(wanted.begin(), wanted.end(),
                    [](const Question* a, const Question* b) { return work_of(*a) > work_of(*b); });
@@ -136,7 +164,12 @@ Outcome find_best_values(const std::vector<Question>& questions, const Plan& pla
   }
   if (outcome.finished == outcome.wanted) {
     write_text_file(file, write_best_values(known));
-    std::filesystem::remove(part);
+    for (const Question* question : wanted) finished.of.erase(question->name());
+    if (finished.of.empty()) {
+      std::filesystem::remove(part);
+    } else {  // of a call that wanted others
+      write_text_file(part, write_best_values(finished));
+    }
   }
   return outcome;
 }

@@ -30,9 +30,10 @@ bool matches(const std::string& name, const std::string& pattern);
 
 /// Looks for the best values of the questions, in parallel, and writes them to the file of
 /// best_known.h once all are there. What is finished is kept in "<file>.part" until then, so that a
-/// call that was stopped goes on. Values that are known already, in the file or in the program, are
-/// computed anew at their points, and stay unless a better one was found. Throws InputError for a
-/// pattern that nothing matches, or a file that cannot be read or written.
+/// call that was stopped goes on; what a call for other questions has kept there stays. Values that
+/// are known already, in the file or in the program, are computed anew at their points, and stay
+/// unless a better one was found. Throws InputError for a pattern that nothing matches, or a file
+/// that cannot be read or written.
 Outcome find_best_values(const std::vector<Question>& questions, const Plan& plan,
                          const std::filesystem::path& file);
 

@@ -5,6 +5,8 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "solvers/solvers.h"
 #include "src/core/error.h"
+#include "src/core/interruption.h"
+#include "src/core/near_names.h"
 #include "src/core/text_file.h"
 #include "src/studies/calibration/results.h"
 
@@ -14,17 +16,18 @@ namespace {
 using namespace calibration;
 
 Solver solver_named(const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Solver& solver : all_solvers()) {
     if (solver.name == name) return solver;
-    known += (known.empty() ? "" : ", ") + solver.name;
+    known.push_back(solver.name);
   }
   for (const MissingSolver& missing : missing_solvers()) {
     if (missing.solver != name) continue;
     throw InputError(fmt::format("--solver {}: this build has no {}; allowed: {}", name,
-                                 missing.library, known));
+                                 missing.library, fmt::join(known, ", ")));
   }
-  throw InputError(fmt::format("--solver {}: there is no such solver; allowed: {}", name, known));
+  throw InputError(
+      fmt::format("--solver {}: there is no such solver; {}", name, what_instead(name, known)));
 }
 
 /// Throws InputError for options that allow none.
@@ -69,7 +72,11 @@ Study calibration_study(const CalibrationOptions& options) {
   const auto compute = [options](bool quick) {
     const Plan plan = plan_of(options, quick);
     std::filesystem::create_directories(options.folder);
-    FitStore store(options.folder / "fits.toml");
+    const std::filesystem::path fits = options.folder / "fits.toml";
+    FitStore store(fits);
+    const AtInterruption kept(
+        [] {},
+        fmt::format("finished fits are kept in {}: the same command goes on", fits.string()));
     const Results results = calibrate(plan, store);
     const Fit& choice = results.choice().fit;
     if (carrier_track::is_one_scene(choice.reading)) {

@@ -60,10 +60,46 @@ TEST(BestValues, GoesOnWhereItWasStopped) {
   find_best_values(questions(), plan, file);
   std::filesystem::rename(file, file.string() + ".part");  // as if it had been stopped then
   std::vector<Question> all = questions();
-  all[0].stated.evaluate = [](const Vector&) -> Values { throw std::logic_error("again"); };
+  int evaluations = 0;
+  all[0].stated.evaluate = [&, evaluate = all[0].stated.evaluate](const Vector& x) {
+    ++evaluations;
+    return evaluate(x);
+  };
   const Outcome outcome = find_best_values(all, {}, file);
   EXPECT_EQ(outcome.finished, 2U);
   EXPECT_EQ(read(file).of.at("stairs").value, -3);
+  EXPECT_LE(evaluations, 2) << "looked at, but not looked for again";
+}
+
+TEST(BestValues, KeepsWhatACallForOthersHasFinished) {
+  const auto file = fresh_file();
+  const std::filesystem::path part = file.string() + ".part";
+  Plan plan;
+  plan.questions = "stairs";
+  find_best_values(questions(), plan, file);
+  std::filesystem::rename(file, part);
+  plan.questions = "speeds";
+  find_best_values(questions(), plan, file);
+  EXPECT_EQ(read(part).of.count("stairs"), 1U);
+  EXPECT_EQ(read(part).of.count("speeds"), 0U);
+}
+
+TEST(BestValues, LooksAgainForWhatWasChanged) {
+  const auto file = fresh_file();
+  find_best_values(questions(), {}, file);
+  const std::string whole = write_best_values(read(file));
+  std::string changed = whole;
+  changed.replace(changed.find("value = -3.0"), 12, "value = -99.0");
+  std::filesystem::remove(file);
+  write_text_file(file.string() + ".part", changed);
+  find_best_values(questions(), {}, file);
+  EXPECT_EQ(write_best_values(read(file)), whole);
+}
+
+TEST(BestValues, RefusesWhatIsOfAnotherReading) {
+  const auto file = fresh_file();
+  write_text_file(file.string() + ".part", carrier_track::write_best_values({"sideways", {}}));
+  EXPECT_THROW(find_best_values(questions(), {}, file), InputError);
 }
 
 TEST(BestValues, BeginsNothingWithoutTime) {

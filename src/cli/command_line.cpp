@@ -1,0 +1,250 @@
+#include "src/cli/command_line.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <system_error>
+#include <vector>
+
+#include "src/campaign/progress.h"
+#include "src/cli/version.h"
+#include "src/core/error.h"
+#include "src/core/interruption.h"
+#include "src/core/near_names.h"
+#include "src/core/one_line.h"
+#include "src/core/text_file.h"
+
+namespace ricochet::cli {
+namespace {
+
+constexpr int failure = 1;
+constexpr int bad_input = 2;
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done; 1 a failure, as of a full disk; 2 bad input; 130 and 143 interrupted, by\n"
+    "Ctrl-C and by SIGTERM.";
+
+/// A file that is opened must never take the place of a standard stream that was closed. In its
+/// place stands one that refuses what is asked of it, so that lost output is noticed.
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) {
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  }
+  return names;
+}
+
+/// What stands in braces in the type of an option: the values that it takes.
+Json choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t start = type.find('{');
+  if (start == std::string::npos) return Json::array();
+  return CLI::detail::split(type.substr(start + 1, type.find('}') - start - 1), ',');
+}
+
+Json description_of(const CLI::Option& option) {
+  Json names = Json::array();
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  const std::string type = option.get_type_name();
+  return {{"names", names},
+          {"name", option.get_single_name()},
+          {"takes_value", option.get_items_expected_max() > 0},
+          {"value", type.substr(0, type.find(':'))},
+          {"choices", choices_of(option)},
+          {"help", option.get_description()},
+          {"default", option.get_default_str()}};
+}
+
+/// A command's own commands, as the value that follows it.
+Json description_of(const std::vector<const CLI::App*>& parts) {
+  std::string help;
+  for (const CLI::App* part : parts) {
+    help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", part->get_name(),
+                        part->get_description());
+  }
+  return {{"names", Json::array()},     {"name", "COMMAND"}, {"takes_value", true}, {"value", ""},
+          {"choices", names_of(parts)}, {"help", help},      {"default", ""}};
+}
+
+void append_options(const CLI::App& command, Json& options) {
+  for (const CLI::Option* option : command.get_options()) {
+    const Json described = description_of(*option);
+    if (std::find(options.begin(), options.end(), described) == options.end()) {
+      options.push_back(described);
+    }
+  }
+}
+
+/// An empty value is mostly a variable of a script that was never set.
+void refuse_empty_values(const CLI::App& called) {
+  for (const CLI::Option* option : called.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty()) throw InputError(option->get_name() + ": must not be empty");
+    }
+  }
+  for (const CLI::App* command : called.get_subcommands()) refuse_empty_values(*command);
+}
+
+}  // namespace
+
+CommandLine::CommandLine()
+    : app_("ricochet: the fastest quiet speed of a braiding machine, and solvers put to it",
+           "ricochet") {
+  app_.require_subcommand(1);
+  app_.set_version_flag("--version", version);
+  app_.footer(fmt::format("{}\nricochet COMMAND --help shows what a command takes, with examples.",
+                          exit_codes));
+}
+
+CLI::App* CommandLine::add(const std::string& command, const std::string& summary,
+                           const std::string& examples) {
+  CLI::App* added = app_.add_subcommand(command, summary);
+  added->add_flag_callback("--quiet", Progress::silence, "No progress on standard error");
+  added
+      ->add_option("--color", color_,
+                   "Errors in colour: auto means on a terminal, if NO_COLOR is not set")
+      ->type_name("WHEN")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  added->footer((examples.empty() ? "" : "Examples:\n" + examples + "\n") + exit_codes);
+  return added;
+}
+
+void CommandLine::on_call(CLI::App* command, const std::function<int()>& work) {
+  command->callback([this, work] { work_ = work; });
+}
+
+void CommandLine::add_format(CLI::App* command, bool& json) {
+  command->add_option("--format", "What to print: text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->default_str("text")
+      ->each([&json](const std::string& format) { json = format == "json"; });
+}
+
+StudyOptions& CommandLine::add_study_options(CLI::App* command, const studies::Study& study) {
+  StudyOptions& options = studies_.emplace_back(StudyOptions{false, "reports/" + study.name});
+  if (!study.quick.empty()) command->add_flag("--quick", options.quick, study.quick);
+  command->add_option("--out", options.out, "Folder for the report")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  return options;
+}
+
+CLI::App* CommandLine::add_study(const std::string& command, const std::string& summary,
+                                 const std::function<studies::Study()>& make,
+                                 const std::string& examples) {
+  CLI::App* added = add(command, summary, examples);
+  StudyOptions& options = add_study_options(added, make());
+  on_call(added, [make, &options] {
+    std::fputs(studies::run(make(), options.quick, options.out).epilogue.c_str(), stdout);
+    return 0;
+  });
+  return added;
+}
+
+int CommandLine::run(int argc, char** argv) {
+  fill_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error to report, not the end
+  return finish_output(carry_out(argc, argv));
+}
+
+int CommandLine::carry_out(int argc, char** argv) {
+  try {
+    app_.parse(argc, argv);
+    refuse_empty_values(app_);
+    end_tidily_when_interrupted();
+    return work_();
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app_.exit(error);  // --help, --version
+    return fail(bad_input, explanation(error) + "; see ricochet --help");
+  } catch (const InputError& error) {
+    return fail(bad_input, error.what());
+  } catch (const OutputError& error) {
+    return fail(failure, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(is_failure_of_the_system(error.code().value()) ? failure : bad_input,
+                error.path1().string() + ": " + error.code().message());
+  } catch (const std::bad_alloc&) {
+    return fail(failure, "failed: there is not enough memory");
+  } catch (const std::system_error& error) {  // fmt::print has one for what is not printed
+    if (std::ferror(stdout) != 0)
+      return fail(failure, "standard output: " + error.code().message());
+    return fail(failure, fmt::format("failed: {}", error.what()));
+  } catch (const std::exception& error) {
+    return fail(failure, fmt::format("failed: {}", error.what()));
+  }
+}
+
+int CommandLine::fail(int exit_code, const std::string& reason) const {
+  const char* no_color = std::getenv("NO_COLOR");
+  const bool allowed = no_color == nullptr || *no_color == '\0';
+  const bool colored =
+      color_ == "always" || (color_ == "auto" && allowed && isatty(STDERR_FILENO) == 1);
+  std::fprintf(stderr, "%s %s\n",
+               colored ? "\033[31mricochet:\033[m" : "ricochet:", one_line(reason).c_str());
+  return exit_code;
+}
+
+int CommandLine::finish_output(int exit_code) const {
+  const bool lost = std::ferror(stdout) != 0;
+  errno = 0;
+  if (std::fflush(stdout) == 0 && !lost && close(STDOUT_FILENO) == 0) return exit_code;
+  if (exit_code != 0) return exit_code;
+  const std::string reason =
+      errno == 0 ? "not all could be written" : std::generic_category().message(errno);
+  return fail(failure, "standard output: " + reason);
+}
+
+/// What CLI11 says, but where a command or an option is none, what may have been meant.
+std::string CommandLine::explanation(const CLI::ParseError& error) const {
+  const std::vector<std::string> extra = app_.remaining(true);
+  if (extra.empty()) return error.what();
+  const CLI::App* called = &app_;
+  while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
+  std::vector<std::string> known = names_of(called->get_subcommands(nullptr));
+  if (!known.empty()) {
+    return fmt::format("{} is no command; {}", extra.front(), what_instead(extra.front(), known));
+  }
+  for (const CLI::Option* option : called->get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  return fmt::format("{}: {} is not expected; {}", called->get_name(), extra.front(),
+                     what_instead(extra.front().substr(0, extra.front().find('=')), known));
+}
+
+Json CommandLine::description() const {
+  Json commands = Json::array();
+  for (const CLI::App* command : app_.get_subcommands(nullptr)) {
+    if (command->get_group().empty()) continue;
+    Json options = Json::array();
+    const std::vector<const CLI::App*> parts = command->get_subcommands(nullptr);
+    if (!parts.empty()) options.push_back(description_of(parts));
+    append_options(*command, options);
+    for (const CLI::App* part : parts) append_options(*part, options);
+    const std::string footer = command->get_footer();
+    commands.push_back({{"name", command->get_name()},
+                        {"summary", command->get_description()},
+                        {"examples", footer.substr(0, footer.find(exit_codes))},
+                        {"options", options}});
+  }
+  return commands;
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,170 @@
+#include "src/cli/completion.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ricochet::cli {
+namespace {
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+/// In single quotes, as bash and zsh read them.
+std::string shell_quoted(const std::string& text) {
+  return "'" + replaced(text, "'", "'\\''") + "'";
+}
+
+std::string text_of(const Json& object, const char* key) {
+  return object.at(key).get<std::string>();
+}
+
+std::string words_of(const Json& list) {
+  return fmt::format("{}", fmt::join(list.get<std::vector<std::string>>(), " "));
+}
+
+bool is_file(const Json& option) {
+  return option.at("value") == "FILE" || option.at("value") == "FOLDER";
+}
+
+bool is_positional(const Json& option) {
+  return option.at("names").empty();
+}
+
+/// What follows a command's name and, where there is one, an option that takes a value.
+std::string bash_case(const std::string& pattern, const Json& option) {
+  if (is_file(option)) return fmt::format("    {}) files=yes ;;\n", pattern);
+  return fmt::format("    {}) words={} ;;\n", pattern,
+                     shell_quoted(words_of(option.at("choices"))));
+}
+
+std::string bash(const Json& commands) {
+  std::string names = "--help --version", cases;
+  for (const Json& command : commands) {
+    const std::string name = text_of(command, "name");
+    names += " " + name;
+    std::string words;
+    bool files = false;
+    for (const Json& option : command.at("options")) {
+      words += " " + words_of(option.at(is_positional(option) ? "choices" : "names"));
+      files = files || (is_positional(option) && is_file(option));
+      if (is_positional(option) || !option.at("takes_value").get<bool>()) continue;
+      for (const Json& each : option.at("names")) {
+        cases += bash_case(shell_quoted(name + " " + each.get<std::string>()), option);
+      }
+    }
+    cases += fmt::format("    {}*) words={}{} ;;\n", shell_quoted(name + " "), shell_quoted(words),
+                         files ? " files=yes" : "");
+  }
+  return fmt::format(R"(# bash completion of ricochet
+_ricochet() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} words='' files=no
+  if ((COMP_CWORD == 1)); then
+    words={}
+  else
+    case "${{COMP_WORDS[1]}} ${{COMP_WORDS[COMP_CWORD - 1]}}" in
+{}    esac
+  fi
+  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; [[ $files == no ]] || compgen -f -- "$word")
+  [[ $files == no ]] || compopt -o filenames 2>/dev/null
+}}
+complete -F _ricochet ricochet
+)",
+                     shell_quoted(names), cases);
+}
+
+/// What a value can be, as zsh's _arguments has it.
+std::string zsh_value(const Json& option) {
+  if (is_file(option)) return ":file:_files";
+  return option.at("choices").empty() ? ":value: "
+                                      : fmt::format(":value:({})", words_of(option.at("choices")));
+}
+
+std::string zsh(const Json& commands) {
+  std::string names, cases;
+  for (const Json& command : commands) {
+    const std::string name = text_of(command, "name");
+    names += "    " + shell_quoted(name + ":" + text_of(command, "summary")) + "\n";
+    std::string arguments;
+    for (const Json& option : command.at("options")) {
+      const std::string help = replaced(replaced(text_of(option, "help"), "[", "\\["), "]", "\\]");
+      const bool takes_value = option.at("takes_value").get<bool>();
+      if (is_positional(option))
+        arguments += " \\\n        " + shell_quoted(":" + zsh_value(option));
+      for (const Json& each : option.at("names")) {
+        arguments += " \\\n        " + shell_quoted(each.get<std::string>() + "[" + help + "]" +
+                                                    (takes_value ? zsh_value(option) : ""));
+      }
+    }
+    cases += fmt::format("    {})\n      _arguments{} ;;\n", name, arguments);
+  }
+  return fmt::format(R"(#compdef ricochet
+_ricochet() {{
+  local -a commands=(
+{}  )
+  if ((CURRENT == 2)); then
+    _describe command commands
+    return
+  fi
+  local command=$words[2]
+  shift words
+  ((CURRENT -= 1))
+  case $command in
+{}  esac
+}}
+_ricochet "$@"
+)",
+                     names, cases);
+}
+
+std::string fish_quoted(const std::string& text) {
+  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+}
+
+/// How fish is told what a value can be.
+std::string fish_value(const Json& option) {
+  if (is_file(option)) return " -r -F";
+  return option.at("choices").empty() ? " -x"
+                                      : " -x -a " + fish_quoted(words_of(option.at("choices")));
+}
+
+std::string fish(const Json& commands) {
+  std::string text = "# fish completion of ricochet\ncomplete -c ricochet -f\n";
+  for (const Json& command : commands) {
+    const std::string name = text_of(command, "name");
+    text += fmt::format("complete -c ricochet -n __fish_use_subcommand -a {} -d {}\n", name,
+                        fish_quoted(text_of(command, "summary")));
+    const std::string start =
+        fmt::format("complete -c ricochet -n '__fish_seen_subcommand_from {}'", name);
+    for (const Json& option : command.at("options")) {
+      if (is_positional(option)) {
+        text += start +
+                (is_file(option) ? " -F" : " -a " + fish_quoted(words_of(option.at("choices")))) +
+                "\n";
+        continue;
+      }
+      for (const Json& each : option.at("names")) {
+        const std::string of_option = each.get<std::string>();
+        text += fmt::format("{} {} {}{} -d {}\n", start, of_option.starts_with("--") ? "-l" : "-s",
+                            of_option.substr(of_option.find_first_not_of('-')),
+                            option.at("takes_value").get<bool>() ? fish_value(option) : "",
+                            fish_quoted(text_of(option, "help")));
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string completion(const std::string& shell, const Json& commands) {
+  return shell == "bash" ? bash(commands) : shell == "zsh" ? zsh(commands) : fish(commands);
+}
+
+}  // namespace ricochet::cli

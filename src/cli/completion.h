@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "src/cli/format.h"
+
+namespace ricochet::cli {
+
+/// A script that completes the commands of the description and their options, for "bash", "zsh" or
+/// "fish".
+std::string completion(const std::string& shell, const Json& commands);
+
+}  // namespace ricochet::cli

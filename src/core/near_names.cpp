@@ -1,0 +1,74 @@
+#include "src/core/near_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace ricochet {
+namespace {
+
+char lower(char letter) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+}
+
+/// Whether all letters stand in the name, in this order.
+bool are_within(std::string_view letters, std::string_view name) {
+  std::size_t found = 0;
+  for (const char letter : name) {
+    if (found < letters.size() && lower(letters[found]) == lower(letter)) ++found;
+  }
+  return found == letters.size();
+}
+
+}  // namespace
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> before, last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<int>(j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    before = std::exchange(last, row);
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      const bool exchanged = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                             lower(a[i - 2]) == lower(b[j - 1]);
+      if (exchanged) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+  }
+  return row[b.size()];
+}
+
+bool equal_in_any_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::vector<std::string> near_names(std::string_view wanted,
+                                    const std::vector<std::string>& known) {
+  constexpr std::size_t longest = 100;  // nobody has mistyped so much
+  constexpr std::size_t most = 3;
+  if (wanted.empty() || wanted.size() > longest) return {};
+  std::vector<std::pair<int, std::string>> near;
+  for (const std::string& name : known) {
+    const int distance = edit_distance(wanted, name);
+    const bool mistyped = distance <= std::max(1, static_cast<int>(wanted.size()) / 3);
+    const bool shortened = wanted.size() >= 3 && are_within(wanted, name);
+    if (mistyped || shortened) near.emplace_back(distance, name);
+  }
+  std::stable_sort(near.begin(), near.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(most, near.size()); ++i) names.push_back(near[i].second);
+  return names;
+}
+
+std::string what_instead(std::string_view wanted, const std::vector<std::string>& known) {
+  const std::vector<std::string> near = near_names(wanted, known);
+  return near.empty() ? fmt::format("allowed: {}", fmt::join(known, ", "))
+                      : fmt::format("did you mean {}?", fmt::join(near, " or "));
+}
+
+}  // namespace ricochet

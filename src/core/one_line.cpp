@@ -1,0 +1,53 @@
+#include "src/core/one_line.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace ricochet {
+namespace {
+
+constexpr std::size_t longest_start = 3000;
+constexpr std::size_t longest_end = 1000;
+
+/// The bytes of the character that the text starts with; 0 where it starts with none, or with one
+/// that steers a terminal.
+std::size_t size_of_first(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+  const std::uint8_t first = byte(0);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80) return 0;
+  }
+  return first == 0xc2 && byte(1) < 0xa0 ? 0 : size;
+}
+
+void append_escaped(std::string& line, std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = size_of_first(text);
+    if (size == 0) {
+      line += fmt::format("\\x{:02x}", static_cast<std::uint8_t>(text[0]));
+    } else {
+      line += text.substr(0, size);
+    }
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+}
+
+}  // namespace
+
+std::string one_line(std::string_view text) {
+  std::string line;
+  if (text.size() <= longest_start + longest_end) {
+    append_escaped(line, text);
+    return line;
+  }
+  append_escaped(line, text.substr(0, longest_start));
+  line += fmt::format(" ... {} bytes ... ", text.size() - longest_start - longest_end);
+  append_escaped(line, text.substr(text.size() - longest_end));
+  return line;
+}
+
+}  // namespace ricochet

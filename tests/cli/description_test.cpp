@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// What bash offers for the last of the words.
+std::string completed_by_bash(const std::string& words, int last) {
+  const auto folder = fresh_folder();
+  const auto script = write(folder, "script", call("describe bash").out);
+  write(folder, "machine one.toml", "");
+  const int status =
+      std::system(fmt::format("cd {} && bash -c 'source {}; COMP_WORDS=({}); COMP_CWORD={}; "
+                              "_ricochet; printf \"%s,\" \"${{COMPREPLY[@]}}\"' >out 2>&1",
+                              folder.string(), script.string(), words, last)
+                      .c_str());
+  EXPECT_EQ(status, 0);
+  return read(folder / "out");
+}
+
+TEST(Description, IsCompletedByBash) {
+  EXPECT_EQ(completed_by_bash("ricochet thr", 1), "threshold,");
+  EXPECT_EQ(completed_by_bash("ricochet simulate --fo", 2), "--format,");
+  EXPECT_EQ(completed_by_bash("ricochet simulate --format j", 3), "json,");
+  EXPECT_EQ(completed_by_bash("ricochet calibrate --all", 2), "--all-readings,");
+  EXPECT_EQ(completed_by_bash("ricochet list q", 2), "questions,");
+  EXPECT_EQ(completed_by_bash("ricochet machine ch", 2), "check,");
+  EXPECT_EQ(completed_by_bash("ricochet simulate --scene m", 3), "machine one.toml,");
+}
+
+TEST(Description, HasEveryCommandForTheOtherShellsAndTheManual) {
+  EXPECT_THAT(call("describe zsh").out,
+              AllOf(HasSubstr("#compdef ricochet"), HasSubstr("'calibrate:Which reading"),
+                    HasSubstr("'--format[What to print: text or json]:value:(text json)'"),
+                    HasSubstr("'--all-readings[")));
+  EXPECT_THAT(call("describe fish").out,
+              AllOf(HasSubstr("-n __fish_use_subcommand -a calibrate"),
+                    HasSubstr("'__fish_seen_subcommand_from calibrate' -l all-readings"),
+                    HasSubstr("-l format -x -a 'text json'")));
+  EXPECT_THAT(call("describe man").out,
+              AllOf(HasSubstr(".TH RICOCHET 1"), HasSubstr(".SS best\\-values"),
+                    HasSubstr("\\fB\\-\\-omega\\fR \\fIFLOAT\\fR"),
+                    HasSubstr("\\-\\-all\\-readings"), HasSubstr(".SH EXIT STATUS")));
+}
+
+TEST(Description, OfEveryCommandHasExamplesAndExitCodes) {
+  for (const char* command :
+       {"reproduce", "simulate", "threshold", "scene", "list", "report", "machine", "calibrate",
+        "dynamics", "surrogate", "verify", "problems", "best-values"}) {
+    EXPECT_THAT(call(std::string(command) + " --help").out,
+                AllOf(HasSubstr(std::string("Usage: ricochet ") + command),
+                      HasSubstr(std::string("Examples:\n  ricochet ") + command),
+                      HasSubstr("Exit codes: 0 done; 1 ")))
+        << command;
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::cli

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "tests/cli/tool.h"
+
+/// The script that builds and calls the program, on a checkout of nothing but itself. What it calls
+/// are stand-ins that write down how they were called.
+namespace ricochet::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class EntryScript : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists("/var/lib/dpkg/info/libeigen3-dev.list")) GTEST_SKIP() << "no Debian";
+    fs::create_directories(root_ / "tools");
+    make_checkout(root_ / "checkout");
+    tool("cmake",
+         "echo \"cmake $* in $PWD\" >> \"$LOG\"\n"
+         "[[ ${CXX:-} != broken ]] || { touch -a build/release/CMakeCache.txt; exit 1; }\n"
+         "mkdir -p build/release\n"
+         "echo \"CMAKE_HOME_DIRECTORY:INTERNAL=$PWD\" > build/release/CMakeCache.txt\n"
+         "touch build/release/build.ninja\n");
+    tool("ninja", "echo 'ninja: no work to do.'\n");
+    tool("apt-get", "exit 1\n");
+  }
+
+  static void make_executable(const fs::path& file, const std::string& text) {
+    write(file.parent_path(), file.filename().string(), text);
+    fs::permissions(file, fs::perms::owner_all);
+  }
+  void tool(const std::string& name, const std::string& text) const {
+    make_executable(root_ / "tools" / name, "#!/usr/bin/env bash\n" + text);
+  }
+  static void make_checkout(const fs::path& folder) {
+    fs::create_directories(folder / "build/release/src/cli");
+    fs::copy_file(RICOCHET_SOURCE "/ricochet", folder / "ricochet");
+    make_executable(folder / "build/release/src/cli/ricochet", "#!/bin/sh\necho \"$0\"\n");
+  }
+
+  /// What the call printed; "failed" is added to it if it failed.
+  std::string script(const std::string& call) const {
+    const int status = std::system(
+        fmt::format(
+            "cd {0} && PATH={0}/tools:$PATH LOG={0}/log {1} >{0}/out 2>&1 || echo failed >>{0}/out",
+            root_.string(), call)
+            .c_str());
+    EXPECT_EQ(status, 0);
+    return read(root_ / "out");
+  }
+  std::string log() const { return read(root_ / "log"); }
+
+  fs::path root_ = fs::canonical(fresh_folder());
+};
+
+TEST_F(EntryScript, CallsTheProgramOfItsOwnCheckout) {
+  const std::string program = (root_ / "checkout/build/release/src/cli/ricochet").string() + "\n";
+  EXPECT_THAT(script("checkout/ricochet list cases"), HasSubstr(program));
+  fs::create_directory(root_ / "bin");
+  fs::create_symlink("../checkout/ricochet", root_ / "bin" / "link");
+  EXPECT_EQ(script("bin/link list cases"), program);
+  EXPECT_EQ(script("CDPATH=/usr:. checkout/ricochet list cases"), program);
+  fs::create_directory(root_ / "other");
+  make_checkout(root_ / "other" / "checkout");
+  EXPECT_EQ(script("CDPATH=other checkout/ricochet list cases"), program);
+  EXPECT_EQ(log(), fmt::format("cmake --preset release --fresh in {}/checkout\n", root_.string()));
+}
+
+TEST_F(EntryScript, OfACopiedCheckoutConfiguresTheCopy) {
+  script("checkout/ricochet list cases");
+  fs::copy(root_ / "checkout", root_ / "copy", fs::copy_options::recursive);
+  EXPECT_THAT(script("copy/ricochet list cases"),
+              HasSubstr((root_ / "copy/build/release/src/cli/ricochet").string()));
+  EXPECT_THAT(log(), HasSubstr(fmt::format("--fresh in {}/copy\n", root_.string())));
+  const std::string before = log();
+  EXPECT_THAT(script("copy/ricochet list cases"), Not(HasSubstr("configuring")));
+  EXPECT_EQ(log(), before);
+}
+
+TEST_F(EntryScript, ForgetsACompilerThatWasBroken) {
+  EXPECT_THAT(script("CXX=broken checkout/ricochet list cases"), HasSubstr("failed"));
+  EXPECT_THAT(script("checkout/ricochet list cases"), Not(HasSubstr("failed")));
+  EXPECT_EQ(log(), fmt::format("cmake --preset release --fresh in {0}/checkout\n"
+                               "cmake --preset release --fresh in {0}/checkout\n",
+                               root_.string()));
+}
+
+}  // namespace
+}  // namespace ricochet::cli

@@ -1,0 +1,46 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "src/core/folder_lock.h"
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Interruption, KeepsWhatIsFinishedAndSaysHowToGoOn) {
+  const auto file = fresh_folder() / "best.toml";
+  const Outcome outcome =
+      call_interrupted("INT", "best-values --questions 'top-speed-*' --out " + file.string());
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(outcome.err, "ricochet: interrupted; finished searches are kept in " + file.string() +
+                             ".part: the same command goes on\n");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Interruption, OfAStudyLeavesNoTrace) {
+  const auto folder = fresh_folder();
+  const Outcome outcome = call_interrupted(
+      "TERM", "verify --scenes 10000000 --out " + (folder / "new" / "report").string());
+  EXPECT_EQ(outcome.exit_code, 143);
+  EXPECT_EQ(outcome.err, "ricochet: interrupted\n");
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST(FolderLock, HasASecondCallSayThatThereIsAFirst) {
+  const auto folder = fresh_folder() / "report";
+  const FolderLock first(folder);
+  for (const std::string command :
+       {"reproduce --quick --out ", "calibrate --quick --out ", "problems --out ",
+        "report " RICOCHET_SOURCE "/reports/reference --out "}) {
+    expect_refusal(command + folder.string(), "another ricochet is at work there");
+  }
+  expect_refusal("best-values --out " + (folder / "best.toml").string(), "another ricochet");
+}
+
+}  // namespace
+}  // namespace ricochet::cli

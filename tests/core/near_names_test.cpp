@@ -1,0 +1,42 @@
+#include "src/core/near_names.h"
+
+#include <gmock/gmock.h>
+
+namespace ricochet {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(EditDistance, CountsWhatMustBeChanged) {
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+  EXPECT_EQ(edit_distance("teh", "the"), 1);
+  EXPECT_EQ(edit_distance("Omega", "omega"), 0);
+}
+
+TEST(EqualInAnyCase, ComparesLettersAlone) {
+  EXPECT_TRUE(equal_in_any_case("c10", "C10"));
+  EXPECT_FALSE(equal_in_any_case("c1", "C10"));
+}
+
+TEST(NearNames, AreMistypedOrShortened) {
+  const std::vector<std::string> known = {"simulate", "threshold", "profile-count-2-C1"};
+  EXPECT_THAT(near_names("simulte", known), ElementsAre("simulate"));
+  EXPECT_THAT(near_names("thresh", known), ElementsAre("threshold"));
+  EXPECT_THAT(near_names("profile-2-C1", known), ElementsAre("profile-count-2-C1"));
+  EXPECT_THAT(near_names("hammer", known), IsEmpty());
+  EXPECT_THAT(near_names(std::string(1'000'000, 's'), known), IsEmpty());
+}
+
+TEST(NearNames, AreTheNearestThree) {
+  EXPECT_THAT(near_names("C", {"C1", "C", "C2", "C3"}), ElementsAre("C", "C1", "C2"));
+}
+
+TEST(WhatInstead, NamesWhatIsAllowedWhereNothingIsNear) {
+  EXPECT_EQ(what_instead("masss", {"mass", "pull"}), "did you mean mass?");
+  EXPECT_EQ(what_instead("weight", {"mass", "pull"}), "allowed: mass, pull");
+}
+
+}  // namespace
+}  // namespace ricochet

@@ -1,0 +1,27 @@
+#include "src/core/one_line.h"
+
+#include <gtest/gtest.h>
+
+namespace ricochet {
+namespace {
+
+TEST(OneLine, LeavesTextAsItIs) {
+  EXPECT_EQ(one_line("a.toml: Größe = 3: must be > 0"), "a.toml: Größe = 3: must be > 0");
+}
+
+TEST(OneLine, EscapesWhatSteersATerminal) {
+  EXPECT_EQ(one_line("a\nb\x1b[31m\x7f"), "a\\x0ab\\x1b[31m\\x7f");
+  EXPECT_EQ(one_line("\xc2\x9b"
+                     "31m"),
+            "\\xc2\\x9b31m");  // the same in one character
+  EXPECT_EQ(one_line("\xff\xc3"), "\\xff\\xc3");
+}
+
+TEST(OneLine, LeavesTheMiddleOfALongTextOut) {
+  const std::string line = one_line("start" + std::string(10'000'000, 'x') + "end");
+  EXPECT_LT(line.size(), 5000U);
+  EXPECT_TRUE(line.starts_with("start") && line.ends_with("end"));
+}
+
+}  // namespace
+}  // namespace ricochet

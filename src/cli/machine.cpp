@@ -5,6 +5,7 @@
 #include "problems/carrier_track/scene/scene_doubts.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/scene_choice.h"
+#include "src/studies/advice/study.h"
 
 namespace ricochet::cli {
 
@@ -29,6 +30,16 @@ int check_machine(const std::string& scene_file) {
   fmt::print("# {}: every field is in its range{}.\n", chosen.name,
              doubts.empty() ? ", and nothing looks like a slip"
                             : fmt::format(", {} to look at again", doubts.size()));
+  return 0;
+}
+
+int advise_machine(const std::string& scene_file, const QuietSpeedRequest& asked,
+                   const std::string& folder) {
+  const ChosenScene chosen = choose_scene({"", scene_file});
+  refuse_profile(chosen.scene, chosen.name);
+  const studies::Study study =
+      studies::advice_study({chosen.name, chosen.scene, options_of(asked), asked.tolerance / 100});
+  fmt::print("{}", studies::run(study, false, folder).epilogue);
   return 0;
 }
 

@@ -35,6 +35,19 @@ void add_scene_choice(CLI::App* command, SceneChoice& choice) {
       ->type_name("FILE");
 }
 
+void add_request(CLI::App* command, QuietSpeedRequest& asked) {
+  command->add_option("--fastest", asked.fastest, "End of the speed range [rad/s]")
+      ->capture_default_str();
+  command->add_option("--allow", asked.allow, "Limit: collisions in the window");
+  command->add_option("--allow-per-turn", asked.allow_per_turn, "Limit: collisions a turn");
+  command->add_option("--allow-energy", asked.allow_energy,
+                      "Limit: energy [J] that the walls take in the window");
+  command->add_option("--allow-speed", asked.allow_speed,
+                      "Limit: speed [m/s] of the fastest impact");
+  command->add_option("--tolerance", asked.tolerance,
+                      "How uncertain every constant is [%]: the range of the answer");
+}
+
 class Program : public CommandLine {
  public:
   Program() {
@@ -81,23 +94,15 @@ class Program : public CommandLine {
     add_scene_choice(command, threshold_.scene);
     add_format(command, threshold_.json);
     command->add_flag("--all", threshold_.all, "Every case of the paper");
-    command->add_option("--fastest", threshold_.fastest, "End of the speed range [rad/s]")
-        ->capture_default_str();
-    command->add_option("--allow", threshold_.allow, "Limit: collisions in the window");
-    command->add_option("--allow-per-turn", threshold_.allow_per_turn, "Limit: collisions a turn");
-    command->add_option("--allow-energy", threshold_.allow_energy,
-                        "Limit: energy [J] that the walls take in the window");
-    command->add_option("--allow-speed", threshold_.allow_speed,
-                        "Limit: speed [m/s] of the fastest impact");
-    command->add_option("--tolerance", threshold_.tolerance,
-                        "How uncertain every constant is [%]: the range of the answer");
+    add_request(command, threshold_.asked);
     on_call(command, [this] { return threshold(threshold_); });
   }
 
   void add_machine() {
-    CLI::App* command = add("machine", "A machine of your own: new, check FILE",
+    CLI::App* command = add("machine", "A machine of your own: new, check FILE, advise FILE",
                             "  ricochet machine new > machine.toml\n"
-                            "  ricochet machine check machine.toml");
+                            "  ricochet machine check machine.toml\n"
+                            "  ricochet machine advise machine.toml --tolerance 5");
     command->require_subcommand(1);
     CLI::App* fresh = command->add_subcommand("new", "Prints a file to start from");
     on_call(fresh, [] { return new_machine(); });
@@ -107,6 +112,16 @@ class Program : public CommandLine {
         ->type_name("FILE")
         ->required();
     on_call(check, [this] { return check_machine(machine_file_); });
+    CLI::App* advise = command->add_subcommand(
+        "advise", "How fast it may turn, as a page: staircase, paths, wear, what to change");
+    advise->add_option("file", machine_file_, "The machine, a TOML file; - reads it")
+        ->type_name("FILE")
+        ->required();
+    advise->add_option("--out", advice_out_, "Folder for the page")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    add_request(advise, advice_);
+    on_call(advise, [this] { return advise_machine(machine_file_, advice_, advice_out_); });
   }
 
   void add_scene() {
@@ -200,6 +215,8 @@ class Program : public CommandLine {
   ThresholdOptions threshold_;
   SceneChoice scene_;
   std::string machine_file_;
+  QuietSpeedRequest advice_;
+  std::string advice_out_ = "reports/advice";
   ListOptions list_;
   std::string description_;
   std::string report_from_, report_out_;

@@ -48,15 +48,16 @@ Json json_of(const std::optional<Graze>& graze) {
   return {{"time", graze->time}, {"wall", name_of(graze->wall)}, {"distance", graze->distance}};
 }
 
-Json json_of(const Recording& recording) {
-  Json impacts = Json::array();
-  for (const Impact& i : recording.impacts) {
-    impacts.push_back({{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}});
-  }
-  Json peaks = Json::array();
-  for (const Peak& p : recording.peaks) {
-    peaks.push_back({{"time", p.time}, {"position", p.position}});
-  }
+Json json_of(const Impact& i) {
+  return {{"time", i.time}, {"wall", name_of(i.wall)}, {"speed", i.speed}};
+}
+
+Json json_of(const Peak& p) {
+  return {{"time", p.time}, {"position", p.position}};
+}
+
+/// All but the impacts and the maxima, whose lists are empty.
+Json frame_of(const Recording& recording) {
   return {{"count", recording.count},
           {"surrogate", recording.surrogate},
           {"certain", recording.certainty.certain},
@@ -64,14 +65,39 @@ Json json_of(const Recording& recording) {
           {"graze", json_of(recording.certainty.graze)},
           {"growth", recording.certainty.growth},
           {"doubt", recording.certainty.certain ? Json() : Json(recording.certainty.reason)},
-          {"impacts", impacts},
-          {"peaks", peaks},
+          {"impacts", Json::array()},
+          {"peaks", Json::array()},
           {"end",
            {{"time", recording.end.time},
             {"position", recording.end.position},
             {"velocity", recording.end.velocity}}},
           {"evaluations", recording.end.evaluations},
           {"fidelity", name_of(fidelity_names(), recording.fidelity)}};
+}
+
+/// Prints the elements of a list one by one: as one tree, millions of them would fill the memory.
+template <class Element>
+void print_elements(const std::vector<Element>& list) {
+  const char* separator = "\n    ";
+  for (const Element& element : list) {
+    std::string text = json_of(element).dump(2);
+    for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+      text.insert(at + 1, "    ");
+    }
+    fmt::print("{}{}", std::exchange(separator, ",\n    "), text);
+  }
+  if (!list.empty()) fmt::print("\n  ");
+}
+
+void print_json(const Recording& recording) {
+  const std::string frame = frame_of(recording).dump(2);
+  const auto impacts = frame.find("\"impacts\": [") + 12;
+  const auto peaks = frame.find("\"peaks\": [") + 10;
+  fmt::print("{}", frame.substr(0, impacts));
+  print_elements(recording.impacts);
+  fmt::print("{}", frame.substr(impacts, peaks - impacts));
+  print_elements(recording.peaks);
+  fmt::print("{}\n", frame.substr(peaks));
 }
 
 std::string csv_of(const Recording& recording) {
@@ -188,7 +214,7 @@ int simulate(const SimulateOptions& options) {
   if (!options.plot.empty()) drafts.emplace_back(options.plot, picture_of(chosen, recording));
   for (TextDraft& draft : drafts) draft.commit();
   if (options.json) {
-    fmt::print("{}\n", json_of(recording).dump(2));
+    print_json(recording);
   } else {
     print(chosen, recording);
   }

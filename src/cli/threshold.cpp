@@ -7,14 +7,15 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "src/campaign/progress.h"
 #include "src/cli/format.h"
-#include "src/cli/quiet_speed_output.h"
 #include "src/core/error.h"
 #include "src/report/text.h"
+#include "src/studies/advice/quiet_speed_answer.h"
 
 namespace ricochet::cli {
 namespace {
 
 using namespace carrier_track;
+using namespace studies::advice;
 
 Json restitution_of(const Scene& scene) {
   if (scene.restitution_lower == scene.restitution_upper) return scene.restitution_lower;
@@ -101,49 +102,6 @@ void print_case(const ChosenScene& chosen, const Score& score, const ScanOptions
   }
 }
 
-/// The limit asked for, if any.
-std::optional<Limit> limit_of(const ThresholdOptions& options) {
-  const std::pair<Measure, std::optional<double>> asked[] = {
-      {Measure::collisions, options.allow},
-      {Measure::collisions_per_turn, options.allow_per_turn},
-      {Measure::energy, options.allow_energy},
-      {Measure::impact_speed, options.allow_speed}};
-  std::optional<Limit> limit;
-  for (const auto& [measure, at_most] : asked) {
-    if (!at_most) continue;
-    if (limit)
-      throw InputError("--allow, --allow-per-turn, --allow-energy, --allow-speed: one of them");
-    if (!(*at_most >= 0 && std::isfinite(*at_most))) {
-      throw InputError(fmt::format("what is allowed is {}: must be finite and >= 0", *at_most));
-    }
-    limit = {measure, *at_most};
-  }
-  return limit;
-}
-
-void check(const ThresholdOptions& options) {
-  if (options.all && !(options.scene.case_id.empty() && options.scene.scene_file.empty())) {
-    throw InputError("--all stands alone: it takes neither --case nor --scene");
-  }
-  if (!(options.fastest >= 0.1 && options.fastest <= 1000)) {
-    throw InputError(
-        fmt::format("--fastest {}: must be within 0.1..1000 [rad/s]", options.fastest));
-  }
-  if (!(options.tolerance >= 0 && options.tolerance <= 50)) {
-    throw InputError(fmt::format("--tolerance {}: must be within 0..50 [%]", options.tolerance));
-  }
-  if (options.all && (limit_of(options) || options.tolerance > 0)) {
-    throw InputError("--all is by the paper's rule: it takes no limit and no tolerance");
-  }
-}
-
-void refuse_profile(const ChosenScene& chosen) {
-  if (chosen.scene.profile.empty()) return;
-  throw InputError(chosen.name +
-                   ": scene.omega is a profile: must be a number, because a threshold is of "
-                   "constant speeds");
-}
-
 int threshold_of_all(const ScanOptions& scan, bool json) {
   const std::vector<ChosenScene> scenes = every_case();
   std::vector<Score> scores;
@@ -180,21 +138,28 @@ Score score_of(const QuietSpeed& answer) {
 }  // namespace
 
 int threshold(const ThresholdOptions& options) {
-  check(options);
+  const QuietSpeedOptions asked = options_of(options.asked);
   ScanOptions scan;
-  scan.highest = options.fastest;
-  if (options.all) return threshold_of_all(scan, options.json);
+  scan.highest = asked.fastest;
+  if (options.all) {
+    if (!(options.scene.case_id.empty() && options.scene.scene_file.empty())) {
+      throw InputError("--all stands alone: it takes neither --case nor --scene");
+    }
+    if (asked.limit || options.asked.tolerance > 0) {
+      throw InputError("--all is by the paper's rule: it takes no limit and no tolerance");
+    }
+    return threshold_of_all(scan, options.json);
+  }
   const ChosenScene chosen = choose_scene(options.scene);
-  refuse_profile(chosen);
-  const std::optional<Limit> limit = limit_of(options);
-  const QuietSpeedOutput output = ask_quiet_speed(
-      chosen.name, chosen.scene, {limit, scan.step, scan.highest}, options.tolerance / 100);
-  const bool by_the_paper = !limit && !options.scene.case_id.empty();
+  refuse_profile(chosen.scene, chosen.name);
+  const QuietSpeedAnswer output =
+      answer_quiet_speed(chosen.name, chosen.scene, asked, options.asked.tolerance / 100);
+  const bool by_the_paper = !asked.limit && !options.scene.case_id.empty();
   const Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, scan)
                                    : score_of(output.answer);
   if (options.json) {
     Json json = json_of(chosen, score);
-    json.update(json_of(output));
+    json.update(studies::advice::json_of(output));
     fmt::print("{}\n", json.dump(2));
   } else if (by_the_paper) {
     print_case(chosen, score, scan);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <optional>
-
+#include "src/cli/quiet_speed_request.h"
 #include "src/cli/scene_choice.h"
 
 namespace ricochet::cli {
@@ -10,12 +9,7 @@ struct ThresholdOptions {
   SceneChoice scene;
   bool all = false;  ///< every case of the paper
   bool json = false;
-  double fastest = 18.0;                 ///< [rad/s], end of the range searched
-  std::optional<double> allow;           ///< collisions in the window
-  std::optional<double> allow_per_turn;  ///< collisions
-  std::optional<double> allow_energy;    ///< [J], in the window
-  std::optional<double> allow_speed;     ///< [m/s], of the fastest impact
-  double tolerance = 0;                  ///< [%], of every constant
+  QuietSpeedRequest asked;
 };
 
 /// The fastest quiet speed of a machine: by the limit that is allowed, or by the staircase's own

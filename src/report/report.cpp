@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
@@ -20,6 +21,7 @@ namespace ricochet::report {
 namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
+    {"advice", embedded::template_advice},
     {"calibration", embedded::template_calibration},
     {"dynamics", embedded::template_dynamics},
     {"family", embedded::template_family},

@@ -64,6 +64,7 @@ std::string in_words(carrier_track::Range range) {
     case carrier_track::Range::finite:
       return "finite";
     case carrier_track::Range::not_negative:
+    case carrier_track::Range::frequency:
       return ">= 0";
     case carrier_track::Range::positive:
       return "> 0";

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "problems/carrier_track/models/simulate.h"
@@ -166,6 +167,17 @@ std::string graze_sentence(const Graze& graze, bool given) {
       graze.time, wall, graze.distance);
 }
 
+std::string unsure_sentence(const char* what, double time) {
+  return fmt::format("{} that counts, at {:.6g} s, is there or not with the tenth digit", what,
+                     time);
+}
+
+std::string endless_sentence(const FeatureTrace::Endless& endless) {
+  return fmt::format(
+      "from {:.6g} s on maxima count that never end, of ever smaller hops or swings at the {} wall",
+      endless.time, endless.wall == Wall::upper ? "upper" : "lower");
+}
+
 std::string sentence(const Scene& scene, const Suspect& s, const std::optional<Graze>& graze,
                      bool graze_is_given, double growth) {
   const char* what = s.kind < FeatureTrace::high_peak ? "an impact" : "a maximum";
@@ -178,15 +190,28 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
       return fmt::format("{} at {:.6g} s is within {:.2g} s of the end of the window", what, s.time,
                          std::abs(s.left));
     case Doubt::graze:
-      return graze
-                 ? graze_sentence(*graze, graze_is_given)
-                 : fmt::format("{} that counts, at {:.6g} s, is there or not with the tenth digit",
-                               what, s.time);
+      return graze ? graze_sentence(*graze, graze_is_given) : unsure_sentence(what, s.time);
+    case Doubt::endless:
+      break;  // of all the changed scenes alike
     case Doubt::sensitive:
       return fmt::format("a change in the tenth digit grows {:.2g}-fold by {:.6g} s", growth,
                          s.time);
   }
   return "";
+}
+
+bool crosses(const Scene& scene) {
+  return !(scene.wall_upper > scene.wall_lower) ||
+         (scene.across && !(scene.across->wall_upper > scene.across->wall_lower));
+}
+
+/// Simulates a changed scene. Throws std::runtime_error where that cannot be done.
+void follow(const Scene& scene, FeatureTrace& trace) {
+  if (crosses(scene)) throw std::runtime_error("one wall crosses the other");
+  const End<double> end = simulate(scene, trace);
+  if (!trace.finite() || !std::isfinite(end.position + end.velocity)) {
+    throw std::runtime_error("numbers overflow");
+  }
 }
 
 std::optional<double> smallest_margin(const FeatureTrace& trace) {
@@ -205,6 +230,16 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
   Certainty certainty;
   certainty.margin = smallest_margin(trace);
   certainty.graze = trace.graze();
+  const auto give_up = [&certainty](Doubt doubt, std::string reason) {
+    certainty.certain = false;
+    certainty.doubt = doubt;
+    certainty.reason = std::move(reason);
+    return certainty;
+  };
+  if (trace.endless()) return give_up(Doubt::endless, endless_sentence(*trace.endless()));
+  if (trace.shallow_peak())
+    return give_up(Doubt::graze, unsure_sentence("a maximum", *trace.shallow_peak()));
+  if (!trace.finite()) return give_up(Doubt::sensitive, "numbers overflow");
   const double duration = duration_of(scene);
   Suspect first;
   std::optional<Graze> graze;
@@ -218,12 +253,10 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
       lengthen(near.window);
       FeatureTrace other(near);
       try {
-        simulate(near, other);
+        follow(near, other);
       } catch (const std::runtime_error& error) {
-        certainty.certain = false;
-        certainty.doubt = Doubt::sensitive;
-        certainty.reason = fmt::format("with the tenth digit changed {}", error.what());
-        return certainty;
+        return give_up(Doubt::sensitive,
+                       fmt::format("with the tenth digit changed {}", error.what()));
       }
       const Comparison comparison(trace, duration, other, near_end);
       pairs.insert(pairs.end(), comparison.pairs().begin(), comparison.pairs().end());
@@ -246,10 +279,7 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
   } else if (certainty.growth >= sensitive_growth) {
     first.doubt = Doubt::sensitive;
   }
-  certainty.certain = false;
-  certainty.doubt = first.doubt;
-  certainty.reason = sentence(scene, first, graze, graze_is_given, certainty.growth);
-  return certainty;
+  return give_up(first.doubt, sentence(scene, first, graze, graze_is_given, certainty.growth));
 }
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -8,16 +8,19 @@
 /// How far a count can be trusted. A scene's constants are known to some digits only, and a
 /// simulation rounds. So the scene is simulated again with all constants changed at once in their
 /// tenth digit (perturbation.h), and the features of the motion (collisions.h) are compared one by
-/// one. A count is certain if no feature comes to count, or ceases to, by such a change.
+/// one. A count is certain if no feature comes to count, or ceases to, by such a change. It is not
+/// where infinitely many maxima count, where the change makes the walls cross, and where numbers
+/// overflow.
 namespace ricochet::carrier_track::inline counting {
 
 /// Why a count is not certain: the first cause in time.
 enum class Doubt {
   none,
-  margin,    ///< the change takes a feature's margin z to or across zero
-  window,    ///< the change takes a feature that counts to or across the end of the window
-  graze,     ///< a wall is touched or missed, or a maximum is there or not, with the change
-  sensitive  ///< the change has grown beyond 1e6-fold, or leads to a motion that is refused
+  margin,     ///< the change takes a feature's margin z to or across zero
+  window,     ///< the change takes a feature that counts to or across the end of the window
+  graze,      ///< a wall is touched or missed, or a maximum is there or not, with the change
+  sensitive,  ///< the change has grown beyond 1e6-fold, or leads to a motion that is refused
+  endless     ///< maxima count of which there is no last one, see FeatureTrace
 };
 
 struct Certainty {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "problems/carrier_track/models/observer.h"
+#include "problems/carrier_track/scene/perturbation.h"
 #include "problems/carrier_track/scene/scene.h"
 
 namespace ricochet::carrier_track::inline counting {
@@ -35,12 +38,19 @@ class FeatureTrace : public Observer {
 
   void impact(double time, Wall wall, double speed);
   void peak(double time, double position);
-  void contact(double time, double /*position*/, double /*velocity*/) { now_ = time; }
+  void hops(double time, Wall wall);
+  void contact(double time, double position, double velocity);
 
   /// A stretch without reversal; a turning point lies between one and the next if no impact does.
   template <class Path>
   void stretch(double time, const Path& path, double duration) {
     const auto start = path.at(0.0);
+    finite_ = finite_ && std::isfinite(start.position + start.velocity + time + duration);
+    swung_out_ = false;
+    if (std::exchange(counting_peak_, false)) {
+      const double drop = start.position - path.at(duration).position;
+      if (drop <= perturbation_size * (start.position - scene_.wall_lower)) shallow_ = time;
+    }
     if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * start.velocity > 0)) {
       turn(time, start.position);
     }
@@ -57,6 +67,22 @@ class FeatureTrace : public Observer {
   }
   const std::optional<Graze>& graze() const { return graze_; }
 
+  /// Maxima that count and of which there is no last one: of ever smaller hops on a wall, or of
+  /// ever smaller swings in one that is compliant. A simulation tells some of them and leaves out
+  /// the others.
+  struct Endless {
+    double time;  ///< [s]
+    Wall wall;
+  };
+  const std::optional<Endless>& endless() const { return endless_; }
+
+  /// When [s] a maximum off the walls was told that counts, and that the body fell from by less
+  /// than the tenth digit of its height: where a speed only touches zero, rounding makes one.
+  const std::optional<double>& shallow_peak() const { return shallow_; }
+
+  /// Whether all that was told are numbers: some are none where numbers overflow.
+  bool finite() const { return finite_; }
+
  private:
   void tell(std::size_t kind, double margin);
   void turn(double time, double position);
@@ -67,6 +93,11 @@ class FeatureTrace : public Observer {
   std::optional<Graze> graze_;
   double now_ = 0;             // [s]
   std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
+  std::optional<Endless> endless_;
+  std::optional<double> shallow_;
+  bool counting_peak_ = false;  // whether one was told, from which the body falls now
+  bool finite_ = true;
+  bool swung_out_ = false;  // whether the body has moved outwards in its present contact
 };
 
 }  // namespace ricochet::carrier_track::inline counting

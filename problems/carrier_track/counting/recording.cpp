@@ -24,6 +24,8 @@ class Recorder : public Observer {
     recording_.peaks.push_back({time, position});
   }
 
+  void hops(double time, Wall wall) { trace_.hops(time, wall); }
+
   void contact(double time, double position, double velocity) {
     trace_.contact(time, position, velocity);
     if (std::isfinite(spacing_)) recording_.path.push_back({time, position, velocity});
@@ -68,6 +70,24 @@ Recording record(const Scene& asked, double width, std::size_t samples) {
   for (const Peak& p : recording.peaks) features.peak(p.time, p.position);
   recording.certainty = certainty_of(scene, recorder.trace());
   return recording;
+}
+
+std::optional<Stretch> busiest_stretch(const Scene& scene, const Recording& recording) {
+  std::vector<double> times;
+  for (const Impact& impact : recording.impacts) {
+    if (impact.speed > scene.slowest) times.push_back(impact.time);
+  }
+  if (times.size() < 3) return std::nullopt;
+  const std::size_t most = (2 * times.size() + 2) / 3;
+  Stretch best{times.front(), times.back()};
+  for (std::size_t k = 0; k + most <= times.size(); ++k) {
+    if (times[k + most - 1] - times[k] < best.to - best.from)
+      best = {times[k], times[k + most - 1]};
+  }
+  const double duration = duration_of(scene);
+  const double margin = std::max(0.25 * (best.to - best.from), 1e-3 * duration);
+  best = {std::max(0.0, best.from - margin), std::min(duration, best.to + margin)};
+  return best.to - best.from < duration / 4 ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace ricochet::carrier_track::inline counting

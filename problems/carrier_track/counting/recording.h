@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "problems/carrier_track/counting/certainty.h"
@@ -41,5 +42,15 @@ struct Recording {
 /// 0 keeps no path. Costs five simulations, four of them for the certainty; with fidelity
 /// auto up to fifteen.
 Recording record(const Scene& scene, double width, std::size_t samples);
+
+/// A part of a window [s].
+struct Stretch {
+  double from, to;
+};
+
+/// Where most happens: the shortest stretch with two thirds of the impacts that count, and a
+/// quarter of itself more on either side, within the window. Nothing where that is no small part of
+/// the window, or where fewer than three impacts count.
+std::optional<Stretch> busiest_stretch(const Scene& scene, const Recording& recording);
 
 }  // namespace ricochet::carrier_track::inline counting

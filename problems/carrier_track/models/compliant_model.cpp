@@ -63,7 +63,7 @@ double CompliantModel<Forces>::reach_wall() {
 /// Begins a contact at the surface of the wall touched.
 template <class Forces>
 void CompliantModel<Forces>::enter(double speed) {
-  if (speed <= resting_speed) {
+  if (speed <= resting_speed_of(scene_)) {
     velocity_ = 0;
     stop();
     return;

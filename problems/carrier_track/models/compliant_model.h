@@ -26,7 +26,7 @@ inline constexpr std::int64_t contact_step_limit = 50'000'000;
 /// friction.
 ///
 /// The damping of a contact is scaled with its approach speed, or with contact_speed. A body that
-/// comes no faster than resting_speed, or that rests on a wall when a force presses it in, is put
+/// comes no faster than resting_speed_of the scene, or that rests on a wall when a force presses it in, is put
 /// at rest where the wall carries the press. For what follows, its damping is scaled with the speed
 /// of a swing in the wall under the strongest press that the forces can sum to.
 ///
@@ -76,6 +76,7 @@ class CompliantModel {
     if (event.kind == EventKind::wall) {
       const double speed = reach_wall();
       if (speed > 0) observer.impact(time_, *wall_, speed);
+      if (speed > 0 && speed <= resting_speed_of(scene_)) observer.hops(time_, *wall_);
       enter(speed);
     } else if (event.kind == EventKind::turn) {
       stop();

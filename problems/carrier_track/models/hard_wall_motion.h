@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,12 +14,20 @@
 #include "problems/carrier_track/events/zeno_tail.h"
 #include "problems/carrier_track/flight/flight.h"
 #include "problems/carrier_track/models/observer.h"
+#include "problems/carrier_track/scene/scene.h"
 
 namespace ricochet::carrier_track::inline models {
 
 /// A rebound slower than this [m/s] against a pressing force is the tail of a Zeno sequence: its
 /// infinitely many impacts are summed in closed form and the body rests.
 inline constexpr double resting_speed = 1e-9;
+
+/// The same for a scene where impacts that slow may count: a thousandth of the slowest that does,
+/// so that none that counts is left out, and even a surrogate misses nothing.
+template <class Scalar>
+double resting_speed_of(const BasicScene<Scalar>& scene) {
+  return std::min(resting_speed, 1e-3 * value(scene.slowest));
+}
 
 /// A simulation with more impacts than this is refused: its window holds no useful count.
 inline constexpr std::int64_t impact_limit = 10'000'000;
@@ -246,7 +255,7 @@ class HardWallMotion {
       const double down = value(press) - value(friction);
       const bool still = forces_.jerk_bound() * value(remaining) <= 1e-3 * down &&
                          value(remaining) <= value(friction_.reach(forces_.reach()));
-      if (!still && value(speed) > 1e-15) return std::nullopt;
+      if (!still && value(speed) > std::min(1e-15, 1e-6 * resting_speed_)) return std::nullopt;
     }
     velocity_ = constant<Scalar>(0.0);
     direction_ = 0;

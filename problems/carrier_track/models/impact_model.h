@@ -14,12 +14,15 @@ namespace ricochet::carrier_track::inline models {
 template <class Scalar, class Forces = AppliedForces<Scalar>>
 class ImpactModel : HardWallMotion<Scalar, Forces> {
   using Base = HardWallMotion<Scalar, Forces>;
-  using Base::direction_, Base::duration_, Base::time_, Base::velocity_;
+  using Base::direction_, Base::duration_, Base::time_, Base::velocity_, Base::wall_;
 
  public:
-  /// `scene` must be valid (scene_check.h). A search may let a body rest below a faster speed than
-  /// a judgement does [m/s].
-  explicit ImpactModel(const BasicScene<Scalar>& scene, double resting = resting_speed)
+  /// `scene` must be valid (scene_check.h).
+  explicit ImpactModel(const BasicScene<Scalar>& scene)
+      : ImpactModel(scene, resting_speed_of(scene)) {}
+
+  /// A search may let a body rest below a faster speed than a judgement does [m/s].
+  ImpactModel(const BasicScene<Scalar>& scene, double resting)
       : Base({scene.wall_lower, scene.wall_upper, lower_restitution(scene),
               upper_restitution(scene), scene.start_position, scene.start_velocity},
              Forces(scene), {scene.friction * scene.normal_force / scene.mass}, duration_of(scene),
@@ -55,8 +58,10 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
       direction_ = this->direction_of_release();
     } else if (end.kind == EventKind::wall) {
       this->strike(observer);
+      const bool rebounds = value(velocity_) != 0;
       const std::optional<Scalar> hops = this->rest_after_hops();
       if (!hops) return;
+      if (rebounds) observer.hops(time_, *wall_);
       this->rest(*hops, this->after(*hops), observer);
       direction_ = this->direction_of_release();
     }

@@ -29,6 +29,10 @@ struct Observer {
   template <class Scalar>
   void peak(const Scalar& /*time*/, const Scalar& /*position*/) {}
 
+  /// Hops on a wall from `time` [s] on, infinitely many, that are summed and not told one by one.
+  template <class Scalar>
+  void hops(const Scalar& /*time*/, Wall /*wall*/) {}
+
   /// A stretch of closed-form motion from `time` on, `duration` [s] long: a Flight or RampFlight.
   template <class Scalar, class Path>
   void stretch(const Scalar& /*time*/, const Path& /*path*/, const Scalar& /*duration*/) {}

@@ -28,6 +28,12 @@ class ObserverPair : public Observer {
     second_.peak(time, position);
   }
 
+  template <class Scalar>
+  void hops(const Scalar& time, Wall wall) {
+    first_.hops(time, wall);
+    second_.hops(time, wall);
+  }
+
   template <class Scalar, class Path>
   void stretch(const Scalar& time, const Path& path, const Scalar& duration) {
     first_.stretch(time, path, duration);

@@ -54,8 +54,8 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
 
  public:
   PlanarAxis(const Forces& forces, const Clearance<double>& clearance,
-             const PlanarFriction<Forces>& friction, double duration)
-      : Base(clearance, forces, friction, duration, resting_speed) {}
+             const PlanarFriction<Forces>& friction, double duration, double resting)
+      : Base(clearance, forces, friction, duration, resting) {}
 
   /// When something happens next [s]; infinite if nothing does within the window.
   double next() const { return std::min(ends_, press_changes_); }
@@ -97,7 +97,9 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
     due_ = false;
     friction_.load.reset();
     if (other.press_ != 0) friction_.load = {other.press_, other.forces_at(now)};
+    const bool rebounds = struck_ && velocity_ != 0;
     set_out();
+    if (rebounds && direction_ == 0) observer.hops(now, *wall_);
     return true;
   }
 

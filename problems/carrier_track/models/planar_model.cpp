@@ -22,9 +22,10 @@ Clearance<double> clearance_of(const Direction& direction) {
 template <class Forces>
 PlanarModel<Forces>::PlanarModel(const Scene& scene)
     : duration_(duration_of(scene)),
-      x_(Forces(scene), clearance_of(scene), friction_of<Forces>(scene), duration_),
+      x_(Forces(scene), clearance_of(scene), friction_of<Forces>(scene), duration_,
+         resting_speed_of(scene)),
       y_(Forces::across(scene), clearance_of(scene.across.value()), friction_of<Forces>(scene),
-         duration_) {}
+         duration_, resting_speed_of(scene)) {}
 
 template class PlanarModel<AppliedForces<double>>;
 template class PlanarModel<ProfileForces<double>>;

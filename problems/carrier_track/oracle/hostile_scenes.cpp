@@ -30,7 +30,9 @@ const std::vector<Named>& names() {
                                           {Hostility::slow_plate, "slow plate"},
                                           {Hostility::fast_plate, "fast plate"},
                                           {Hostility::open_above, "open above"},
-                                          {Hostility::no_pull, "no pull"}};
+                                          {Hostility::no_pull, "no pull"},
+                                          {Hostility::slow_limit, "slow limit"},
+                                          {Hostility::maxima, "maxima"}};
   return list;
 }
 
@@ -157,6 +159,14 @@ void make_hostile(Hostility hostility, RandomScenes& random, Scene& scene) {
     case Hostility::no_pull:
       scene.pull = 0;
       break;
+    case Hostility::slow_limit:
+      scene.slowest = random.log_within(1e-15, 1e-9);
+      break;
+    case Hostility::maxima:
+      scene.rule = CountRule::peaks;
+      scene.peak_high = random.log_within(1e-4, 5e-3);
+      scene.peak_low = random.log_within(1e-5, 3e-3);
+      break;
     default:
       break;
   }
@@ -182,7 +192,10 @@ std::string_view name_of(Hostility hostility) {
 
 HostileScene hostile_scene(int seed, int index) {
   const auto turn = static_cast<std::size_t>(index) % all_hostilities().size();
-  const Hostility hostility = all_hostilities()[turn];
+  return hostile_scene(all_hostilities()[turn], seed, index);
+}
+
+HostileScene hostile_scene(Hostility hostility, int seed, int index) {
   RandomScenes random(seed_of("hostile scenes", name_of(hostility), index, seed));
   switch (hostility) {
     case Hostility::graze:

@@ -21,6 +21,8 @@ enum class Hostility {
   fast_plate,      ///< forces that change many times in a flight
   open_above,      ///< no upper wall
   no_pull,         ///< no steady force
+  slow_limit,      ///< `slowest` of 1e-15 to 1e-9 m/s, so that hops of all sizes count
+  maxima,          ///< maxima count, in hops that end on a wall too
 };
 
 const std::vector<Hostility>& all_hostilities();
@@ -35,8 +37,11 @@ struct HostileScene {
   Scene scene;
 };
 
-/// Scene `index` >= 0 of `seed`, each computable alone; the hostilities take turns. A hostility
-/// that needs a summit or an impact draws until there is one.
+/// Scene `index` >= 0 of `seed` of a hostility, each computable alone. A hostility that needs a
+/// summit or an impact draws until there is one.
+HostileScene hostile_scene(Hostility hostility, int seed, int index);
+
+/// The same where the hostilities take turns.
 HostileScene hostile_scene(int seed, int index);
 
 }  // namespace ricochet::carrier_track::inline oracle

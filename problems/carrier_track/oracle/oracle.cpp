@@ -26,6 +26,11 @@ Real window_of(const Scene& scene) {
   return std::get<Seconds>(scene.window).count;
 }
 
+/// Where a body has come to: time [s] and height above the lower wall [m].
+struct Top {
+  Real time, height;
+};
+
 /// One step of a body, in the direction in which it moves.
 struct Leg {
   enum class End { wall, turn, window } end;
@@ -98,6 +103,7 @@ class Body {
   }
 
   void fly(int direction) {
+    set_out(direction);
     const Leg leg = next_leg(direction);
     time_ = leg.end == Leg::End::window ? window_ : time_ + leg.time;
     below_ += direction * leg.distance;
@@ -108,6 +114,23 @@ class Body {
       velocity_ = 0;
       if (direction > 0) run_.summits.push_back({static_cast<double>(time_), below_});
     }
+    if (direction > 0 && leg.end != Leg::End::window) top_ = {time_, below_};
+  }
+
+  /// A height that the body has risen to is a maximum once it moves down from there.
+  void set_out(int direction) {
+    if (top_ && direction < 0) {
+      const Real position = scene_.wall_lower + top_->height;
+      run_.maxima.push_back({static_cast<double>(top_->time), static_cast<double>(position)});
+      if (scene_.rule == CountRule::peaks) run_.count += counted(position);
+    }
+    top_.reset();
+  }
+
+  /// How often a maximum counts: one may be high and low at once.
+  int counted(Real position) const {
+    return static_cast<int>(position > scene_.peak_high) +
+           static_cast<int>(position < scene_.peak_low);
   }
 
   Leg next_leg(int direction) const {
@@ -161,7 +184,7 @@ class Body {
     const bool upper = direction > 0;
     run_.impacts.push_back({static_cast<double>(time_), upper ? Wall::upper : Wall::lower,
                             static_cast<double>(speed)});
-    if (speed > scene_.slowest) ++run_.count;
+    if (scene_.rule == CountRule::impacts && speed > scene_.slowest) ++run_.count;
     below_ = upper ? gap_ : 0;
     above_ = upper ? 0 : gap_;
     Real restitution = upper ? scene_.restitution_upper : scene_.restitution_lower;
@@ -170,7 +193,13 @@ class Body {
       restitution *= std::sqrt((1 - mu) / (1 + mu));
     }
     velocity_ = -direction * restitution * speed;
-    if (comes_to_rest(direction, restitution * speed, restitution)) velocity_ = 0;
+    if (!comes_to_rest(direction, restitution * speed, restitution)) return;
+    // The maxima left out lie on the upper wall, or as near the lower one as one likes.
+    const Real wall = upper ? scene_.wall_upper : scene_.wall_lower;
+    if (scene_.rule == CountRule::peaks && velocity_ != 0 && counted(wall) > 0) {
+      run_.endless = true;
+    }
+    velocity_ = 0;
   }
 
   /// Whether it is proved that a body that leaves the wall in `wall_side` at `speed` bounces until
@@ -191,7 +220,8 @@ class Body {
     const Real ratio = restitution * std::sqrt((reserve + slack) / rise);
     if (!(ratio < 1)) return false;
     const Real hop = speed / rise + speed / std::sqrt(rise * slowest_fall);
-    return bound_[1] * hop / (1 - ratio) <= slack;
+    const bool in_time = scene_.rule == CountRule::impacts || hop / (1 - ratio) < window_ - time_;
+    return in_time && bound_[1] * hop / (1 - ratio) <= slack;
   }
 
   const Scene& scene_;
@@ -207,6 +237,7 @@ class Body {
   Real time_ = 0;
   Real below_, above_;  // distance [m] to either wall, each with all its digits
   Real velocity_;
+  std::optional<Top> top_;  // where a rising body has stopped, until it sets out
   OracleRun run_;
 };
 

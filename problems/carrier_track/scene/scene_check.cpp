@@ -2,14 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string_view>
 
+#include "problems/carrier_track/scene/window.h"
 #include "src/core/error.h"
 
 namespace ricochet::carrier_track::inline scene {
 namespace {
+
+/// Of a law whose damping grows as its inverse.
+constexpr double smallest_restitution = 1e-6;
 
 /// Complains of the fields of one table.
 class Checker {
@@ -24,17 +30,20 @@ class Checker {
 
   /// That a field is within its range of the list.
   void operator()(const Field& field, double x) const {
-    const auto number = [&](bool holds, const char* bound) {
-      require(std::isfinite(x) && holds, field.key, x,
-              fmt::format("a finite number{} [{}]", bound, field.unit));
+    const auto number = [&](bool holds, std::string_view bound, std::string_view limits) {
+      require(holds, field.key, x,
+              fmt::format("a finite number{} [{}], {}", bound, field.unit, limits));
     };
+    const bool is_small = std::abs(x) <= largest_number;  // and a number
     switch (field.range) {
       case Range::finite:
-        return number(true, "");
+        return number(is_small, "", "within -1e15..1e15");
       case Range::not_negative:
-        return number(x >= 0, " >= 0");
+        return number(is_small && x >= 0, " >= 0", "at most 1e15");
       case Range::positive:
-        return number(x > 0, " > 0");
+        return number(is_small && x >= smallest_number, " > 0", "within 1e-15..1e15");
+      case Range::frequency:
+        return number(x >= 0 && x <= fastest_frequency, " >= 0", "at most 1e9");
       case Range::fraction:
         return require(x >= 0 && x <= 1, field.key, x, "within 0..1");
       case Range::any:
@@ -58,8 +67,8 @@ class Checker {
     const double lower = track.wall_lower;
     const double upper = track.wall_upper;
     const double start = track.start_position;
-    require(upper > lower, "wall_upper", upper,
-            fmt::format("> wall_lower = {} [m], or inf", lower));
+    require(upper > lower && (upper <= largest_number || std::isinf(upper)), "wall_upper", upper,
+            fmt::format("> wall_lower = {} [m] and at most 1e15, or inf", lower));
     require(start >= lower && start <= upper && std::isfinite(start), "start_position", start,
             fmt::format("within the walls, {}..{} [m]", lower, upper));
   }
@@ -69,13 +78,40 @@ class Checker {
   std::string_view table_;
 };
 
+Field speed_field(std::string_view name) {
+  return {name, "rad/s", "", Range::frequency};
+}
+
+void check_speed(const Scene& scene, const Checker& checker, const std::string& name) {
+  checker(speed_field(name), scene.omega);
+  checker.require(scene.omega > 0 || !std::holds_alternative<Revolutions>(scene.window), name,
+                  scene.omega, "a finite number > 0 [rad/s], because the window is in revolutions");
+}
+
+/// That the window ends before a simulation has gone through the forces for minutes.
+void check_window(const Scene& scene, const Checker& checker) {
+  double fastest = scene.profile.empty() ? scene.omega : 0.0;
+  for (const auto& knot : scene.profile) fastest = std::max(fastest, knot.omega);
+  if (scene.disturbance != 0) fastest = std::max(fastest, scene.disturbance_frequency);
+  const double duration = duration_of(scene);
+  const double longest = std::min(largest_number, 2 * std::numbers::pi * longest_window / fastest);
+  const auto* turns = std::get_if<Revolutions>(&scene.window);
+  const double count = turns != nullptr ? turns->count : std::get<Seconds>(scene.window).count;
+  checker.require(duration <= longest * (1 + 1e-12), turns != nullptr ? "revolutions" : "seconds",
+                  count,
+                  fmt::format("at most {}, for 1e6 periods of the fastest force, of {} rad/s, and "
+                              "1e15 s",
+                              count * (longest / duration), fastest));
+}
+
 void check_profile(const Scene& scene, const Checker& checker) {
   double before = -1;
   for (const auto& knot : scene.profile) {
-    checker.require(std::isfinite(knot.time) && knot.time >= 0 && knot.time > before,
-                    "omega's time", knot.time,
-                    "a finite number >= 0 [s], later than the one before");
-    checker(Field{"omega", "rad/s", "", Range::not_negative}, knot.omega);
+    checker.require(
+        knot.time <= largest_number && knot.time >= 0 && knot.time - before >= shortest_leg,
+        "omega's time", knot.time,
+        "a finite number >= 0 [s], at most 1e15, later than the one before by at least 1e-9");
+    checker(speed_field("omega"), knot.omega);
     before = knot.time;
   }
 }
@@ -105,24 +141,25 @@ void check_contact_law(const Scene& scene, const std::string& origin) {
   Checker(origin, "model.")
       .require(scene.contact_law != ContactLaw::kelvin_voigt || scene.contact_exponent == 1,
                "contact_exponent", scene.contact_exponent, "1, because kelvin-voigt is linear");
+  if (!needs_restitution(scene.contact_law)) return;
+  const Checker checker(origin, "scene.");
   for (const double restitution : {scene.restitution_lower, scene.restitution_upper}) {
-    Checker(origin, "scene.")
-        .require(restitution > 0 || !needs_restitution(scene.contact_law), "restitution",
-                 restitution,
-                 "> 0, because the damping of this model.contact_law is infinite at 0");
+    checker.require(
+        restitution >= smallest_restitution, "restitution", restitution,
+        "at least 1e-6, because the damping of this model.contact_law is infinite at 0");
   }
+  checker.require(!scene.contact_friction || scene.friction <= 1 - smallest_restitution, "friction",
+                  scene.friction,
+                  "at most 0.999999, because with scene.contact_friction it takes the restitution, "
+                  "and the damping of this model.contact_law is infinite at 0");
 }
 
 }  // namespace
 
 void check_omega(const Scene& scene, const std::string& origin, const std::string& name) {
   const Checker checker(origin, "");
-  if (std::holds_alternative<Revolutions>(scene.window)) {
-    checker.require(std::isfinite(scene.omega) && scene.omega > 0, name, scene.omega,
-                    "a finite number > 0 [rad/s], because the window is in revolutions");
-  } else {
-    checker(Field{name, "rad/s", "", Range::not_negative}, scene.omega);
-  }
+  check_speed(scene, checker, name);
+  check_window(scene, Checker(origin, "window."));
 }
 
 void check(const Scene& scene, const std::string& origin) {
@@ -137,7 +174,7 @@ void check(const Scene& scene, const std::string& origin) {
     if (field.key == "omega") {
       check_profile(scene, checker);
       const double last = scene.profile.empty() ? scene.omega : scene.profile.back().omega;
-      check_omega(at_speed(scene, last), origin, "scene.omega");
+      check_speed(at_speed(scene, last), checker, "omega");
     }
   };
   visit_scene_fields(check_field, scene);
@@ -148,6 +185,7 @@ void check(const Scene& scene, const std::string& origin) {
   } else {
     window(Field{"seconds", "s", "", Range::positive}, std::get<Seconds>(scene.window).count);
   }
+  check_window(scene, window);
   visit_count_fields(Checker(origin, "count."), scene);
   visit_model_fields(Checker(origin, "model."), scene);
   check_contact_law(scene, origin);

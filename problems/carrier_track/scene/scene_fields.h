@@ -10,12 +10,21 @@ namespace ricochet::carrier_track::inline scene {
 /// The values that a number of a scene may have.
 enum class Range {
   any,
-  finite,
-  not_negative,  ///< and finite
-  positive,      ///< and finite
+  finite,        ///< and no larger than largest_number
+  not_negative,  ///< the same
+  positive,      ///< the same, and no smaller than smallest_number
+  frequency,     ///< within 0..fastest_frequency
   fraction,      ///< within 0..1
   by_rule        ///< depends on other fields, see check()
 };
+
+/// Limits far beyond any machine, within which no number of a simulation overflows, and none takes
+/// without end.
+inline constexpr double largest_number = 1e15;
+inline constexpr double smallest_number = 1e-15;
+inline constexpr double fastest_frequency = 1e9;  ///< [rad/s]
+inline constexpr double longest_window = 1e6;     ///< in periods of the fastest force
+inline constexpr double shortest_leg = 1e-9;      ///< [s], from knot to knot of a speed profile
 
 /// How a number changes in a perturbed scene, see perturbed().
 enum class Perturbation {
@@ -93,7 +102,7 @@ void visit_scene_fields(const Visit& visit, S&... s) {
   visit(Field{"phase", "rad", "of the driver plate at the start", finite, angle}, s.phase...);
   visit(Field{"disturbance", "N", "amplitude of a force that shakes the carrier", finite, relative},
         s.disturbance...);
-  visit(Field{"disturbance_frequency", "rad/s", "", not_negative, relative},
+  visit(Field{"disturbance_frequency", "rad/s", "", frequency, relative},
         s.disturbance_frequency...);
   visit(Field{"disturbance_phase", "rad", "", finite, late_angle}, s.disturbance_phase...);
   visit(Field{"start_position", "m", "within the walls", by_rule, with_the_track, required},

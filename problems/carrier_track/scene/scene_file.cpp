@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -22,14 +20,6 @@
 
 namespace ricochet::carrier_track::inline scene {
 namespace {
-
-toml::table parse(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (std::filesystem::is_directory(path) || !stream) {
-    throw InputError(fmt::format("{}: cannot be read: it must be a TOML file", path.string()));
-  }
-  return parse_toml(std::string(std::istreambuf_iterator<char>(stream), {}), path.string());
-}
 
 const EnumNames<Centrifugal>& names_of(Centrifugal /*value*/) {
   return centrifugal_names();
@@ -93,6 +83,7 @@ std::string_view range_text(Range range) {
     case Range::positive:
       return "> 0";
     case Range::not_negative:
+    case Range::frequency:
       return ">= 0";
     case Range::fraction:
       return "0..1";
@@ -154,7 +145,7 @@ struct FieldWriter {
 
 Scene read_scene(const std::filesystem::path& path) {
   const bool standard_input = path == "-";
-  const toml::table file = parse(standard_input ? "/dev/stdin" : path);
+  const toml::table file = parse_toml_file(standard_input ? "/dev/stdin" : path);
   const std::string origin = standard_input ? "standard input" : path.string();
   static constexpr std::array<std::string_view, 5> tables = {"scene", "across", "window", "count",
                                                              "model"};

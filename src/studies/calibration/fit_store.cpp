@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "problems/carrier_track/scene/toml_table.h"
 #include "src/core/error.h"
 #include "src/core/seed.h"
 #include "src/core/text_file.h"
@@ -79,8 +80,8 @@ FitStore::FitStore(std::filesystem::path file) : file_(std::move(file)) {
                          ": is no file of fits: must be one that ricochet calibrate wrote");
   toml::table root;
   try {
-    root = toml::parse_file(file_.string());
-  } catch (const toml::parse_error&) {
+    root = carrier_track::parse_toml_file(file_);
+  } catch (const InputError&) {
     throw error;
   }
   const toml::array* fits = root["fit"].as_array();

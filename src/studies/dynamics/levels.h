@@ -24,7 +24,7 @@ struct LevelRow {
   int speeds = 0;
   int certain = 0;                  ///< counts that the impact level is certain of
   int resolved = 0;                 ///< of the others, those that the compliant level is
-  std::array<int, 5> doubts{};      ///< of the impact level, by Doubt
+  std::array<int, 6> doubts{};      ///< of the impact level, by Doubt
   std::vector<int> coupled;         ///< a direction: speeds that need both directions
   std::vector<int> wrong;           ///< of those, where x alone counts otherwise
   std::array<double, 4> seconds{};  ///< processor time of impact, compliant, planar, auto

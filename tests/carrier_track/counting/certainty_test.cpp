@@ -228,6 +228,45 @@ TEST(Certainty, DoubtsAPathThatHasLostItsDigits) {
   EXPECT_THAT(lost.reason, HasSubstr(fmt::format("grows {:.2g}-fold by ", lost.growth)));
 }
 
+TEST(Certainty, DoubtsMaximaWithoutAnEnd) {
+  Scene scene = Ball{}.scene();
+  scene.rule = CountRule::peaks;
+  scene.peak_high = 0.1;
+  scene.peak_low = 1e-9;
+  scene.window = Seconds{10.0};
+  const Certainty endless = certainty(scene);
+  EXPECT_FALSE(endless.certain);
+  EXPECT_EQ(endless.doubt, Doubt::endless);
+  EXPECT_THAT(endless.reason, HasSubstr("maxima count that never end"));
+  scene.peak_low = 1e-9;
+  scene.window = Seconds{2.2};  // before the last of them
+  EXPECT_TRUE(certainty(scene).certain);
+}
+
+TEST(Certainty, DoubtsWallsThatAreOneButForTheTenthDigit) {
+  Scene scene = Ball{}.scene();
+  scene.wall_lower = scene.start_position = 1.0;
+  scene.wall_upper = 1.0 + 1e-13;
+  const Certainty narrow = certainty(scene);
+  EXPECT_FALSE(narrow.certain);
+  EXPECT_THAT(narrow.reason, HasSubstr("one wall crosses the other"));
+  scene = Ball{}.scene();
+  scene.fidelity = Fidelity::planar;
+  scene.across.emplace();
+  scene.across->wall_lower = scene.across->start_position = 1.0;
+  scene.across->wall_upper = 1.0 + 1e-13;
+  EXPECT_THAT(certainty(scene).reason, HasSubstr("one wall crosses the other"));
+}
+
+TEST(Certainty, DoubtsNumbersThatOverflow) {
+  Scene scene = Ball{}.scene();
+  scene.disturbance = 1.0;
+  scene.disturbance_frequency = std::numeric_limits<double>::max();
+  const Certainty lost = certainty(scene);
+  EXPECT_FALSE(lost.certain);
+  EXPECT_THAT(lost.reason, HasSubstr("numbers overflow"));
+}
+
 TEST(Certainty, SpeaksOfCompliantWallsToo) {
   const Ball ball;
   Scene scene = ball.scene();

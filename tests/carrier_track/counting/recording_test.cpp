@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "problems/carrier_track/counting/collisions.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
 
@@ -63,6 +65,26 @@ TEST(Recording, HasNoMarginWithoutFeatures) {
   EXPECT_FALSE(recording.certainty.margin);
   EXPECT_EQ(recording.count, 0);
   EXPECT_TRUE(recording.certainty.certain);
+}
+
+TEST(Recording, ShowsWhereMostHappens) {
+  Scene scene;
+  scene.window = Seconds{10};
+  scene.slowest = 0.1;
+  Recording recording;
+  for (const double time : {1.0, 4.0, 4.1, 4.2, 9.0}) {
+    recording.impacts.push_back({time, Wall::upper, 1});
+  }
+  EXPECT_FALSE(busiest_stretch(scene, recording));  // four of five from 1 s on: too much
+  for (const double time : {4.3, 4.4, 4.5}) recording.impacts.push_back({time, Wall::upper, 1});
+  std::sort(recording.impacts.begin(), recording.impacts.end(),
+            [](const Impact& a, const Impact& b) { return a.time < b.time; });
+  const auto stretch = busiest_stretch(scene, recording);
+  ASSERT_TRUE(stretch);
+  EXPECT_NEAR(stretch->from, 4 - 0.125, 1e-12);
+  EXPECT_NEAR(stretch->to, 4.5 + 0.125, 1e-12);
+  for (Impact& impact : recording.impacts) impact.speed = 0.01;
+  EXPECT_FALSE(busiest_stretch(scene, recording));  // none counts
 }
 
 }  // namespace

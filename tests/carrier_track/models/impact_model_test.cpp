@@ -73,6 +73,22 @@ TEST(ImpactModel, BouncingBallIsListedUntilItRests) {
   EXPECT_GT(watched.hits[watched.hits.size() - 2].speed * 0.8, resting_speed);
 }
 
+TEST(ImpactModel, BouncingBallIsFollowedAsFarAsItsImpactsCount) {
+  Scene scene = bouncing_ball();
+  for (const double slowest : {1e-3, 1e-9, 3e-12, 1e-15}) {
+    scene.slowest = slowest;
+    const double speed = std::sqrt(2 * 9.8 * 50);
+    std::size_t expected = 0;
+    while (speed * std::pow(0.8, static_cast<double>(expected)) > slowest) ++expected;
+    const auto watched = watch(scene);
+    std::size_t count = 0;
+    for (const auto& hit : watched.hits) count += hit.speed > slowest ? 1 : 0;
+    EXPECT_EQ(count, expected) << slowest;
+    // What is left out is too slow for any surrogate.
+    EXPECT_LE(watched.hits.back().speed * 0.8, 1e-3 * slowest);
+  }
+}
+
 TEST(ImpactModel, FrictionShortensEveryHopOfABouncingBall) {
   // Up at press + friction, down at press - friction: speeds shrink by e sqrt(down / up).
   Scene scene = bouncing_ball();

@@ -15,7 +15,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 PlanarAxis<> axis_of(const Scene& scene, double steady_friction) {
   return PlanarAxis<>(AppliedForces<double>(scene),
                       {0, 1, 0.5, 0.5, scene.start_position, scene.start_velocity},
-                      {0.5, steady_friction}, 10.0);
+                      {0.5, steady_friction}, 10.0, resting_speed);
 }
 
 /// One where nothing ever happens.

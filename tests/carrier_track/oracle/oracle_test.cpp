@@ -40,6 +40,44 @@ TEST(Oracle, BouncesABallAtTheTimesOfTheGeometricSeries) {
   EXPECT_EQ(run.count, expected_count);
 }
 
+TEST(Oracle, CountsTheMaximaOfABouncingBallOrSaysThatTheyNeverEnd) {
+  Scene scene = falling(0, 10, 0.5);
+  scene.rule = CountRule::peaks;
+  scene.start_velocity = 10;  // up to 5 m, and a quarter as high each time
+  scene.peak_high = 0.01;
+  scene.peak_low = 1e-300;
+  scene.window = Seconds{3.99};  // of 4
+  const OracleRun counted = oracle_run(scene);
+  EXPECT_EQ(counted.count, 5);  // 5, 1.25, 0.31, 0.078, 0.0195
+  for (std::size_t k = 0; k < counted.maxima.size(); ++k) {
+    const double height = 5 * std::pow(0.25, k);
+    EXPECT_NEAR(counted.maxima[k].position / height, 1, rounding);
+  }
+  EXPECT_FALSE(counted.endless);
+  scene.window = Seconds{5};
+  EXPECT_TRUE(oracle_run(scene).endless);
+  // Between the limits none counts.
+  scene.wall_lower = scene.start_position = 0.001;
+  EXPECT_FALSE(oracle_run(scene).endless);
+  EXPECT_EQ(oracle_run(scene).count, 5);
+}
+
+TEST(Oracle, CountsAStayOnTheUpperWallOnce) {
+  // Thrown to a ceiling without rebound, on which x'' = sin t holds it from 0 to pi.
+  Scene scene;
+  scene.rule = CountRule::peaks;
+  scene.centrifugal_mass_radius = 1;
+  scene.phase = -std::numbers::pi / 2;
+  scene.start_velocity = 1;
+  scene.restitution_upper = 0;
+  scene.peak_high = 0.9;
+  scene.window = Seconds{3.1};
+  EXPECT_EQ(oracle_run(scene).count, 0) << "it is still there";
+  scene.window = Seconds{3.5};
+  EXPECT_EQ(oracle_run(scene).count, 1);
+  EXPECT_EQ(oracle_run(scene).maxima.front().position, 1.0);
+}
+
 TEST(Oracle, SlowsADropByFriction) {
   const long double fall = 9.0;  // gravity less friction, then gravity and friction
   const long double rise = 11.0;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/core/error.h"
@@ -43,8 +44,9 @@ TEST(SceneCheck, AcceptsTheEdgesOfEveryRange) {
   scene.start_position = 0;
   scene.omega = 0;
   scene.disturbance_frequency = 0;
-  scene.pull = -1;
-  scene.disturbance = -1;
+  scene.pull = -1e15;
+  scene.disturbance = 1e15;
+  scene.mass = scene.slowest = 1e-15;
   EXPECT_EQ(complaint_about(scene), "accepted");
   scene.wall_upper = scene.start_position = 1;
   EXPECT_EQ(complaint_about(scene), "accepted");
@@ -183,7 +185,7 @@ TEST(SceneCheck, RefusesARestitutionThatTheContactLawCannotReturn) {
       scene.contact_law = law;
       scene.fidelity = Fidelity::compliant;
       EXPECT_THAT(complaint_about(scene),
-                  StartsWith("machine: scene.restitution = 0: must be > 0"));
+                  StartsWith("machine: scene.restitution = 0: must be at least 1e-6"));
       scene.fidelity = Fidelity::impact;
       EXPECT_EQ(complaint_about(scene), "accepted") << "the law is not used";
     }
@@ -191,6 +193,87 @@ TEST(SceneCheck, RefusesARestitutionThatTheContactLawCannotReturn) {
     scene.contact_law = ContactLaw::hunt_crossley;
     EXPECT_EQ(complaint_about(scene), "accepted");
   }
+}
+
+TEST(SceneCheck, RefusesAFrictionThatLeavesTheContactLawNoRestitution) {
+  Scene scene;
+  scene.contact_friction = true;
+  scene.contact_law = ContactLaw::flores;
+  scene.friction = 1;
+  EXPECT_EQ(complaint_about(scene), "accepted") << "the law is not used";
+  for (const Fidelity level : {Fidelity::compliant, Fidelity::automatic}) {
+    scene.fidelity = level;
+    scene.friction = 1;
+    EXPECT_THAT(complaint_about(scene),
+                StartsWith("machine: scene.friction = 1: must be at most 0.999999, because"));
+    scene.friction = 0.999999;
+    EXPECT_EQ(complaint_about(scene), "accepted");
+    EXPECT_NO_THROW(record(scene, 0.25, 0));
+  }
+}
+
+TEST(SceneCheck, RefusesNumbersFarBeyondAnyMachine) {
+  for (double Scene::*field : {&Scene::mass,
+                               &Scene::wall_lower,
+                               &Scene::wall_upper,
+                               &Scene::friction,
+                               &Scene::normal_force,
+                               &Scene::pull,
+                               &Scene::pull_phase,
+                               &Scene::centrifugal_mass_radius,
+                               &Scene::slider_mass_radius,
+                               &Scene::phase,
+                               &Scene::disturbance,
+                               &Scene::disturbance_frequency,
+                               &Scene::disturbance_phase,
+                               &Scene::start_velocity,
+                               &Scene::omega,
+                               &Scene::slowest,
+                               &Scene::peak_high,
+                               &Scene::peak_low,
+                               &Scene::stiffness,
+                               &Scene::contact_exponent}) {
+    Scene scene;
+    scene.*field = 1.1e15;
+    EXPECT_THAT(complaint_about(scene), HasSubstr("1.1e+15: must be"));
+  }
+  for (double Scene::*field : {&Scene::mass, &Scene::slowest, &Scene::stiffness}) {
+    Scene scene;
+    scene.*field = 0.9e-15;
+    EXPECT_THAT(complaint_about(scene), HasSubstr("within 1e-15..1e15"));
+  }
+}
+
+TEST(SceneCheck, RefusesAWindowOfPeriodsWithoutNumber) {
+  Scene scene;
+  scene.window = Revolutions{1e6};
+  EXPECT_EQ(complaint_about(scene), "accepted");
+  scene.window = Revolutions{1.001e6};
+  EXPECT_THAT(complaint_about(scene),
+              StartsWith("machine: window.revolutions = 1001000: must be at most 1000000"));
+  scene.window = Seconds{1e4};
+  scene.disturbance_frequency = 1e9;
+  EXPECT_EQ(complaint_about(scene), "accepted") << "nothing disturbs";
+  scene.disturbance = 1;
+  EXPECT_THAT(complaint_about(scene), HasSubstr("seconds = 10000: must be at most 0.0062831"));
+  scene.disturbance = 0;
+  scene.profile = {{0.0, 1.0}, {1.0, 700.0}, {2.0, 1.0}};
+  EXPECT_THAT(complaint_about(scene), HasSubstr("of 700 rad/s"));
+  scene.profile.clear();
+  scene.omega = 1e-12;
+  scene.window = Revolutions{1e5};
+  EXPECT_THAT(complaint_about(scene), StartsWith("machine: window.revolutions = 100000: must be"));
+  scene.window = Seconds{1e4};
+  scene.omega = 1e3;
+  EXPECT_THROW(check_omega(scene, "command line", "--omega"), InputError);
+}
+
+TEST(SceneCheck, RefusesKnotsThatAreOneButForRounding) {
+  Scene scene;
+  scene.profile = {{0.0, 1.0}, {1e-9, 9.0}};
+  EXPECT_EQ(complaint_about(scene), "accepted");
+  scene.profile[1].time = 1e-50;
+  EXPECT_THAT(complaint_about(scene), StartsWith("machine: scene.omega's time = 1e-50: must be"));
 }
 
 TEST(SceneCheck, RefusesAnExponentThatKelvinVoigtDoesNotHave) {

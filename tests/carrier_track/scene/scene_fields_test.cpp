@@ -197,6 +197,7 @@ std::pair<std::string, double> out_of_range(const Field& field) {
     case Range::finite:
       return {fmt::format("must be a finite number [{}]", field.unit), infinity};
     case Range::not_negative:
+    case Range::frequency:
       return {fmt::format("must be a finite number >= 0 [{}]", field.unit), -1.0};
     case Range::positive:
       return {fmt::format("must be a finite number > 0 [{}]", field.unit), 0.0};

@@ -4,12 +4,12 @@
 
 #include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/counting/sensitivity.h"
-#include "src/cli/format.h"
+#include "src/report/json.h"
 
-namespace ricochet::cli {
+namespace ricochet::studies::advice {
 
-/// What is asked of a machine of one's own, beside the speed range.
-struct QuietSpeedOutput {
+/// How fast a machine may turn, and all that is said of it.
+struct QuietSpeedAnswer {
   std::string name;
   carrier_track::Scene scene;
   carrier_track::QuietSpeed answer;
@@ -19,18 +19,22 @@ struct QuietSpeedOutput {
 };
 
 /// Computes the answer and all that is said of it; `tolerance` 0 draws no machines.
-QuietSpeedOutput ask_quiet_speed(const std::string& name, const carrier_track::Scene& scene,
-                                 const carrier_track::QuietSpeedOptions& options, double tolerance);
+QuietSpeedAnswer answer_quiet_speed(const std::string& name, const carrier_track::Scene& scene,
+                                    const carrier_track::QuietSpeedOptions& options,
+                                    double tolerance);
 
 /// "7.2 rad/s (68.8 rpm)"
 std::string both_units(double omega);
 
+/// The answer in a sentence or two.
+std::string headline_of(const QuietSpeedAnswer& output);
+
 /// Some lines for an engineer: the answer first.
-std::string text_of(const QuietSpeedOutput& output);
+std::string text_of(const QuietSpeedAnswer& output);
 
 /// The steps of the staircase, a line each, the main one marked; a sentence where there is none.
 std::string text_of_steps(const carrier_track::QuietSpeed& answer);
 
-Json json_of(const QuietSpeedOutput& output);
+report::Json json_of(const QuietSpeedAnswer& output);
 
-}  // namespace ricochet::cli
+}  // namespace ricochet::studies::advice

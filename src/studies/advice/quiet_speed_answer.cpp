@@ -1,14 +1,15 @@
-#include "src/cli/quiet_speed_output.h"
+#include "src/studies/advice/quiet_speed_answer.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace ricochet::cli {
+namespace ricochet::studies::advice {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 constexpr double rpm = 30 / std::numbers::pi;  // of a rad/s
 constexpr int drawn_machines = 200;
@@ -52,38 +53,37 @@ std::string text_of(const CountThere& there) {
                      there.certain ? "certain" : "not certain (" + there.doubt + ")");
 }
 
-/// The answer in a sentence or two.
-std::string headline(const QuietSpeedOutput& output) {
+}  // namespace
+
+std::string headline_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   const std::string range = fmt::format("up to {} rad/s", answer.options.fastest);
   if (!answer.limit) {
     const auto& level = answer.staircase.levels.front();
     return fmt::format(
         "{}: there is no threshold {}: the count, {} to {}, makes no step by half or more. Say how "
-        "much is too much: --allow, --allow-per-turn, --allow-energy or --allow-speed.\n",
+        "much is too much: --allow, --allow-per-turn, --allow-energy or --allow-speed.",
         output.name, range, level.low, level.high);
   }
   if (!answer.split.first_loud) {
-    return fmt::format("{}: every speed {} is quiet: {}.\n", output.name, range,
+    return fmt::format("{}: every speed {} is quiet: {}.", output.name, range,
                        text_of(*answer.limit));
   }
   if (!answer.fastest_quiet) {
-    return fmt::format("{}: no speed is quiet: {} is broken at {} already.\n", output.name,
+    return fmt::format("{}: no speed is quiet: {} is broken at {} already.", output.name,
                        text_of(*answer.limit), both_units(*answer.split.first_loud));
   }
-  return fmt::format("{}: the fastest quiet speed is {}: {}.\n", output.name,
+  return fmt::format("{}: the fastest quiet speed is {}: {}.", output.name,
                      both_units(*answer.fastest_quiet), text_of(*answer.limit));
 }
-
-}  // namespace
 
 std::string both_units(double omega) {
   return fmt::format("{:.3f} rad/s ({:.2f} rpm)", omega, omega * rpm);
 }
 
-QuietSpeedOutput ask_quiet_speed(const std::string& name, const Scene& scene,
-                                 const QuietSpeedOptions& options, double tolerance) {
-  QuietSpeedOutput output{name, scene, quiet_speed(scene, options), {}, tolerance, {}};
+QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
+                                    const QuietSpeedOptions& options, double tolerance) {
+  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}};
   const QuietSpeed& answer = output.answer;
   if (!answer.limit || !answer.split.speed) return output;
   const double divide = *answer.split.speed;
@@ -110,9 +110,9 @@ std::string text_of_steps(const QuietSpeed& answer) {
   return text;
 }
 
-std::string text_of(const QuietSpeedOutput& output) {
+std::string text_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
-  std::string text = headline(output);
+  std::string text = headline_of(output) + "\n";
   if (answer.split.speed) {
     text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
   }
@@ -145,7 +145,7 @@ std::string text_of(const QuietSpeedOutput& output) {
   return text;
 }
 
-Json json_of(const QuietSpeedOutput& output) {
+report::Json json_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   Json steps = Json::array();
   for (const auto& [step, first_loud] : answer.steps) {
@@ -154,7 +154,7 @@ Json json_of(const QuietSpeedOutput& output) {
                      {"above", step.above},
                      {"reach", step.reach},
                      {"significance", step.significance},
-                     {"first_loud", json_of(first_loud)}});
+                     {"first_loud", first_loud}});
   }
   Json levels = Json::array();
   for (const Level& level : answer.staircase.levels) {
@@ -173,10 +173,10 @@ Json json_of(const QuietSpeedOutput& output) {
   }
   Json moves = Json::object();
   for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
-  Json json = {{"fastest_quiet", Json()}, {"fastest_quiet_rpm", Json()},
-               {"limit", Json()},         {"steps", steps},
-               {"levels", levels},        {"around", around},
-               {"percent_for_one", moves}};
+  Json json = {{"fastest_quiet", Json()},  {"fastest_quiet_rpm", Json()},
+               {"limit", Json()},          {"steps", steps},
+               {"levels", levels},         {"around", around},
+               {"percent_for_one", moves}, {"with_tolerance", Json()}};
   if (answer.fastest_quiet) {
     json["fastest_quiet"] = rounded(*answer.fastest_quiet);
     json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;
@@ -186,13 +186,14 @@ Json json_of(const QuietSpeedOutput& output) {
                      {"at_most", answer.limit->at_most}};
   }
   if (output.range) {
-    json["with_tolerance"] = {{"tolerance", output.tolerance},
-                              {"lowest", output.range->lowest},
-                              {"highest", output.range->highest},
-                              {"machines", output.range->machines},
-                              {"without", output.range->without}};
+    json["with_tolerance"] = {
+        {"tolerance", output.tolerance},
+        {"lowest", output.range->lowest},
+        {"highest", output.range->highest},
+        {"machines", output.range->machines},
+        {"without", output.range->without > 0 ? Json(output.range->without) : Json()}};
   }
   return json;
 }
 
-}  // namespace ricochet::cli
+}  // namespace ricochet::studies::advice

@@ -1,0 +1,53 @@
+#include "src/studies/advice/quiet_speed_answer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+
+namespace ricochet::studies::advice {
+namespace {
+
+using namespace carrier_track;
+using testing::HasSubstr;
+
+QuietSpeedAnswer answer_for(const char* id, const QuietSpeedOptions& options,
+                            double tolerance = 0) {
+  return answer_quiet_speed("mine", scene_of(find_case(id), default_reading().scene), options,
+                            tolerance);
+}
+
+TEST(QuietSpeedAnswer, SaysBothUnits) {
+  EXPECT_EQ(both_units(3.14159265358979), "3.142 rad/s (30.00 rpm)");
+}
+
+TEST(QuietSpeedAnswer, SaysWhatThereIsToSay) {
+  const auto found = answer_for("C3", {});
+  EXPECT_THAT(text_of(found), HasSubstr("mine: the fastest quiet speed is 2.678 rad/s"));
+  EXPECT_THAT(text_of(found), HasSubstr("<- the most significant"));
+  EXPECT_THAT(text_of(found), HasSubstr("certain"));
+  const auto rising = answer_for("C2", {});
+  EXPECT_THAT(text_of(rising), HasSubstr("mine: there is no threshold up to 18 rad/s"));
+  const auto quiet = answer_for("C3", {Limit{Measure::collisions, 99}, 1e-3, 4});
+  EXPECT_THAT(text_of(quiet), HasSubstr("mine: every speed up to 4 rad/s is quiet"));
+  const auto loud = answer_for("C3", {Limit{Measure::collisions, 0}, 1e-3, 4});
+  EXPECT_THAT(text_of(loud), HasSubstr("mine: no speed is quiet"));
+}
+
+TEST(QuietSpeedAnswer, IsTheSameInJson) {
+  const auto answer = answer_for("C1", {Limit{Measure::collisions, 6}, 1e-3, 10}, 0.05);
+  const report::Json json = json_of(answer);
+  EXPECT_NEAR(json["fastest_quiet"], *answer.answer.fastest_quiet, 1e-8);
+  EXPECT_EQ(json["limit"]["measure"], "collisions");
+  EXPECT_EQ(json["steps"].size(), 2U);
+  EXPECT_EQ(json["levels"].size(), 3U);
+  EXPECT_EQ(json["around"].size(), 3U);
+  EXPECT_NEAR(json["percent_for_one"]["restitution"], -0.8, 0.1);
+  EXPECT_LT(json["with_tolerance"]["lowest"], json["fastest_quiet"]);
+  EXPECT_GT(json["with_tolerance"]["highest"], json["fastest_quiet"]);
+  EXPECT_TRUE(json_of(answer_for("C2", {}))["limit"].is_null());
+}
+
+}  // namespace
+}  // namespace ricochet::studies::advice

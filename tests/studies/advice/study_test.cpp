@@ -1,0 +1,73 @@
+#include "src/studies/advice/study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/report/page_template.h"
+#include "src/report/report.h"
+
+namespace ricochet::studies {
+namespace {
+
+using namespace carrier_track;
+
+report::Json data_for(const Scene& scene, const QuietSpeedOptions& options) {
+  report::Json data = advice_study({"mine", scene, options, 0}).compute(false);
+  data["report"] = "advice";
+  return data;
+}
+
+Scene case_scene(const char* id) {
+  return scene_of(find_case(id), default_reading().scene);
+}
+
+TEST(AdviceStudy, DrawsTheStaircaseWhereItIs) {
+  const Scene scene = case_scene("C1");
+  const report::Json data = data_for(scene, {});
+  ASSERT_GT(data["staircase"].size(), 3U);
+  for (const report::Json& row : data["staircase"]) {
+    const double speed = row["speed"];
+    EXPECT_LE(speed, 18);
+    EXPECT_EQ(row["count"], count_at(scene, speed));
+  }
+  for (const report::Json& row : data["wear"]) {
+    EXPECT_EQ(row["energy"],
+              1e3 * measured(at_speed(scene, row["speed"].get<double>()), Measure::energy));
+  }
+}
+
+TEST(AdviceStudy, ShowsThePathsBelowAndAbove) {
+  const report::Json data = data_for(case_scene("C1"), {});
+  ASSERT_EQ(data["paths"].size(), 2U);
+  for (const report::Json& path : data["paths"]) {
+    EXPECT_EQ(path["impacts"].size(), path["count"]) << path["side"];
+  }
+  EXPECT_LT(data["paths"][0]["count"], data["paths"][1]["count"]);
+  EXPECT_LT(data["paths"][0]["omega"], data["paths"][1]["omega"]);
+}
+
+TEST(AdviceStudy, FillsItsTemplateWhateverTheAnswer) {
+  const std::string page_template = report::page_template("advice");
+  Scene slip = case_scene("C3");
+  slip.wall_upper = 0.8;
+  slip.window = Seconds{1};
+  const std::pair<Scene, QuietSpeedOptions> asked[] = {
+      {case_scene("C1"), {}},
+      {case_scene("C2"), {}},
+      {case_scene("C3"), {Limit{Measure::collisions, 99}, 1e-3, 4}},
+      {case_scene("C3"), {Limit{Measure::collisions, 0}, 1e-3, 4}},
+      {slip, {std::nullopt, 1e-2, 5}}};
+  for (const auto& [scene, options] : asked) {
+    const report::Json data = data_for(scene, options);
+    const report::DrawnPage drawing = report::drawn(page_template, data);
+    EXPECT_EQ(drawing.page.title, "How fast may mine turn?");
+    EXPECT_THAT(drawing.epilogue, testing::StartsWith("mine: "));
+  }
+  EXPECT_THAT(data_for(slip, {std::nullopt, 1e-2, 5})["doubts"].dump(),
+              testing::HasSubstr("0.8 m: walls so far apart"));
+}
+
+}  // namespace
+}  // namespace ricochet::studies

@@ -83,9 +83,9 @@ Field speed_field(std::string_view name) {
 }
 
 void check_speed(const Scene& scene, const Checker& checker, const std::string& name) {
-  checker(speed_field(name), scene.omega);
   checker.require(scene.omega > 0 || !std::holds_alternative<Revolutions>(scene.window), name,
                   scene.omega, "a finite number > 0 [rad/s], because the window is in revolutions");
+  checker(speed_field(name), scene.omega);
 }
 
 /// That the window ends before a simulation has gone through the forces for minutes.

@@ -259,12 +259,12 @@ TEST(Certainty, DoubtsWallsThatAreOneButForTheTenthDigit) {
 }
 
 TEST(Certainty, DoubtsNumbersThatOverflow) {
-  Scene scene = Ball{}.scene();
-  scene.disturbance = 1.0;
-  scene.disturbance_frequency = std::numeric_limits<double>::max();
-  const Certainty lost = certainty(scene);
+  const Scene scene = Ball{}.scene();
+  FeatureTrace trace(scene);
+  trace.impact(0.5, Wall::lower, std::numeric_limits<double>::quiet_NaN());
+  const Certainty lost = certainty_of(scene, trace);
   EXPECT_FALSE(lost.certain);
-  EXPECT_THAT(lost.reason, HasSubstr("numbers overflow"));
+  EXPECT_EQ(lost.reason, "numbers overflow");
 }
 
 TEST(Certainty, SpeaksOfCompliantWallsToo) {

@@ -177,6 +177,7 @@ class Program : public CommandLine {
     CLI::App* command = add(other.command, other.summary);
     if (other.command == std::string("best-values")) command->alias("certify");  // as it was called
     command->set_help_flag();
+    for (CLI::Option* option : command->get_options()) command->remove_option(option);
     command->prefix_command();
     on_call(command, [other, command]() -> int { hand_over(other, command->remaining()); });
   }

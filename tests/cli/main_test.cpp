@@ -77,6 +77,9 @@ TEST(Main, ColoursErrorsWhereAsked) {
   const std::string wrong = "simulate --case C77 --color ";
   EXPECT_THAT(call(wrong + "always").err, HasSubstr("\x1b[31mricochet:\x1b[m --case C77"));
   EXPECT_THAT(call(wrong + "never").err, testing::StartsWith("ricochet: --case"));
+  EXPECT_THAT(call("calibrate --color always --reading sideways").err,
+              HasSubstr("\x1b[31mricochet:\x1b[m --reading"))
+      << "handed over";
   expect_refusal("simulate --case C77", "C77");
 }
 

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "bench/integrators_bench.h"
 #include "bench/memory_bench.h"
 #include "bench/simulation_bench.h"
+#include "src/core/one_line.h"
 
 /// The program that `ricochet bench` runs.
 int main(int argc, char** argv) {
@@ -17,7 +19,13 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"text", "json"}));
   app.allow_extras();
   app.footer("Further flags are Google Benchmark's, such as --benchmark_filter=simulate");
-  CLI11_PARSE(app, argc - 1, argv + 1);  // after "ricochet"
+  try {
+    app.parse(argc - 1, argv + 1);  // after "ricochet"
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    std::fprintf(stderr, "ricochet: bench: %s\n", ricochet::one_line(error.what()).c_str());
+    return 2;
+  }
 
   std::vector<std::string> arguments = app.remaining();
   arguments.insert(arguments.begin(), "ricochet bench");
@@ -35,7 +43,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr,
                  "ricochet: bench: unknown argument %s; allowed: the flags of Google Benchmark, "
                  "--benchmark_...\n",
-                 flags[1]);
+                 ricochet::one_line(flags[1]).c_str());
     return 2;
   }
   benchmark::RunSpecifiedBenchmarks();

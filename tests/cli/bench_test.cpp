@@ -18,6 +18,7 @@ TEST(Bench, PrintsGoogleBenchmarksOwnJson) {
 
 TEST(Bench, RefusesWhatGoogleBenchmarkDoesNotKnow) {
   expect_refusal("bench --fast", "--fast");
+  expect_refusal("bench --format xml", "--format");
 }
 
 }  // namespace

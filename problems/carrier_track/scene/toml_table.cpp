@@ -37,8 +37,7 @@ void check_depth(const std::string& text, const std::string& origin) {
 
 toml::table parse_toml(const std::string& text, const std::string& origin) {
   if (text.size() > longest_toml) {
-    throw InputError(
-        fmt::format("{}: too long: must have at most {} bytes", origin, longest_toml));
+    throw InputError(fmt::format("{}: too long: must have at most {} bytes", origin, longest_toml));
   }
   check_depth(text, origin);
   try {

@@ -26,9 +26,9 @@ inline constexpr std::int64_t contact_step_limit = 50'000'000;
 /// friction.
 ///
 /// The damping of a contact is scaled with its approach speed, or with contact_speed. A body that
-/// comes no faster than resting_speed_of the scene, or that rests on a wall when a force presses it in, is put
-/// at rest where the wall carries the press. For what follows, its damping is scaled with the speed
-/// of a swing in the wall under the strongest press that the forces can sum to.
+/// comes no faster than resting_speed_of the scene, or that rests on a wall when a force presses it
+/// in, is put at rest where the wall carries the press. For what follows, its damping is scaled
+/// with the speed of a swing in the wall under the strongest press that the forces can sum to.
 ///
 /// There is no Zeno sequence: hops slower than some (press / K^(1/(n+1)))^((n+1)/(2n)) end in the
 /// wall, and so do those of resting_speed. What remains in a wall without damping, or with little

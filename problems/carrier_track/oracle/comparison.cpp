@@ -39,8 +39,7 @@ void match(const std::vector<Impact>& found, const std::vector<Impact>& true_one
 }
 
 /// The same of maxima; how exactly the time of a flat one is known says little.
-void match(const std::vector<Peak>& found, const std::vector<Peak>& true_ones,
-           Comparison& result) {
+void match(const std::vector<Peak>& found, const std::vector<Peak>& true_ones, Comparison& result) {
   result.matched = static_cast<int>(std::min(found.size(), true_ones.size()));
   result.missed = static_cast<int>(true_ones.size()) - result.matched;
   result.spurious = static_cast<int>(found.size()) - result.matched;

@@ -26,13 +26,14 @@ struct OracleRun {
 /// A run is broken off at so many impacts: beyond, its window holds no useful count.
 inline constexpr std::size_t oracle_impact_cap = 2000;
 
-/// Simulates fidelity `impact` at constant omega, for a valid scene: hard walls, Newton restitution, set-valued Coulomb friction. Independent of the impact model, of which it
-/// shares neither code nor method: long double of 80 bit, the closed forms of push.h, and roots
-/// isolated by first_fall.h. A grazing is decided by the distance to the wall at the very turning
-/// point. The rest of a Zeno sequence is left out only when it is proved that the body comes to
-/// rest on the wall before the force turns, with no impact faster than a thousandth of `slowest`,
-/// and where maxima count before the window ends.
-/// Throws std::invalid_argument for a scene with a speed profile.
+/// Simulates fidelity `impact` at constant omega, for a valid scene: hard walls, Newton
+/// restitution, set-valued Coulomb friction. Independent of the impact model, of which it shares
+/// neither code nor method: long double of 80 bit, the closed forms of push.h, and roots isolated
+/// by first_fall.h. A grazing is decided by the distance to the wall at the very turning point. The
+/// rest of a Zeno sequence is left out only when it is proved that the body comes to rest on the
+/// wall before the force turns, with no impact faster than a thousandth of `slowest`, and where
+/// maxima count before the window ends. Throws std::invalid_argument for a scene with a speed
+/// profile.
 OracleRun oracle_run(const Scene& scene);
 
 }  // namespace ricochet::carrier_track::inline oracle

@@ -60,8 +60,7 @@ TEST(Cases, AreFoundByTheirId) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("C13"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("C1, C2, C3"));
-    EXPECT_THAT(error.what(), testing::EndsWith("C12"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("did you mean C1 or C3"));
   }
 }
 

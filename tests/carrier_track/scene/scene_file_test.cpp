@@ -264,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"contact_exponent", "contact_exponent = 0", "model.contact_exponent = 0", "> 0"},
         Wrong{"contact_speed", "contact_speed = \"all\"", "model.contact_speed", "\"each\""},
         Wrong{"contact_speed", "contact_speed = 0", "model.contact_speed = 0", "> 0"},
-        Wrong{"pull", "pul = 0.86", "scene.pul", "allowed: centrifugal"}),
+        Wrong{"pull", "pul = 0.86", "scene.pul", "did you mean pull"}),
     name_of);
 
 class WrongFieldAcross : public testing::TestWithParam<Wrong> {};
@@ -292,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(
               "within the walls, -0.001..0.003"},
         Wrong{"start_position", "", "across.start_position", "missing"},
         Wrong{"start_velocity", "start_velocity = nan", "across.start_velocity = nan", "finite"},
-        Wrong{"pull", "pul = 0.5", "across.pul", "allowed: pull"}),
+        Wrong{"pull", "pul = 0.5", "across.pul", "did you mean pull"}),
     name_of);
 
 TEST(SceneFile, NeedsASecondDirectionForTheFidelityThatMovesInIt) {

@@ -158,8 +158,8 @@ TEST(DynamicsStudy, IsDrawnAgainFromItsData) {
     EXPECT_EQ(text(entry.path()), text(other)) << other;
     ++files;
   }
-  // The page and its summary, the data, a file for every chart and every table.
-  EXPECT_EQ(files, 3U + 24 + 20);
+  // The page and its summary, the data, the manifest, a file for every chart and every table.
+  EXPECT_EQ(files, 4U + 24 + 20);
 }
 
 }  // namespace

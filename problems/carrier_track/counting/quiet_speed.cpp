@@ -11,17 +11,14 @@ constexpr double slowest_speed = 0.01;
 
 /// The step again, between two neighbours of the fine scan.
 Step located(Step step, const SpeedScan& fine) {
+  const auto speeds = static_cast<double>(fine.counts.size());
   const auto index = [&](double omega) {
-    const auto k = static_cast<std::ptrdiff_t>(std::lround(omega / fine.step)) - 1;
-    return std::clamp<std::ptrdiff_t>(k, 0, static_cast<std::ptrdiff_t>(fine.counts.size()));
+    return static_cast<std::ptrdiff_t>(std::clamp(std::round(omega / fine.step) - 1, 0.0, speeds));
   };
   // The coarse scan has put it between two speeds a fivehundredth apart.
   const std::ptrdiff_t begin = index(step.omega * 0.99);
-  const std::ptrdiff_t end = index(step.omega * 1.01) + 1;
-  SpeedScan near{fine.step, {}};
-  for (std::ptrdiff_t k = begin; k < end && k < index(1e300); ++k) {
-    near.counts.push_back(fine.counts[static_cast<std::size_t>(k)]);
-  }
+  const std::ptrdiff_t end = index(step.omega * 1.01 + fine.step);
+  const SpeedScan near{fine.step, {fine.counts.begin() + begin, fine.counts.begin() + end}};
   if (const auto speed = best_split(near, step.limit()).speed) {
     step.omega = *speed + fine.step * static_cast<double>(begin);
   }

@@ -8,6 +8,7 @@
 #include "bench/derivatives_bench.h"
 #include "bench/integrators_bench.h"
 #include "bench/memory_bench.h"
+#include "bench/overhead_bench.h"
 #include "bench/simulation_bench.h"
 #include "src/core/one_line.h"
 
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   ricochet::bench::add_derivative_benchmarks();
   ricochet::bench::add_integrator_benchmarks();
   ricochet::bench::add_memory_benchmarks();
+  ricochet::bench::add_overhead_benchmarks();
   benchmark::Initialize(&flag_count, flags.data());
   if (flag_count > 1) {
     std::fprintf(stderr,

@@ -16,4 +16,12 @@ std::vector<Family> all_families(const std::string& scene_file) {
   return families;
 }
 
+std::vector<Question> every_question(const std::vector<Family>& families) {
+  std::vector<Question> all;
+  for (const Family& family : families) {
+    all.insert(all.end(), family.questions.begin(), family.questions.end());
+  }
+  return all;
+}
+
 }  // namespace ricochet

@@ -28,10 +28,10 @@ class Waves : public ceres::FirstOrderFunction {
 
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
     const Eigen::Map<const Vector> y(parameters, middle_.size());
-    const Vector x = middle_.array() + half_.array() * y.array().sin();
+    const Vector x = at(y);
     if (!x.allFinite()) return false;
     if (!gradient) {
-      const auto values = evaluator_.values(x);
+      const auto values = evaluator_.values(x, Part::objective);
       if (!values || !finite(*values)) return false;
       *cost = values->objective;
       return true;
@@ -43,6 +43,8 @@ class Waves : public ceres::FirstOrderFunction {
         derivatives->gradient.array() * half_.array() * y.array().cos();
     return true;
   }
+
+  Vector at(const Vector& y) const { return middle_.array() + half_.array() * y.array().sin(); }
 
   Vector inverse(const Vector& x) const {
     const Vector share = (half_.array() > 0).select((x - middle_).cwiseQuotient(half_), 0.0);
@@ -64,7 +66,8 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(options, problem, y.data(), &summary);
-  return evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type);
+  return {evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type),
+          waves->at(y)};
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <ceres/types.h>
 #include <glog/logging.h>
 
-#include "src/core/solver.h"
+#include <string>
 
 /// For the adapters of Ceres alone.
 namespace ricochet {
@@ -15,7 +15,7 @@ inline void silence_ceres() {
 }
 
 /// What Ceres says of its own end.
-inline SolverExit in_words(ceres::TerminationType type) {
+inline std::string in_words(ceres::TerminationType type) {
   switch (type) {
     case ceres::CONVERGENCE:
       return "converged";

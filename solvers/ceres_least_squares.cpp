@@ -26,10 +26,12 @@ class UnitResiduals : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters, double* values,
                 double** jacobians) const override {
     const int n = parameter_block_sizes().front();
-    const auto seen = box_.residuals(Eigen::Map<const Vector>(parameters[0], n));
+    const bool slopes = jacobians && jacobians[0];
+    const auto seen = box_.residuals(Eigen::Map<const Vector>(parameters[0], n),
+                                     slopes ? Part::jacobian : Part::objective);
     if (!seen || !finite(*seen) || seen->values.size() != num_residuals()) return false;
     Eigen::Map<Vector>(values, num_residuals()) = seen->values;
-    if (jacobians && jacobians[0]) {
+    if (slopes) {
       Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) = seen->jacobian;
     }
     return true;
@@ -43,9 +45,9 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   UnitBox box(evaluator);
   Vector u = box.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
   // Ceres wants to know beforehand how many there are; the evaluator remembers what they are.
-  const auto first = box.residuals(u);
-  if (!first) return stopped_by_evaluator;
-  if (!finite(*first)) return not_finite;
+  const auto first = box.residuals(u, Part::nothing);
+  if (!first) return {stopped_by_evaluator};
+  if (!finite(*first)) return {not_finite};
   ceres::Problem problem;
   problem.AddResidualBlock(new UnitResiduals(box, first->values.size(), u.size()), nullptr,
                            u.data());  // `problem` owns it
@@ -61,7 +63,8 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   options.gradient_tolerance = 0;      // it has the residuals' unit, whatever that is
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  return evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type);
+  return {evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type),
+          box.from_unit(u)};
 }
 
 }  // namespace

@@ -76,10 +76,11 @@ Solver continuation(Solver solver) {
       evaluator.allow(most);
       exit = solve(evaluator, x, random);
       evaluator.allow(most);
-      if (evaluator.over()) return exit;
+      if (evaluator.over()) break;
       if (evaluator.best_shown() != nullptr) x = *evaluator.best_shown();
     }
-    if (problem.constraints > 0) settle(evaluator, x);
+    if (problem.constraints > 0 && !evaluator.over()) settle(evaluator, x);
+    exit.point.reset();  // that of one width; the best shown at the last one is the answer
     return exit;
   };
   return result;

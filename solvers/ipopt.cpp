@@ -4,6 +4,8 @@
 #include <IpTNLP.hpp>
 #include <algorithm>
 #include <mutex>
+#include <optional>
+#include <string>
 
 #include "solvers/unit_box.h"
 
@@ -17,6 +19,10 @@ using Ipopt::Number;
 /// halve its step and, in the end, enter its restoration phase; a foreign exception it turns into a
 /// return status.
 struct Refused {};
+
+/// Ipopt asks for both kinds of constraints at once.
+constexpr Part constraints_only{static_cast<unsigned>(Part::equalities) |
+                                static_cast<unsigned>(Part::inequalities)};
 
 /// A problem in the unit cube, as Ipopt wants to be asked. The jacobian is dense and row-major.
 class UnitProblem : public Ipopt::TNLP {
@@ -55,19 +61,19 @@ class UnitProblem : public Ipopt::TNLP {
   }
 
   bool eval_f(Index n, const Number* u, bool, Number& objective) override {
-    const auto values = box_.values(Eigen::Map<const Vector>(u, n));
+    const auto values = box_.values(Eigen::Map<const Vector>(u, n), Part::objective);
     if (values) objective = values->objective;
     return done(values.has_value());
   }
 
   bool eval_grad_f(Index n, const Number* u, bool, Number* gradient) override {
-    const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n));
+    const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n), Part::objective);
     if (derivatives) Eigen::Map<Vector>(gradient, n) = derivatives->gradient;
     return done(derivatives.has_value());
   }
 
   bool eval_g(Index n, const Number* u, bool, Index m, Number* constraints) override {
-    const auto values = box_.values(Eigen::Map<const Vector>(u, n));
+    const auto values = box_.values(Eigen::Map<const Vector>(u, n), constraints_only);
     if (values) Eigen::Map<Vector>(constraints, m) = values->constraints;
     return done(values.has_value());
   }
@@ -81,7 +87,7 @@ class UnitProblem : public Ipopt::TNLP {
       }
       return true;
     }
-    const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n));
+    const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n), constraints_only);
     if (derivatives) {
       Eigen::Map<Matrix>(entries, n, m) = derivatives->jacobian.transpose();
     }
@@ -94,9 +100,15 @@ class UnitProblem : public Ipopt::TNLP {
     return !box_.over();
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index, const Number*, const Number*, const Number*,
-                         Index, const Number*, const Number*, Number, const Ipopt::IpoptData*,
-                         Ipopt::IpoptCalculatedQuantities*) override {}
+  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* u, const Number*,
+                         const Number*, Index, const Number*, const Number*, Number,
+                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+    const Vector last = Eigen::Map<const Vector>(u, n);
+    if (last.allFinite()) final_ = box_.from_unit(last);
+  }
+
+  /// The point that Ipopt ends at; nothing where it was stopped within a step.
+  const std::optional<Vector>& final_point() const { return final_; }
 
  private:
   bool done(bool answered) const {
@@ -107,9 +119,10 @@ class UnitProblem : public Ipopt::TNLP {
   UnitBox box_;
   Vector start_;
   Eigen::Index constraints_, equalities_;
+  std::optional<Vector> final_;
 };
 
-SolverExit in_words(Ipopt::ApplicationReturnStatus status) {
+std::string in_words(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
     case Ipopt::Solve_Succeeded:
       return "solved";
@@ -139,7 +152,7 @@ std::mutex ipopt_mutex;
 
 SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   const std::lock_guard lock(ipopt_mutex);
-  const Ipopt::SmartPtr<Ipopt::TNLP> problem = new UnitProblem(evaluator, start);
+  const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start);
   // false: no console, so there is neither banner nor log to silence.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   const auto options = application->Options();
@@ -152,8 +165,8 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   options->SetNumericValue("bound_relax_factor", 0.0);
   // "": no options file, not even one that happens to lie in the working directory.
   Ipopt::ApplicationReturnStatus status = application->Initialize("");
-  if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(problem);
-  return evaluator.over() ? stopped_by_evaluator : in_words(status);
+  if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(GetRawPtr(problem));
+  return {evaluator.over() ? stopped_by_evaluator : in_words(status), problem->final_point()};
 }
 
 }  // namespace

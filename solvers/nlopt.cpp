@@ -69,16 +69,15 @@ class Search {
                          void* self);
   static void inequalities(unsigned m, double* result, unsigned n, const double* u,
                            double* jacobian, void* self);
-  void constraints(Eigen::Index first, Eigen::Index count, double* result, const double* u,
-                   double* jacobian);
-  std::optional<Derivatives> look(const double* point, bool slopes);
-  void end(SolverExit why);
+  void constraints(Part part, double* result, const double* u, double* jacobian);
+  std::optional<Derivatives> look(const double* point, bool slopes, Part part);
+  void end(const char* why);
 
   const Algorithm& algorithm_;
   Evaluator& evaluator_;
   UnitBox box_;
   std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> nlopt_;
-  SolverExit ended_;  // empty while the search may go on
+  std::string ended_;  // empty while the search may go on
   std::exception_ptr thrown_;
 };
 
@@ -102,28 +101,27 @@ Search::Search(const Algorithm& algorithm, Evaluator& evaluator)
   nlopt_set_initial_step1(nlopt, initial_step);
   nlopt_set_xtol_abs1(nlopt, step_tolerance);
   if (algorithm.id == NLOPT_LD_LBFGS) nlopt_set_vector_storage(nlopt, lbfgs_memory);
-  // The evaluator ends the search; this is for what it does not charge, a point asked for twice
-  // running. DIRECT sets aside memory for as many points at once.
+  // The evaluator ends the search. DIRECT sets aside memory for as many points at once.
   const bool direct = algorithm.id == NLOPT_GN_ORIG_DIRECT_L;
   const std::int64_t left = std::min(evaluator.remaining(), direct ? direct_points : all_points);
   nlopt_set_maxeval(nlopt, static_cast<int>(direct ? left + 1 : 10 * left + 10));
 }
 
-void Search::end(SolverExit why) {
-  if (ended_.empty()) ended_ = std::move(why);
+void Search::end(const char* why) {
+  if (ended_.empty()) ended_ = why;
   nlopt_force_stop(nlopt_.get());
 }
 
 /// What is to be seen at a point; an infinite objective and constraints where the problem has no
 /// number. Nothing when the search is to end. `slopes` asks for derivatives too.
-std::optional<Derivatives> Search::look(const double* point, bool slopes) {
+std::optional<Derivatives> Search::look(const double* point, bool slopes, Part part) {
   // No exception may cross NLopt, which is C.
   try {
     const Vector u = Eigen::Map<const Vector>(point, evaluator_.problem().dimension());
     std::optional<Derivatives> seen;
     if (slopes) {
-      seen = box_.derivatives(u);
-    } else if (auto values = box_.values(u)) {
+      seen = box_.derivatives(u, part);
+    } else if (auto values = box_.values(u, part)) {
       seen = Derivatives{*std::move(values), {}, {}};
     }
     if (seen && finite(*seen)) return seen;
@@ -141,7 +139,7 @@ std::optional<Derivatives> Search::look(const double* point, bool slopes) {
 }
 
 double Search::objective(unsigned n, const double* u, double* gradient, void* self) {
-  const auto seen = static_cast<Search*>(self)->look(u, gradient);
+  const auto seen = static_cast<Search*>(self)->look(u, gradient, Part::objective);
   if (gradient) {
     Eigen::Map<Vector> slopes(gradient, n);
     if (seen) {
@@ -153,21 +151,23 @@ double Search::objective(unsigned n, const double* u, double* gradient, void* se
   return seen ? seen->values.objective : HUGE_VAL;
 }
 
-void Search::equalities(unsigned m, double* result, unsigned, const double* u, double* jacobian,
+void Search::equalities(unsigned, double* result, unsigned, const double* u, double* jacobian,
                         void* self) {
-  static_cast<Search*>(self)->constraints(0, m, result, u, jacobian);
+  static_cast<Search*>(self)->constraints(Part::equalities, result, u, jacobian);
 }
 
-void Search::inequalities(unsigned m, double* result, unsigned, const double* u, double* jacobian,
+void Search::inequalities(unsigned, double* result, unsigned, const double* u, double* jacobian,
                           void* self) {
-  auto* search = static_cast<Search*>(self);
-  search->constraints(search->evaluator_.problem().equalities, m, result, u, jacobian);
+  static_cast<Search*>(self)->constraints(Part::inequalities, result, u, jacobian);
 }
 
-/// `count` of the constraints, from the `first` on.
-void Search::constraints(Eigen::Index first, Eigen::Index count, double* result, const double* u,
-                         double* jacobian) {
-  const auto seen = look(u, jacobian);
+/// One kind of the constraints: equalities come first.
+void Search::constraints(Part part, double* result, const double* u, double* jacobian) {
+  const Eigen::Index equalities = evaluator_.problem().equalities;
+  const Eigen::Index first = part == Part::equalities ? 0 : equalities;
+  const Eigen::Index end = part == Part::equalities ? equalities : evaluator_.problem().constraints;
+  const Eigen::Index count = end - first;
+  const auto seen = look(u, jacobian, part);
   Eigen::Map<Vector> values(result, count);
   if (seen) {
     values = seen->values.constraints.segment(first, count);
@@ -184,7 +184,7 @@ void Search::constraints(Eigen::Index first, Eigen::Index count, double* result,
   }
 }
 
-SolverExit in_words(nlopt_result result) {
+std::string in_words(nlopt_result result) {
   switch (result) {
     case NLOPT_SUCCESS:
       return "success";
@@ -214,11 +214,13 @@ SolverExit Search::from(const Vector& start) {
   // NLopt 2.7.1 reads beyond its memory when DIRECT is stopped at its first point, the middle. So
   // that is looked at beforehand; the evaluator remembers it.
   const Vector middle = Vector::Constant(u.size(), 0.5);
-  if (algorithm_.id == NLOPT_GN_ORIG_DIRECT_L && !look(middle.data(), false)) return ended_;
+  if (algorithm_.id == NLOPT_GN_ORIG_DIRECT_L && !look(middle.data(), false, Part::nothing)) {
+    return {ended_};
+  }
   double lowest = 0;
   const nlopt_result result = nlopt_optimize(nlopt_.get(), u.data(), &lowest);
   if (thrown_) std::rethrow_exception(thrown_);
-  return ended_.empty() ? in_words(result) : ended_;
+  return {ended_.empty() ? in_words(result) : ended_, box_.from_unit(u)};
 }
 
 Solver adapter(const Algorithm& algorithm, bool derivatives) {

@@ -73,9 +73,9 @@ SolverExit evolve(const Algorithm& algorithm, pagmo::population population,
     const auto before = asked();
     population = algorithm.evolve(std::move(population));
     // Where it ends at the last generation of a batch, it does so again at the first of the next.
-    if (!evaluator.over() && asked() - before < batch * population.size()) return "converged";
+    if (!evaluator.over() && asked() - before < batch * population.size()) return {"converged"};
   }
-  return stopped_by_evaluator;
+  return {stopped_by_evaluator};
 }
 
 Eigen::Index cmaes_size(Eigen::Index n) {

@@ -16,7 +16,7 @@ Solver random_search() {
   solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
     Vector x = start;
     while (evaluator.values(x)) x = uniform_point(evaluator.problem(), random);
-    return stopped_by_evaluator;
+    return {stopped_by_evaluator};
   };
   return solver;
 }

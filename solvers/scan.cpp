@@ -27,7 +27,7 @@ Solver scan() {
     for (std::uint64_t k = 1; evaluator.values(x); ++k) {
       x = problem.lower + van_der_corput(k) * width;
     }
-    return stopped_by_evaluator;
+    return {stopped_by_evaluator};
   };
   return solver;
 }

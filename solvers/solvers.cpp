@@ -1,9 +1,11 @@
 #include "solvers/solvers.h"
 
+#include "solvers/bisection.h"
 #include "solvers/ceres.h"
 #include "solvers/ceres_least_squares.h"
 #include "solvers/continuation.h"
 #include "solvers/fireworks/fireworks.h"
+#include "solvers/golden_section.h"
 #include "solvers/ipopt.h"
 #include "solvers/nlopt.h"
 #include "solvers/pagmo.h"
@@ -16,6 +18,8 @@ std::vector<Solver> all_solvers() {
   std::vector<Solver> solvers = {
       random_search(),
       scan(),
+      bisection(),
+      golden_section(),
       fireworks("fireworks", {}),
       fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
 #ifdef RICOCHET_HAS_IPOPT

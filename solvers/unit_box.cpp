@@ -26,16 +26,16 @@ void UnitBox::keep_inside(Values& values) const {
   values.constraints.tail(inequalities).array() += feasibility_margin;
 }
 
-std::optional<Values> UnitBox::values(const Vector& u) {
+std::optional<Values> UnitBox::values(const Vector& u, Part part) {
   if (!u.allFinite()) return std::nullopt;
-  auto shown = evaluator_.values(from_unit(u));
+  auto shown = evaluator_.values(from_unit(u), part);
   if (shown) keep_inside(*shown);
   return shown;
 }
 
-std::optional<Derivatives> UnitBox::derivatives(const Vector& u) {
+std::optional<Derivatives> UnitBox::derivatives(const Vector& u, Part part) {
   if (!u.allFinite()) return std::nullopt;
-  auto shown = evaluator_.derivatives(from_unit(u));
+  auto shown = evaluator_.derivatives(from_unit(u), part);
   if (!shown) return std::nullopt;
   keep_inside(shown->values);
   shown->gradient.array() *= width_.array();
@@ -43,9 +43,9 @@ std::optional<Derivatives> UnitBox::derivatives(const Vector& u) {
   return shown;
 }
 
-std::optional<Residuals> UnitBox::residuals(const Vector& u) {
+std::optional<Residuals> UnitBox::residuals(const Vector& u, Part part) {
   if (!u.allFinite()) return std::nullopt;
-  auto shown = evaluator_.residuals(from_unit(u));
+  auto shown = evaluator_.residuals(from_unit(u), part);
   if (shown) shown->jacobian *= width_.asDiagonal();
   return shown;
 }

@@ -17,8 +17,7 @@ inline constexpr const char* not_finite = "a number is not finite";
 /// of about their tolerance, but the verdict grants none.
 inline constexpr double feasibility_margin = 1e-8;
 
-/// Whether the box holds more than one point. In one that does not, the evaluator answers from
-/// memory for ever and a solver that waits for its refusal never ends.
+/// Whether the box holds more than one point. In one that does not there is nothing to search.
 bool has_room(const Problem& problem);
 
 /// An evaluator seen through the unit cube, u = (x - lower) / (upper - lower), so that one step and
@@ -34,13 +33,13 @@ class UnitBox {
   /// Objective and constraints at u, but equalities, raised by feasibility_margin. Nothing once the
   /// run is over, or where u is not finite: the evaluator would end the run, but only this start
   /// has failed.
-  std::optional<Values> values(const Vector& u);
+  std::optional<Values> values(const Vector& u, Part part = Part::everything);
 
   /// The same with the derivatives with respect to u.
-  std::optional<Derivatives> derivatives(const Vector& u);
+  std::optional<Derivatives> derivatives(const Vector& u, Part part = Part::everything);
 
   /// The residuals with their derivatives with respect to u.
-  std::optional<Residuals> residuals(const Vector& u);
+  std::optional<Residuals> residuals(const Vector& u, Part part = Part::everything);
 
   bool over() const { return evaluator_.over(); }
 

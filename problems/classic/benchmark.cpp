@@ -17,7 +17,8 @@ Statement statement_of(const Benchmark& benchmark, Eigen::Index residuals, doubl
           .best_known = benchmark.best_sum / 2,
           .best_point = best,
           .provenance = benchmark.provenance,
-          .rotates = benchmark.rotates};
+          .rotates = benchmark.rotates,
+          .start_scales = benchmark.rotates ? std::vector<double>{1, 10, 100} : std::vector{1.0}};
 }
 
 std::string more_garbow_hillstrom(int number) {

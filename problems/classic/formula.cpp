@@ -13,6 +13,7 @@ Problem without_functions(Statement statement) {
   problem.best_point = std::move(statement.best_point);
   problem.provenance = std::move(statement.provenance);
   problem.rotates = statement.rotates;
+  problem.start_scales = std::move(statement.start_scales);
   return problem;
 }
 

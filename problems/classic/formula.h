@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "src/core/problem.h"
 
@@ -32,6 +33,7 @@ struct Statement {
   Vector best_point = {};
   std::string provenance = {};
   bool rotates = false;
+  std::vector<double> start_scales = {};  ///< see Problem
 };
 
 /// The problem without its functions.

@@ -16,7 +16,8 @@ Statement hock_schittkowski(int number, const std::string& author, Vector lower,
           .best_known = optimum.value,
           .best_point = std::move(optimum.point),
           .provenance = std::move(optimum.provenance),
-          .rotates = optimum.everywhere};
+          .rotates = optimum.everywhere,
+          .start_scales = {1}};
 }
 
 }  // namespace ricochet::classic

@@ -176,9 +176,9 @@ Solver fireworks(std::string name, const FireworksOptions& options) {
   solver.solve = [options](Evaluator& evaluator, const Vector& start,
                            Random& random) -> SolverExit {
     Generation generation(evaluator, options, random);
-    if (!generation.begin(start)) return stopped_by_evaluator;
+    if (!generation.begin(start)) return {stopped_by_evaluator};
     while (generation.explode()) generation.select();
-    return stopped_by_evaluator;
+    return {stopped_by_evaluator};
   };
   return solver;
 }

@@ -16,10 +16,12 @@
 #include "src/cli/manual.h"
 #include "src/cli/other_program.h"
 #include "src/cli/simulate.h"
+#include "src/cli/solve.h"
 #include "src/cli/threshold.h"
 #include "src/core/folder_lock.h"
 #include "src/report/process.h"
 #include "src/report/report.h"
+#include "src/studies/contest/study.h"
 #include "src/studies/reproduction/study.h"
 
 namespace ricochet::cli {
@@ -59,6 +61,8 @@ class Program : public CommandLine {
     add_threshold();
     add_machine();
     add_scene();
+    add_solve();
+    add_compare();
     add_list();
     add_report();
     for (const OtherCommand& other : other_commands) add_other(other);
@@ -132,6 +136,47 @@ class Program : public CommandLine {
       std::fputs(carrier_track::write_scene(choose_scene(scene_).scene).c_str(), stdout);
       return 0;
     });
+  }
+
+  void add_solve() {
+    CLI::App* command = add("solve", "One run of one solver on one question, watched and judged",
+                            "  ricochet solve nlopt-cobyla top-speed-C1 --form penalised-count\n"
+                            "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg");
+    command->add_option("solver", solve_.solver, "One of ricochet list solvers")
+        ->required()
+        ->type_name("SOLVER");
+    command->add_option("question", solve_.question, "One of ricochet list questions")
+        ->required()
+        ->type_name("QUESTION");
+    command->add_option("--form", solve_.form, "That it is shown; else the first it accepts");
+    command->add_option("--budget", solve_.budget, "Evaluations")->capture_default_str();
+    command->add_option("--instance", solve_.instance, "0: as stated; others: in another box")
+        ->capture_default_str();
+    command->add_option("--seed", solve_.seed, "Number of the run")->capture_default_str();
+    command->add_option("--trace", solve_.trace, "CSV file for the improvements")
+        ->type_name("FILE");
+    command->add_option("--plot", solve_.plot, "SVG file for a picture of them")->type_name("FILE");
+    add_format(command, solve_.json);
+    on_call(command, [this] { return solve(solve_); });
+  }
+
+  void add_compare() {
+    CLI::App* command = add_study(
+        "compare", "Solvers against each other: who solves what, in which form, at what cost",
+        [this] { return studies::contest_study(contest_); },
+        "  ricochet compare --quick\n"
+        "  ricochet compare --questions 'hs-*' --solvers 'nlopt-*' --budget 100,1000");
+    command->add_option("--questions", contest_.questions,
+                        "Patterns, with commas between; else the standing contest's");
+    command->add_option("--solvers", contest_.solvers, "Patterns")->capture_default_str();
+    command->add_option("--forms", contest_.forms, "Patterns, such as *count or penalised*")
+        ->capture_default_str();
+    command->add_option("--widths", contest_.widths, "Of surrogates, beside the usual one")
+        ->delimiter(',');
+    command->add_option("--budget", contest_.budgets, "Evaluations for each variable")
+        ->delimiter(',');
+    command->add_option("--instances", contest_.instances, "Of every question")
+        ->capture_default_str();
   }
 
   void add_list() {
@@ -212,6 +257,8 @@ class Program : public CommandLine {
     return commands;
   }
 
+  SolveOptions solve_;
+  studies::ContestOptions contest_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   SceneChoice scene_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/core/problem.h"
+#include "src/core/stopwatch.h"
 
 namespace ricochet {
 
@@ -27,13 +28,23 @@ enum class Refusal {
   paused,       ///< so many evaluations as were allowed for now are spent; see Evaluator::allow
 };
 
+/// What a call wants to know of a point; some solvers ask for one after the other.
+enum class Part : unsigned {
+  nothing = 0,  ///< yet: the point is paid for what will be asked next
+  objective = 1,
+  equalities = 2,
+  inequalities = 4,
+  everything = 7,
+  jacobian = 8  ///< of the residuals, where they were asked for before as the objective
+};
+
 /// What was asked of the problem.
 struct Ledger {
   std::int64_t values = 0;       ///< calls of evaluate
   std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
   std::int64_t charged = 0;      ///< evaluations: 1 for values, 1 + n for derivatives or residuals
   std::int64_t refused = 0;      ///< calls that were refused
-  double seconds = 0;            ///< processor time since the start, scoring left out
+  double seconds = 0;            ///< processor time of the run, scoring left out
 };
 
 /// A point that was truly better than all before it.
@@ -46,9 +57,10 @@ struct Improvement {
 
 /// The only one who counts, times, traces, and refuses when the budget is spent. Remembers the last
 /// point, so that a solver that asks separately for objective, constraints and gradient at one
-/// point pays once. Every point is scored by its truth off the clock: the trace, never a solver's
-/// answer, tells what was reached; a truth that is not a number is no point reached. Points outside
-/// the box are evaluated at their projection onto it.
+/// point pays once; who asks for the same of the same point again pays again. Every point is scored
+/// by its truth off the clock: the trace, never a solver's answer, tells what was reached; a truth
+/// that is not a number is no point reached. Points outside the box are evaluated at their
+/// projection onto it.
 ///
 /// Nothing throws through a solver's frame: an exception of the problem is stored in `failure`, and
 /// from then on every call is refused.
@@ -59,19 +71,20 @@ class Evaluator {
   const Problem& problem() const { return problem_; }
 
   /// Objective and constraints, equalities first, at x (length n), or nothing once the run is over.
-  std::optional<Values> values(const Vector& x);
+  /// All are there, whichever part is asked for.
+  std::optional<Values> values(const Vector& x, Part part = Part::everything);
 
-  /// values(x)->objective.
+  /// values(x, Part::objective)->objective.
   std::optional<double> objective(const Vector& x);
 
   /// Values and first derivatives at x, or nothing once the run is over. The problem must have
   /// them.
-  std::optional<Derivatives> derivatives(const Vector& x);
+  std::optional<Derivatives> derivatives(const Vector& x, Part part = Part::everything);
 
   /// Residuals and their first derivatives at x, or nothing once the run is over. The problem must
   /// have them. What is known of x otherwise makes them no cheaper: they may be of another
   /// function.
-  std::optional<Residuals> residuals(const Vector& x);
+  std::optional<Residuals> residuals(const Vector& x, Part part = Part::everything);
 
   /// Shows the problem at this smoothing width, >= 0, from here on; it is judged as before. The
   /// problem must have the knob.
@@ -94,23 +107,35 @@ class Evaluator {
   bool over() const { return refusal_ != Refusal::none; }
   Refusal refusal() const { return refusal_; }
   std::exception_ptr failure() const { return failure_; }
-  const Ledger& ledger() const { return ledger_; }
+  Ledger ledger();
   const std::vector<Improvement>& trace() const { return trace_; }
 
  private:
-  bool admits(const Vector& x, std::int64_t price);
-  void score(const Vector& x, const Values* known);
-  void charge(std::int64_t price);
-  void look(const Vector& x, const Values& values);
-  const Problem& shown() const { return smoothed_ ? *smoothed_ : problem_; }
+  /// What one kind of call has told of the remembered point, and which parts were asked for.
+  template <class Told>
+  struct Memory {
+    std::optional<Told> told;
+    unsigned asked = 0;
 
-  template <class Work>
-  bool guarded(Work work);
+    /// Whether the part is there and was not asked for before; from now on it was.
+    bool has(Part part);
+  };
 
   struct Shown {
     Truth taken_for;
     Vector x;
   };
+
+  bool admits(const Vector& x, std::int64_t price);
+  bool remembers(const Vector& x) const { return has_point_ && point_ == x; }
+  void move_to(const Vector& x);
+  void forget();
+  void look(const Vector& x, const Values& values);
+  void score(const Vector& x, const Values* known);
+  const Problem& shown() const { return smoothed_ ? *smoothed_ : problem_; }
+
+  template <class Work>
+  bool guarded(Work work);
 
   const Problem& problem_;
   std::optional<Problem> smoothed_;
@@ -121,13 +146,13 @@ class Evaluator {
   Refusal refusal_ = Refusal::none;
   std::exception_ptr failure_;
   std::vector<Improvement> trace_;
-  double started_;       // processor time [s] of the start, moved on by the time spent scoring
-  Vector values_point_;  // where values_ holds
-  std::optional<Values> values_;
-  Vector derivatives_point_;
-  std::optional<Derivatives> derivatives_;
-  Vector residuals_point_;
-  std::optional<Residuals> residuals_;
+  Stopwatch stopwatch_;
+  bool has_point_ = false;
+  Vector point_;   // remembered, as asked for
+  Vector inside_;  // its projection onto the box
+  Memory<Values> values_;
+  Memory<Derivatives> derivatives_;
+  Memory<Residuals> residuals_;
 };
 
 }  // namespace ricochet

@@ -1,5 +1,6 @@
 #include "src/core/instance.h"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -8,8 +9,18 @@
 namespace ricochet {
 namespace {
 
-/// solver's x = offset + direction * natural x, coordinate by coordinate; direction is +1 or -1.
-/// Before that the natural x may be turned about a centre.
+/// A box of coordinates that are turned, but not moved or reflected yet.
+struct Box {
+  Vector lower, upper;
+
+  void hold(const Vector& x) {
+    lower = lower.cwiseMin(x);
+    upper = upper.cwiseMax(x);
+  }
+};
+
+/// solver's x = offset + direction * straight x, coordinate by coordinate; direction is +1 or -1.
+/// Before that the natural x may be turned about a centre, which makes it straight.
 struct Frame {
   Vector offset;
   Vector direction;
@@ -21,13 +32,38 @@ struct Frame {
     const Vector straight = direction.cwiseProduct(x - offset);
     return turns ? Vector(centre + turn * (straight - centre)) : straight;
   }
-  Vector shown(const Vector& x) const { return offset + direction.cwiseProduct(x); }
+  Vector straight(const Vector& natural) const {
+    return turns ? Vector(centre + turn.transpose() * (natural - centre)) : natural;
+  }
+  Vector shown(const Vector& straight) const { return offset + direction.cwiseProduct(straight); }
 
   /// d natural / d x.
   Matrix slope() const {
     return turns ? Matrix(turn * direction.asDiagonal()) : Matrix(direction.asDiagonal());
   }
 };
+
+/// A box in which the best point lies elsewhere.
+Box box_around_best(const Problem& problem, Random& random) {
+  Box box{problem.lower, problem.upper};
+  if (!problem.best_point) return box;
+  const Vector& best = *problem.best_point;
+  for (Eigen::Index i = 0; i < best.size(); ++i) {
+    const double whole = problem.upper[i] - problem.lower[i];
+    const double share = uniform(random);
+    const double width = problem.rotates ? whole : (0.5 + 0.5 * uniform(random)) * whole;
+    // The lower end may lie within these.
+    const double from = problem.rotates ? best[i] - 0.9 * width
+                                        : std::max(problem.lower[i], best[i] - width);
+    const double to = problem.rotates ? best[i] - 0.1 * width
+                                      : std::min(problem.upper[i] - width, best[i]);
+    box.lower[i] = from + share * (to - from);
+    box.upper[i] = box.lower[i] + width;
+  }
+  box.hold(best);  // whatever rounding did
+  if (!problem.rotates) box = {box.lower.cwiseMax(problem.lower), box.upper.cwiseMin(problem.upper)};
+  return box;
+}
 
 /// A random orthogonal matrix, of the uniform (Haar) distribution: normal columns, made orthogonal
 /// one after the other, twice for the sake of rounding.
@@ -57,33 +93,40 @@ Problem instance(const Problem& problem, int number) {
   if (number < 0) throw std::invalid_argument("instance: the number must be >= 0");
   if (number == 0) return problem;
   Random random(seed_of(problem.name, "instance", number, 0));
-  const Vector width = problem.upper - problem.lower;
   const Eigen::Index n = problem.dimension();
   Frame frame{Vector(n), Vector(n), problem.rotates && n > 1, Matrix(), Vector()};
-  for (Eigen::Index i = 0; i < problem.dimension(); ++i) {
-    const bool reflected = uniform(random) < 0.5;
-    const double shift = width[i] * (2 * uniform(random) - 1);
-    frame.direction[i] = reflected ? -1.0 : 1.0;
-    frame.offset[i] = (reflected ? problem.lower[i] + problem.upper[i] : 0.0) + shift;
-  }
   if (frame.turns) {
     frame.turn = random_turn(n, random);
     frame.centre = problem.best_point.value();
   }
+  Box box = box_around_best(problem, random);
+  Vector start;  // straight
+  if (!problem.start_scales.empty()) {
+    const auto k = static_cast<std::size_t>(number - 1) % problem.start_scales.size();
+    start = frame.straight(problem.start_scales[k] * problem.start);
+    if (!problem.rotates) start = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
+    box.hold(start);
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool reflected = uniform(random) < 0.5;
+    const double shift = (box.upper[i] - box.lower[i]) * (2 * uniform(random) - 1);
+    frame.direction[i] = reflected ? -1.0 : 1.0;
+    frame.offset[i] = (reflected ? box.lower[i] + box.upper[i] : 0.0) + shift;
+  }
   const auto original = std::make_shared<const Problem>(problem);
   Problem result = problem;
   result.instance = number;
-  const Vector a = frame.shown(problem.lower);
-  const Vector b = frame.shown(problem.upper);
+  const Vector a = frame.shown(box.lower);
+  const Vector b = frame.shown(box.upper);
   result.lower = a.cwiseMin(b);
   result.upper = a.cwiseMax(b);
-  result.start = uniform_point(result, random);
+  result.start = start.size() > 0 ? frame.shown(start) : uniform_point(result, random);
   if (problem.best_point) result.best_point = frame.shown(*problem.best_point);
   // NOTE: rounding in the frame can lead a hair outside the box; the original is asked inside it.
-  // One that is turned is defined outside, too.
+  // One that can be turned is defined outside, too.
   const auto inside = [original, frame](const Vector& x) -> Vector {
     const Vector natural = frame.natural(x);
-    return frame.turns ? natural : natural.cwiseMax(original->lower).cwiseMin(original->upper);
+    return original->rotates ? natural : natural.cwiseMax(original->lower).cwiseMin(original->upper);
   };
   const Matrix slope = frame.slope();
   result.evaluate = [original, inside](const Vector& x) { return original->evaluate(inside(x)); };

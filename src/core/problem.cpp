@@ -4,6 +4,10 @@
 
 namespace ricochet {
 
+Truth truth_at(const Problem& problem, const Vector& x) {
+  return problem.truth ? problem.truth(x) : truth_of(problem.evaluate(x), problem.equalities);
+}
+
 Truth truth_of(const Values& values, Eigen::Index equalities) {
   double violation = 0;
   for (Eigen::Index i = 0; i < values.constraints.size(); ++i) {

@@ -93,9 +93,16 @@ struct Problem {
   /// Whether the problem is defined on all of R^n and best_point, which is then known, is best
   /// there too, so that its instances may be turned about it.
   bool rotates = false;
+  /// Empty where instances draw their start. Else the start is part of the problem: instance k
+  /// begins at its own image of start_scales[(k - 1) % size] times the start.
+  std::vector<double> start_scales = {};
 
   Eigen::Index dimension() const { return lower.size(); }
 };
+
+/// What a point is truly worth: by the problem's truth, or by what it shows where that is the
+/// truth.
+Truth truth_at(const Problem& problem, const Vector& x);
 
 /// Values taken at their word, of which so many constraints are equalities.
 Truth truth_of(const Values& values, Eigen::Index equalities = 0);

@@ -1,5 +1,7 @@
 #include "src/core/run.h"
 
+#include <cmath>
+
 #include "src/core/instance.h"
 #include "src/core/seed.h"
 
@@ -20,6 +22,26 @@ std::string message_of(const std::exception_ptr& failure) {
   }
 }
 
+/// Picks from the points that the starts handed over. Returns what the problem threw.
+std::exception_ptr hand_over(const Problem& problem, RunRecord& record) {
+  try {
+    std::optional<Truth> best;
+    for (const SolverExit& exit : record.exits) {
+      if (!exit.point || exit.point->size() != problem.dimension() || !exit.point->allFinite()) {
+        continue;
+      }
+      const Vector inside = exit.point->cwiseMax(problem.lower).cwiseMin(problem.upper);
+      const Truth shown = truth_of(problem.evaluate(inside), problem.equalities);
+      if (std::isnan(shown.objective) || (best && !better(shown, *best))) continue;
+      best = shown;
+      record.handed_over = {inside, truth_at(problem, inside)};
+    }
+  } catch (...) {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number) {
@@ -35,17 +57,21 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
   Evaluator evaluator(problem, budget);
   std::exception_ptr failure;
   try {
-    Vector start = number == 0 ? problem.start : uniform_point(problem, starts);
+    const bool stated = number == 0 || !problem.start_scales.empty();
+    Vector start = stated ? problem.start : uniform_point(problem, starts);
     int idle = 0;
     while (!evaluator.over() && idle < idle_starts) {
       const std::int64_t before = evaluator.ledger().charged;
-      record.exits.push_back(solver.solve(evaluator, start, random));
+      SolverExit exit = solver.solve(evaluator, start, random);
+      if (!exit.point && evaluator.best_shown() != nullptr) exit.point = *evaluator.best_shown();
+      record.exits.push_back(std::move(exit));
       start = uniform_point(problem, starts);
       idle = evaluator.ledger().charged > before ? 0 : idle + 1;
     }
   } catch (...) {
     failure = std::current_exception();
   }
+  if (!failure) failure = hand_over(problem, record);
   if (evaluator.failure()) failure = evaluator.failure();
   if (failure) record.failure = message_of(failure);
   record.ledger = evaluator.ledger();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,12 @@
 #include "src/core/solver.h"
 
 namespace ricochet {
+
+/// What a run ends with, in the solver's opinion.
+struct HandedOver {
+  Vector x;
+  Truth truth;
+};
 
 /// All that is kept of one run of one solver on one instance of a problem.
 struct RunRecord {
@@ -20,12 +27,16 @@ struct RunRecord {
   Ledger ledger;
   Refusal refusal = Refusal::none;
   std::vector<SolverExit> exits;  ///< one for each start
+  /// Of the points that the starts handed over, the best as it was shown; nothing where there is
+  /// none.
+  std::optional<HandedOver> handed_over;
   std::string failure;            ///< what the problem or the solver threw; empty if nothing
   std::vector<Improvement> trace;
 };
 
-/// Runs the solver from the problem's start, and from new starts uniform in the box until the
-/// budget is spent, ten starts in a row ask for nothing new, or something throws. The starts depend
+/// Runs the solver from the problem's start, or, where that is no part of the problem and the run's
+/// number is not 0, from a uniform one; and from new starts uniform in the box until the budget is
+/// spent, ten starts in a row ask for nothing new, or something throws. The starts depend
 /// on problem, instance and run alone, so that all solvers get the same ones; the solver's
 /// randomness depends on the solver too. An exception ends the run and is recorded, never passed
 /// on.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "src/core/evaluator.h"
@@ -8,8 +9,14 @@
 
 namespace ricochet {
 
-/// What a solver says of its own end. Data, never the truth: the suite judges by the trace.
-using SolverExit = std::string;
+/// What a solver says of its own end. Data, never the truth: the suite judges by itself.
+struct SolverExit {
+  std::string reason;
+  /// The point that it hands over; without one the best that it was shown since it began.
+  std::optional<Vector> point = {};
+
+  bool operator==(const SolverExit&) const = default;
+};
 
 /// A solver of box-bounded minimisation problems.
 struct Solver {

@@ -2,10 +2,6 @@
 
 namespace ricochet {
 
-Truth truth_at(const Problem& problem, const Vector& x) {
-  return problem.truth ? problem.truth(x) : truth_of(problem.evaluate(x), problem.equalities);
-}
-
 Verdict judge(const RunRecord& record, const Problem& problem, double tolerance) {
   Verdict verdict;
   for (const Improvement& step : record.trace) {
@@ -19,6 +15,11 @@ Verdict judge(const RunRecord& record, const Problem& problem, double tolerance)
       verdict.evaluations_to_solve = step.evaluations;
       verdict.seconds_to_solve = step.seconds;
     }
+  }
+  const auto& handed_over = record.handed_over;
+  if (handed_over && handed_over->truth.violation <= 0 && problem.best_known) {
+    verdict.handed_over_regret = handed_over->truth.objective - *problem.best_known;
+    verdict.handed_over_solved = *verdict.handed_over_regret <= tolerance;
   }
   return verdict;
 }

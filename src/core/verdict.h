@@ -8,11 +8,8 @@
 
 namespace ricochet {
 
-/// What a point is truly worth: by the problem's truth, or by what it shows where that is the
-/// truth.
-Truth truth_at(const Problem& problem, const Vector& x);
-
-/// What the suite says of a run, from its trace alone.
+/// What the suite says of a run: from its trace what was found, which is more than a user gets where
+/// the solver hands over another point.
 struct Verdict {
   bool feasible = false;            ///< a truly feasible point was found
   std::optional<double> objective;  ///< best true objective among feasible points
@@ -20,6 +17,9 @@ struct Verdict {
   bool solved = false;              ///< regret <= tolerance
   std::optional<std::int64_t> evaluations_to_solve;
   std::optional<double> seconds_to_solve;
+  /// The same of the point handed over: nothing where it is infeasible or there is none.
+  std::optional<double> handed_over_regret;
+  bool handed_over_solved = false;
 };
 
 /// `tolerance` >= 0 is the regret that still counts as solved.

@@ -29,7 +29,7 @@ Solver chance(std::string name) {
   solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) {
     Vector x = start;
     while (evaluator.objective(x)) x = uniform_point(evaluator.problem(), random);
-    return SolverExit("spent");
+    return SolverExit{"spent"};
   };
   return solver;
 }

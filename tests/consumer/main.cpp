@@ -22,7 +22,7 @@ Solver shrinking_steps() {
       x = *evaluator.best_shown();
       for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += size * uniform(random) * box[i];
     }
-    return "steps too short";
+    return {"steps too short"};
   };
   return solver;
 }

@@ -36,6 +36,34 @@ TEST(Evaluator, RemembersTheLastPoint) {
   EXPECT_EQ(evaluator.ledger().charged, 3 + 1 + 2) << "values at this point were already paid";
 }
 
+TEST(Evaluator, ChargesWhoAsksForTheSameAgain) {
+  const Problem problem = parabola(2);
+  Evaluator evaluator(problem, {100});
+  const Vector x = Vector::Constant(2, 0.5);
+  for (const Part part : {Part::nothing, Part::objective, Part::inequalities, Part::equalities}) {
+    ASSERT_TRUE(evaluator.values(x, part));
+  }
+  EXPECT_EQ(evaluator.ledger().charged, 1) << "each is another quantity";
+  ASSERT_TRUE(evaluator.objective(x));
+  EXPECT_EQ(evaluator.ledger().charged, 2);
+  EXPECT_EQ(evaluator.ledger().values, 2) << "it was asked of the problem anew";
+  ASSERT_TRUE(evaluator.values(x));
+  EXPECT_EQ(evaluator.ledger().charged, 3);
+  ASSERT_TRUE(evaluator.derivatives(x, Part::objective));
+  ASSERT_TRUE(evaluator.derivatives(x, Part::inequalities));
+  EXPECT_EQ(evaluator.ledger().charged, 3 + 2);
+  ASSERT_TRUE(evaluator.derivatives(x, Part::objective));
+  EXPECT_EQ(evaluator.ledger().charged, 3 + 2 + 3);
+}
+
+TEST(Evaluator, EndsASolverThatAsksForOnePointForEver) {
+  const Problem problem = parabola(2);
+  Evaluator evaluator(problem, {100});
+  int asked = 0;
+  while (evaluator.objective(problem.start)) ++asked;
+  EXPECT_EQ(asked, 100);
+}
+
 TEST(Evaluator, ChargesOnePlusNForResidualsAndRemembersThem) {
   const Problem problem = parabola(3);
   Evaluator evaluator(problem, {100});
@@ -43,12 +71,14 @@ TEST(Evaluator, ChargesOnePlusNForResidualsAndRemembersThem) {
   ASSERT_TRUE(evaluator.values(x));
   const auto first = evaluator.residuals(x);
   EXPECT_EQ(evaluator.ledger().charged, 1 + 4) << "values at this point make them no cheaper";
-  EXPECT_EQ(evaluator.residuals(x)->values, first->values);
+  EXPECT_EQ(evaluator.residuals(x, Part::jacobian)->values, first->values);
   EXPECT_EQ(evaluator.ledger().charged, 1 + 4);
   EXPECT_EQ(evaluator.ledger().derivatives, 1);
   EXPECT_EQ(evaluator.ledger().values, 1);
   ASSERT_TRUE(evaluator.residuals(Vector::Constant(3, 0.25)));
   EXPECT_EQ(evaluator.ledger().charged, 1 + 4 + 4);
+  ASSERT_TRUE(evaluator.residuals(Vector::Constant(3, 0.25)));
+  EXPECT_EQ(evaluator.ledger().charged, 1 + 4 + 4 + 4) << "who asks again pays again";
 }
 
 TEST(Evaluator, ScoresResidualsByTheTruthAndNotByTheirSquares) {

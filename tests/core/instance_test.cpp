@@ -18,24 +18,51 @@ TEST(Instance, RefusesANegativeNumber) {
   EXPECT_THROW(instance(parabola(1), -1), std::invalid_argument);
 }
 
-TEST(Instance, MovesAndReflectsTheBoxButKeepsItsWidthAndItsOptimum) {
-  bool reflected = false;
-  bool kept = false;
-  for (int number = 1; number <= 20; ++number) {
+/// Where in the unit box a point lies.
+double place(const Problem& problem, double x) {
+  return (x - problem.lower[0]) / (problem.upper[0] - problem.lower[0]);
+}
+
+TEST(Instance, MovesTheOptimumWithinTheBoxAndReflectsIt) {
+  double lowest = 1;
+  double highest = 0;
+  for (int number = 1; number <= 40; ++number) {
     const Problem moved = instance(parabola(1), number);
-    EXPECT_NEAR(moved.upper[0] - moved.lower[0], 1.0, 1e-12);
-    EXPECT_NE(moved.lower[0], 0.0);
-    // The optimum lies a quarter of the width from one end of the box.
-    const Vector from_lower = Vector::Constant(1, moved.lower[0] + 0.25);
-    const Vector from_upper = Vector::Constant(1, moved.upper[0] - 0.25);
-    const double low = moved.evaluate(from_lower).objective;
-    const double high = moved.evaluate(from_upper).objective;
-    EXPECT_NEAR(std::min(low, high), 0.0, 1e-12);
-    (low < high ? kept : reflected) = true;
-    EXPECT_GE(moved.start[0], moved.lower[0]);
-    EXPECT_LE(moved.start[0], moved.upper[0]);
+    const double width = moved.upper[0] - moved.lower[0];
+    EXPECT_GE(width, 0.5);
+    EXPECT_LE(width, 1);
+    const double best = (*moved.best_point)[0];
+    EXPECT_NEAR(moved.evaluate(*moved.best_point).objective, 0.0, 1e-12);
+    lowest = std::min(lowest, place(moved, best));
+    highest = std::max(highest, place(moved, best));
+    EXPECT_GE(place(moved, moved.start[0]), 0);
+    EXPECT_LE(place(moved, moved.start[0]), 1);
   }
-  EXPECT_TRUE(reflected && kept);
+  EXPECT_GE(lowest, 0);
+  EXPECT_LE(highest, 1);
+  EXPECT_LT(lowest, 0.15);
+  EXPECT_GT(highest, 0.85);
+}
+
+TEST(Instance, StaysWithinTheBoxOfAProblemThatIsNotDefinedOutside) {
+  Problem problem = parabola(2);
+  problem.evaluate = [evaluate = problem.evaluate](const Vector& x) {
+    EXPECT_TRUE((x.array() >= 0).all() && (x.array() <= 1).all());
+    return evaluate(x);
+  };
+  for (int number = 1; number <= 20; ++number) {
+    const Problem moved = instance(problem, number);
+    for (const Vector& corner : {moved.lower, moved.upper}) moved.evaluate(corner);
+    EXPECT_TRUE((moved.best_point->array() >= moved.lower.array()).all());
+    EXPECT_TRUE((moved.best_point->array() <= moved.upper.array()).all());
+  }
+}
+
+TEST(Instance, KeepsTheBoxWhereNoBestPointIsKnown) {
+  Problem problem = parabola(1);
+  problem.best_point.reset();
+  const Problem moved = instance(problem, 1);
+  EXPECT_NEAR(moved.upper[0] - moved.lower[0], 1, 1e-12);
 }
 
 TEST(Instance, KeepsTheDerivativesConsistent) {
@@ -103,6 +130,35 @@ TEST(Instance, TurnsAProblemAboutItsBestPoint) {
     const Residuals r = moved.residuals(moved.start);
     EXPECT_LT((r.jacobian.transpose() * r.values - d.gradient).norm(), 1e-11);
     EXPECT_NEAR(r.values.squaredNorm() / 2, d.values.objective, 1e-11);
+  }
+}
+
+TEST(Instance, MovesTheBoxAtWillWhereTheProblemIsDefinedOutside) {
+  double lowest = 1;
+  double highest = 0;
+  for (int number = 1; number <= 40; ++number) {
+    const Problem moved = instance(valley(), number);
+    EXPECT_NEAR((moved.upper - moved.lower).minCoeff(), 1, 1e-12);
+    lowest = std::min(lowest, place(moved, (*moved.best_point)[0]));
+    highest = std::max(highest, place(moved, (*moved.best_point)[0]));
+  }
+  EXPECT_GE(lowest, 0.1 - 1e-12);
+  EXPECT_LE(highest, 0.9 + 1e-12);
+  EXPECT_LT(lowest, 0.2);
+  EXPECT_GT(highest, 0.8);
+}
+
+TEST(Instance, KeepsAPublishedStartAndItsMultiples) {
+  Problem problem = valley();
+  problem.start = Vector{{0.5, -1, 2}};
+  problem.start_scales = {1, 10};
+  for (int number = 1; number <= 6; ++number) {
+    const Problem moved = instance(problem, number);
+    const double scale = number % 2 == 1 ? 1 : 10;
+    EXPECT_NEAR(moved.evaluate(moved.start).objective,
+                problem.evaluate(scale * problem.start).objective, 1e-8 * scale * scale);
+    EXPECT_TRUE((moved.start.array() >= moved.lower.array()).all());
+    EXPECT_TRUE((moved.start.array() <= moved.upper.array()).all());
   }
 }
 

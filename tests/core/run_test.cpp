@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "src/core/verdict.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {
@@ -19,7 +20,7 @@ Solver sampler(int points) {
     for (int i = 0; i < points && evaluator.objective(x); ++i) {
       for (double& c : x) c = std::uniform_real_distribution<double>(0, 1)(random);
     }
-    return SolverExit("done");
+    return SolverExit{"done"};
   };
   return solver;
 }
@@ -42,7 +43,7 @@ TEST(Run, GoesOnAfterARestartThatAskedForNothing) {
   int calls = 0;
   lazy.solve = [&calls](Evaluator& evaluator, const Vector& start, Random&) {
     if (++calls % 3 != 0) evaluator.objective(start);
-    return SolverExit("done");
+    return SolverExit{"done"};
   };
   const RunRecord record = run(parabola(2), lazy, {55}, 0);
   EXPECT_EQ(record.ledger.charged, 55);
@@ -63,6 +64,38 @@ TEST(Run, GivesEverySolverTheSameStarts) {
   const RunRecord a = run(parabola(2), sampler(1), {4}, 1);
   const RunRecord b = run(parabola(2), other, {4}, 1);
   EXPECT_EQ(a.trace.front().x, b.trace.front().x);
+}
+
+/// Looks at 0.25, the best point, but ends at 0.75.
+Solver modest() {
+  Solver solver = sampler(0);
+  solver.solve = [](Evaluator& evaluator, const Vector&, Random&) {
+    evaluator.objective(Vector::Constant(1, 0.25));
+    return SolverExit{"done", Vector::Constant(1, 0.75)};
+  };
+  return solver;
+}
+
+TEST(Run, KeepsThePointThatIsHandedOverBesideTheBestThatWasFound) {
+  const Problem problem = parabola(1);
+  const RunRecord record = run(problem, modest(), {3}, 0);
+  ASSERT_TRUE(record.handed_over);
+  EXPECT_EQ(record.handed_over->x[0], 0.75);
+  EXPECT_EQ(record.handed_over->truth.objective, 0.25);
+  const Verdict verdict = judge(record, problem, 0.01);
+  EXPECT_TRUE(verdict.solved);
+  EXPECT_FALSE(verdict.handed_over_solved);
+  EXPECT_EQ(verdict.handed_over_regret, 0.25);
+}
+
+TEST(Run, TakesTheBestPointShownForTheOneHandedOverWhereThereIsNone) {
+  Problem problem = parabola(1);
+  problem.truth = [](const Vector& x) { return Truth{-x[0], 0.0}; };
+  const RunRecord record = run(problem, sampler(10), {20}, 0);
+  ASSERT_TRUE(record.handed_over);
+  EXPECT_EQ(record.handed_over->truth.objective, -record.handed_over->x[0]);
+  EXPECT_GT(record.handed_over->truth.objective, record.trace.back().truth.objective)
+      << "it cannot know the truth";
 }
 
 TEST(Run, RecordsWhatTheProblemThrew) {

@@ -40,7 +40,7 @@ Problem rosenbrock(const Vector& lower, const Vector& upper, double unit = 1) {
 Vector solved(const Problem& problem, std::int64_t budget) {
   Evaluator evaluator(problem, {budget});
   Random random;
-  EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random), "converged");
+  EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random).reason, "converged");
   return evaluator.best()->x;
 }
 
@@ -53,7 +53,7 @@ TEST(CeresLeastSquares, GoesStraightToAnOptimumInACorner) {
   const Problem problem = sphere(2, 130);
   Evaluator evaluator(problem, {300});
   Random random;
-  EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random), "converged");
+  EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random).reason, "converged");
   EXPECT_EQ(evaluator.best()->x, problem.upper);
   EXPECT_EQ(evaluator.ledger().derivatives, 2) << "it knows the bounds";
 }
@@ -118,7 +118,7 @@ TEST(CeresLeastSquares, StopsAtWhateverCallTheEvaluatorRefuses) {
     const Problem problem = rosenbrock(Vector{{-2, -2}}, Vector{{3, 4}});
     Evaluator evaluator(problem, {budget});
     Random random;
-    EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random),
+    EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random).reason,
               "stopped by the evaluator");
     EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
     EXPECT_EQ(evaluator.ledger().charged, budget - budget % 3) << "3 for every point";
@@ -126,7 +126,7 @@ TEST(CeresLeastSquares, StopsAtWhateverCallTheEvaluatorRefuses) {
 }
 
 TEST(CeresLeastSquares, EndsAStartWithoutNumbers) {
-  EXPECT_EQ(run(never_a_number(2), ceres_least_squares(), {30}, 0).exits.front(),
+  EXPECT_EQ(run(never_a_number(2), ceres_least_squares(), {30}, 0).exits.front().reason,
             "a number is not finite");
 }
 

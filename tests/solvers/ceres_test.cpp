@@ -19,12 +19,12 @@ TEST(CeresLbfgs, LeavesAStartOnTheBound) {
   problem.start = Vector{{100, -100, 100}};
   Evaluator evaluator(problem, {1000});
   Random random;
-  EXPECT_EQ(ceres_lbfgs().solve(evaluator, problem.start, random), "converged");
+  EXPECT_EQ(ceres_lbfgs().solve(evaluator, problem.start, random).reason, "converged");
   EXPECT_LT(evaluator.best()->truth.objective, 1e-12);
 }
 
 TEST(CeresLbfgs, DoesNotTakeAStartWithoutANumberForAnOptimum) {
-  EXPECT_EQ(run(never_a_number(2), ceres_lbfgs(), {30}, 0).exits.front(), "failure");
+  EXPECT_EQ(run(never_a_number(2), ceres_lbfgs(), {30}, 0).exits.front().reason, "failure");
 }
 
 TEST(CeresLbfgs, FindsAnOptimumOnTheBound) {

@@ -10,7 +10,7 @@ namespace {
 
 TEST(Ipopt, SolvesASphere) {
   const RunRecord record = run(sphere(4, 3), ipopt(), {300}, 0);
-  EXPECT_EQ(record.exits.front(), "solved");
+  EXPECT_EQ(record.exits.front().reason, "solved");
   EXPECT_LT(record.trace.back().truth.objective, 1e-12);
 }
 
@@ -22,14 +22,14 @@ TEST(Ipopt, ApproachesABoundFromInside) {
 
 TEST(Ipopt, EndsOnACurvedConstraintWithoutViolatingIt) {
   const RunRecord record = run(disc(), ipopt(), {300}, 0);
-  EXPECT_EQ(record.exits.front(), "solved");
+  EXPECT_EQ(record.exits.front().reason, "solved");
   EXPECT_EQ(record.trace.back().truth.violation, 0.0);
   EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
 }
 
 TEST(Ipopt, KeepsAnEquationAndAnInequality) {
   const RunRecord record = run(arc(), ipopt(), {300}, 0);
-  EXPECT_EQ(record.exits.front(), "solved");
+  EXPECT_EQ(record.exits.front().reason, "solved");
   EXPECT_EQ(record.trace.back().truth.violation, 0.0);
   EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-6);
 }
@@ -41,7 +41,7 @@ TEST(Ipopt, StopsAtWhateverCallTheEvaluatorRefuses) {
     Random random;
     const SolverExit exit = ipopt().solve(evaluator, problem.start, random);
     if (!evaluator.over()) break;  // solved within the budget
-    EXPECT_EQ(exit, "stopped by the evaluator");
+    EXPECT_EQ(exit.reason, "stopped by the evaluator");
     EXPECT_LE(evaluator.ledger().charged, budget);
     EXPECT_GE(evaluator.ledger().charged, budget - 2) << "derivatives cost 2 more than values";
   }

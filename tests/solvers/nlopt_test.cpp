@@ -51,9 +51,11 @@ class NloptLocal : public testing::TestWithParam<std::string> {};
 
 TEST_P(NloptLocal, ConvergesToTheOptimumAndSaysSo) {
   const RunRecord record = run(sphere(2, 3), named(GetParam()), {500}, 0);
-  EXPECT_THAT(record.exits.front(), testing::AnyOf("xtol reached", "success"));
+  EXPECT_THAT(record.exits.front().reason, testing::AnyOf("xtol reached", "success"));
   EXPECT_GE(record.exits.size(), 2U) << "it leaves the budget to another start";
   EXPECT_LT(record.trace.back().truth.objective, 1e-10);
+  ASSERT_TRUE(record.exits.front().point);
+  EXPECT_LT((record.exits.front().point->array() - 3).abs().maxCoeff(), 1e-4);
 }
 
 TEST_P(NloptLocal, FindsAnOptimumInACorner) {
@@ -65,7 +67,7 @@ class NloptConstrained : public testing::TestWithParam<std::string> {};
 
 TEST_P(NloptConstrained, EndsOnACurvedConstraintWithoutViolatingIt) {
   const RunRecord record = run(disc(), named(GetParam()), {500}, 0);
-  EXPECT_EQ(record.exits.front(), "xtol reached");
+  EXPECT_EQ(record.exits.front().reason, "xtol reached");
   EXPECT_EQ(record.trace.back().truth.violation, 0.0);
   EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
 }
@@ -98,7 +100,7 @@ TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBox) {
 
 TEST_P(NloptLocal, EndsAStartAtANumberThatIsNotFinite) {
   const RunRecord record = run(half_a_number(), named(GetParam()), {300}, 0);
-  EXPECT_EQ(record.exits.front(), "a number is not finite");
+  EXPECT_EQ(record.exits.front().reason, "a number is not finite");
   EXPECT_GE(record.exits.size(), 2U);
 }
 
@@ -126,7 +128,8 @@ class NloptGlobal : public testing::TestWithParam<std::string> {};
 TEST_P(NloptGlobal, GoesOnWhereANumberIsNotFinite) {
   const RunRecord record = run(half_a_number(), named(GetParam()), {300}, 0);
   EXPECT_EQ(record.ledger.charged, 300);
-  EXPECT_EQ(record.exits, std::vector<SolverExit>{"stopped by the evaluator"});
+  ASSERT_EQ(record.exits.size(), 1U);
+  EXPECT_EQ(record.exits.front().reason, "stopped by the evaluator");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, NloptGlobal,

@@ -76,6 +76,17 @@ inline Problem staircase() {
   return problem;
 }
 
+/// As far up [0, 18] as `limit` lets, from 15. Without derivatives.
+inline Problem limited(double limit) {
+  Problem problem = box_problem("limited", 1, 0, 18, 15, [](const Vector& x) { return -x[0]; });
+  problem.constraints = 1;
+  problem.best_known = -limit;
+  problem.evaluate = [limit](const Vector& x) {
+    return Values{-x[0], Vector::Constant(1, x[0] - limit)};
+  };
+  return problem;
+}
+
 /// x + y within the unit disc, on [-2, 2]^2 from outside the disc; optimum -sqrt(2) on the circle.
 inline Problem disc() {
   Problem problem = box_problem("disc", 2, -2, 2, 1.5, [](const Vector& x) { return x.sum(); });

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/questions/count.h"
 #include "problems/carrier_track/questions/speed_range.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/families.h"
 #include "solvers/solvers.h"
 #include "src/campaign/progress.h"
+#include "src/contest/chosen.h"
 #include "src/studies/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
@@ -18,12 +18,6 @@ using namespace carrier_track;
 using report::Json;
 
 constexpr std::size_t path_samples = 600;
-
-std::vector<std::string> every_id() {
-  std::vector<std::string> ids;
-  for (const Case& c : all_cases()) ids.push_back(c.id);
-  return ids;
-}
 
 Recording path_at(Scene scene, double omega) {
   scene.omega = omega;
@@ -41,32 +35,35 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
   return {the_case, scene, std::move(scan), result, std::move(paths)};
 }
 
-/// What solvers are compared on: two questions of every case.
-std::vector<Question> questions_of(const std::vector<std::string>& case_ids) {
-  std::vector<Question> questions;
-  for (const Machine& machine : all_machines()) {
-    if (std::find(case_ids.begin(), case_ids.end(), machine.id) == case_ids.end()) continue;
-    questions.push_back(count_question(machine));
-    questions.push_back(top_speed_question(machine));
-  }
-  return questions;
+/// What solvers are compared on.
+contest::Plan contest_of(const StudyPlan& plan, std::vector<Solver> solvers) {
+  contest::Plan contest;
+  contest.questions = contest::chosen_questions(every_question(all_families()), plan.compared,
+                                                "the questions to compare on");
+  contest.solvers = std::move(solvers);
+  contest.instances = plan.instances;
+  contest.budgets = plan.budgets;
+  return contest;
 }
 
 }  // namespace
 
 StudyPlan full_plan() {
-  return {ScanOptions{1e-3, 10, fastest_speed}, 0.05, false, {15, Budget{100}}, every_id()};
+  return {ScanOptions{1e-3, 10, fastest_speed}, 0.05, false,
+          "top-speed-C[149],profile-count-[28]-C[14],profile-count-32-C4,design-count-C[14]", 5,
+          {20, 100}};
 }
 
 StudyPlan quick_plan() {
-  return {ScanOptions{1e-2, 1, fastest_speed}, 0.2, true, {5, Budget{100}}, {"C1", "C2", "C9"}};
+  return {ScanOptions{1e-2, 1, fastest_speed}, 0.2, true,
+          "top-speed-C[14],profile-count-2-C4", 3, {20, 100}};
 }
 
 Results results_of(const StudyPlan& plan, std::vector<Solver> solvers) {
   Results results;
   results.plan = plan;
   results.reading = default_reading();
-  results.solvers = std::move(solvers);
+  results.contest = contest_of(plan, std::move(solvers));
   {
     const auto cases = all_cases();
     Progress progress("scanning speeds", static_cast<double>(cases.size()));
@@ -77,7 +74,7 @@ Results results_of(const StudyPlan& plan, std::vector<Solver> solvers) {
   }
   results.grid = count_grid(results.reading.scene, plan.grid_step, plan.coarse_grid);
   results.trends = trends(results.grid);
-  results.contests = compare(questions_of(plan.compared), results.solvers, plan.comparison);
+  results.standings = contest::hold(results.contest);
   return results;
 }
 
@@ -85,7 +82,7 @@ Json data_of(const Results& results) {
   const Agreement agreement = agreement_of(results.cases);
   const StudyPlan& plan = results.plan;
   Json solvers = Json::array();
-  for (const Solver& solver : results.solvers) {
+  for (const Solver& solver : results.contest.solvers) {
     solvers.push_back({{"name", solver.name}, {"version", solver.version}});
   }
   return {{"agreement",
@@ -97,8 +94,9 @@ Json data_of(const Results& results) {
            {{"step", plan.scan.step},
             {"highest", plan.scan.highest},
             {"grid_step", plan.grid_step},
-            {"instances", plan.comparison.instances},
-            {"evaluations", plan.comparison.budget.evaluations}}},
+            {"instances", plan.instances},
+            {"least", plan.budgets.front()},
+            {"most", plan.budgets.back()}}},
           {"cases", case_data(results.cases)},
           {"thresholds", threshold_data(results.cases)},
           {"theory", theory_data(results.cases)},

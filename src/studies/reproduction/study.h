@@ -8,9 +8,8 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/core/solver.h"
+#include "src/contest/contest.h"
 #include "src/report/json.h"
-#include "src/studies/reproduction/comparison.h"
 #include "src/studies/reproduction/conclusions.h"
 #include "src/studies/study.h"
 
@@ -21,14 +20,16 @@ struct StudyPlan {
   carrier_track::ScanOptions scan;
   double grid_step = 0;  ///< [rad/s] between the speeds at each point of the grid
   bool coarse_grid = false;
-  ComparisonPlan comparison;
-  std::vector<std::string> compared;  ///< ids of the cases on which solvers are compared
+  std::string compared;               ///< patterns of the questions that solvers are compared on
+  int instances = 0;                  ///< of each
+  std::vector<std::int64_t> budgets;  ///< evaluations for each variable
 };
 
-/// Thresholds to 1e-3 rad/s, solvers on every case: under a minute on two cores.
+/// Thresholds to 1e-3 rad/s, solvers on questions of 1 to 32 variables: under half a minute on two
+/// cores.
 StudyPlan full_plan();
 
-/// Thresholds to 1e-2 rad/s, solvers on three cases: a few seconds.
+/// Thresholds to 1e-2 rad/s, solvers on fewer questions: a few seconds.
 StudyPlan quick_plan();
 
 /// A figure of the paper, computed: x(t) at its quiet speed and at its loud one.
@@ -52,8 +53,8 @@ struct Results {
   std::vector<CaseStudy> cases;
   CountGrid grid;
   std::vector<Trend> trends;
-  std::vector<Solver> solvers;
-  std::vector<ContestResult> contests;
+  contest::Plan contest;
+  std::vector<contest::Standing> standings;
 };
 
 /// Computes everything. The same plan gives the same results, but for the times in them.

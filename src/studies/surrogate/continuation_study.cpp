@@ -41,7 +41,7 @@ ContinuationRuns runs_of(const std::string& id, const Problem& problem,
     runs.worst_regret = std::max(runs.worst_regret,
                                  verdict.regret.value_or(std::numeric_limits<double>::infinity()));
     if (!verdict.solved && runs.exit.empty() && !record.exits.empty()) {
-      runs.exit = record.exits.back();
+      runs.exit = record.exits.back().reason;
     }
   }
   return runs;

@@ -57,12 +57,12 @@ TEST(ReproductionData, ShowsItsNumbersInTheTables) {
     EXPECT_EQ(examples[k][5].state, loud["right"] ? report::State::good : report::State::bad);
   }
   const auto& solvers = section_of(page, "solvers").tables.at(0).rows;
-  const Json& goal = tiny_data()["comparison"]["goals"][0];
+  const Json& ratings = tiny_data()["comparison"]["groups"][0]["budgets"][1]["ratings"];
   ASSERT_GE(solvers.size(), 15U);
-  ASSERT_EQ(solvers.size(), goal["rows"].size());
+  ASSERT_EQ(solvers.size(), ratings.size());
   for (std::size_t k = 0; k < solvers.size(); ++k) {
-    EXPECT_EQ(solvers[k][0].text, goal["rows"][k]["solver"]);
-    EXPECT_EQ(solvers[k][4].text, shown(goal["rows"][k]["evaluations"], "{:.0f}"));
+    EXPECT_EQ(solvers[k][0].text, ratings[k]["solver"]);
+    EXPECT_EQ(solvers[k][2].text, shown(ratings[k]["rank"], "{:.1f}"));
   }
 }
 
@@ -80,22 +80,6 @@ TEST(ReproductionData, ShowsEveryCurveFigureMapAndContradiction) {
       EXPECT_TRUE(names.insert(figure.chart.name).second) << figure.chart.name;
     }
   }
-}
-
-TEST(ReproductionData, KeepsEveryLineWithinItsBand) {
-  int bands = 0;
-  const report::Page page = page_of(tiny_data());
-  for (const report::Figure& figure : section_of(page, "solvers").figures) {
-    for (const report::Series& series : figure.chart.series) {
-      for (const report::Sample& sample : series.samples) {
-        if (!sample.spread) continue;
-        ++bands;
-        EXPECT_LE(sample.spread->lower, *sample.value) << figure.chart.name;
-        EXPECT_GE(sample.spread->upper, *sample.value) << figure.chart.name;
-      }
-    }
-  }
-  EXPECT_GT(bands, 100);  // how many more depends on measured times
 }
 
 TEST(ReproductionData, AreEnoughToDrawThePageAgain) {

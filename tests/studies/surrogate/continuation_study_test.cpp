@@ -34,7 +34,7 @@ RunRecord run_to(double omega) {
   solver.name = "guess";
   solver.solve = [omega](Evaluator& evaluator, const Vector&, Random&) {
     evaluator.values(Vector::Constant(1, omega));
-    return SolverExit("guessed " + std::to_string(static_cast<int>(omega)));
+    return SolverExit{"guessed " + std::to_string(static_cast<int>(omega))};
   };
   return run(misleading(), solver, Budget{5}, 0);
 }

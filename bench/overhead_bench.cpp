@@ -1,0 +1,60 @@
+#include "bench/overhead_bench.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "solvers/solvers.h"
+#include "src/core/run.h"
+
+namespace ricochet::bench {
+namespace {
+
+/// |x| on [-1, 2], with derivatives. Instances would cost something.
+Problem free_function() {
+  Problem problem;
+  problem.name = "free";
+  problem.lower = Vector::Constant(1, -1);
+  problem.upper = Vector::Constant(1, 2);
+  problem.start = Vector::Constant(1, 1.5);
+  problem.evaluate = [](const Vector& x) { return Values{std::abs(x[0]), {}}; };
+  problem.differentiate = [](const Vector& x) {
+    return Derivatives{{std::abs(x[0]), {}}, Vector::Constant(1, x[0] < 0 ? -1 : 1), Matrix(0, 1)};
+  };
+  return problem;
+}
+
+void evaluator(benchmark::State& state) {
+  const Problem problem = free_function();
+  Evaluator evaluator(problem, {std::numeric_limits<std::int64_t>::max()});
+  Vector x = problem.start;
+  for (auto _ : state) {
+    x[0] = -x[0];  // another point every time
+    benchmark::DoNotOptimize(evaluator.values(x));
+  }
+}
+
+/// The time for each evaluation charged.
+void solver(benchmark::State& state, const Solver& solver) {
+  constexpr std::int64_t budget = 1000;
+  const Problem problem = free_function();
+  int number = 0;
+  std::int64_t evaluations = 0;
+  for (auto _ : state) evaluations += run(problem, solver, {budget}, number++).ledger.charged;
+  state.counters["per_evaluation"] = benchmark::Counter(
+      static_cast<double>(evaluations), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+}  // namespace
+
+void add_overhead_benchmarks() {
+  benchmark::RegisterBenchmark("overhead/evaluator", evaluator);
+  for (const Solver& each : all_solvers()) {
+    if (!each.accepts(free_function())) continue;
+    benchmark::RegisterBenchmark(("overhead/" + each.name).c_str(), solver, each);
+  }
+}
+
+}  // namespace ricochet::bench

@@ -1,0 +1,81 @@
+#include "src/contest/result.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "src/statistics/bootstrap.h"
+#include "src/statistics/expected_running_time.h"
+#include "src/statistics/order_statistic_interval.h"
+#include "src/statistics/wilson_interval.h"
+
+namespace ricochet::contest {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Whether both asked for as much and found the same when: of a solver that draws nothing, or on
+/// instances that look alike to it.
+bool same(const Outcome& a, const Outcome& b) {
+  return a.evaluations == b.evaluations &&
+         std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
+                    [](const Step& p, const Step& q) {
+                      return p.evaluations == q.evaluations && p.regret == q.regret;
+                    });
+}
+
+/// One of each.
+std::vector<const Outcome*> distinct(const std::vector<Outcome>& outcomes) {
+  std::vector<const Outcome*> kept;
+  for (const Outcome& outcome : outcomes) {
+    const bool seen = std::any_of(kept.begin(), kept.end(),
+                                  [&](const Outcome* other) { return same(*other, outcome); });
+    if (!seen) kept.push_back(&outcome);
+  }
+  return kept;
+}
+
+template <class Solved>
+SolvedShare share_of(const std::vector<const Outcome*>& outcomes, Solved solved) {
+  const auto trials = static_cast<double>(outcomes.size());
+  const auto successes =
+      static_cast<double>(std::count_if(outcomes.begin(), outcomes.end(), solved));
+  return {successes / trials, wilson_interval(successes, trials)};
+}
+
+}  // namespace
+
+Result result_of(const std::vector<Outcome>& outcomes) {
+  Result result;
+  result.runs = static_cast<int>(outcomes.size());
+  const std::vector<const Outcome*> once = distinct(outcomes);
+  result.distinct = static_cast<int>(once.size());
+  result.found = share_of(once, [](const Outcome* o) { return o->verdict.solved; });
+  result.handed_over =
+      share_of(once, [](const Outcome* o) { return o->verdict.handed_over_solved; });
+  std::vector<Effort> evaluations;
+  std::vector<Effort> seconds;
+  std::vector<double> gaps;
+  for (const Outcome* o : once) {
+    const Verdict& verdict = o->verdict;
+    evaluations.push_back(
+        {static_cast<double>(verdict.evaluations_to_solve.value_or(o->evaluations)),
+         verdict.solved});
+    seconds.push_back({verdict.seconds_to_solve.value_or(o->seconds), verdict.solved});
+    gaps.push_back(verdict.regret.value_or(infinity));
+  }
+  if (const auto time = expected_running_time(evaluations)) {
+    result.running_time = {*time, expected_running_time_interval(evaluations)};
+  }
+  result.seconds_to_solve = expected_running_time(seconds);
+  result.gap.value = quantile(gaps, 0.5);
+  result.gap.interval =
+      order_statistic_interval(gaps).value_or(Interval{-infinity, infinity});
+  for (const Outcome& outcome : outcomes) {
+    result.failed += outcome.failure.empty() ? 0 : 1;
+    for (const std::string& exit : outcome.exits) ++result.exits[exit];
+  }
+  return result;
+}
+
+}  // namespace ricochet::contest

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/family.h"
+#include "src/contest/rating.h"
+#include "src/report/json.h"
+
+namespace ricochet::studies::contest {
+
+using namespace ricochet::contest;
+
+/// Questions of one family, which are rated together.
+struct Group {
+  std::string family;
+  std::vector<std::size_t> questions;  ///< indices in the plan
+};
+
+/// The families of the plan's questions, in its order.
+std::vector<Group> groups_of(const Plan& plan, const std::vector<Family>& families);
+
+/// What the plan's runs say: of each group the ratings for each budget, its questions, and all the
+/// standings on them.
+report::Json group_data(const Plan& plan, const std::vector<Standing>& standings,
+                        const std::vector<Group>& groups);
+
+}  // namespace ricochet::studies::contest

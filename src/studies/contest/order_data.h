@@ -1,0 +1,13 @@
+#pragma once
+
+#include "src/studies/contest/group.h"
+
+namespace ricochet::studies::contest {
+
+/// Whether the order of the competitors in every group would be another: with other seeds, with
+/// either half of the instances, in another form, with the largest budget in place of the smallest.
+/// `again` are the standings of the same plan with another run's seeds and its smallest budget.
+report::Json order_data(const Plan& plan, const std::vector<Standing>& standings,
+                        const std::vector<Standing>& again, const std::vector<Group>& groups);
+
+}  // namespace ricochet::studies::contest

@@ -1,0 +1,60 @@
+#include "src/contest/result.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace ricochet::contest {
+namespace {
+
+/// A run that solved after so many evaluations of 100, or not at all.
+Outcome run_of(std::optional<std::int64_t> solved, double regret) {
+  Outcome outcome;
+  outcome.evaluations = 100;
+  outcome.verdict.solved = solved.has_value();
+  outcome.verdict.evaluations_to_solve = solved;
+  outcome.verdict.regret = regret;
+  outcome.steps = {{solved.value_or(50), 0.1, regret}};
+  outcome.exits = {"done", "done", "lost"};
+  return outcome;
+}
+
+TEST(Result, SumsUpTheRuns) {
+  const Result result = result_of({run_of(10, 0), run_of(30, 0), run_of({}, 2), run_of({}, 4)});
+  EXPECT_EQ(result.runs, 4);
+  EXPECT_EQ(result.distinct, 4);
+  EXPECT_EQ(result.found.share, 0.5);
+  EXPECT_LT(result.found.interval.lower, 0.2);
+  EXPECT_GT(result.found.interval.upper, 0.8);
+  ASSERT_TRUE(result.running_time);
+  EXPECT_EQ(result.running_time->value, (10 + 30 + 100 + 100) / 2.0);
+  EXPECT_LT(result.running_time->interval.lower, 120);
+  EXPECT_GT(result.running_time->interval.upper, 120);
+  EXPECT_EQ(result.gap.value, 1);
+  EXPECT_EQ(result.exits.at("done"), 8);
+}
+
+TEST(Result, CountsRepeatsOnce) {
+  const Result result = result_of({run_of(10, 0), run_of(10, 0), run_of(10, 0), run_of({}, 2)});
+  EXPECT_EQ(result.runs, 4);
+  EXPECT_EQ(result.distinct, 2);
+  EXPECT_EQ(result.found.share, 0.5);
+}
+
+TEST(Result, SaysNeverWhereNoRunSolved) {
+  Outcome nothing = run_of({}, 0);
+  nothing.verdict.regret.reset();
+  nothing.steps.clear();
+  nothing.failure = "broken";
+  const Result result = result_of({nothing});
+  EXPECT_FALSE(result.running_time);
+  EXPECT_FALSE(result.seconds_to_solve);
+  EXPECT_TRUE(std::isinf(result.gap.value));
+  EXPECT_EQ(result.failed, 1);
+  EXPECT_EQ(result.found.share, 0);
+  EXPECT_GT(result.found.interval.upper, 0.5) << "one run says little";
+}
+
+}  // namespace
+}  // namespace ricochet::contest

@@ -1,0 +1,30 @@
+#include "solvers/golden_section.h"
+
+#include <gtest/gtest.h>
+
+#include "src/core/run.h"
+#include "tests/solvers/test_problems.h"
+
+namespace ricochet {
+namespace {
+
+TEST(GoldenSection, ShrinksTheIntervalByItsRatioAtEveryPoint) {
+  // After the first few the interval is 200 * 0.618^k at most.
+  const RunRecord record = run(sphere(1, 3), golden_section(), {30}, 0);
+  EXPECT_NEAR(record.trace.back().x[0], 3, 1e-2);
+}
+
+TEST(GoldenSection, HandsOverTheBestPointWhereTheIntervalIsShort) {
+  const RunRecord record = run(sphere(1, 3), golden_section(), {60}, 0);
+  EXPECT_EQ(record.exits.front().reason, "the interval is short");
+  EXPECT_NEAR(record.handed_over->x[0], 3, 1e-4);
+}
+
+TEST(GoldenSection, TakesOneVariableWithoutConstraints) {
+  EXPECT_TRUE(golden_section().accepts(staircase()));
+  EXPECT_FALSE(golden_section().accepts(sphere(2, 3)));
+  EXPECT_FALSE(golden_section().accepts(limited(7)));
+}
+
+}  // namespace
+}  // namespace ricochet

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
+
+#include "src/core/random.h"
 
 namespace ricochet {
 namespace {
@@ -24,13 +25,12 @@ TEST(Bootstrap, KeepsInfiniteValuesLast) {
 }
 
 TEST(Bootstrap, CoversTheTrueMedianAboutAsOftenAsItSays) {
-  std::mt19937_64 random(7);
-  std::normal_distribution<double> normal(3.0, 1.0);
+  Random random(7);
   int covered = 0;
   constexpr int trials = 400;
   for (int i = 0; i < trials; ++i) {
-    std::vector<double> sample(25);
-    for (double& x : sample) x = normal(random);
+    const Vector drawn = normal(25, random).array() + 3.0;
+    const std::vector<double> sample(drawn.begin(), drawn.end());
     const Interval interval = median_interval(sample, 0.95, 300, static_cast<std::uint64_t>(i));
     covered += interval.lower <= 3.0 && 3.0 <= interval.upper ? 1 : 0;
   }

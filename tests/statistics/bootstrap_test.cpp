@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/distributions/binomial.hpp>
 #include <limits>
 
 #include "src/core/random.h"
@@ -36,6 +37,21 @@ TEST(Bootstrap, CoversTheTrueMedianAboutAsOftenAsItSays) {
   }
   EXPECT_GT(covered, 0.90 * trials);
   EXPECT_LT(covered, 0.995 * trials);
+}
+
+TEST(Bootstrap, HasTheQuantilesOfAllResamples) {
+  // The median of 11 draws is at most k where at least 6 are, each with chance k / 11.
+  const auto exact = [](double q) {
+    double k = 1;
+    while (cdf(complement(boost::math::binomial(11, k / 11), 5)) < q) ++k;
+    return k;
+  };
+  const std::vector<double> sample = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  for (const double confidence : {0.5, 0.8, 0.95, 0.9999}) {
+    const Interval interval = median_interval(sample, confidence, 100000, 3);
+    EXPECT_EQ(interval.lower, exact((1 - confidence) / 2)) << confidence;
+    EXPECT_EQ(interval.upper, exact((1 + confidence) / 2)) << confidence;
+  }
 }
 
 TEST(Bootstrap, GivesTheSameIntervalForTheSameSeed) {

@@ -31,6 +31,8 @@ TEST(RankCorrelation, OfKendallIsWhatThePairsByHandGive) {
   EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 3, 4}, {1, 3, 2, 4}), (5.0 - 1) / 6);
   // Five pairs of six are untied in the first, all in the second.
   EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 2, 4}, {1, 2, 3, 4}), 5 / std::sqrt(5.0 * 6));
+  EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 3, 4}, {1, 2, 2, 4}), 5 / std::sqrt(6 * 5.0));
+  EXPECT_DOUBLE_EQ(*kendall_rank_correlation({1, 2, 2, 4}, {1, 2, 2, 4}), 1);
   EXPECT_FALSE(kendall_rank_correlation({1, 1, 1}, {1, 2, 3}));
 }
 

@@ -29,18 +29,18 @@ double reached(const Levels& levels, double value) {
 double attainment(const History& history, const Levels& levels, double t) {
   check(history, levels);
   double share = 0;
-  for (const Improvement& improvement : history) {
-    if (improvement.evaluations <= t) share = reached(levels, improvement.value);
+  for (const BestSoFar& best : history) {
+    if (best.evaluations <= t) share = reached(levels, best.value);
   }
   return share;
 }
 
 double area_over_convergence_curve(const History& history, const Levels& levels, double budget,
-                                   Evaluations axis) {
+                                   EvaluationAxis axis) {
   check(history, levels);
   if (!(budget >= 1)) throw std::invalid_argument("area_over_convergence_curve: budget < 1");
   // An evaluation lasts until the next.
-  const auto place = [&](double t) { return axis == Evaluations::linear ? t - 1 : std::log(t); };
+  const auto place = [&](double t) { return axis == EvaluationAxis::linear ? t - 1 : std::log(t); };
   const double end = place(budget + 1);
   double area = 0;
   for (std::size_t i = 0; i < history.size(); ++i) {

@@ -5,12 +5,12 @@
 namespace ricochet {
 
 /// The best value so far is `value` from the evaluation `evaluations` >= 1 on.
-struct Improvement {
+struct BestSoFar {
   double evaluations, value;
 };
 
 /// The improvements of a run: evaluations rise, values fall. None where it found nothing.
-using History = std::vector<Improvement>;
+using History = std::vector<BestSoFar>;
 
 /// The best and the worst value that count, lower < upper: fixed before the runs, not taken from
 /// them.
@@ -26,12 +26,12 @@ struct Levels {
 /// std::invalid_argument for levels or a history that are not as said.
 double attainment(const History& history, const Levels& levels, double t);
 
-enum class Evaluations { linear, logarithmic };
+enum class EvaluationAxis { linear, logarithmic };
 
 /// Area over the convergence curve, in [0, 1]: the mean of the attainment over the evaluations 1 to
 /// `budget` >= 1. Each counts the same, or evaluation i as log((i + 1) / i), which is its length on
 /// a logarithmic axis. Throws std::invalid_argument as above, or for a smaller budget.
 double area_over_convergence_curve(const History& history, const Levels& levels, double budget,
-                                   Evaluations axis);
+                                   EvaluationAxis axis);
 
 }  // namespace ricochet

@@ -57,16 +57,16 @@ TEST(Attainment, HasTheAreaOfItsSumOverEvaluations) {
       linear += attainment(history, levels, t) / budget;
       logarithmic += attainment(history, levels, t) * std::log1p(1 / t) / std::log(budget + 1);
     }
-    const auto area = [&](Evaluations axis) {
+    const auto area = [&](EvaluationAxis axis) {
       return area_over_convergence_curve(history, levels, budget, axis);
     };
-    EXPECT_NEAR(area(Evaluations::linear), linear, 1e-12);
-    EXPECT_NEAR(area(Evaluations::logarithmic), logarithmic, 1e-12);
+    EXPECT_NEAR(area(EvaluationAxis::linear), linear, 1e-12);
+    EXPECT_NEAR(area(EvaluationAxis::logarithmic), logarithmic, 1e-12);
   }
 }
 
 TEST(Attainment, IsAllForTheBestAtOnceAndNothingForNothing) {
-  for (const Evaluations axis : {Evaluations::linear, Evaluations::logarithmic}) {
+  for (const EvaluationAxis axis : {EvaluationAxis::linear, EvaluationAxis::logarithmic}) {
     EXPECT_DOUBLE_EQ(area_over_convergence_curve({{1, 3}}, levels, 100, axis), 1);
     EXPECT_EQ(area_over_convergence_curve({}, levels, 100, axis), 0);
   }
@@ -77,7 +77,7 @@ TEST(Attainment, RefusesWhatDoesNotFit) {
   EXPECT_THROW(attainment({{0, 5}}, levels, 1), std::invalid_argument);
   EXPECT_THROW(attainment({{1, 5}, {2, 5}}, levels, 1), std::invalid_argument);
   EXPECT_THROW(attainment({{2, 5}, {2, 4}}, levels, 1), std::invalid_argument);
-  EXPECT_THROW(area_over_convergence_curve({}, levels, 0, Evaluations::linear),
+  EXPECT_THROW(area_over_convergence_curve({}, levels, 0, EvaluationAxis::linear),
                std::invalid_argument);
 }
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "src/core/random.h"
 
 namespace ricochet {
 
@@ -19,12 +20,12 @@ double quantile(std::vector<double> sample, double q) {
 
 Interval median_interval(const std::vector<double>& sample, double confidence, int resamples,
                          std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_int_distribution<std::size_t> index(0, sample.size() - 1);
+  Random random(seed);
+  const auto size = static_cast<double>(sample.size());
   std::vector<double> medians;
   std::vector<double> drawn(sample.size());
   for (int i = 0; i < resamples; ++i) {
-    for (double& x : drawn) x = sample[index(random)];
+    for (double& x : drawn) x = sample[static_cast<std::size_t>(size * uniform(random))];
     medians.push_back(quantile(drawn, 0.5));
   }
   return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};

@@ -1,16 +1,79 @@
 #include "src/statistics/expected_running_time.h"
 
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "src/statistics/confidence.h"
+#include "src/statistics/wilson_interval.h"
+
 namespace ricochet {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Totals {
+  double runs = 0, spent = 0, successes = 0;
+};
+
+Totals totals_of(const std::vector<Effort>& runs) {
+  Totals totals;
+  for (const Effort& run : runs) {
+    if (!(run.spent >= 0 && std::isfinite(run.spent))) {
+      throw std::invalid_argument("expected running time: an effort must be finite and >= 0");
+    }
+    ++totals.runs;
+    totals.spent += run.spent;
+    totals.successes += run.reached ? 1 : 0;
+  }
+  return totals;
+}
+
+/// Distance of a sum from its end where its parts are a and b from theirs.
+double joined(double a, double b, double correlation) {
+  return std::sqrt(std::max(0.0, a * a + b * b + 2 * correlation * a * b));
+}
+
+}  // namespace
 
 std::optional<double> expected_running_time(const std::vector<Effort>& runs) {
-  double spent = 0;
-  int successes = 0;
-  for (const Effort& run : runs) {
-    spent += run.spent;
-    successes += run.reached ? 1 : 0;
+  const Totals totals = totals_of(runs);
+  if (totals.successes == 0) return std::nullopt;
+  return totals.spent / totals.successes;
+}
+
+Interval expected_running_time_interval(const std::vector<Effort>& runs, double confidence) {
+  check_confidence(confidence);
+  const auto [size, spent, successes] = totals_of(runs);
+  if (size == 0) throw std::invalid_argument("expected_running_time_interval: no runs");
+  const double mean = spent / size;
+  const double share = successes / size;
+  if (share == 0) {
+    const double largest = 1 - std::pow((1 - confidence) / 2, 1 / size);  // Clopper and Pearson's
+    return {mean / largest, infinity};
   }
-  if (successes == 0) return std::nullopt;
-  return spent / successes;
+  if (size == 1) return {0, infinity};
+  if (mean == 0) return {0, 0};
+  double squares = 0;
+  double products = 0;  // with whether the run failed
+  for (const Effort& run : runs) {
+    squares += std::pow(run.spent - mean, 2);
+    products += (run.spent - mean) * (share - (run.reached ? 1 : 0));
+  }
+  const double failed_squares = size * share * (1 - share);
+  const double correlation =
+      squares > 0 && failed_squares > 0
+          ? std::clamp(products / std::sqrt(squares * failed_squares), -1.0, 1.0)
+          : 0;
+  // The logarithm of the running time is that of the mean less that of the share.
+  const double t = quantile(boost::math::students_t(size - 1), (1 + confidence) / 2);
+  const double of_mean = t * std::sqrt(squares / (size * (size - 1))) / mean;
+  const Interval wilson = wilson_interval(successes, size, confidence);
+  const double estimate = mean / share;
+  return {estimate * std::exp(-joined(of_mean, std::log(wilson.upper / share), correlation)),
+          estimate * std::exp(joined(of_mean, std::log(share / wilson.lower), correlation))};
 }
 
 }  // namespace ricochet

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/distributions/binomial.hpp>
 #include <limits>
-#include <random>
+
+#include "src/core/random.h"
 
 namespace ricochet {
 namespace {
@@ -24,18 +26,32 @@ TEST(Bootstrap, KeepsInfiniteValuesLast) {
 }
 
 TEST(Bootstrap, CoversTheTrueMedianAboutAsOftenAsItSays) {
-  std::mt19937_64 random(7);
-  std::normal_distribution<double> normal(3.0, 1.0);
+  Random random(7);
   int covered = 0;
   constexpr int trials = 400;
   for (int i = 0; i < trials; ++i) {
-    std::vector<double> sample(25);
-    for (double& x : sample) x = normal(random);
+    const Vector drawn = normal(25, random).array() + 3.0;
+    const std::vector<double> sample(drawn.begin(), drawn.end());
     const Interval interval = median_interval(sample, 0.95, 300, static_cast<std::uint64_t>(i));
     covered += interval.lower <= 3.0 && 3.0 <= interval.upper ? 1 : 0;
   }
   EXPECT_GT(covered, 0.90 * trials);
   EXPECT_LT(covered, 0.995 * trials);
+}
+
+TEST(Bootstrap, HasTheQuantilesOfAllResamples) {
+  // The median of 11 draws is at most k where at least 6 are, each with chance k / 11.
+  const auto exact = [](double q) {
+    double k = 1;
+    while (cdf(complement(boost::math::binomial(11, k / 11), 5)) < q) ++k;
+    return k;
+  };
+  const std::vector<double> sample = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  for (const double confidence : {0.5, 0.8, 0.95, 0.9999}) {
+    const Interval interval = median_interval(sample, confidence, 100000, 3);
+    EXPECT_EQ(interval.lower, exact((1 - confidence) / 2)) << confidence;
+    EXPECT_EQ(interval.upper, exact((1 + confidence) / 2)) << confidence;
+  }
 }
 
 TEST(Bootstrap, GivesTheSameIntervalForTheSameSeed) {

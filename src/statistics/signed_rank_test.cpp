@@ -1,0 +1,57 @@
+#include "src/statistics/signed_rank_test.h"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <cstddef>
+
+#include "src/statistics/ranks.h"
+
+namespace ricochet {
+namespace {
+
+constexpr std::size_t most_for_exact = 200;  // some million additions
+
+/// Chance that the sum of each rank or, as often, 0 is at least as far from its mean as `distance`.
+double exact(const std::vector<double>& ranks, double mean, double distance) {
+  const auto most = static_cast<std::size_t>(4 * mean);  // twice a rank is an integer
+  std::vector<double> chance(most + 1);
+  chance[0] = 1;
+  for (const double rank : ranks) {
+    const auto twice = static_cast<std::size_t>(2 * rank);
+    for (std::size_t s = most + 1; s-- > 0;) {
+      chance[s] = (chance[s] + (s >= twice ? chance[s - twice] : 0)) / 2;
+    }
+  }
+  double as_far = 0;
+  for (std::size_t s = 0; s <= most; ++s) {
+    if (std::abs(static_cast<double>(s) / 2 - mean) >= distance) as_far += chance[s];
+  }
+  return std::min(1.0, as_far);
+}
+
+}  // namespace
+
+double signed_rank_test(const std::vector<double>& differences) {
+  std::vector<double> sizes;
+  for (const double difference : differences) sizes.push_back(std::abs(difference));
+  const std::vector<double> all_ranks = ranks_of(sizes);
+  std::vector<double> ranks;
+  double positive = 0;
+  double mean = 0;
+  double variance = 0;
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    if (differences[i] == 0) continue;
+    ranks.push_back(all_ranks[i]);
+    positive += differences[i] > 0 ? all_ranks[i] : 0;
+    mean += all_ranks[i] / 2;
+    variance += all_ranks[i] * all_ranks[i] / 4;
+  }
+  if (ranks.empty()) return 1;
+  const double distance = std::abs(positive - mean);
+  if (ranks.size() <= most_for_exact) return exact(ranks, mean, distance);
+  const double z = std::max(0.0, distance - 0.5) / std::sqrt(variance);
+  return std::min(1.0, 2 * cdf(complement(boost::math::normal(), z)));
+}
+
+}  // namespace ricochet

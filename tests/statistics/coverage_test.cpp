@@ -1,0 +1,234 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "src/core/random.h"
+#include "src/statistics/expected_running_time.h"
+#include "src/statistics/mean_share.h"
+#include "src/statistics/order_statistic_interval.h"
+#include "src/statistics/plackett_luce.h"
+#include "src/statistics/rank_correlation.h"
+#include "src/statistics/wilson_interval.h"
+
+/// How often each interval of 95 % holds the truth, where the truth is known. The figures are
+/// printed.
+namespace ricochet {
+namespace {
+
+bool holds(const Interval& interval, double truth) {
+  return interval.lower <= truth && truth <= interval.upper;
+}
+
+/// The share of `trials` draws of an interval that hold the truth.
+template <class Draw>
+double coverage(int trials, double truth, const Draw& draw) {
+  int held = 0;
+  for (int i = 0; i < trials; ++i) held += holds(draw(), truth) ? 1 : 0;
+  return static_cast<double>(held) / trials;
+}
+
+/// Coverages in several situations.
+struct Coverages {
+  std::vector<double> all;
+
+  void print(const std::string& what) const {
+    std::cout << "coverage of " << what << ": mean " << mean() << ", from " << least() << " to "
+              << *std::max_element(all.begin(), all.end()) << '\n';
+  }
+  double least() const { return *std::min_element(all.begin(), all.end()); }
+  double mean() const {
+    double sum = 0;
+    for (const double x : all) sum += x;
+    return sum / static_cast<double>(all.size());
+  }
+};
+
+double standard_normal(Random& random) {
+  return normal(1, random)[0];
+}
+double exponential(Random& random) {
+  return -std::log1p(-uniform(random));
+}
+
+TEST(Coverage, OfAShareIsRightOnAverage) {
+  for (const int trials : {15, 30, 60, 180}) {
+    Coverages coverages;  // exact, from the chance of each count
+    for (double p = 0.005; p < 1; p += 0.01) {
+      const boost::math::binomial successes(trials, p);
+      double held = 0;
+      for (int k = 0; k <= trials; ++k) {
+        if (holds(wilson_interval(k, trials), p)) held += pdf(successes, k);
+      }
+      coverages.all.push_back(held);
+    }
+    coverages.print("Wilson's interval of a share of " + std::to_string(trials));
+    EXPECT_NEAR(coverages.mean(), 0.95, 0.01);
+    EXPECT_GT(coverages.least(), 0.82);
+  }
+}
+
+TEST(Coverage, OfAMedianIsNeverLess) {
+  Random random(1);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const std::size_t size : {std::size_t{6}, std::size_t{15}, std::size_t{30}}) {
+    Coverages coverages;
+    const auto median_of = [&](const auto& value) {
+      return [&, value] {
+        std::vector<double> sample(size);
+        for (double& x : sample) x = value(random);
+        return *order_statistic_interval(sample);
+      };
+    };
+    const auto skew = [](Random& r) { return std::exp(2 * standard_normal(r)); };
+    const auto count = [](Random& r) { return std::floor(5 * uniform(r)); };
+    const auto often_never = [&](Random& r) { return uniform(r) < 0.4 ? infinity : uniform(r); };
+    coverages.all = {coverage(4000, 1, median_of(skew)), coverage(4000, 2, median_of(count)),
+                     coverage(4000, 0.5 / 0.6, median_of(often_never))};
+    coverages.print("the median of " + std::to_string(size) + " by order statistics");
+    EXPECT_GT(coverages.least(), 0.94);  // 0.95 but for three deviations of the simulation
+  }
+}
+
+/// Runs of one solver on one question.
+struct Situation {
+  std::string name;
+  Effort (*run)(double success, Random& random);
+  double (*truth)(double success);  ///< expected running time
+};
+
+const std::vector<Situation> situations = {
+    // Memoryless, stopped at a budget: a restart neither helps nor harms.
+    {"memoryless runs",
+     [](double success, Random& random) {
+       const double time = exponential(random);
+       const double budget = -std::log(1 - success);  // infinite for 1
+       return Effort{std::min(time, budget), time <= budget};
+     },
+     [](double) { return 1.0; }},
+    // The same, some of them with thrice the budget of others.
+    {"unequal budgets",
+     [](double success, Random& random) {
+       const double time = exponential(random);
+       const double budget = -std::log(1 - success) * (uniform(random) < 0.5 ? 1.6 : 0.5);
+       return Effort{std::min(time, budget), time <= budget};
+     },
+     [](double) { return 1.0; }},
+    // A run succeeds by the time 1 to 2, or is stuck until its budget of 10 is gone.
+    {"runs that get stuck",
+     [](double success, Random& random) {
+       const bool reached = uniform(random) < success;
+       return Effort{reached ? 1 + uniform(random) : 10, reached};
+     },
+     [](double success) { return 1.5 + 10 * (1 - success) / success; }},
+    // The same with times of a long tail, mean 1.
+    {"runs of a long tail",
+     [](double success, Random& random) {
+       const bool reached = uniform(random) < success;
+       return Effort{reached ? std::exp(standard_normal(random) - 0.5) : 10, reached};
+     },
+     [](double success) { return 1 + 10 * (1 - success) / success; }},
+};
+
+TEST(Coverage, OfAnExpectedRunningTimeIsAboutRight) {
+  Random random(2);
+  for (const int size : {15, 30, 60}) {
+    for (const Situation& situation : situations) {
+      Coverages coverages;
+      for (const double success : {0.2, 0.35, 0.5, 0.65, 0.8, 1.0}) {
+        coverages.all.push_back(coverage(500, situation.truth(success), [&] {
+          std::vector<Effort> runs;
+          for (int i = 0; i < size; ++i) runs.push_back(situation.run(success, random));
+          return expected_running_time_interval(runs);
+        }));
+      }
+      coverages.print("the expected running time of " + std::to_string(size) + " " +
+                      situation.name);
+      EXPECT_GT(coverages.mean(), 0.93);
+      EXPECT_LT(coverages.mean(), 0.975);
+    }
+  }
+}
+
+TEST(Coverage, OfAMeanOfSharesIsAboutRight) {
+  Random random(3);
+  for (const int size : {12, 30, 60}) {
+    Coverages coverages;
+    for (const double mean : {0.1, 0.3, 0.5, 0.9}) {
+      for (const double spread : {0.2, 0.6, 1.0}) {  // of questions; at 1 each share is 0 or 1
+        coverages.all.push_back(coverage(500, mean, [&] {
+          std::vector<double> shares;
+          for (int i = 0; i < size; ++i) {
+            const double easy = uniform(random) < mean ? 1 : 0;
+            shares.push_back(spread * easy + (1 - spread) * mean);
+          }
+          return mean_share(shares).interval;
+        }));
+      }
+    }
+    coverages.print("the mean of " + std::to_string(size) + " shares");
+    EXPECT_GT(coverages.mean(), 0.93);
+    EXPECT_LT(coverages.mean(), 0.97);
+  }
+}
+
+TEST(Coverage, OfKendallsCorrelationIsAboutRight) {
+  Random random(4);
+  for (const int size : {12, 30}) {
+    Coverages coverages;
+    for (const double truth : {0.0, 0.3, 0.6, 0.8}) {
+      const double pearson =
+          std::sin(std::acos(-1.0) / 2 * truth);  // of normal pairs (Greiner 1909)
+      coverages.all.push_back(coverage(1000, truth, [&] {
+        std::vector<double> a;
+        std::vector<double> b;
+        for (int i = 0; i < size; ++i) {
+          a.push_back(standard_normal(random));
+          b.push_back(pearson * a.back() +
+                      std::sqrt(1 - pearson * pearson) * standard_normal(random));
+        }
+        return kendall_interval(*kendall_rank_correlation(a, b), a.size());
+      }));
+    }
+    coverages.print("Kendall's correlation of " + std::to_string(size) + " pairs");
+    EXPECT_GT(coverages.mean(), 0.93);
+    EXPECT_LT(coverages.mean(), 0.97);
+  }
+}
+
+/// Solvers in the order that their weights draw, each among those left.
+Ranking drawn_ranking(const std::vector<double>& weights, Random& random) {
+  std::vector<std::pair<double, std::size_t>> arrivals;  // the earliest of exponential times
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    arrivals.emplace_back(exponential(random) / weights[k], k);
+  }
+  std::sort(arrivals.begin(), arrivals.end());
+  Ranking ranking;
+  for (const auto& arrival : arrivals) ranking.push_back({arrival.second});
+  return ranking;
+}
+
+TEST(Coverage, OfPlackettAndLucesWeightsIsRightOnAverageOverThem) {
+  Random random(5);
+  int held = 0;
+  constexpr int trials = 100;
+  for (int i = 0; i < trials; ++i) {
+    std::vector<double> weights;
+    for (int k = 0; k < 3; ++k) weights.push_back(exponential(random));
+    const double first = weights[0] / (weights[0] + weights[1] + weights[2]);
+    std::vector<Ranking> rankings;
+    for (int k = 0; k < 8; ++k) rankings.push_back(drawn_ranking(weights, random));
+    const auto strengths = plackett_luce(rankings, 3, static_cast<std::uint64_t>(i));
+    held += holds(strengths[0].weight_interval, first) ? 1 : 0;
+  }
+  Coverages{{static_cast<double>(held) / trials}}.print("Plackett and Luce's weights");
+  EXPECT_GT(held, 0.88 * trials);  // 0.95 but for three deviations of the simulation
+}
+
+}  // namespace
+}  // namespace ricochet

@@ -1,6 +1,6 @@
 #include "src/core/run.h"
 
-#include <cmath>
+#include <limits>
 
 #include "src/core/instance.h"
 #include "src/core/seed.h"
@@ -22,20 +22,37 @@ std::string message_of(const std::exception_ptr& failure) {
   }
 }
 
-/// Picks from the points that the starts handed over. Returns what the problem threw.
+/// The points that the starts handed over, within the box.
+std::vector<Vector> candidates(const Problem& problem, const RunRecord& record) {
+  std::vector<Vector> points;
+  for (const SolverExit& exit : record.exits) {
+    if (!exit.point || exit.point->size() != problem.dimension() || !exit.point->allFinite()) {
+      continue;
+    }
+    const Vector inside = exit.point->cwiseMax(problem.lower).cwiseMin(problem.upper);
+    if (points.empty() || points.back() != inside) points.push_back(inside);
+  }
+  return points;
+}
+
+/// Picks from them by what is shown there. Returns what the problem threw.
 std::exception_ptr hand_over(const Problem& problem, RunRecord& record) {
   try {
-    std::optional<Truth> best;
-    for (const SolverExit& exit : record.exits) {
-      if (!exit.point || exit.point->size() != problem.dimension() || !exit.point->allFinite()) {
-        continue;
+    const std::vector<Vector> points = candidates(problem, record);
+    if (points.empty()) return nullptr;
+    const Vector* best = &points.front();
+    if (points.size() > 1) {
+      Truth best_shown{std::numeric_limits<double>::infinity(),
+                       std::numeric_limits<double>::infinity()};
+      for (const Vector& point : points) {
+        const Truth shown = truth_of(problem.evaluate(point), problem.equalities);
+        if (!better(shown, best_shown)) continue;
+        best_shown = shown;
+        best = &point;
       }
-      const Vector inside = exit.point->cwiseMax(problem.lower).cwiseMin(problem.upper);
-      const Truth shown = truth_of(problem.evaluate(inside), problem.equalities);
-      if (std::isnan(shown.objective) || (best && !better(shown, *best))) continue;
-      best = shown;
-      record.handed_over = {inside, truth_at(problem, inside)};
     }
+    const bool known = !record.trace.empty() && record.trace.back().x == *best;
+    record.handed_over = {*best, known ? record.trace.back().truth : truth_at(problem, *best)};
   } catch (...) {
     return std::current_exception();
   }
@@ -71,12 +88,12 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
   } catch (...) {
     failure = std::current_exception();
   }
-  if (!failure) failure = hand_over(problem, record);
-  if (evaluator.failure()) failure = evaluator.failure();
-  if (failure) record.failure = message_of(failure);
   record.ledger = evaluator.ledger();
   record.refusal = evaluator.refusal();
   record.trace = evaluator.trace();
+  if (!failure) failure = evaluator.failure();
+  if (!failure) failure = hand_over(problem, record);
+  if (failure) record.failure = message_of(failure);
   return record;
 }
 

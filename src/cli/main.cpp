@@ -139,9 +139,10 @@ class Program : public CommandLine {
   }
 
   void add_solve() {
-    CLI::App* command = add("solve", "One run of one solver on one question, watched and judged",
-                            "  ricochet solve nlopt-cobyla top-speed-C1 --form penalised-count\n"
-                            "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg");
+    CLI::App* command =
+        add("solve", "One run of one solver on one question, watched and judged",
+            "  ricochet solve nlopt-cobyla top-speed-C1 --form penalised-count\n"
+            "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg");
     command->add_option("solver", solve_.solver, "One of ricochet list solvers")
         ->required()
         ->type_name("SOLVER");

@@ -95,8 +95,8 @@ std::string picture_of(const RunRecord& record, const Problem& problem, const st
     series.samples.push_back({static_cast<double>(step.evaluations), step.truth.objective});
   }
   if (!series.samples.empty()) {
-    series.samples.push_back({static_cast<double>(record.ledger.charged),
-                              *series.samples.back().value});
+    series.samples.push_back(
+        {static_cast<double>(record.ledger.charged), *series.samples.back().value});
   }
   chart.series = {series};
   if (problem.best_known) {
@@ -135,13 +135,14 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
            const Problem& problem) {
   fmt::print("{} on {}, shown {}, instance {}: {}.\n", record.solver, record.problem, form,
              record.instance,
-             verdict.solved     ? fmt::format("solved after {} evaluations",
-                                              *verdict.evaluations_to_solve)
+             verdict.solved
+                 ? fmt::format("solved after {} evaluations", *verdict.evaluations_to_solve)
              : verdict.feasible ? "not solved"
                                 : "nothing feasible found");
   if (verdict.objective) {
     fmt::print("Found {:.9g}", *verdict.objective);
-    if (verdict.regret) fmt::print(", {:.3g} from the best known, {:.9g}", *verdict.regret, *problem.best_known);
+    if (verdict.regret)
+      fmt::print(", {:.3g} from the best known, {:.9g}", *verdict.regret, *problem.best_known);
     fmt::print(".\n");
   }
   if (!record.handed_over) {
@@ -154,7 +155,8 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
   if (!record.trace.empty()) {
     const Vector& x = record.trace.back().x;
     fmt::print("At");
-    for (Eigen::Index i = 0; i < std::min<Eigen::Index>(x.size(), 8); ++i) fmt::print(" {:.9g}", x[i]);
+    for (Eigen::Index i = 0; i < std::min<Eigen::Index>(x.size(), 8); ++i)
+      fmt::print(" {:.9g}", x[i]);
     fmt::print("{}.\n", x.size() > 8 ? fmt::format(" ... ({} variables)", x.size()) : "");
   }
   fmt::print("{} evaluations, {:.3g} ms of processor time, {} starts:", record.ledger.charged,
@@ -169,13 +171,14 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
 }  // namespace
 
 int solve(const SolveOptions& options) {
-  if (options.budget < 1) throw InputError(fmt::format("--budget {}: must be >= 1", options.budget));
+  if (options.budget < 1)
+    throw InputError(fmt::format("--budget {}: must be >= 1", options.budget));
   if (options.instance < 0) {
     throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
   }
   if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
-  const Solver solver = named(all_solvers(), options.solver, "solver",
-                              [](const Solver& s) { return s.name; });
+  const Solver solver =
+      named(all_solvers(), options.solver, "solver", [](const Solver& s) { return s.name; });
   const Question question = named(every_question(all_families()), options.question, "question",
                                   [](const Question& q) { return q.name(); });
   const Form form = form_of(options, question, solver);

@@ -15,7 +15,7 @@
 namespace ricochet::contest {
 
 struct Plan {
-  std::vector<Question> questions;    ///< whose best values are known
+  std::vector<Question> questions;  ///< whose best values are known
   std::vector<Solver> solvers;
   std::vector<double> widths;         ///< of surrogates, beside the usual one
   int instances = 15;                 ///< 1, 2, ... of every question
@@ -30,7 +30,7 @@ struct Standing {
   std::size_t question;  ///< its index in the plan
   std::string solver;
   Form form;
-  std::size_t budget;  ///< its index in the plan
+  std::size_t budget;             ///< its index in the plan
   std::vector<Outcome> outcomes;  ///< of the instances, in their order
 };
 

@@ -45,9 +45,11 @@ std::vector<double> hitting_times(const Question& question, const Standing& stan
 
 Reached reached_by(const Outcome& outcome) {
   if (outcome.steps.empty()) return {infinity, infinity};
-  // A new best is no better than the best that was known: it says nothing of the others.
-  return {std::max(outcome.steps.back().regret, 0.0),
-          static_cast<double>(outcome.steps.back().evaluations)};
+  // What is solved is solved: digits beyond the tolerance put nobody first.
+  if (const auto solved = outcome.verdict.evaluations_to_solve) {
+    return {0, static_cast<double>(*solved)};
+  }
+  return {outcome.steps.back().regret, static_cast<double>(outcome.steps.back().evaluations)};
 }
 
 }  // namespace

@@ -20,11 +20,11 @@ struct Reach {
 struct Rating {
   std::string solver;
   std::string form;
-  int questions = 0;               ///< that it takes in this form
-  int never = 0;                   ///< of these, those that no run solved
-  std::vector<Reach> progress;     ///< the empirical distribution of hitting times
+  int questions = 0;                     ///< that it takes in this form
+  int never = 0;                         ///< of these, those that no run solved
+  std::vector<Reach> progress;           ///< the empirical distribution of hitting times
   double probability_of_being_best = 0;  ///< Plackett and Luce's model of all questions' rankings
-  double rank = 0;                 ///< mean over questions and instances, ties sharing theirs
+  double rank = 0;                       ///< mean over questions and instances, ties sharing theirs
 };
 
 /// Regrets that count as targets of a question: its own tolerance, and easier ones.

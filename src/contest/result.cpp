@@ -69,8 +69,7 @@ Result result_of(const std::vector<Outcome>& outcomes) {
   }
   result.seconds_to_solve = expected_running_time(seconds);
   result.gap.value = quantile(gaps, 0.5);
-  result.gap.interval =
-      order_statistic_interval(gaps).value_or(Interval{-infinity, infinity});
+  result.gap.interval = order_statistic_interval(gaps).value_or(Interval{-infinity, infinity});
   for (const Outcome& outcome : outcomes) {
     result.failed += outcome.failure.empty() ? 0 : 1;
     for (const std::string& exit : outcome.exits) ++result.exits[exit];

@@ -24,13 +24,13 @@ struct Estimate {
 /// What the runs of one standing say. Intervals are of 95 %.
 struct Result {
   int runs = 0;
-  int distinct = 0;                         ///< runs that differ: repeats are counted once
-  SolvedShare found{}, handed_over{};       ///< solved by a point evaluated, by the one returned
-  std::optional<Estimate> running_time;     ///< expected evaluations to solve; nothing: never
-  std::optional<double> seconds_to_solve;   ///< expected processor time
-  Estimate gap{};                           ///< median regret; infinite: nothing feasible found
-  int failed = 0;                           ///< runs that ended in an exception
-  std::map<std::string, int> exits;         ///< how often the solver gave which reason
+  int distinct = 0;                        ///< runs that differ: repeats are counted once
+  SolvedShare found{}, handed_over{};      ///< solved by a point evaluated, by the one returned
+  std::optional<Estimate> running_time;    ///< expected evaluations to solve; nothing: never
+  std::optional<double> seconds_to_solve;  ///< expected processor time
+  Estimate gap{};                          ///< median regret; infinite: nothing feasible found
+  int failed = 0;                          ///< runs that ended in an exception
+  std::map<std::string, int> exits;        ///< how often the solver gave which reason
 };
 
 /// `outcomes` of one standing; at least one.

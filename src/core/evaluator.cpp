@@ -91,8 +91,8 @@ void Evaluator::score(const Vector& x, const Values* known) {
     truth = truth_of(*known, problem_.equalities);
   } else {
     stopwatch_.leave_out([&] {
-      truth = problem_.truth ? problem_.truth(x)
-                             : truth_of(problem_.evaluate(x), problem_.equalities);
+      truth =
+          problem_.truth ? problem_.truth(x) : truth_of(problem_.evaluate(x), problem_.equalities);
     });
   }
   const bool is_number = !std::isnan(truth.objective) && !std::isnan(truth.violation);

@@ -53,15 +53,16 @@ Box box_around_best(const Problem& problem, Random& random) {
     const double share = uniform(random);
     const double width = problem.rotates ? whole : (0.5 + 0.5 * uniform(random)) * whole;
     // The lower end may lie within these.
-    const double from = problem.rotates ? best[i] - 0.9 * width
-                                        : std::max(problem.lower[i], best[i] - width);
-    const double to = problem.rotates ? best[i] - 0.1 * width
-                                      : std::min(problem.upper[i] - width, best[i]);
+    const double from =
+        problem.rotates ? best[i] - 0.9 * width : std::max(problem.lower[i], best[i] - width);
+    const double to =
+        problem.rotates ? best[i] - 0.1 * width : std::min(problem.upper[i] - width, best[i]);
     box.lower[i] = from + share * (to - from);
     box.upper[i] = box.lower[i] + width;
   }
   box.hold(best);  // whatever rounding did
-  if (!problem.rotates) box = {box.lower.cwiseMax(problem.lower), box.upper.cwiseMin(problem.upper)};
+  if (!problem.rotates)
+    box = {box.lower.cwiseMax(problem.lower), box.upper.cwiseMin(problem.upper)};
   return box;
 }
 
@@ -126,7 +127,8 @@ Problem instance(const Problem& problem, int number) {
   // One that can be turned is defined outside, too.
   const auto inside = [original, frame](const Vector& x) -> Vector {
     const Vector natural = frame.natural(x);
-    return original->rotates ? natural : natural.cwiseMax(original->lower).cwiseMin(original->upper);
+    return original->rotates ? natural
+                             : natural.cwiseMax(original->lower).cwiseMin(original->upper);
   };
   const Matrix slope = frame.slope();
   result.evaluate = [original, inside](const Vector& x) { return original->evaluate(inside(x)); };

@@ -30,7 +30,7 @@ struct RunRecord {
   /// Of the points that the starts handed over, the best as it was shown; nothing where there is
   /// none.
   std::optional<HandedOver> handed_over;
-  std::string failure;            ///< what the problem or the solver threw; empty if nothing
+  std::string failure;  ///< what the problem or the solver threw; empty if nothing
   std::vector<Improvement> trace;
 };
 

@@ -8,8 +8,8 @@
 
 namespace ricochet {
 
-/// What the suite says of a run: from its trace what was found, which is more than a user gets where
-/// the solver hands over another point.
+/// What the suite says of a run: from its trace what was found, which is more than a user gets
+/// where the solver hands over another point.
 struct Verdict {
   bool feasible = false;            ///< a truly feasible point was found
   std::optional<double> objective;  ///< best true objective among feasible points

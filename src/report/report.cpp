@@ -8,6 +8,7 @@
 
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
+#include "embedded/template_contest.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_problems.h"
@@ -21,10 +22,15 @@ namespace ricochet::report {
 namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"advice", embedded::template_advice},       {"calibration", embedded::template_calibration},
-    {"dynamics", embedded::template_dynamics},   {"family", embedded::template_family},
-    {"problems", embedded::template_problems},   {"reproduction", embedded::template_reproduction},
-    {"surrogate", embedded::template_surrogate}, {"verification", embedded::template_verification},
+    {"advice", embedded::template_advice},
+    {"calibration", embedded::template_calibration},
+    {"contest", embedded::template_contest},
+    {"dynamics", embedded::template_dynamics},
+    {"family", embedded::template_family},
+    {"problems", embedded::template_problems},
+    {"reproduction", embedded::template_reproduction},
+    {"surrogate", embedded::template_surrogate},
+    {"verification", embedded::template_verification},
 };
 
 constexpr const char* data_file = "data.json";

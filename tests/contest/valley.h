@@ -19,9 +19,7 @@ inline Problem valley(double width) {
   problem.start = Vector::Zero(1);
   problem.best_known = 0.0;
   problem.best_point = Vector::Constant(1, 0.5);
-  problem.evaluate = [width](const Vector& x) {
-    return Values{std::abs(x[0] - 0.5 - width), {}};
-  };
+  problem.evaluate = [width](const Vector& x) { return Values{std::abs(x[0] - 0.5 - width), {}}; };
   problem.truth = [](const Vector& x) { return Truth{std::abs(x[0] - 0.5), 0}; };
   if (width > 0) {
     problem.differentiate = [evaluate = problem.evaluate, width](const Vector& x) {

@@ -23,11 +23,12 @@ TEST(AllSolvers, AreThese) {
   std::vector<std::string> names;
   for (const Solver& solver : all_solvers()) names.push_back(solver.name);
   EXPECT_THAT(names, testing::UnorderedElementsAre(
-                         "fireworks", "fireworks-as-printed", "random-search", "scan", "bisection", "golden-section", "ipopt",
-                         "continuation-ipopt", "ceres-lbfgs", "ceres-trust-region", "pagmo-cmaes",
-                         "pagmo-sade", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch",
-                         "nlopt-cobyla", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
-                         "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"));
+                         "fireworks", "fireworks-as-printed", "random-search", "scan", "bisection",
+                         "golden-section", "ipopt", "continuation-ipopt", "ceres-lbfgs",
+                         "ceres-trust-region", "pagmo-cmaes", "pagmo-sade", "nlopt-direct-l",
+                         "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-cobyla", "nlopt-bobyqa",
+                         "nlopt-nelder-mead", "nlopt-sbplx", "nlopt-slsqp",
+                         "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"));
 }
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {

@@ -46,8 +46,7 @@ Json standing_data(const Plan& plan, const Standing& standing) {
           {"found", share_data(result.found)},
           {"handed_over", share_data(result.handed_over)},
           {"running_time", result.running_time ? estimate_data(*result.running_time) : Json()},
-          {"milliseconds",
-           result.seconds_to_solve ? Json(1e3 * *result.seconds_to_solve) : Json()},
+          {"milliseconds", result.seconds_to_solve ? Json(1e3 * *result.seconds_to_solve) : Json()},
           {"gap", estimate_data(result.gap)},
           {"failed", result.failed},
           {"exits", std::move(exits)}};
@@ -62,16 +61,11 @@ Json rating_data(const Rating& rating) {
                         {"upper", reach.interval.upper}});
   }
   const Reach& last = rating.progress.back();
-  return {{"solver", rating.solver},
-          {"form", rating.form},
-          {"questions", rating.questions},
-          {"never", rating.never},
-          {"share", last.share},
-          {"lower", last.interval.lower},
-          {"upper", last.interval.upper},
-          {"best", rating.probability_of_being_best},
-          {"rank", rating.rank},
-          {"progress", std::move(progress)}};
+  return {{"solver", rating.solver},       {"form", rating.form},
+          {"questions", rating.questions}, {"never", rating.never},
+          {"share", last.share},           {"lower", last.interval.lower},
+          {"upper", last.interval.upper},  {"best", rating.probability_of_being_best},
+          {"rank", rating.rank},           {"progress", std::move(progress)}};
 }
 
 /// A row for each competitor with the share of runs that it solves of every question with the
@@ -81,8 +75,8 @@ Json share_rows(const Plan& plan, const std::vector<Standing>& standings, const 
   for (const Standing& standing : standings) {
     const auto place = std::find(group.questions.begin(), group.questions.end(), standing.question);
     if (place == group.questions.end() || standing.budget + 1 != plan.budgets.size()) continue;
-    Json& cells = rows[standing.solver + ", " +
-                       plan.questions[standing.question].name_of(standing.form)];
+    Json& cells =
+        rows[standing.solver + ", " + plan.questions[standing.question].name_of(standing.form)];
     if (cells.is_null()) cells = Json(group.questions.size(), Json());
     cells[static_cast<std::size_t>(place - group.questions.begin())] =
         result_of(standing.outcomes).found.share;
@@ -118,8 +112,7 @@ Json group_data(const Plan& plan, const std::vector<Standing>& standings,
   for (const Group& group : groups) {
     Json budgets = Json::array();
     for (std::size_t b = 0; b < plan.budgets.size(); ++b) {
-      const Json ratings =
-          report::list_of(rate(plan, standings, group.questions, b), rating_data);
+      const Json ratings = report::list_of(rate(plan, standings, group.questions, b), rating_data);
       Json first = Json::array();
       for (std::size_t i = 0; i < std::min(drawn, ratings.size()); ++i) first.push_back(ratings[i]);
       budgets.push_back({{"budget", plan.budgets[b]},

@@ -43,9 +43,8 @@ std::vector<Standing> half(std::vector<Standing> standings, std::size_t from) {
 }
 
 std::string leader(const Order& order) {
-  const auto first = std::min_element(order.begin(), order.end(), [](const auto& a, const auto& b) {
-    return a.second < b.second;
-  });
+  const auto first = std::min_element(
+      order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return first == order.end() ? "" : first->first;
 }
 

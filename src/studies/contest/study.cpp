@@ -33,6 +33,7 @@ Json leaders_of(const Json& groups) {
       row.erase("progress");
       row["family"] = group["family"];
       row["budget"] = budget["budget"];
+      row["largest"] = budget == group["budgets"].back();
       rows.push_back(std::move(row));
     }
   }
@@ -81,8 +82,9 @@ Json compute(const ContestOptions& options, bool quick) {
   plan.widths = options.widths;
   plan.instances = quick ? std::min(options.instances, 5) : options.instances;
   plan.budgets = options.budgets;
-  if (plan.budgets.empty()) plan.budgets = quick ? std::vector<std::int64_t>{20, 100}
-                                                 : std::vector<std::int64_t>{100, 1000};
+  if (plan.budgets.empty())
+    plan.budgets =
+        quick ? std::vector<std::int64_t>{20, 100} : std::vector<std::int64_t>{100, 1000};
   const auto standings = in_forms(hold(plan), plan, options.forms);
   const std::vector<Group> groups = groups_of(plan, families);
   Plan repeated = plan;

@@ -13,14 +13,15 @@ struct ContestOptions {
   std::string questions;  ///< names of questions; empty: those of the standing contest
   std::string solvers = "*";
   std::string forms = "*";
-  std::vector<std::int64_t> budgets;  ///< evaluations for each variable; empty: as for the standing contest
-  std::vector<double> widths;         ///< of surrogates, beside the usual one
+  std::vector<std::int64_t>
+      budgets;  ///< evaluations for each variable; empty: as for the standing contest
+  std::vector<double> widths;  ///< of surrogates, beside the usual one
   int instances = 15;
 };
 
 /// Solvers compared on questions: who solves what, in which form, how surely, at what cost; and
-/// whether the order would be another with other instances, seeds and budgets. Throws InputError for
-/// patterns that nothing fits.
+/// whether the order would be another with other instances, seeds and budgets. Throws InputError
+/// for patterns that nothing fits.
 Study contest_study(const ContestOptions& options);
 
 }  // namespace ricochet::studies

@@ -49,14 +49,17 @@ contest::Plan contest_of(const StudyPlan& plan, std::vector<Solver> solvers) {
 }  // namespace
 
 StudyPlan full_plan() {
-  return {ScanOptions{1e-3, 10, fastest_speed}, 0.05, false,
-          "top-speed-C[149],profile-count-[28]-C[14],profile-count-32-C4,design-count-C[14]", 5,
+  return {ScanOptions{1e-3, 10, fastest_speed},
+          0.05,
+          false,
+          "top-speed-C[149],profile-count-[28]-C[14],profile-count-32-C4,design-count-C[14]",
+          5,
           {20, 100}};
 }
 
 StudyPlan quick_plan() {
-  return {ScanOptions{1e-2, 1, fastest_speed}, 0.2, true,
-          "top-speed-C[14],profile-count-2-C4", 3, {20, 100}};
+  return {ScanOptions{1e-2, 1, fastest_speed},  0.2, true,
+          "top-speed-C[14],profile-count-2-C4", 3,   {20, 100}};
 }
 
 Results results_of(const StudyPlan& plan, std::vector<Solver> solvers) {

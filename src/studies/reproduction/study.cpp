@@ -52,7 +52,7 @@ StudyPlan full_plan() {
   return {ScanOptions{1e-3, 10, fastest_speed},
           0.05,
           false,
-          "top-speed-C[149],profile-count-[28]-C[14],profile-count-32-C4,design-count-C[14]",
+          "top-speed-C[149],profile-count-2-C[14],profile-count-8-C4,design-count-C1",
           5,
           {20, 100}};
 }

@@ -25,7 +25,7 @@ struct StudyPlan {
   std::vector<std::int64_t> budgets;  ///< evaluations for each variable
 };
 
-/// Thresholds to 1e-3 rad/s, solvers on questions of 1 to 32 variables: under half a minute on two
+/// Thresholds to 1e-3 rad/s, solvers on questions of 1 to 8 variables: under half a minute on two
 /// cores.
 StudyPlan full_plan();
 

@@ -67,7 +67,8 @@ TEST(ReproductionData, ShowsItsNumbersInTheTables) {
 }
 
 TEST(ReproductionData, ShowsTheStepsBesideThePapersRule) {
-  const auto& rows = section_of(page_of(tiny_data()), "steps").tables.at(0).rows;
+  const report::Page page = page_of(tiny_data());
+  const auto& rows = section_of(page, "steps").tables.at(0).rows;
   ASSERT_EQ(rows.size(), 12U);
   for (const auto& row : rows) {
     EXPECT_EQ(row[1].text, shown(tiny_data()["cases"][row[0].text]["paper_threshold"], "{}"));

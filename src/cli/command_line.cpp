@@ -22,9 +22,12 @@
 #include "src/core/near_names.h"
 #include "src/core/one_line.h"
 #include "src/core/text_file.h"
+#include "src/report/json.h"
 
 namespace ricochet::cli {
 namespace {
+
+using report::Json;
 
 constexpr int failure = 1;
 constexpr int bad_input = 2;

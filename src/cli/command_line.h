@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "src/cli/format.h"
+#include "src/report/json.h"
 #include "src/studies/study.h"
 
 namespace ricochet::cli {
@@ -45,7 +45,7 @@ class CommandLine {
                       const std::string& examples = "");
 
   /// All commands that the help shows, with their options: what manual and completion are made of.
-  Json description() const;
+  report::Json description() const;
 
  private:
   int carry_out(int argc, char** argv);

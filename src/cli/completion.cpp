@@ -6,8 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "src/cli/description.h"
+
 namespace ricochet::cli {
 namespace {
+
+using report::Json;
 
 std::string replaced(std::string text, std::string_view what, std::string_view by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
@@ -19,10 +23,6 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 /// In single quotes, as bash and zsh read them.
 std::string shell_quoted(const std::string& text) {
   return "'" + replaced(text, "'", "'\\''") + "'";
-}
-
-std::string text_of(const Json& object, const char* key) {
-  return object.at(key).get<std::string>();
 }
 
 std::string words_of(const Json& list) {

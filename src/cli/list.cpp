@@ -12,14 +12,15 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/families.h"
 #include "solvers/solvers.h"
-#include "src/cli/format.h"
 #include "src/core/error.h"
 #include "src/core/near_names.h"
+#include "src/report/json.h"
 
 namespace ricochet::cli {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 Json cases() {
   Json rows = Json::array();
@@ -28,8 +29,8 @@ Json cases() {
                     {"restitution", c.restitution},
                     {"friction", c.friction},
                     {"disturbance", c.disturbance},
-                    {"paper_threshold", json_of(c.claim.threshold)},
-                    {"paper_quiet_count", json_of(c.claim.quiet_count)}});
+                    {"paper_threshold", c.claim.threshold},
+                    {"paper_quiet_count", c.claim.quiet_count}});
   }
   return rows;
 }
@@ -82,7 +83,7 @@ Json questions(const ListOptions& options) {
                       {"equalities", q.stated.equalities},
                       {"forms", forms},
                       {"derivatives", derivatives},
-                      {"best_known", json_of(q.stated.best_known)},
+                      {"best_known", q.stated.best_known},
                       {"source", q.stated.source}});
     }
   }

@@ -27,6 +27,8 @@
 namespace ricochet::cli {
 namespace {
 
+using report::Json;
+
 void add_scene_choice(CLI::App* command, SceneChoice& choice) {
   std::vector<std::string> cases;
   for (const carrier_track::Case& a_case : carrier_track::all_cases()) cases.push_back(a_case.id);
@@ -93,12 +95,14 @@ class Program : public CommandLine {
 
   void add_threshold() {
     CLI::App* command = add("threshold", "The fastest quiet speed, to 1e-3 rad/s",
-                            "  ricochet threshold --scene machine.toml\n"
+                            "  ricochet threshold --scene machine.toml --plot staircase.svg\n"
                             "  ricochet threshold --all --format json");
     add_scene_choice(command, threshold_.scene);
     add_format(command, threshold_.json);
     command->add_flag("--all", threshold_.all, "Every case of the paper");
     add_request(command, threshold_.asked);
+    command->add_option("--plot", threshold_.plot, "SVG file for a picture of the staircase")
+        ->type_name("FILE");
     on_call(command, [this] { return threshold(threshold_); });
   }
 

@@ -5,10 +5,13 @@
 #include <sstream>
 #include <vector>
 
+#include "src/cli/description.h"
 #include "src/cli/version.h"
 
 namespace ricochet::cli {
 namespace {
+
+using report::Json;
 
 /// Text as man reads it: no sign of it is a command.
 std::string plain(const std::string& text) {
@@ -22,10 +25,6 @@ std::string plain(const std::string& text) {
     }
   }
   return escaped;
-}
-
-std::string text_of(const Json& object, const char* key) {
-  return object.at(key).get<std::string>();
 }
 
 std::string option(const Json& described) {

@@ -5,27 +5,26 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <filesystem>
 #include <optional>
-#include <system_error>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "src/cli/format.h"
+#include "src/cli/output_files.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
 #include "src/report/gnuplot.h"
-#include "src/studies/reproduction/path_chart.h"
+#include "src/report/json.h"
+#include "src/report/svg.h"
+#include "src/studies/path_chart.h"
 
 namespace ricochet::cli {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 const char* name_of(Wall wall) {
   return wall == Wall::lower ? "lower" : "upper";
@@ -61,7 +60,7 @@ Json frame_of(const Recording& recording) {
   return {{"count", recording.count},
           {"surrogate", recording.surrogate},
           {"certain", recording.certainty.certain},
-          {"margin", cli::json_of(recording.certainty.margin)},
+          {"margin", recording.certainty.margin},
           {"graze", json_of(recording.certainty.graze)},
           {"growth", recording.certainty.growth},
           {"doubt", recording.certainty.certain ? Json() : Json(recording.certainty.reason)},
@@ -109,12 +108,18 @@ std::string csv_of(const Recording& recording) {
 }
 
 std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
-  report::Chart chart = studies::reproduction::path_chart(
-      chosen.scene, recording, "path",
-      fmt::format("{} at {}: {} collisions", chosen.name, speed_of(chosen.scene), recording.count));
-  chart.width = 960;
-  chart.height = 360;
-  return report::to_svg(chart);
+  std::vector<report::Chart> charts = {
+      studies::path_chart(chosen.scene, recording, "path",
+                          fmt::format("{} at {}: {} collisions", chosen.name,
+                                      speed_of(chosen.scene), recording.count))};
+  if (const auto zoom = studies::path_zoom(chosen.scene, recording)) {
+    charts.push_back(studies::zoom_chart(chosen.scene, recording, *zoom, "zoom"));
+  }
+  for (report::Chart& chart : charts) {
+    chart.width = 960;
+    chart.height = 360;
+  }
+  return report::stacked(report::to_svgs(charts));
 }
 
 /// Prints a line for each element, up to a limit.
@@ -128,21 +133,18 @@ void print_first(const std::vector<Element>& all, const Print& print) {
 
 /// The impacts or the maxima, whichever the rule looks at, and which of them count.
 void print_features(const Scene& scene, const Recording& recording) {
-  bool counts = false;
-  const auto note = [&counts](double margin, double /*left*/) { counts |= margin > 0; };
-  Features<double, decltype(note)> features(scene, note);
-  const auto mark = [&counts] { return std::exchange(counts, false) ? "  counts" : ""; };
+  const std::vector<Feature> features = features_of(scene, recording);
+  auto feature = features.begin();
+  const auto mark = [&feature] { return feature++->counts ? "  counts" : ""; };
   if (scene.rule == CountRule::impacts) {
     fmt::print("{:>14} {:>6} {:>13}\n", "time [s]", "wall", "speed [m/s]");
     print_first(recording.impacts, [&](const Impact& impact) {
-      features.impact(impact.time, impact.wall, impact.speed);
       fmt::print("{:>14.8f} {:>6} {:>13.6g}{}\n", impact.time, name_of(impact.wall), impact.speed,
                  mark());
     });
   } else {
     fmt::print("{:>14} {:>13}\n", "time [s]", "maximum [m]");
     print_first(recording.peaks, [&](const Peak& peak) {
-      features.peak(peak.time, peak.position);
       fmt::print("{:>14.8f} {:>13.6g}{}\n", peak.time, peak.position, mark());
     });
   }
@@ -171,24 +173,11 @@ void print(const ChosenScene& chosen, const Recording& recording) {
   print_features(chosen.scene, recording);
 }
 
-/// Whether both are one regular file, or would be.
-bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code none;
-  if (std::filesystem::exists(a, none) && !std::filesystem::is_regular_file(a, none)) return false;
-  return std::filesystem::equivalent(a, b, none) ||
-         std::filesystem::weakly_canonical(a, none) == std::filesystem::weakly_canonical(b, none);
-}
-
 /// Throws InputError where a file would be written over the scene, or over the other.
 void refuse_same_files(const SimulateOptions& options) {
-  const std::string& scene = options.scene.scene_file;
-  for (const auto& [option, file, other] :
-       {std::tuple("--csv", options.csv, scene), std::tuple("--plot", options.plot, scene),
-        std::tuple("--plot", options.plot, options.csv)}) {
-    if (file.empty() || other.empty() || !are_same(file, other)) continue;
-    throw InputError(fmt::format("{} {}: must be another file than {}", option, file,
-                                 other == scene ? "the scene" : "that of --csv"));
-  }
+  refuse_same_file("--csv", options.csv, options.scene.scene_file, "the scene");
+  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
+  refuse_same_file("--plot", options.plot, options.csv, "that of --csv");
 }
 
 }  // namespace

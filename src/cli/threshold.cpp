@@ -2,30 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "src/campaign/progress.h"
-#include "src/cli/format.h"
+#include "src/cli/output_files.h"
 #include "src/core/error.h"
+#include "src/core/text_file.h"
+#include "src/report/gnuplot.h"
+#include "src/report/json.h"
 #include "src/report/text.h"
 #include "src/studies/advice/quiet_speed_answer.h"
+#include "src/studies/advice/staircase_chart.h"
 
 namespace ricochet::cli {
 namespace {
 
 using namespace carrier_track;
 using namespace studies::advice;
+using report::Json;
 
 Json restitution_of(const Scene& scene) {
   if (scene.restitution_lower == scene.restitution_upper) return scene.restitution_lower;
   return Json::array({scene.restitution_lower, scene.restitution_upper});
-}
-
-/// A multiple of the scan's step without the last digits of its rounding.
-Json speed_of(const std::optional<double>& speed) {
-  constexpr double digits = 1e9;
-  return speed ? Json(std::round(*speed * digits) / digits) : Json(nullptr);
 }
 
 Json json_of(const ChosenScene& chosen, const Score& score) {
@@ -40,13 +41,13 @@ Json json_of(const ChosenScene& chosen, const Score& score) {
           {"restitution", restitution_of(chosen.scene)},
           {"friction", chosen.scene.friction},
           {"disturbance", chosen.scene.disturbance},
-          {"paper_threshold", cli::json_of(chosen.claim.threshold)},
-          {"threshold", speed_of(score.threshold)},
-          {"first_loud", speed_of(score.first_loud)},
+          {"paper_threshold", chosen.claim.threshold},
+          {"threshold", rounded(score.threshold)},
+          {"first_loud", rounded(score.first_loud)},
           {"misclassified", score.misclassified},
-          {"purity", cli::json_of(score.purity)},
-          {"loudness", cli::json_of(score.loudness)},
-          {"paper_quiet_count", cli::json_of(chosen.claim.quiet_count)},
+          {"purity", score.purity},
+          {"loudness", score.loudness},
+          {"paper_quiet_count", chosen.claim.quiet_count},
           {"quiet_count", score.quiet_count},
           {"reading", chosen.reading},
           {"evaluations", score.evaluations},
@@ -132,7 +133,19 @@ Score score_of(const QuietSpeed& answer) {
   score.first_loud = answer.split.first_loud;
   score.misclassified = answer.split.misclassified;
   score.quiet_count = answer.staircase.levels.front().typical;
+  score.evaluations =
+      static_cast<std::int64_t>(answer.scan.counts.size() + answer.fine.counts.size());
   return score;
+}
+
+/// The staircase, with the answer and with what the paper claims.
+std::string picture_of(const ChosenScene& chosen, const QuietSpeed& answer, const Score& score,
+                       bool by_the_paper) {
+  const MarkedSpeed ours = by_the_paper
+                               ? MarkedSpeed{score.threshold, "threshold by the paper's rule"}
+                               : MarkedSpeed{answer.fastest_quiet, "fastest quiet speed"};
+  return report::to_svg(staircase_chart(answer, chosen.name + ": collisions against speed",
+                                        {ours, {chosen.claim.threshold, "paper's threshold"}}));
 }
 
 }  // namespace
@@ -148,15 +161,23 @@ int threshold(const ThresholdOptions& options) {
     if (asked.limit || options.asked.tolerance > 0) {
       throw InputError("--all is by the paper's rule: it takes no limit and no tolerance");
     }
+    if (!options.plot.empty()) throw InputError("--all has no picture: it takes no --plot");
     return threshold_of_all(scan, options.json);
   }
   const ChosenScene chosen = choose_scene(options.scene);
   refuse_profile(chosen.scene, chosen.name);
+  refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
+  const auto start = std::chrono::steady_clock::now();
   const QuietSpeedAnswer output =
       answer_quiet_speed(chosen.name, chosen.scene, asked, options.asked.tolerance / 100);
   const bool by_the_paper = !asked.limit && !options.scene.case_id.empty();
-  const Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, scan)
-                                   : score_of(output.answer);
+  Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, output.answer.fine,
+                                                    scan.stride)
+                             : score_of(output.answer);
+  score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!options.plot.empty()) {
+    write_text_file(options.plot, picture_of(chosen, output.answer, score, by_the_paper));
+  }
   if (options.json) {
     Json json = json_of(chosen, score);
     json.update(studies::advice::json_of(output));

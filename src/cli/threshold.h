@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "src/cli/quiet_speed_request.h"
 #include "src/cli/scene_choice.h"
 
@@ -9,6 +11,7 @@ struct ThresholdOptions {
   SceneChoice scene;
   bool all = false;  ///< every case of the paper
   bool json = false;
+  std::string plot;  ///< SVG file for the staircase, empty for none
   QuietSpeedRequest asked;
 };
 

@@ -6,13 +6,14 @@
 #include "problems/carrier_track/oracle/hostile_scenes.h"
 #include "problems/carrier_track/oracle/oracle.h"
 #include "problems/carrier_track/scene/scene_file.h"
-#include "src/cli/format.h"
 #include "src/core/error.h"
+#include "src/report/json.h"
 
 namespace ricochet::cli {
 namespace {
 
 using namespace carrier_track;
+using report::Json;
 
 const char* name_of(Wall wall) {
   return wall == Wall::upper ? "upper" : "lower";

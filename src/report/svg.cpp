@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -45,6 +46,12 @@ void drop_font(pugi::xml_node element) {
   element.remove_attribute(font);
 }
 
+std::string text_of(const pugi::xml_document& document) {
+  std::ostringstream stream;
+  document.save(stream, "", pugi::format_default | pugi::format_no_declaration);
+  return stream.str();
+}
+
 }  // namespace
 
 std::string finish_svg(const std::string& svg, const std::string& name, const std::string& title,
@@ -66,9 +73,30 @@ std::string finish_svg(const std::string& svg, const std::string& name, const st
   root.append_attribute("aria-labelledby") = fmt::format("{0}-title {0}-desc", name).c_str();
   root.append_attribute("font-family") =
       "system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif";
-  std::ostringstream stream;
-  document.save(stream, "", pugi::format_default | pugi::format_no_declaration);
-  return stream.str();
+  return text_of(document);
+}
+
+std::string stacked(const std::vector<std::string>& svgs) {
+  if (svgs.size() == 1) return svgs.front();
+  pugi::xml_document document;
+  pugi::xml_node all = document.append_child("svg");
+  int width = 0, height = 0;
+  for (const std::string& svg : svgs) {
+    pugi::xml_document part;
+    if (const auto parsed = part.load_string(svg.c_str()); !parsed)
+      throw std::runtime_error(fmt::format("no SVG: {}", parsed.description()));
+    pugi::xml_node placed = all.append_copy(part.child("svg"));
+    placed.append_attribute("y") = height;
+    width = std::max(width, placed.attribute("width").as_int());
+    height += placed.attribute("height").as_int();
+  }
+  all.append_attribute("class") = "ricochet-chart";
+  all.append_attribute("width") = width;
+  all.append_attribute("height") = height;
+  all.append_attribute("viewBox") = fmt::format("0 0 {} {}", width, height).c_str();
+  all.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
+  all.append_attribute("role") = "group";
+  return text_of(document);
 }
 
 }  // namespace ricochet::report

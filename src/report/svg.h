@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace ricochet::report {
 
@@ -10,5 +11,8 @@ namespace ricochet::report {
 /// Throws std::runtime_error if it is not XML.
 std::string finish_svg(const std::string& svg, const std::string& name, const std::string& title,
                        const std::string& description);
+
+/// Finished pictures of charts with names of their own, one under the other, as one picture.
+std::string stacked(const std::vector<std::string>& svgs);
 
 }  // namespace ricochet::report

@@ -30,6 +30,8 @@ std::string completed_by_bash(const std::string& words, int last) {
 TEST(Description, IsCompletedByBash) {
   EXPECT_EQ(completed_by_bash("ricochet thr", 1), "threshold,");
   EXPECT_EQ(completed_by_bash("ricochet simulate --fo", 2), "--format,");
+  EXPECT_EQ(completed_by_bash("ricochet threshold --pl", 2), "--plot,");
+  EXPECT_EQ(completed_by_bash("ricochet threshold --plot m", 3), "machine one.toml,");
   EXPECT_EQ(completed_by_bash("ricochet simulate --format j", 3), "json,");
   EXPECT_EQ(completed_by_bash("ricochet calibrate --all", 2), "--all-readings,");
   EXPECT_EQ(completed_by_bash("ricochet list q", 2), "questions,");

@@ -96,6 +96,23 @@ TEST(Simulate, WritesThePathAndItsPicture) {
   EXPECT_THAT(read(folder / "path.svg"), HasSubstr("5 collisions"));
 }
 
+/// Bounces on the lower wall for a tenth of the window, and rests for the other nine.
+constexpr const char* dropped =
+    "[scene]\nmass=1\nwall_lower=0\nwall_upper=1\nrestitution=0.5\npull=40\n"
+    "start_position=0.05\n[window]\nseconds=5\n";
+
+TEST(Simulate, DrawsWhatCountsAndWhereItHappens) {
+  const auto folder = fresh_folder();
+  const std::string file = write(folder, "machine.toml", dropped).string();
+  const std::string svg = (folder / "path.svg").string();
+  ASSERT_EQ(call("simulate --scene " + file + " --plot " + svg).exit_code, 0);
+  EXPECT_THAT(read(svg), testing::AllOf(HasSubstr(">impact that counts</text>"),
+                                        HasSubstr("Where most of what counts happens")));
+  ASSERT_EQ(call("simulate --case C2 --omega 10 --plot " + svg).exit_code, 0);
+  EXPECT_THAT(read(svg), testing::AllOf(HasSubstr(">impact that counts</text>"),
+                                        testing::Not(HasSubstr("Where most"))));
+}
+
 TEST(Simulate, RefusesSpeedsThatNoPlateTurnsAt) {
   for (const char* omega : {"0", "-1", "nan", "inf"}) {
     expect_refusal(std::string("simulate --case C1 --omega ") + omega, "--omega = ");

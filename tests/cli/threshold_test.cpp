@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
@@ -14,6 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using testing::HasSubstr;
+using testing::Not;
 
 std::vector<std::string> keys_of(const ordered_json& object) {
   std::vector<std::string> keys;
@@ -51,6 +53,9 @@ TEST(Threshold, OfOneSceneIsOneObject) {
             carrier_track::ScanOptions{1e-3, 10, 3.0});
   EXPECT_NEAR(json["threshold"], *expected.threshold, 1e-9);
   EXPECT_NEAR(json["first_loud"], *expected.first_loud, 1e-9);
+  EXPECT_EQ(json["misclassified"], expected.misclassified);
+  EXPECT_EQ(json["evaluations"], expected.evaluations);
+  EXPECT_GT(json["seconds"], 0);
 }
 
 TEST(Threshold, TellsAnEngineerWhereToStay) {
@@ -108,6 +113,37 @@ TEST(Threshold, RefusesRangesAndCombinationsThatMakeNoSense) {
   expect_refusal("threshold --case C1 --allow 3 --allow-speed 1", "--allow-speed");
   expect_refusal("threshold --case C1 --allow -1", "-1");
   expect_refusal("threshold --case C1 --tolerance 60", "--tolerance");
+  expect_refusal("threshold --all --plot steps.svg", "--plot");
+}
+
+TEST(Threshold, DrawsTheStaircase) {
+  const auto folder = fresh_folder();
+  const std::string svg = (folder / "steps.svg").string();
+  const Outcome of_case = call("threshold --case C1 --plot " + svg);
+  EXPECT_EQ(of_case.exit_code, 0) << of_case.err;
+  EXPECT_EQ(of_case.out, call("threshold --case C1").out);
+  EXPECT_THAT(read(svg),
+              testing::AllOf(testing::StartsWith("<svg"), HasSubstr("C1: collisions against speed"),
+                             HasSubstr(">threshold by the paper's rule</text>"),
+                             HasSubstr(">paper's threshold</text>"), HasSubstr(">step</text>")));
+  const auto file = write(folder, "machine.toml", call("scene --case C1").out);
+  EXPECT_EQ(call("threshold --scene " + file.string() + " --plot " + svg).exit_code, 0);
+  EXPECT_THAT(read(svg), testing::AllOf(HasSubstr(">fastest quiet speed</text>"),
+                                        HasSubstr(">step</text>"), Not(HasSubstr("paper"))));
+}
+
+TEST(Threshold, NeverDrawsOverItsInput) {
+  const auto folder = fresh_folder();
+  const std::string text = call("scene --case C1").out;
+  const auto scene = write(folder, "machine.toml", text);
+  std::filesystem::create_symlink(scene, folder / "link");
+  for (const char* name : {"machine.toml", "link"}) {
+    expect_refusal("threshold --scene " + scene.string() + " --plot " + (folder / name).string(),
+                   "the scene");
+  }
+  EXPECT_EQ(read(scene), text);
+  expect_refusal("threshold --case C1 --fastest 2 --plot " + (scene / "steps.svg").string(),
+                 "steps.svg");
 }
 
 }  // namespace

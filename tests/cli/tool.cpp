@@ -53,9 +53,9 @@ Outcome call_with_output(const std::string& arguments, const std::string& output
   return call_in_shell(fmt::format("{} {} {}", RICOCHET_PROGRAM, arguments, output));
 }
 
-Outcome call_interrupted(const std::string& signal, const std::string& arguments) {
-  return call_in_shell(fmt::format("timeout --preserve-status --signal={} 1 {} {}", signal,
-                                   RICOCHET_PROGRAM, arguments));
+Outcome call_interrupted(const std::string& signal, const std::string& arguments, int seconds) {
+  return call_in_shell(fmt::format("timeout --preserve-status --signal={} {} {} {}", signal,
+                                   seconds, RICOCHET_PROGRAM, arguments));
 }
 
 void expect_refusal(const std::string& arguments, const std::string& complaint) {

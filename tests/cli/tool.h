@@ -17,8 +17,8 @@ Outcome call(const std::string& arguments);
 /// The same with standard output put elsewhere, as a shell would, e.g. ">/dev/full".
 Outcome call_with_output(const std::string& arguments, const std::string& output);
 
-/// The same, but after a second it is sent the signal of that name.
-Outcome call_interrupted(const std::string& signal, const std::string& arguments);
+/// The same, but after so many seconds it is sent the signal of that name.
+Outcome call_interrupted(const std::string& signal, const std::string& arguments, int seconds = 1);
 
 /// An empty folder of this test's own.
 std::filesystem::path fresh_folder();

@@ -14,26 +14,20 @@
 #include <thread>
 
 #include "src/core/error.h"
+#include "tests/core/temporary_folder.h"
 
 namespace ricochet {
 namespace {
 
 namespace fs = std::filesystem;
 
-class TextFile : public testing::Test {
+class TextFile : public TemporaryFolder {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static std::string content(const fs::path& path) {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
     return text.str();
   }
-
-  // Tests run side by side, each in a process of its own.
-  fs::path folder_ =
-      fs::path(testing::TempDir()) / ("ricochet_text_file_" + std::to_string(getpid()));
 };
 
 TEST_F(TextFile, ReplacesTheWholeFile) {

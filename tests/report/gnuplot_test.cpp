@@ -90,6 +90,22 @@ TEST(Gnuplot, GivesEveryIdOfEveryChartAName) {
   }
 }
 
+TEST(Svg, IsStackedOnAnother) {
+  const std::vector<Chart> charts = gallery();
+  const std::vector<std::string> svgs = to_svgs(charts);
+  EXPECT_EQ(stacked({svgs[0]}), svgs[0]);
+  const std::string both = stacked({svgs[0], svgs[1]});
+  const Tree root = parse(both).get_child("svg");
+  EXPECT_EQ(root.get<int>("<xmlattr>.width"), std::max(charts[0].width, charts[1].width));
+  EXPECT_EQ(root.get<int>("<xmlattr>.height"), charts[0].height + charts[1].height);
+  std::vector<int> places;
+  for (const auto& [name, child] : root) {
+    if (name == "svg") places.push_back(child.get<int>("<xmlattr>.y"));
+  }
+  EXPECT_THAT(places, testing::ElementsAre(0, charts[0].height));
+  EXPECT_EQ(visible_text(root), visible_text(parse(svgs[0])) + visible_text(parse(svgs[1])));
+}
+
 TEST(Gnuplot, PointsOnlyToIdsThatExist) {
   static const std::regex pattern("(?:href=\"#|url\\(#)([^\")]*)");
   int references = 0;

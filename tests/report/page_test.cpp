@@ -74,6 +74,34 @@ TEST_F(PageFiles, HoldEverythingInOneHtmlFile) {
                           Not(HasSubstr("<img")), Not(HasSubstr("@import"))));
 }
 
+/// The colours that the style replaces in the dark are those that charts are drawn in.
+TEST_F(PageFiles, KnowTheColoursOfTheirCharts) {
+  Page page = page_with({"one", "two"});
+  Chart& lines = page.sections[0].figures[0].chart;
+  Chart& points = page.sections[0].figures[1].chart;
+  const Series series = lines.series[0];
+  lines.series.clear();
+  points.series.clear();
+  for (int i = 0; i < 7; ++i) {
+    lines.series.push_back(
+        {std::to_string(i), Mark::line, {{0, 1, Range{0, 2}}, {1, 2, Range{1, 3}}}});
+    points.series.push_back({std::to_string(i), Mark::points, series.samples});
+  }
+  lines.lines = {{Direction::vertical, 0.2, "first"},
+                 {Direction::vertical, 0.4, "second"},
+                 {Direction::vertical, 0.6, "third"}};
+  write_page(page, root_);
+  const std::string html = read(root_ / "index.html");
+  const std::string svgs = read(root_ / "one.svg") + read(root_ / "two.svg");
+  static const std::regex replaced("figure svg \\[(\\w+=\"[^\"]*\")\\]");
+  int colours = 0;
+  for (std::sregex_iterator it(html.begin(), html.end(), replaced), end; it != end; ++it) {
+    EXPECT_NE(svgs.find((*it)[1].str()), std::string::npos) << (*it)[1];
+    ++colours;
+  }
+  EXPECT_GT(colours, 10);
+}
+
 TEST_F(PageFiles, EscapeHtml) {
   write_page(page_with({"one"}), root_);
   EXPECT_THAT(read(root_ / "index.html"),

@@ -1,9 +1,9 @@
 #include "problems/carrier_track/counting/limit.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "problems/carrier_track/counting/wear.h"
+#include "problems/carrier_track/scene/window.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -17,10 +17,6 @@ struct FastestImpact : Observer {
 };
 
 }  // namespace
-
-double turns_of(const Scene& scene) {
-  return scene.omega * duration_of(scene) / (2 * std::numbers::pi);
-}
 
 double measured(const Scene& scene, Measure measure) {
   switch (measure) {

@@ -18,9 +18,6 @@ struct Limit {
   double at_most = 0;
 };
 
-/// Turns of the driver plate in the window of a scene at its constant speed; > 0.
-double turns_of(const Scene& scene);
-
 /// The measure of a valid scene at its own speed.
 double measured(const Scene& scene, Measure measure);
 

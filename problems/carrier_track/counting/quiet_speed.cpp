@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/scene/window.h"
+
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-/// The slowest speed [rad/s] whose steps are looked for: a tenth of a turn a minute.
-constexpr double slowest_speed = 0.01;
-
-/// The step again, between two neighbours of the fine scan.
+/// The step again, between two neighbours of the fine scan, with the first of its loud speeds.
 Step located(Step step, const SpeedScan& fine) {
   const auto speeds = static_cast<double>(fine.counts.size());
   const auto index = [&](double omega) {
@@ -22,6 +21,7 @@ Step located(Step step, const SpeedScan& fine) {
   if (const auto speed = best_split(near, step.limit()).speed) {
     step.omega = *speed + fine.step * static_cast<double>(begin);
   }
+  step.first_loud = best_split(fine, step.limit()).first_loud;
   return step;
 }
 
@@ -38,19 +38,18 @@ QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
   const CountAt count = [&scene](double omega) { return count_at(scene, omega); };
   QuietSpeed answer;
   answer.options = options;
-  answer.scan = scan_logarithmically(count, slowest_speed, judged_share * options.fastest);
+  answer.scan = scan_logarithmically(count, slowest_scanned, judged_share * options.fastest);
   answer.staircase = staircase_of(answer.scan, options.fastest);
-  const SpeedScan fine = scan_speeds(count, options.step, options.fastest);
-  for (Step& step : answer.staircase.steps) {
-    step = located(step, fine);
-    answer.steps.push_back({step, best_split(fine, step.limit()).first_loud});
-  }
+  answer.fine = scan_speeds(scene, options.step, options.fastest);
+  for (Step& step : answer.staircase.steps) step = located(step, answer.fine);
   answer.limit = options.limit;
   if (options.limit) {
-    answer.split = split_by(scene, *options.limit, options.step, options.fastest);
+    answer.split = options.limit->measure == Measure::collisions
+                       ? best_split(answer.fine, options.limit->at_most)
+                       : split_by(scene, *options.limit, options.step, options.fastest);
   } else if (const auto main = answer.staircase.main_step()) {
     answer.limit = {Measure::collisions, std::floor(main->limit())};
-    answer.split = best_split(fine, main->limit());
+    answer.split = best_split(answer.fine, main->limit());
     answer.split.speed = main->omega;  // judged by the speeds around it, and not by the range
   }
   if (!answer.limit) return answer;

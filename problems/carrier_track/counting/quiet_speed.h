@@ -17,12 +17,6 @@ struct QuietSpeedOptions {
   double fastest = 18;         ///< [rad/s]
 };
 
-/// A step with what it means: counts up to its limit are quiet.
-struct StepAnswer {
-  Step step;
-  std::optional<double> first_loud;  ///< [rad/s], lowest scanned speed that is louder than that
-};
-
 /// The count at a speed, with whether it can be trusted.
 struct CountThere {
   double omega;  ///< [rad/s]
@@ -34,9 +28,9 @@ struct CountThere {
 
 struct QuietSpeed {
   QuietSpeedOptions options;
-  LogarithmicScan scan;  ///< of counts, beyond the fastest speed
-  Staircase staircase;
-  std::vector<StepAnswer> steps;  ///< those of the staircase, to the step of the scan
+  LogarithmicScan scan;        ///< of counts, beyond the fastest speed
+  SpeedScan fine;              ///< of counts, up to the fastest speed
+  Staircase staircase;         ///< its steps located in the fine scan
   std::optional<Limit> limit;  ///< the one given, or that of the main step; nothing: no threshold
   Split split;                 ///< by that limit
   std::optional<double> fastest_quiet;  ///< [rad/s], last scanned speed before the first loud one

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
@@ -72,11 +74,35 @@ Recording record(const Scene& asked, double width, std::size_t samples) {
   return recording;
 }
 
+std::vector<Feature> features_of(const Scene& scene, const Recording& recording) {
+  bool counts = false;
+  const auto note = [&counts](double z, double /*left*/) { counts |= step(z, 0.0) > 0; };
+  Features<double, decltype(note)> judged(scene, note);
+  std::vector<Feature> features;
+  if (scene.rule == CountRule::impacts) {
+    for (const Impact& impact : recording.impacts) {
+      judged.impact(impact.time, impact.wall, impact.speed);
+      const double wall = impact.wall == Wall::upper ? scene.wall_upper : scene.wall_lower;
+      features.push_back({impact.time, wall, std::exchange(counts, false)});
+    }
+  } else {
+    for (const Peak& peak : recording.peaks) {
+      judged.peak(peak.time, peak.position);
+      features.push_back({peak.time, peak.position, std::exchange(counts, false)});
+    }
+  }
+  return features;
+}
+
+std::vector<Feature> counted_features(const Scene& scene, const Recording& recording) {
+  std::vector<Feature> features = features_of(scene, recording);
+  std::erase_if(features, [](const Feature& feature) { return !feature.counts; });
+  return features;
+}
+
 std::optional<Stretch> busiest_stretch(const Scene& scene, const Recording& recording) {
   std::vector<double> times;
-  for (const Impact& impact : recording.impacts) {
-    if (impact.speed > scene.slowest) times.push_back(impact.time);
-  }
+  for (const Feature& feature : counted_features(scene, recording)) times.push_back(feature.time);
   if (times.size() < 3) return std::nullopt;
   const std::size_t most = (2 * times.size() + 2) / 3;
   Stretch best{times.front(), times.back()};

@@ -43,14 +43,27 @@ struct Recording {
 /// auto up to fifteen.
 Recording record(const Scene& scene, double width, std::size_t samples);
 
+/// What a rule looks at: an impact, or a maximum.
+struct Feature {
+  double time;      ///< [s]
+  double position;  ///< [m]
+  bool counts;
+};
+
+/// All impacts of a recording, or all its maxima, whichever the rule of the scene looks at.
+std::vector<Feature> features_of(const Scene& scene, const Recording& recording);
+
+/// Those of them that count.
+std::vector<Feature> counted_features(const Scene& scene, const Recording& recording);
+
 /// A part of a window [s].
 struct Stretch {
   double from, to;
 };
 
-/// Where most happens: the shortest stretch with two thirds of the impacts that count, and a
+/// Where most happens: the shortest stretch with two thirds of the features that count, and a
 /// quarter of itself more on either side, within the window. Nothing where that is no small part of
-/// the window, or where fewer than three impacts count.
+/// the window, or where fewer than three count.
 std::optional<Stretch> busiest_stretch(const Scene& scene, const Recording& recording);
 
 }  // namespace ricochet::carrier_track::inline counting

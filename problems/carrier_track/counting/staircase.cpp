@@ -53,22 +53,12 @@ Candidate candidate_at(const LogarithmicScan& scan, std::size_t k) {
 /// Puts the step where the speeds within its reach divide best.
 void divide_best(const LogarithmicScan& scan, Candidate& candidate) {
   auto& [k, width, step] = candidate;
-  const double limit = step.limit();
-  const std::size_t begin = k - width;
-  const std::size_t end = k + width;
-  const auto loud = [&](std::size_t i) { return scan.counts[i] > limit; };
-  std::size_t wrong = 0;  // with everything called loud
-  for (std::size_t i = begin; i < end; ++i) wrong += loud(i) ? 0 : 1;
-  std::size_t best = wrong;
-  k = begin;
-  for (std::size_t i = begin; i < end; ++i) {
-    wrong = loud(i) ? wrong + 1 : wrong - 1;
-    if (wrong < best) {
-      best = wrong;
-      k = i + 1;
-    }
-  }
-  step.misclassified = static_cast<double>(best) / static_cast<double>(2 * width);
+  const auto at = scan.counts.begin() + static_cast<std::ptrdiff_t>(k);
+  const auto reach = static_cast<std::ptrdiff_t>(width);
+  // By number instead of by speed. They divide: nine tenths of either half lie on their own side.
+  const Split split = best_split(SpeedScan{1, {at - reach, at + reach}}, step.limit());
+  k = k - width + static_cast<std::size_t>(split.speed.value());
+  step.misclassified = split.misclassified;
   step.omega = std::sqrt(scan.omega(k - 1) * scan.omega(k));
 }
 

@@ -35,6 +35,8 @@ struct Step {
   /// ln((1 + above) / (1 + below)) ln(reach): how much louder, times how long it lasts on a
   /// logarithmic axis. Whatever lies beyond half and twice the speed does not change it.
   double significance;
+  /// [rad/s], lowest speed of a finer scan, where there is one, with more than limit() collisions.
+  std::optional<double> first_loud = {};
 
   double limit() const { return (below + above) / 2.0; }  ///< counts up to here are below
 };
@@ -53,6 +55,9 @@ struct Staircase {
   /// no threshold.
   std::optional<Step> main_step() const;
 };
+
+/// The slowest speed [rad/s] whose steps are looked for: a tenth of a turn a minute.
+inline constexpr double slowest_scanned = 0.01;
 
 /// How far beyond the fastest speed asked for a scan must go for all steps up to there to be
 /// judged by all that can make them significant: as a ratio.

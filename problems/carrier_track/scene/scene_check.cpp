@@ -138,9 +138,11 @@ void check_across(const Scene& scene, const std::string& origin) {
 
 void check_contact_law(const Scene& scene, const std::string& origin) {
   if (scene.fidelity == Fidelity::impact || scene.fidelity == Fidelity::planar) return;
-  Checker(origin, "model.")
-      .require(scene.contact_law != ContactLaw::kelvin_voigt || scene.contact_exponent == 1,
-               "contact_exponent", scene.contact_exponent, "1, because kelvin-voigt is linear");
+  const Checker model(origin, "model.");
+  model.require(scene.contact_law != ContactLaw::kelvin_voigt || scene.contact_exponent == 1,
+                "contact_exponent", scene.contact_exponent, "1, because kelvin-voigt is linear");
+  model.require(scene.contact_exponent >= 1, "contact_exponent", scene.contact_exponent,
+                "at least 1, because below that a wall is infinitely stiff at its surface");
   if (!needs_restitution(scene.contact_law)) return;
   const Checker checker(origin, "scene.");
   for (const double restitution : {scene.restitution_lower, scene.restitution_upper}) {

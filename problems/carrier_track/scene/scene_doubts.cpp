@@ -64,7 +64,7 @@ std::vector<std::string> doubts_about(const Scene& scene) {
   if (!scene.profile.empty()) return doubts.sentences();
   doubts.add_if(scene.omega > 100, "scene.omega = {} rad/s: {:.4g} turns a minute; are these rpm?",
                 scene.omega, scene.omega * 30 / std::numbers::pi);
-  const double turns = scene.omega * duration_of(scene) / (2 * std::numbers::pi);
+  const double turns = turns_of(scene);
   doubts.add_if(turns < 1, "window: {:.3g} turns at scene.omega: less than one", turns);
   return doubts.sentences();
 }

@@ -42,4 +42,9 @@ Scalar duration_of(const BasicScene<Scalar>& scene) {
   return scene.profile.empty() ? angle / scene.omega : time_to_turn(scene.profile, angle);
 }
 
+/// Turns of the driver plate in the window of a scene at its constant speed.
+inline double turns_of(const Scene& scene) {
+  return scene.omega * duration_of(scene) / (2 * std::numbers::pi);
+}
+
 }  // namespace ricochet::carrier_track::inline scene

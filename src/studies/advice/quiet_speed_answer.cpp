@@ -14,11 +14,6 @@ using report::Json;
 constexpr double rpm = 30 / std::numbers::pi;  // of a rad/s
 constexpr int drawn_machines = 200;
 
-/// A multiple of the scan's step without the last digits of its rounding.
-double rounded(double speed) {
-  return std::round(speed * 1e9) / 1e9;
-}
-
 std::string text_of(const Limit& limit) {
   switch (limit.measure) {
     case Measure::collisions:
@@ -77,6 +72,10 @@ std::string headline_of(const QuietSpeedAnswer& output) {
                      both_units(*answer.fastest_quiet), text_of(*answer.limit));
 }
 
+std::optional<double> rounded(const std::optional<double>& speed) {
+  return speed ? std::optional(std::round(*speed * 1e9) / 1e9) : std::nullopt;
+}
+
 std::string both_units(double omega) {
   return fmt::format("{:.3f} rad/s ({:.2f} rpm)", omega, omega * rpm);
 }
@@ -95,17 +94,16 @@ QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
 }
 
 std::string text_of_steps(const QuietSpeed& answer) {
-  if (answer.steps.empty()) {
+  if (answer.staircase.steps.empty()) {
     return "The staircase has no step by half or more.\n";
   }
   const double main = answer.staircase.main_step()->omega;
   std::string text = "Steps of the staircase (a step is louder by half, and by two collisions):\n";
-  for (const auto& [step, first_loud] : answer.steps) {
-    text +=
-        fmt::format("  {}: from at most {} to at least {} collisions; {} to {:.2f} times it{}\n",
-                    both_units(step.omega), step.below, step.above,
-                    fmt::format("holds from {:.2f}", 1 / step.reach), step.reach,
-                    step.omega == main ? "  <- the most significant" : "");
+  for (const Step& step : answer.staircase.steps) {
+    text += fmt::format(
+        "  {}: from at most {} to at least {} collisions; holds from {:.2f} to {:.2f} times it{}\n",
+        both_units(step.omega), step.below, step.above, 1 / step.reach, step.reach,
+        step.omega == main ? "  <- the most significant" : "");
   }
   return text;
 }
@@ -118,7 +116,7 @@ std::string text_of(const QuietSpeedAnswer& output) {
   }
   for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
   text += text_of_steps(answer);
-  if (!answer.options.limit && !answer.steps.empty()) {
+  if (!answer.options.limit && !answer.staircase.steps.empty()) {
     text +=
         "Significance is how much louder times how long both levels last, on logarithmic axes; no "
         "speed beyond twice a step changes it, so that the end of the range does not matter.\n";
@@ -148,13 +146,13 @@ std::string text_of(const QuietSpeedAnswer& output) {
 report::Json json_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   Json steps = Json::array();
-  for (const auto& [step, first_loud] : answer.steps) {
+  for (const Step& step : answer.staircase.steps) {
     steps.push_back({{"omega", rounded(step.omega)},
                      {"below", step.below},
                      {"above", step.above},
                      {"reach", step.reach},
                      {"significance", step.significance},
-                     {"first_loud", first_loud}});
+                     {"first_loud", step.first_loud}});
   }
   Json levels = Json::array();
   for (const Level& level : answer.staircase.levels) {
@@ -173,14 +171,15 @@ report::Json json_of(const QuietSpeedAnswer& output) {
   }
   Json moves = Json::object();
   for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
-  Json json = {{"fastest_quiet", Json()},  {"fastest_quiet_rpm", Json()},
-               {"limit", Json()},          {"steps", steps},
-               {"levels", levels},         {"around", around},
-               {"percent_for_one", moves}, {"with_tolerance", Json()}};
-  if (answer.fastest_quiet) {
-    json["fastest_quiet"] = rounded(*answer.fastest_quiet);
-    json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;
-  }
+  Json json = {{"fastest_quiet", rounded(answer.fastest_quiet)},
+               {"fastest_quiet_rpm", Json()},
+               {"limit", Json()},
+               {"steps", steps},
+               {"levels", levels},
+               {"around", around},
+               {"percent_for_one", moves},
+               {"with_tolerance", Json()}};
+  if (answer.fastest_quiet) json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;
   if (answer.limit) {
     json["limit"] = {{"measure", key_of(answer.limit->measure)},
                      {"at_most", answer.limit->at_most}};

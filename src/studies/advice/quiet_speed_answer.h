@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "problems/carrier_track/counting/quiet_speed.h"
@@ -22,6 +23,9 @@ struct QuietSpeedAnswer {
 QuietSpeedAnswer answer_quiet_speed(const std::string& name, const carrier_track::Scene& scene,
                                     const carrier_track::QuietSpeedOptions& options,
                                     double tolerance);
+
+/// A speed of a scan, a multiple of its step, without the last digits of its rounding.
+std::optional<double> rounded(const std::optional<double>& speed);
 
 /// "7.2 rad/s (68.8 rpm)"
 std::string both_units(double omega);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "problems/carrier_track/scene/scene_doubts.h"
 #include "src/studies/advice/quiet_speed_answer.h"
+#include "src/studies/advice/staircase_chart.h"
+#include "src/studies/path_chart.h"
 
 namespace ricochet::studies {
 namespace {
@@ -15,22 +16,6 @@ namespace {
 using namespace carrier_track;
 using namespace advice;
 using report::Json;
-
-constexpr double millimetre = 1e-3;  // [m]
-
-/// The count over the speeds up to the fastest, with a row where it changes.
-Json staircase_data(const QuietSpeed& answer) {
-  Json rows = Json::array();
-  const LogarithmicScan& scan = answer.scan;
-  for (std::size_t k = 0; k < scan.counts.size(); ++k) {
-    const bool last = k + 1 == scan.counts.size() || scan.omega(k + 1) > answer.options.fastest;
-    if (k == 0 || last || scan.counts[k] != scan.counts[k - 1]) {
-      rows.push_back({{"speed", scan.omega(k)}, {"count", scan.counts[k]}});
-    }
-    if (last) break;
-  }
-  return rows;
-}
 
 /// What the walls take, and the fastest impact, over the speeds.
 Json wear_data(const Scene& scene, double fastest) {
@@ -46,40 +31,36 @@ Json wear_data(const Scene& scene, double fastest) {
   return rows;
 }
 
-/// One run at a speed, with its impacts that count.
+Json rows_of(const std::vector<report::Sample>& samples) {
+  return report::list_of(samples, [](const report::Sample& sample) {
+    return Json{{"at", sample.position}, {"x", sample.value}};
+  });
+}
+
+/// One run at a speed, with what counts in it.
 Json path_data(const Scene& scene, double omega, const char* side, const char* speed) {
   const Scene there = at_speed(scene, omega);
   const Recording recording = record(there, 0, 2000);
-  const bool in_turns = std::holds_alternative<Revolutions>(there.window);
-  const double unit = in_turns ? 2 * std::numbers::pi / omega : 1;
-  Json path = Json::array();
-  double last = -1;
-  for (const Sample& s : recording.path) {
-    if (s.time <= last) continue;  // an impact has two samples, before and after
-    last = s.time;
-    path.push_back({{"at", s.time / unit}, {"x", s.position / millimetre}});
-  }
-  Json impacts = Json::array();
-  for (const Impact& impact : recording.impacts) {
-    if (impact.speed <= there.slowest) continue;
-    const double wall = impact.wall == Wall::upper ? there.wall_upper : there.wall_lower;
-    impacts.push_back({{"at", impact.time / unit}, {"x", wall / millimetre}});
-  }
   Json zoom;
-  if (const auto stretch = busiest_stretch(there, recording)) {
-    zoom = {{"from", stretch->from / unit}, {"to", stretch->to / unit}};
+  if (const auto part = path_zoom(there, recording)) {
+    zoom = {{"from", part->at.lower}, {"to", part->at.upper},   {"bottom", part->x.lower},
+            {"top", part->x.upper},   {"walls", Json::array()}, {"path", rows_of(part->path)}};
+    for (const double wall : {there.wall_lower / millimetre, there.wall_upper / millimetre}) {
+      if (wall >= part->x.lower && wall <= part->x.upper) zoom["walls"].push_back({{"x", wall}});
+    }
   }
   return {{"side", side},
           {"speed", speed},
           {"omega", omega},
           {"count", recording.count},
-          {"unit", in_turns ? "driver plate [turns]" : "time [s]"},
+          {"axis", path_axis(there).label},
           {"lower_wall", there.wall_lower / millimetre},
           {"upper_wall",
            std::isfinite(there.wall_upper) ? Json(there.wall_upper / millimetre) : Json()},
           {"zoom", std::move(zoom)},
-          {"path", std::move(path)},
-          {"impacts", std::move(impacts)}};
+          {"path", rows_of(path_samples(there, recording))},
+          {"what_counts", counted_label(there)},
+          {"counted", rows_of(counted_samples(there, recording))}};
 }
 
 /// What each constant would have to change by for a tenth more speed.
@@ -105,9 +86,12 @@ Json compute(const AdviceOptions& options) {
   data["divide"] = found.split.speed;
   data["fastest"] = found.options.fastest;
   data["doubts"] = doubts_about(options.scene);
-  data["staircase"] = staircase_data(found);
-  int most = 0;
-  for (const Json& row : data["staircase"]) most = std::max(most, row["count"].get<int>());
+  double most = 0;
+  data["staircase"] = Json::array();
+  for (const report::Sample& sample : staircase_samples(found)) {
+    data["staircase"].push_back({{"speed", sample.position}, {"count", sample.value}});
+    most = std::max(most, *sample.value);
+  }
   data["most"] = 1 + 1.1 * most;
   data["wear"] = wear_data(options.scene, found.options.fastest);
   data["changes"] = change_data(answer.sensitivities);

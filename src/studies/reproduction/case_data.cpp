@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "src/report/polyline.h"
+#include "src/studies/path_chart.h"
 #include "src/studies/reproduction/data.h"
-#include "src/studies/reproduction/path_chart.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -60,8 +60,8 @@ Json impacts_of(const CaseStudy& c, double omega, const Recording& recording) {
   const double end_of_start = 0.1 * 2 * std::numbers::pi / omega;
   int start = 0;
   int later = 0;
-  for (const Impact& impact : recording.impacts) {
-    if (impact.speed > c.scene.slowest) ++(impact.time < end_of_start ? start : later);
+  for (const Feature& impact : counted_features(c.scene, recording)) {
+    ++(impact.time < end_of_start ? start : later);
   }
   return {{"omega", omega}, {"start", start}, {"later", later}};
 }

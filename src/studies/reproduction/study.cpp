@@ -28,11 +28,15 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
   const Scene scene = scene_of(the_case, reading);
   SpeedScan scan = scan_speeds(scene, options.step, options.highest);
   const Score result = score(scene, the_case.claim, scan, options.stride);
+  const LogarithmicScan whole =
+      scan_logarithmically([&](double omega) { return count_at(scene, omega); }, slowest_scanned,
+                           judged_share * options.highest);
   std::optional<FigurePaths> paths;
   if (const auto& figure = the_case.claim.figure) {
     paths = FigurePaths{path_at(scene, figure->quiet), path_at(scene, figure->loud)};
   }
-  return {the_case, scene, std::move(scan), result, std::move(paths)};
+  return {the_case,        scene, std::move(scan), result, staircase_of(whole, options.highest),
+          std::move(paths)};
 }
 
 /// What solvers are compared on.
@@ -104,6 +108,7 @@ Json data_of(const Results& results) {
           {"thresholds", threshold_data(results.cases)},
           {"theory", theory_data(results.cases)},
           {"counts", curve_data(results.cases)},
+          {"steps", step_data(results.cases)},
           {"conclusions", conclusion_data(results.grid, results.trends)},
           {"paths", path_data(results.cases)},
           {"crossing", crossing_data()},

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/counting/staircase.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
@@ -43,6 +44,7 @@ struct CaseStudy {
   carrier_track::Scene scene;
   carrier_track::SpeedScan scan;
   carrier_track::Score score;
+  carrier_track::Staircase staircase;
   std::optional<FigurePaths> paths;  ///< where the paper has a figure
 };
 

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "tests/carrier_track/counting/held_scene.h"
+
 namespace ricochet::carrier_track {
 namespace {
 
@@ -17,13 +19,6 @@ Scene shuttle() {
   scene.window = Seconds{5};
   scene.omega = 4 * std::numbers::pi;
   return scene;
-}
-
-TEST(Limit, CountsTurnsOfBothKindsOfWindow) {
-  EXPECT_NEAR(turns_of(shuttle()), 10, 1e-12);
-  Scene scene = shuttle();
-  scene.window = Revolutions{1.5};
-  EXPECT_NEAR(turns_of(scene), 1.5, 1e-12);
 }
 
 TEST(Limit, MeasuresWhatItSays) {
@@ -40,15 +35,7 @@ TEST(Limit, MeasuresWhatItSays) {
 }
 
 TEST(Limit, IsFirstBrokenWhereverTheScanEnds) {
-  // The centrifugal force beats friction from 10 rad/s on: one throw, and an inelastic end.
-  Scene scene;
-  scene.start_position = 0.5;
-  scene.restitution_lower = scene.restitution_upper = 0;
-  scene.friction = 0.2;
-  scene.normal_force = 500;
-  scene.centrifugal = Centrifugal::outward;
-  scene.centrifugal_mass_radius = 1;
-  scene.window = Seconds{10};
+  const Scene scene = held();  // up to 10 rad/s; then one throw, and an inelastic end
   const Limit limit{Measure::collisions, 0};
   for (const double highest : {11.0, 15.0, 30.0}) {
     const Split split = split_by(scene, limit, 0.01, highest);

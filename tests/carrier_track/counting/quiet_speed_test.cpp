@@ -33,12 +33,13 @@ TEST(QuietSpeed, IsTheSameWhereverTheRangeEnds) {
 TEST(QuietSpeed, KnowsBothStepsOfTheFirstCase) {
   const Scene scene = case_scene("C1");
   const QuietSpeed answer = quiet_speed(scene, {});
-  ASSERT_EQ(answer.steps.size(), 2U);
-  for (const StepAnswer& step : answer.steps) {
-    EXPECT_NEAR(step.first_loud.value_or(0), first_above(scene, step.step.limit()), 1e-9);
-    EXPECT_NEAR(step.step.omega, *step.first_loud, 2e-3);
+  const std::vector<Step>& steps = answer.staircase.steps;
+  ASSERT_EQ(steps.size(), 2U);
+  for (const Step& step : steps) {
+    EXPECT_NEAR(step.first_loud.value_or(0), first_above(scene, step.limit()), 1e-9);
+    EXPECT_NEAR(step.omega, *step.first_loud, 2e-3);
   }
-  EXPECT_NEAR(*answer.fastest_quiet, *answer.steps[0].first_loud - 1e-3, 1e-9);
+  EXPECT_NEAR(*answer.fastest_quiet, *steps[0].first_loud - 1e-3, 1e-9);
   ASSERT_EQ(answer.around.size(), 3U);
   EXPECT_LE(answer.around[1].count, answer.limit->at_most);
   EXPECT_GT(answer.around[2].count, answer.limit->at_most);
@@ -57,7 +58,7 @@ TEST(QuietSpeed, KeepsTheLimitThatIsGiven) {
 
 TEST(QuietSpeed, SaysThatThereIsNoThresholdWhereTheCountRisesThroughout) {
   const QuietSpeed answer = quiet_speed(case_scene("C2"), {});
-  EXPECT_TRUE(answer.steps.empty());
+  EXPECT_TRUE(answer.staircase.steps.empty());
   EXPECT_FALSE(answer.limit);
   EXPECT_FALSE(answer.fastest_quiet);
   EXPECT_GT(answer.staircase.levels.front().high, 2 * answer.staircase.levels.front().low);

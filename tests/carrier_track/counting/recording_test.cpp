@@ -67,6 +67,47 @@ TEST(Recording, HasNoMarginWithoutFeatures) {
   EXPECT_TRUE(recording.certainty.certain);
 }
 
+TEST(Recording, MarksAsManyFeaturesAsCount) {
+  for (const CountRule rule : {CountRule::impacts, CountRule::peaks}) {
+    Scene scene = exploratory_scene();
+    scene.restitution_lower = scene.restitution_upper = 0.9;
+    scene.rule = rule;
+    scene.peak_high = 0.9e-3;
+    scene.peak_low = 0.1e-3;
+    scene.omega = 11;
+    const Recording recording = record(scene, 0.25, 0);
+    ASSERT_GT(recording.count, 0);
+    const auto counted = counted_features(scene, recording);
+    EXPECT_EQ(static_cast<int>(counted.size()), recording.count);
+    EXPECT_EQ(features_of(scene, recording).size(),
+              rule == CountRule::impacts ? recording.impacts.size() : recording.peaks.size());
+    for (const Feature& feature : counted) {
+      const bool at_a_wall =
+          feature.position == scene.wall_lower || feature.position == scene.wall_upper;
+      const bool a_maximum_that_counts = feature.position > 0.9e-3 || feature.position < 0.1e-3;
+      EXPECT_TRUE(rule == CountRule::impacts ? at_a_wall : a_maximum_that_counts);
+    }
+  }
+}
+
+TEST(Recording, ShowsWhereMostMaximaHappenWhereTheseCount) {
+  Scene scene;
+  scene.window = Seconds{10};
+  scene.rule = CountRule::peaks;
+  scene.peak_high = 0.9;
+  scene.peak_low = 0.1;
+  Recording recording;
+  for (const double time : {2.0, 7.0, 7.1, 7.2, 7.3}) {
+    recording.peaks.push_back({time, time > 3 ? 0.95 : 0.5});
+  }
+  for (const double time : {1.0, 1.1, 1.2, 1.3})
+    recording.impacts.push_back({time, Wall::upper, 1});
+  const auto stretch = busiest_stretch(scene, recording);
+  ASSERT_TRUE(stretch);
+  EXPECT_GT(stretch->from, 6);
+  EXPECT_LT(stretch->to, 8);
+}
+
 TEST(Recording, ShowsWhereMostHappens) {
   Scene scene;
   scene.window = Seconds{10};

@@ -100,42 +100,67 @@ TEST(Staircase, IsTheSameInOtherUnits) {
   }
 }
 
-/// Where a scan ends must not matter for a step within it.
-void expect_the_same_steps(const LogarithmicScan& whole, double fastest, const char* name) {
-  const Staircase far = staircase_of(whole, 20);
+/// The staircase of the part of a scan that one up to `fastest` would be.
+Staircase part_of(const LogarithmicScan& whole, double fastest) {
   LogarithmicScan part = whole;
   while (part.omega(part.counts.size() - 1) > judged_share * fastest) part.counts.pop_back();
-  const Staircase near = staircase_of(part, fastest);
+  return staircase_of(part, fastest);
+}
+
+/// Where a scan ends must not matter for a step within it.
+void expect_the_same_steps(const Staircase& near, double fastest, const Staircase& far) {
   std::size_t within = 0;
   for (const Step& step : far.steps) within += step.omega <= fastest ? 1 : 0;
-  ASSERT_EQ(near.steps.size(), within) << name << " to " << fastest;
+  ASSERT_EQ(near.steps.size(), within) << "to " << fastest;
   for (std::size_t i = 0; i < within; ++i) {
-    EXPECT_EQ(near.steps[i].omega, far.steps[i].omega) << name << " to " << fastest;
-    EXPECT_EQ(near.steps[i].significance, far.steps[i].significance) << name;
+    EXPECT_EQ(near.steps[i].omega, far.steps[i].omega) << "to " << fastest;
+    EXPECT_EQ(near.steps[i].significance, far.steps[i].significance) << "to " << fastest;
   }
 }
 
-TEST(Staircase, DoesNotHangOnWhereTheScanEnds) {
+/// The cases and drawn machines, 200 together: constants up to e times larger or smaller.
+std::vector<Scene> many_machines() {
   Random random(7);
-  int with_steps = 0;
+  std::vector<Scene> machines;
   for (const Case& a_case : all_cases()) {
-    const Scene scene = scene_of(a_case, default_reading().scene);
-    for (int drawn = 0; drawn < 5; ++drawn) {
-      Scene machine = scene;
-      if (drawn > 0) {
-        for (const std::string& key : constants_of(scene)) {
-          machine = scaled(machine, key, std::exp(2 * uniform(random) - 1));
-        }
-      }
-      const LogarithmicScan whole = scan_logarithmically(
-          [&](double omega) { return count_at(machine, omega); }, 0.01, judged_share * 20);
-      with_steps += staircase_of(whole, 20).steps.empty() ? 0 : 1;
-      for (const double fastest : {3.0, 7.0, 14.0}) {
-        expect_the_same_steps(whole, fastest, a_case.id.c_str());
-      }
-    }
+    machines.push_back(scene_of(a_case, default_reading().scene));
   }
-  EXPECT_GT(with_steps, 20);
+  for (std::size_t drawn = 0; machines.size() < 200; ++drawn) {
+    Scene machine = machines[drawn % all_cases().size()];
+    for (const std::string& key : constants_of(machine)) {
+      machine = scaled(machine, key, std::exp(2 * uniform(random) - 1));
+    }
+    machines.push_back(machine);
+  }
+  return machines;
+}
+
+TEST(Staircase, DoesNotHangOnWhereTheScanEnds) {
+  constexpr double farthest = 60;
+  int same = 0, none = 0, beyond = 0;  // what becomes of the answer where a scan goes further
+  for (const Scene& machine : many_machines()) {
+    const LogarithmicScan whole =
+        scan_logarithmically([&](double omega) { return count_at(machine, omega); },
+                             slowest_scanned, judged_share * farthest);
+    const Staircase far = staircase_of(whole, farthest);
+    const auto answer = far.main_step();
+    for (const double fastest : {3.0, 7.0}) {
+      expect_the_same_steps(part_of(whole, fastest), fastest, far);
+    }
+    bool moves = false;
+    for (const double fastest : {14.0, 18.0, 30.0}) {
+      const Staircase near = part_of(whole, fastest);
+      expect_the_same_steps(near, fastest, far);
+      const auto here = near.main_step();
+      if (here ? here->omega == answer->omega : !answer) continue;
+      moves = true;
+      EXPECT_GT(answer->omega, fastest) << "nothing but a step beyond the end changes the answer";
+    }
+    ++(moves ? beyond : answer ? same : none);
+  }
+  EXPECT_EQ(same + none + beyond, 200);
+  EXPECT_GT(same, 100);
+  EXPECT_LT(beyond, 20);
 }
 
 }  // namespace

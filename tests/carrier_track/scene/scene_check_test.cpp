@@ -244,6 +244,20 @@ TEST(SceneCheck, RefusesNumbersFarBeyondAnyMachine) {
   }
 }
 
+/// No step of an integration is small enough for the jump of such a force.
+TEST(SceneCheck, RefusesAContactThatIsInfinitelyStiffAtTheSurface) {
+  Scene scene;
+  scene.contact_exponent = 0.99;
+  EXPECT_EQ(complaint_about(scene), "accepted") << "hard walls have no use for it";
+  for (const Fidelity fidelity : {Fidelity::compliant, Fidelity::automatic}) {
+    scene.fidelity = fidelity;
+    scene.contact_exponent = 0.99;
+    EXPECT_THAT(complaint_about(scene), HasSubstr("contact_exponent = 0.99: must be at least 1"));
+    scene.contact_exponent = 1;
+    EXPECT_EQ(complaint_about(scene), "accepted");
+  }
+}
+
 TEST(SceneCheck, RefusesAWindowOfPeriodsWithoutNumber) {
   Scene scene;
   scene.window = Revolutions{1e6};

@@ -64,5 +64,14 @@ TEST(Window, OfRevolutionsEndsWhenTheProfileHasTurnedSoFar) {
   EXPECT_GT(std::min({before, among, after}), 5);
 }
 
+TEST(Window, HasItsTurnsInSecondsAndInRevolutions) {
+  Scene scene;
+  scene.omega = 4 * pi;
+  scene.window = Seconds{5};
+  EXPECT_NEAR(turns_of(scene), 10, 1e-12);
+  scene.window = Revolutions{1.5};
+  EXPECT_NEAR(turns_of(scene), 1.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace ricochet::carrier_track

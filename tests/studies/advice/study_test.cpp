@@ -42,10 +42,23 @@ TEST(AdviceStudy, ShowsThePathsBelowAndAbove) {
   const report::Json data = data_for(case_scene("C1"), {});
   ASSERT_EQ(data["paths"].size(), 2U);
   for (const report::Json& path : data["paths"]) {
-    EXPECT_EQ(path["impacts"].size(), path["count"]) << path["side"];
+    EXPECT_EQ(path["counted"].size(), path["count"]) << path["side"];
   }
   EXPECT_LT(data["paths"][0]["count"], data["paths"][1]["count"]);
   EXPECT_LT(data["paths"][0]["omega"], data["paths"][1]["omega"]);
+}
+
+TEST(AdviceStudy, MarksTheMaximaWhereTheseCount) {
+  Scene scene = case_scene("C1");
+  scene.rule = CountRule::peaks;
+  scene.peak_high = 0.9 * scene.wall_upper;
+  scene.peak_low = 0.1 * scene.wall_upper;
+  const report::Json data = data_for(scene, {Limit{Measure::collisions, 6}, 1e-2, 12});
+  ASSERT_EQ(data["paths"].size(), 2U);
+  for (const report::Json& path : data["paths"]) {
+    EXPECT_EQ(path["counted"].size(), path["count"]) << path["side"];
+    EXPECT_EQ(path["what_counts"], "maximum that counts");
+  }
 }
 
 TEST(AdviceStudy, FillsItsTemplateWhateverTheAnswer) {

@@ -66,6 +66,20 @@ TEST(ReproductionData, ShowsItsNumbersInTheTables) {
   }
 }
 
+TEST(ReproductionData, ShowsTheStepsBesideThePapersRule) {
+  const report::Page page = page_of(tiny_data());
+  const auto& rows = section_of(page, "steps").tables.at(0).rows;
+  ASSERT_EQ(rows.size(), 12U);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row[1].text, shown(tiny_data()["cases"][row[0].text]["paper_threshold"], "{}"));
+    EXPECT_EQ(row[2].text, shown(tiny_data()["cases"][row[0].text]["threshold"], "{:.3f}"));
+  }
+  EXPECT_EQ(rows[0][3].text, "1.35 (1 to 4); 8.27 (5 to 8)");
+  EXPECT_EQ(rows[0][4].text, "1.35");
+  EXPECT_EQ(rows[1][3].text, "none");
+  EXPECT_EQ(rows[1][4].text, "–");
+}
+
 TEST(ReproductionData, ShowsEveryCurveFigureMapAndContradiction) {
   const report::Page page = page_of(tiny_data());
   EXPECT_EQ(section_of(page, "counts").figures.size(), 12U);

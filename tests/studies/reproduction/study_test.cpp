@@ -19,6 +19,7 @@ TEST(Study, HoldsEveryCaseEveryFigureAndEveryContest) {
   int figures = 0;
   for (const CaseStudy& c : results.cases) {
     EXPECT_EQ(c.scan.counts.size(), 180U);
+    EXPECT_EQ(c.staircase.levels.size(), c.staircase.steps.size() + 1);
     EXPECT_EQ(c.paths.has_value(), c.the_case.claim.figure.has_value());
     if (!c.paths) continue;
     ++figures;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/counting/quiet_speed.h"
+#include "src/report/chart.h"
+
+namespace ricochet::studies::advice {
+
+/// The counts over the speeds up to the fastest, with a sample where they change.
+std::vector<report::Sample> staircase_samples(const carrier_track::QuietSpeed& answer);
+
+/// A speed [rad/s] that a picture of a staircase marks, if there is one.
+struct MarkedSpeed {
+  std::optional<double> omega;
+  std::string label;
+};
+
+/// The staircase with its steps, behind other speeds to mark.
+report::Chart staircase_chart(const carrier_track::QuietSpeed& answer, std::string title,
+                              const std::vector<MarkedSpeed>& marked);
+
+}  // namespace ricochet::studies::advice

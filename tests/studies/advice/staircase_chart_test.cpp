@@ -1,0 +1,33 @@
+#include "src/studies/advice/staircase_chart.h"
+
+#include <gtest/gtest.h>
+
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+
+namespace ricochet::studies::advice {
+namespace {
+
+using namespace carrier_track;
+
+TEST(StaircaseChart, ShowsEveryCountAndMarksSpeedsWithinTheRange) {
+  const Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  const QuietSpeed answer = quiet_speed(scene, {std::nullopt, 1e-2, 9});
+  const report::Chart chart =
+      staircase_chart(answer, "C1", {{8.5, "a"}, {std::nullopt, "b"}, {9.5, "c"}});
+  report::check(chart);
+  std::vector<std::string> labels;
+  for (const report::ReferenceLine& line : chart.lines) labels.push_back(line.label);
+  EXPECT_EQ(labels, (std::vector<std::string>{"a", "step", "step"}));
+  EXPECT_EQ(chart.lines[1].position, answer.staircase.steps[0].omega);
+  const auto& samples = chart.series.at(0).samples;
+  ASSERT_GT(samples.size(), 3U);
+  for (const report::Sample& sample : samples) {
+    EXPECT_LE(sample.position, 9);
+    EXPECT_EQ(sample.value, count_at(scene, sample.position));
+    EXPECT_LT(*sample.value, chart.y.range->upper);
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::studies::advice

@@ -8,8 +8,8 @@ Statement hock_schittkowski(int number, const std::string& author, Vector lower,
                             Vector start, Optimum optimum) {
   return {.name = fmt::format("hs-{}", number),
           .source = fmt::format("Hock and Schittkowski (1981), doi 10.1007/978-3-642-48320-2, "
-                                "problem {}, of {}",
-                                number, author),
+                                "problem {}{}{}",
+                                number, author.empty() ? "" : ", of ", author),
           .lower = std::move(lower),
           .upper = std::move(upper),
           .start = std::move(start),
@@ -17,6 +17,11 @@ Statement hock_schittkowski(int number, const std::string& author, Vector lower,
           .best_point = std::move(optimum.point),
           .provenance = std::move(optimum.provenance),
           .rotates = optimum.everywhere};
+}
+
+Problem with_equations(Problem problem, Eigen::Index equations) {
+  problem.equalities = equations;
+  return problem;
 }
 
 }  // namespace ricochet::classic

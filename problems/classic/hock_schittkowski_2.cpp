@@ -238,11 +238,11 @@ Problem hs_59() {
         const Scalar& y = at[1];
         const Scalar xx = x * x;
         const Scalar yy = y * y;
-        const Scalar across =  // what does not depend on y, what y multiplies, and what its square
+        const Scalar up_to_square_of_y =
             -75.196 + x * (3.8112 + x * (-0.12694 + x * (0.0020567 - 1.0345e-5 * x))) +
             y * (6.8306 + x * (-0.030234 + x * (0.00128134 + x * (-3.5256e-5 + 2.266e-7 * x)))) +
             yy * (-0.25645 + x * (-3.4054e-4 + x * (5.2375e-6 + 6.3e-8 * x)));
-        return Scalar(across + yy * y * (0.0034604 + 1.6638e-6 * x - 7e-10 * xx * x) -
+        return Scalar(up_to_square_of_y + yy * y * (0.0034604 + 1.6638e-6 * x - 7e-10 * xx * x) -
                       1.3514e-5 * yy * yy + 28.106 / (y + 1.0) + 2.8673 * exp(5e-4 * x * y));
       },
       []<class Scalar>(const Point<Scalar>& x) {

@@ -44,7 +44,7 @@ Problem heated_rod(int number, Eigen::Index n) {
   return from_formulas(
       hock_schittkowski(
           number, "", Vector::Constant(n, -10), Vector::Constant(n, 10), start,
-          {1.3626568148900216, best, "published: 1.362656816; digits by Newton's method"}),
+          {1.3626568148900216, best, "published: 1.36265681; digits by Newton's method"}),
       []<class Scalar>(const Point<Scalar>& x) { return x.squaredNorm(); },
       [modes = modes(), n]<class Scalar>(const Point<Scalar>& x) {
         using std::exp;

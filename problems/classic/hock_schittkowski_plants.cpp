@@ -8,7 +8,8 @@ namespace ricochet::classic {
 namespace {
 
 /// What alkylation makes of x in problem 67, y_2 to y_8 there. The source finds y_2 and y_4 by
-/// iterations until they change by less than 0.001; this is what those converge to.
+/// iterations until they change by less than 0.001; this is the root, of two each, that those
+/// converge to where they do, and real in all of the box.
 template <class Scalar>
 std::array<Scalar, 7> alkylated(const Point<Scalar>& x) {
   using std::sqrt;
@@ -171,7 +172,8 @@ Problem hs_114() {
       3);
 }
 
-/// Three stages of a separation by membranes.
+/// Three stages of a separation by membranes. More constraints meet at the optimum than there are
+/// variables; rounding keeps x_4 off its bound there.
 Problem hs_116() {
   Vector lower(13), upper(13), start(13), best(13);
   lower << 0.1, 0.1, 0.1, 1e-4, 0.1, 0.1, 0.1, 0.1, 500, 0.1, 1, 1e-4, 1e-4;

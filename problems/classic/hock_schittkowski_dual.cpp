@@ -7,6 +7,7 @@ namespace ricochet::classic {
 namespace {
 
 /// The data of problem 86 and of its dual, 117: minimise e x + x C x + d x^3 where A x >= b.
+/// a_24 is 0.4, as in the authors' programs; others have 4, which leaves both optima as they are.
 struct Data {
   Eigen::Matrix<double, 10, 5> a;
   Eigen::Matrix<double, 10, 1> b;

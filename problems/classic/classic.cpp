@@ -17,9 +17,8 @@ std::vector<Problem> classic_problems() {
       shekel(),           beale(),           booth(),          himmelblau(),
       goldstein_price(),  branin(),          six_hump_camel(),
   };
-  for (const auto& family : {hock_schittkowski_2(), hock_schittkowski_3(), hock_schittkowski_4()}) {
-    problems.insert(problems.end(), family.begin(), family.end());
-  }
+  const std::vector<Problem> constrained = hock_schittkowski_problems();
+  problems.insert(problems.end(), constrained.begin(), constrained.end());
   return problems;
 }
 

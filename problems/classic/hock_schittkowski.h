@@ -4,22 +4,54 @@
 
 #include "src/core/problem.h"
 
-/// Test problems of Hock and Schittkowski, Test Examples for Nonlinear Programming Codes (1981),
-/// doi 10.1007/978-3-642-48320-2, "hs-<number>", with their numbers, bounds and starts: 33 of the
-/// collection's 116, 6 and 7 with an equation; most of those with equations and about 35 with
-/// inequalities alone are missing. Bounds are the box's; where the source has none, the box is wide
-/// enough to hold the start and to leave the optimum as it is. Inequalities, there >= 0, are
-/// negated. A start that is outside its own bounds (2, 21, 65) is moved to the nearest point
-/// within.
+/// The 116 test problems of Hock and Schittkowski, Test Examples for Nonlinear Programming Codes
+/// (1981), doi 10.1007/978-3-642-48320-2, "hs-<number>", with their numbers, of which there are no
+/// 82, 94 and 115, and with their bounds and starts. Bounds are the box's; where the source has
+/// none, the box is wide enough to hold the start and to leave the optimum as it is. Inequalities,
+/// there >= 0, are negated, and equations come first. A start that is outside its own bounds is
+/// moved to the nearest point within.
 namespace ricochet::classic {
 
-/// Those of two variables.
+/// All of them, in the order of their numbers.
+std::vector<Problem> hock_schittkowski_problems();
+
+/// Those on Rosenbrock's valley.
+std::vector<Problem> hock_schittkowski_valley();
+
+/// The others of two variables.
 std::vector<Problem> hock_schittkowski_2();
 
-/// Those of three variables.
+/// Of three variables.
 std::vector<Problem> hock_schittkowski_3();
 
-/// Those of four variables and more.
+/// Of four variables.
 std::vector<Problem> hock_schittkowski_4();
+
+/// Of five variables.
+std::vector<Problem> hock_schittkowski_5();
+
+/// Of six and seven variables.
+std::vector<Problem> hock_schittkowski_6();
+
+/// Of eight variables and more.
+std::vector<Problem> hock_schittkowski_8();
+
+/// Fits to data.
+std::vector<Problem> hock_schittkowski_fits();
+
+/// Plants of the chemical industry.
+std::vector<Problem> hock_schittkowski_plants();
+
+/// Electrical networks.
+std::vector<Problem> hock_schittkowski_networks();
+
+/// A convex problem and its dual.
+std::vector<Problem> hock_schittkowski_dual();
+
+/// The control of heat.
+std::vector<Problem> hock_schittkowski_heat();
+
+/// Geometric programs.
+std::vector<Problem> hock_schittkowski_geometric();
 
 }  // namespace ricochet::classic

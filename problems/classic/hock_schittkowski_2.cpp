@@ -10,31 +10,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rosenbrock's valley, the objective of problems 1, 2 and 15.
-constexpr auto valley = []<class Scalar>(const Point<Scalar>& x) {
-  const Scalar across = x[1] - x[0] * x[0];
-  const Scalar along = 1.0 - x[0];
-  return Scalar(100.0 * across * across + along * along);
-};
-
-Problem hs_1() {
-  return from_formula(hock_schittkowski(1, "Betts", Vector{{-10, -1.5}}, Vector{{10, 10}},
-                                        Vector{{-2, 1}}, {0, Vector{{1, 1}}, in_closed_form, true}),
-                      valley);
-}
-
-Problem hs_2() {
-  const double a = std::sqrt(598.0 / 1200);
-  const double b = 400 * a * a * a;
-  const double x = 2 * a * std::cos(std::acos(1 / b) / 3);
-  const double across = 1.5 - x * x;
-  return from_formula(
-      hock_schittkowski(
-          2, "Betts", Vector{{-10, 1.5}}, Vector{{10, 10}}, Vector{{-2, 1}},
-          {100 * across * across + (1 - x) * (1 - x), Vector{{x, 1.5}}, in_closed_form}),
-      valley);
-}
-
 Problem hs_3() {
   return from_formula(hock_schittkowski(3, "Schuldt", Vector{{-20, 0}}, Vector{{20, 20}},
                                         Vector{{10, 1}}, {0, Vector{{0, 0}}, in_closed_form}),
@@ -66,31 +41,57 @@ Problem hs_5() {
 }
 
 Problem hs_6() {
-  Problem problem = from_formulas(
-      hock_schittkowski(6, "Betts", Vector::Constant(2, -10), Vector::Constant(2, 10),
-                        Vector{{-1.2, 1}}, {0, Vector{{1, 1}}, in_closed_form, true}),
-      []<class Scalar>(const Point<Scalar>& x) { return (1.0 - x[0]) * (1.0 - x[0]); },
-      []<class Scalar>(const Point<Scalar>& x) { return Scalar(10.0 * (x[1] - x[0] * x[0])); });
-  problem.equalities = 1;
-  return problem;
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(6, "Betts", Vector::Constant(2, -10), Vector::Constant(2, 10),
+                            Vector{{-1.2, 1}}, {0, Vector{{1, 1}}, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) { return square(1.0 - x[0]); },
+          []<class Scalar>(const Point<Scalar>& x) { return Scalar(10.0 * (x[1] - x[0] * x[0])); }),
+      1);
 }
 
 Problem hs_7() {
-  Problem problem = from_formulas(
-      hock_schittkowski(
-          7, "Miele, Tietze and Levy", Vector::Constant(2, -10), Vector::Constant(2, 10),
-          Vector{{2, 2}},
-          {-std::numbers::sqrt3, Vector{{0, std::numbers::sqrt3}}, in_closed_form, true}),
-      []<class Scalar>(const Point<Scalar>& x) {
-        using std::log;
-        return Scalar(log(1.0 + x[0] * x[0]) - x[1]);
-      },
-      []<class Scalar>(const Point<Scalar>& x) {
-        const Scalar a = 1.0 + x[0] * x[0];
-        return Scalar(a * a + x[1] * x[1] - 4.0);
-      });
-  problem.equalities = 1;
-  return problem;
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(
+              7, "Miele, Tietze and Levy", Vector::Constant(2, -10), Vector::Constant(2, 10),
+              Vector{{2, 2}},
+              {-std::numbers::sqrt3, Vector{{0, std::numbers::sqrt3}}, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            using std::log;
+            return Scalar(log(1.0 + x[0] * x[0]) - x[1]);
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return square(1.0 + x[0] * x[0]) + x[1] * x[1] - 4.0;
+          }),
+      1);
+}
+
+Problem hs_8() {
+  const double x = std::sqrt((25 + std::sqrt(301.0)) / 2);
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(8, "", Vector::Constant(2, -10), Vector::Constant(2, 10),
+                            Vector{{2, 1}}, {-1, Vector{{x, 9 / x}}, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>&) { return Scalar(-1.0); },
+          []<class Scalar>(const Point<Scalar>& at) {
+            return std::array<Scalar, 2>{at.squaredNorm() - 25.0, at[0] * at[1] - 9.0};
+          }),
+      2);
+}
+
+/// The box holds one of the many solutions, (12 k - 3, 16 k - 4).
+Problem hs_9() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(9, "", Vector::Constant(2, -10), Vector::Constant(2, 10),
+                            Vector{{0, 0}}, {-0.5, Vector{{-3, -4}}, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            using std::cos, std::sin;
+            return Scalar(sin(pi / 12 * x[0]) * cos(pi / 16 * x[1]));
+          },
+          []<class Scalar>(const Point<Scalar>& x) { return 4.0 * x[0] - 3.0 * x[1]; }),
+      1);
 }
 
 Problem hs_10() {
@@ -129,13 +130,31 @@ Problem hs_12() {
       []<class Scalar>(const Point<Scalar>& x) { return 4.0 * x[0] * x[0] + x[1] * x[1] - 25.0; });
 }
 
-Problem hs_15() {
+/// At the optimum the gradients of what is active depend on one another, and that of the objective
+/// does not on them: it is no point of Karush, Kuhn and Tucker.
+Problem hs_13() {
   return from_formulas(
-      hock_schittkowski(15, "Betts", Vector{{-10, -10}}, Vector{{0.5, 10}}, Vector{{-2, 1}},
-                        {306.5, Vector{{0.5, 2}}, in_closed_form}),
-      valley, []<class Scalar>(const Point<Scalar>& x) {
-        return std::array<Scalar, 2>{1.0 - x[0] * x[1], -x[0] - x[1] * x[1]};
-      });
+      hock_schittkowski(13, "", Vector{{0, 0}}, Vector{{10, 10}}, Vector{{-2, -2}},
+                        {1, Vector{{1, 0}}, in_closed_form}),
+      []<class Scalar>(const Point<Scalar>& x) { return square(x[0] - 2.0) + x[1] * x[1]; },
+      []<class Scalar>(const Point<Scalar>& x) { return x[1] - cube(1.0 - x[0]); });
+}
+
+Problem hs_14() {
+  const double root = std::sqrt(7.0);
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(
+              14, "", Vector::Constant(2, -10), Vector::Constant(2, 10), Vector{{2, 2}},
+              {9 - 2.875 * root, Vector{{(root - 1) / 2, (root + 1) / 4}}, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return square(x[0] - 2.0) + square(x[1] - 1.0);
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 2>{x[0] - 2.0 * x[1] + 1.0,
+                                         0.25 * x[0] * x[0] + x[1] * x[1] - 1.0};
+          }),
+      1);
 }
 
 Problem hs_18() {
@@ -145,6 +164,18 @@ Problem hs_18() {
       []<class Scalar>(const Point<Scalar>& x) { return 0.01 * x[0] * x[0] + x[1] * x[1]; },
       []<class Scalar>(const Point<Scalar>& x) {
         return std::array<Scalar, 2>{25.0 - x[0] * x[1], 25.0 - x[0] * x[0] - x[1] * x[1]};
+      });
+}
+
+Problem hs_19() {
+  return from_formulas(
+      hock_schittkowski(19, "", Vector{{13, 0}}, Vector{{100, 100}}, Vector{{20.1, 5.84}},
+                        {-6961.813875580139, Vector{{14.095, 0.8429607892154776}},
+                         "published: -6961.81381; digits by Newton's method"}),
+      []<class Scalar>(const Point<Scalar>& x) { return cube(x[0] - 10.0) + cube(x[1] - 20.0); },
+      []<class Scalar>(const Point<Scalar>& x) {
+        return std::array<Scalar, 2>{100.0 - square(x[0] - 5.0) - square(x[1] - 5.0),
+                                     square(x[1] - 5.0) + square(x[0] - 6.0) - 82.81};
       });
 }
 
@@ -196,11 +227,35 @@ Problem hs_24() {
       });
 }
 
+Problem hs_59() {
+  return from_formulas(
+      hock_schittkowski(59, "", Vector{{0, 0}}, Vector{{75, 65}}, Vector{{90, 10}},
+                        {-7.804235953664876, Vector{{13.550088840434151, 51.66017789574667}},
+                         "published: -7.804226324, near the minimum; digits by Newton's method"}),
+      []<class Scalar>(const Point<Scalar>& at) {
+        using std::exp;
+        const Scalar& x = at[0];
+        const Scalar& y = at[1];
+        const Scalar xx = x * x;
+        const Scalar yy = y * y;
+        const Scalar up_to_square_of_y =
+            -75.196 + x * (3.8112 + x * (-0.12694 + x * (0.0020567 - 1.0345e-5 * x))) +
+            y * (6.8306 + x * (-0.030234 + x * (0.00128134 + x * (-3.5256e-5 + 2.266e-7 * x)))) +
+            yy * (-0.25645 + x * (-3.4054e-4 + x * (5.2375e-6 + 6.3e-8 * x)));
+        return Scalar(up_to_square_of_y + yy * y * (0.0034604 + 1.6638e-6 * x - 7e-10 * xx * x) -
+                      1.3514e-5 * yy * yy + 28.106 / (y + 1.0) + 2.8673 * exp(5e-4 * x * y));
+      },
+      []<class Scalar>(const Point<Scalar>& x) {
+        return std::array<Scalar, 3>{700.0 - x[0] * x[1], x[0] * x[0] / 125.0 - x[1],
+                                     5.0 * (x[0] - 55.0) - square(x[1] - 50.0)};
+      });
+}
+
 }  // namespace
 
 std::vector<Problem> hock_schittkowski_2() {
-  return {hs_1(),  hs_2(),  hs_3(),  hs_4(),  hs_5(),  hs_6(),  hs_7(),  hs_10(),
-          hs_11(), hs_12(), hs_15(), hs_18(), hs_21(), hs_22(), hs_23(), hs_24()};
+  return {hs_3(),  hs_4(),  hs_5(),  hs_6(),  hs_7(),  hs_8(),  hs_9(),  hs_10(), hs_11(), hs_12(),
+          hs_13(), hs_14(), hs_18(), hs_19(), hs_21(), hs_22(), hs_23(), hs_24(), hs_59()};
 }
 
 }  // namespace ricochet::classic

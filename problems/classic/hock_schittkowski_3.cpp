@@ -22,6 +22,47 @@ constexpr auto above_exponentials = []<class Scalar>(const Point<Scalar>& x) {
   return std::array<Scalar, 2>{exp(x[0]) - x[1], exp(x[1]) - x[2]};
 };
 
+Problem hs_26() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(26, "", Vector::Constant(3, -10), Vector::Constant(3, 10),
+                            Vector{{-2.6, 2, 2}}, {0, Vector::Ones(3), in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return square(x[0] - x[1]) + square(square(x[1] - x[2]));
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return (1.0 + x[1] * x[1]) * x[0] + square(x[2] * x[2]) - 3.0;
+          }),
+      1);
+}
+
+Problem hs_27() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(27, "", Vector::Constant(3, -10), Vector::Constant(3, 10),
+                            Vector::Constant(3, 2),
+                            {0.04, Vector{{-1, 1, 0}}, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return 0.01 * square(x[0] - 1.0) + square(x[1] - x[0] * x[0]);
+          },
+          []<class Scalar>(const Point<Scalar>& x) { return x[0] + x[2] * x[2] + 1.0; }),
+      1);
+}
+
+Problem hs_28() {
+  return with_equations(from_formulas(
+                            hock_schittkowski(28, "", Vector::Constant(3, -10),
+                                              Vector::Constant(3, 10), Vector{{-4, 1, 1}},
+                                              {0, Vector{{0.5, -0.5, 0.5}}, in_closed_form, true}),
+                            []<class Scalar>(const Point<Scalar>& x) {
+                              return square(x[0] + x[1]) + square(x[1] + x[2]);
+                            },
+                            []<class Scalar>(const Point<Scalar>& x) {
+                              return x[0] + 2.0 * x[1] + 3.0 * x[2] - 1.0;
+                            }),
+                        1);
+}
+
 Problem hs_29() {
   return from_formulas(
       hock_schittkowski(29, "Biggs", Vector::Constant(3, -10), Vector::Constant(3, 10),
@@ -48,6 +89,21 @@ Problem hs_31() {
         return 9.0 * x[0] * x[0] + x[1] * x[1] + 9.0 * x[2] * x[2];
       },
       []<class Scalar>(const Point<Scalar>& x) { return 1.0 - x[0] * x[1]; });
+}
+
+Problem hs_32() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(32, "", Vector::Zero(3), Vector::Constant(3, 10),
+                            Vector{{0.1, 0.7, 0.2}}, {1, Vector{{0, 0, 1}}, in_closed_form}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return square(x[0] + 3.0 * x[1] + x[2]) + 4.0 * square(x[0] - x[1]);
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 2>{1.0 - x[0] - x[1] - x[2],
+                                         3.0 + cube(x[0]) - 6.0 * x[1] - 4.0 * x[2]};
+          }),
+      1);
 }
 
 Problem hs_33() {
@@ -110,6 +166,81 @@ Problem hs_37() {
       });
 }
 
+Problem hs_60() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(60, "", Vector::Constant(3, -10), Vector::Constant(3, 10),
+                            Vector::Constant(3, 2),
+                            {0.03256820025506984,
+                             Vector{{1.1048590197333166, 1.1966741822882572, 1.535262260325326}},
+                             "published: 0.03256820025; digits by Newton's method"}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return square(x[0] - 1.0) + square(x[0] - x[1]) + square(square(x[1] - x[2]));
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return x[0] * (1.0 + x[1] * x[1]) + square(x[2] * x[2]) - (4.0 + 3.0 * sqrt2);
+          }),
+      1);
+}
+
+Problem hs_61() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(61, "", Vector::Constant(3, -10), Vector::Constant(3, 10),
+                            Vector::Zero(3),
+                            {-143.64614219778025,
+                             Vector{{5.326770135563928, -2.118998632218976, 3.2104642253505506}},
+                             "published: -143.6461422; digits by Newton's method"}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return 4.0 * x[0] * x[0] + 2.0 * x[1] * x[1] + 2.0 * x[2] * x[2] - 33.0 * x[0] +
+                   16.0 * x[1] - 24.0 * x[2];
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 2>{3.0 * x[0] - 2.0 * x[1] * x[1] - 7.0,
+                                         4.0 * x[0] - x[2] * x[2] - 11.0};
+          }),
+      2);
+}
+
+Problem hs_62() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(62, "", Vector::Zero(3), Vector::Ones(3), Vector{{0.7, 0.2, 0.1}},
+                            {-26272.514487318258,
+                             Vector{{0.6178126908126925, 0.328202223119669, 0.05398508606763848}},
+                             "published: -26272.51448; digits by Newton's method"}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            using std::log;
+            const Scalar third = x[2] + 0.03;
+            const Scalar second = third + x[1];
+            const Scalar first = second + x[0];
+            return Scalar(-32.174 * (255.0 * log(first / (second + 0.09 * x[0])) +
+                                     280.0 * log(second / (third + 0.07 * x[1])) +
+                                     290.0 * log(third / (0.13 * x[2] + 0.03))));
+          },
+          []<class Scalar>(const Point<Scalar>& x) { return x[0] + x[1] + x[2] - 1.0; }),
+      1);
+}
+
+Problem hs_63() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(63, "", Vector::Zero(3), Vector::Constant(3, 10),
+                            Vector::Constant(3, 2),
+                            {961.7151721300521,
+                             Vector{{3.5121213418747184, 0.21698794151522266, 3.5521711548270187}},
+                             "published: 961.7151721; digits by Newton's method"}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return 1000.0 - x[0] * x[0] - 2.0 * x[1] * x[1] - x[2] * x[2] - x[0] * x[1] -
+                   x[0] * x[2];
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 2>{8.0 * x[0] + 14.0 * x[1] + 7.0 * x[2] - 56.0,
+                                         x.squaredNorm() - 25.0};
+          }),
+      2);
+}
+
 Problem hs_64() {
   return from_formulas(
       hock_schittkowski(
@@ -155,8 +286,8 @@ Problem hs_66() {
 }  // namespace
 
 std::vector<Problem> hock_schittkowski_3() {
-  return {hs_29(), hs_30(), hs_31(), hs_33(), hs_34(), hs_35(),
-          hs_36(), hs_37(), hs_64(), hs_65(), hs_66()};
+  return {hs_26(), hs_27(), hs_28(), hs_29(), hs_30(), hs_31(), hs_32(), hs_33(), hs_34(), hs_35(),
+          hs_36(), hs_37(), hs_60(), hs_61(), hs_62(), hs_63(), hs_64(), hs_65(), hs_66()};
 }
 
 }  // namespace ricochet::classic

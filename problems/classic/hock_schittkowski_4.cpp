@@ -1,10 +1,17 @@
+#include <ceres/jet.h>
+
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "problems/classic/hock_schittkowski.h"
 #include "problems/classic/hock_schittkowski_statement.h"
 
 namespace ricochet::classic {
 namespace {
+
+using std::numbers::pi;
+using std::numbers::sqrt2;
 
 Problem hs_38() {
   return from_formula(
@@ -19,6 +26,63 @@ Problem hs_38() {
         const Scalar q = x[3] - 1.0;
         return 100.0 * a * a + b * b + 90.0 * c * c + d * d + 10.1 * (p * p + q * q) + 19.8 * p * q;
       });
+}
+
+Problem hs_39() {
+  return with_equations(from_formulas(
+                            hock_schittkowski(39, "", Vector::Constant(4, -10),
+                                              Vector::Constant(4, 10), Vector::Constant(4, 2),
+                                              {-1, Vector{{1, 1, 0, 0}}, in_closed_form, true}),
+                            []<class Scalar>(const Point<Scalar>& x) { return Scalar(-x[0]); },
+                            []<class Scalar>(const Point<Scalar>& x) {
+                              return std::array<Scalar, 2>{x[1] - cube(x[0]) - x[2] * x[2],
+                                                           x[0] * x[0] - x[1] - x[3] * x[3]};
+                            }),
+                        2);
+}
+
+/// With p = x_1^3 the objective is p^2 - p where the equations hold.
+Problem hs_40() {
+  const Vector best{
+      {std::exp2(-1.0 / 3), std::exp2(-0.5), std::exp2(-11.0 / 12), std::exp2(-0.25)}};
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(40, "", Vector::Constant(4, -10), Vector::Constant(4, 10),
+                            Vector::Constant(4, 0.8), {-0.25, best, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) { return Scalar(-x[0] * x[1] * x[2] * x[3]); },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 3>{cube(x[0]) + x[1] * x[1] - 1.0, x[0] * x[0] * x[3] - x[2],
+                                         x[3] * x[3] - x[1]};
+          }),
+      3);
+}
+
+Problem hs_41() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(41, "", Vector::Zero(4), Vector{{1, 1, 1, 2}}, Vector::Constant(4, 2),
+                            {52.0 / 27, Vector{{2.0 / 3, 1.0 / 3, 1.0 / 3, 2}}, in_closed_form}),
+          []<class Scalar>(const Point<Scalar>& x) { return Scalar(2.0 - x[0] * x[1] * x[2]); },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return x[0] + 2.0 * x[1] + 2.0 * x[2] - x[3];
+          }),
+      1);
+}
+
+Problem hs_42() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(
+              42, "", Vector::Constant(4, -10), Vector::Constant(4, 10), Vector::Ones(4),
+              {28 - 10 * sqrt2, Vector{{2, 2, 0.6 * sqrt2, 0.8 * sqrt2}}, in_closed_form, true}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return square(x[0] - 1.0) + square(x[1] - 2.0) + square(x[2] - 3.0) +
+                   square(x[3] - 4.0);
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 2>{x[0] - 2.0, x[2] * x[2] + x[3] * x[3] - 2.0};
+          }),
+      2);
 }
 
 Problem hs_43() {
@@ -53,6 +117,111 @@ Problem hs_44() {
       });
 }
 
+/// The distribution function of a normal variable.
+double normal_distribution(double t) {
+  return std::erfc(-t / sqrt2) / 2;
+}
+
+template <int size>
+ceres::Jet<double, size> normal_distribution(const ceres::Jet<double, size>& t) {
+  const double density = std::exp(-t.a * t.a / 2) / std::sqrt(2 * pi);
+  return {normal_distribution(t.a), density * t.v};
+}
+
+/// Problems 68 and 69: the costs of a control chart, `scale` the cost of a defect, of samples of
+/// which root_size is the root of the size.
+Problem control_chart(int number, double fixed, double scale, double root_size, Optimum optimum) {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(number, "", Vector{{1e-4, 0, 0, 0}}, Vector{{100, 100, 2, 2}},
+                            Vector::Ones(4), std::move(optimum)),
+          [=]<class Scalar>(const Point<Scalar>& x) {
+            using std::exp;
+            const Scalar grown = exp(x[0]) - 1.0;
+            return Scalar(
+                (fixed * root_size * root_size - (scale * grown - x[2]) * x[3] / (grown + x[3])) /
+                x[0]);
+          },
+          [=]<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 2>{x[2] - 2.0 * normal_distribution(Scalar(-x[1])),
+                                         x[3] - normal_distribution(Scalar(root_size - x[1])) -
+                                             normal_distribution(Scalar(-root_size - x[1]))};
+          }),
+      2);
+}
+
+Problem hs_68() {
+  return control_chart(
+      68, 1e-4, 1, std::sqrt(24.0),
+      {-0.920425003639751,
+       Vector{{0.0678585770855116, 3.6462108556881843, 0.00026613562521541034, 0.8948550393735518}},
+       "published: -0.920425026; digits by Newton's method"});
+}
+
+Problem hs_69() {
+  return control_chart(
+      69, 0.1, 1000, 2,
+      {-956.7128866500263,
+       Vector{{0.029371417421708342, 1.1902534504068423, 0.23394679066744595, 0.7916678112438239}},
+       "published: -956.71288; digits by Newton's method"});
+}
+
+Problem hs_71() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(71, "", Vector::Ones(4), Vector::Constant(4, 5), Vector{{1, 5, 5, 1}},
+                            {17.014017289156303,
+                             Vector{{1, 4.742999637264417, 3.821149984184874, 1.3794082931726723}},
+                             "published: 17.0140173; digits by Newton's method"}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return x[0] * x[3] * (x[0] + x[1] + x[2]) + x[2];
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            return std::array<Scalar, 2>{x.squaredNorm() - 40.0, 25.0 - x[0] * x[1] * x[2] * x[3]};
+          }),
+      1);
+}
+
+/// Sizes of samples.
+Problem hs_72() {
+  return from_formulas(
+      hock_schittkowski(
+          72, "", Vector::Constant(4, 1e-3), Vector{{4e5, 3e5, 2e5, 1e5}}, Vector::Ones(4),
+          {727.679357789613,
+           Vector{{193.40742727194632, 179.54707603227456, 185.01806335815152, 168.7067911272406}},
+           "published: 727.67937; digits by Newton's method"}),
+      []<class Scalar>(const Point<Scalar>& x) { return 1.0 + x[0] + x[1] + x[2] + x[3]; },
+      []<class Scalar>(const Point<Scalar>& x) {
+        return std::array<Scalar, 2>{
+            4.0 / x[0] + 2.25 / x[1] + 1.0 / x[2] + 0.25 / x[3] - 0.0401,
+            0.16 / x[0] + 0.36 / x[1] + 0.64 / x[2] + 0.64 / x[3] - 0.010085};
+      });
+}
+
+/// Feed for cattle.
+Problem hs_73() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(
+              73, "", Vector::Zero(4), Vector::Constant(4, 10), Vector::Ones(4),
+              {29.894378159143354,
+               Vector{{0.6355215686350697, 0, 0.31270188075152355, 0.05177655061340672}},
+               "published: 29.894378; digits by Newton's method"}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return 24.55 * x[0] + 26.75 * x[1] + 39.0 * x[2] + 40.5 * x[3];
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            using std::sqrt;
+            const Scalar spread = sqrt(0.28 * x[0] * x[0] + 0.19 * x[1] * x[1] +
+                                       20.5 * x[2] * x[2] + 0.62 * x[3] * x[3]);
+            return std::array<Scalar, 3>{
+                x[0] + x[1] + x[2] + x[3] - 1.0,
+                5.0 - 2.3 * x[0] - 5.6 * x[1] - 11.1 * x[2] - 1.3 * x[3],
+                21.0 + 1.645 * spread - 12.0 * x[0] - 11.9 * x[1] - 41.8 * x[2] - 52.1 * x[3]};
+          }),
+      1);
+}
+
 Problem hs_76() {
   return from_formulas(
       hock_schittkowski(76, "Murtagh and Sargent", Vector::Zero(4), Vector::Constant(4, 10),
@@ -70,69 +239,11 @@ Problem hs_76() {
       });
 }
 
-Problem hs_100() {
-  return from_formulas(
-      hock_schittkowski(
-          100, "Asaadi, Charalambous, Wong", Vector::Constant(7, -10), Vector::Constant(7, 10),
-          Vector{{1, 2, 0, 4, 0, 1, 1}},
-          {680.63005737440199,
-           Vector{{2.33049937287957, 1.951372372896889, -0.47754139238887161, 4.3657262336558098,
-                   -0.62448697052681745, 1.0381310186079584, 1.5942267116118685}},
-           "published: 680.6300573; digits by Newton's method", true}),
-      []<class Scalar>(const Point<Scalar>& x) {
-        const auto square = [](const Scalar& t) { return Scalar(t * t); };
-        return square(x[0] - 10.0) + 5.0 * square(x[1] - 12.0) + square(x[2] * x[2]) +
-               3.0 * square(x[3] - 11.0) + 10.0 * square(x[4] * x[4] * x[4]) + 7.0 * square(x[5]) +
-               square(x[6] * x[6]) - 4.0 * x[5] * x[6] - 10.0 * x[5] - 8.0 * x[6];
-      },
-      []<class Scalar>(const Point<Scalar>& x) {
-        const Scalar a = x[0] * x[0];
-        const Scalar b = x[1] * x[1];
-        const Scalar c = x[2] * x[2];
-        return std::array<Scalar, 4>{
-            2.0 * a + 3.0 * b * b + x[2] + 4.0 * x[3] * x[3] + 5.0 * x[4] - 127.0,
-            7.0 * x[0] + 3.0 * x[1] + 10.0 * c + x[3] - x[4] - 282.0,
-            23.0 * x[0] + b + 6.0 * x[5] * x[5] - 8.0 * x[6] - 196.0,
-            4.0 * a + b - 3.0 * x[0] * x[1] + 2.0 * c + 5.0 * x[5] - 11.0 * x[6]};
-      });
-}
-
-Problem hs_113() {
-  return from_formulas(
-      hock_schittkowski(
-          113, "Asaadi, Charalambous, Wong", Vector::Constant(10, -20), Vector::Constant(10, 20),
-          Vector{{2, 3, 5, 5, 1, 2, 7, 3, 6, 10}},
-          {24.30620906817979,
-           Vector{{2.1719963712554549, 2.3636829736972809, 8.7739257384768496, 5.0959844879484528,
-                   0.9906547649638594, 1.4305739789363159, 1.3216442081617028, 9.8287258078863218,
-                   8.2800916700983453, 8.375926663921323}},
-           "published: 24.3062091; digits by Newton's method", true}),
-      []<class Scalar>(const Point<Scalar>& x) {
-        const auto square = [](const Scalar& t) { return Scalar(t * t); };
-        return square(x[0]) + square(x[1]) + x[0] * x[1] - 14.0 * x[0] - 16.0 * x[1] +
-               square(x[2] - 10.0) + 4.0 * square(x[3] - 5.0) + square(x[4] - 3.0) +
-               2.0 * square(x[5] - 1.0) + 5.0 * square(x[6]) + 7.0 * square(x[7] - 11.0) +
-               2.0 * square(x[8] - 10.0) + square(x[9] - 7.0) + 45.0;
-      },
-      []<class Scalar>(const Point<Scalar>& x) {
-        const auto square = [](const Scalar& t) { return Scalar(t * t); };
-        return std::array<Scalar, 8>{
-            4.0 * x[0] + 5.0 * x[1] - 3.0 * x[6] + 9.0 * x[7] - 105.0,
-            10.0 * x[0] - 8.0 * x[1] - 17.0 * x[6] + 2.0 * x[7],
-            -8.0 * x[0] + 2.0 * x[1] + 5.0 * x[8] - 2.0 * x[9] - 12.0,
-            3.0 * square(x[0] - 2.0) + 4.0 * square(x[1] - 3.0) + 2.0 * square(x[2]) - 7.0 * x[3] -
-                120.0,
-            5.0 * square(x[0]) + 8.0 * x[1] + square(x[2] - 6.0) - 2.0 * x[3] - 40.0,
-            0.5 * square(x[0] - 8.0) + 2.0 * square(x[1] - 4.0) + 3.0 * square(x[4]) - x[5] - 30.0,
-            square(x[0]) + 2.0 * square(x[1] - 2.0) - 2.0 * x[0] * x[1] + 14.0 * x[4] - 6.0 * x[5],
-            -3.0 * x[0] + 6.0 * x[1] + 12.0 * square(x[8] - 8.0) - 7.0 * x[9]};
-      });
-}
-
 }  // namespace
 
 std::vector<Problem> hock_schittkowski_4() {
-  return {hs_38(), hs_43(), hs_44(), hs_76(), hs_100(), hs_113()};
+  return {hs_38(), hs_39(), hs_40(), hs_41(), hs_42(), hs_43(), hs_44(),
+          hs_68(), hs_69(), hs_71(), hs_72(), hs_73(), hs_76()};
 }
 
 }  // namespace ricochet::classic

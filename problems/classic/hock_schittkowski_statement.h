@@ -14,10 +14,23 @@ struct Optimum {
   bool everywhere = false;  ///< inside the box, and best on all of R^n; see Problem::rotates
 };
 
-/// The statement of problem `number`; `author` as the source names it.
+/// The statement of problem `number`; `author` as the source names it, or empty.
 Statement hock_schittkowski(int number, const std::string& author, Vector lower, Vector upper,
                             Vector start, Optimum optimum);
 
+/// The problem, whose first constraints, so many, are equations.
+Problem with_equations(Problem problem, Eigen::Index equations);
+
 inline constexpr const char* in_closed_form = "closed form, published";
+
+template <class Scalar>
+Scalar square(const Scalar& t) {
+  return t * t;
+}
+
+template <class Scalar>
+Scalar cube(const Scalar& t) {
+  return t * t * t;
+}
 
 }  // namespace ricochet::classic

@@ -32,7 +32,7 @@ TEST(Families, HaveDistinctNamesAndSoDoTheirQuestions) {
   EXPECT_EQ(names.size(), 12U);
   // Count, top speed, six sizes of two profiles, design and three risks; and the calibration. Then
   // what the literature has.
-  EXPECT_EQ(questions.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 1 + 27 + 33 + 53);
+  EXPECT_EQ(questions.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 1 + 27 + 116 + 53);
 }
 
 TEST(Families, HaveProblemsThatHoldTogether) {
@@ -86,6 +86,7 @@ TEST(Families, KeepTheBestPointBestWhereConstraintsArePenalised) {
     if (family.name.starts_with("robust-")) continue;  // 32 simulations each
     for (const Question& question : family.questions) {
       if (question.stated.constraints == 0) continue;
+      if (question.name() == "hs-13") continue;  // no weight is enough: see there
       const Problem penalised = question.problem({0, true});
       const Vector& best = question.stated.best_point.value();
       const double value = penalised.evaluate(best).objective;
@@ -99,7 +100,7 @@ TEST(Families, KeepTheBestPointBestWhereConstraintsArePenalised) {
       ++looked;
     }
   }
-  EXPECT_GT(looked, 24 + 20);
+  EXPECT_GT(looked, 24 + 100);
 }
 
 TEST(Families, OfAMachineOfOnesOwnKnowNoBestValues) {

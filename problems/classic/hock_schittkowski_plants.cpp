@@ -1,0 +1,223 @@
+#include <array>
+#include <cmath>
+
+#include "problems/classic/hock_schittkowski.h"
+#include "problems/classic/hock_schittkowski_statement.h"
+
+namespace ricochet::classic {
+namespace {
+
+/// What alkylation makes of x in problem 67, y_2 to y_8 there. The source finds y_2 and y_4 by
+/// iterations until they change by less than 0.001; this is the root, of two each, that those
+/// converge to where they do, and real in all of the box.
+template <class Scalar>
+std::array<Scalar, 7> alkylated(const Point<Scalar>& x) {
+  using std::sqrt;
+  const Scalar ratio = x[1] / x[0];
+  // y_6 = (x_2 + y_3) / x_1, where y_3 = 1.22 y_2 - x_1 and
+  // y_2 = 0.01 x_1 (112 + 13.167 y_6 - 0.6667 y_6^2).
+  const double b = 1 / 1.22 - 0.13167;
+  const Scalar c = 1.12 - (1.0 - ratio) / 1.22;
+  const Scalar y_6 = 2.0 * c / (b + sqrt(b * b + 4 * 0.006667 * c));
+  const Scalar y_2 = 0.01 * x[0] * (112.0 + 13.167 * y_6 - 0.6667 * y_6 * y_6);
+  // y_4 = 98000 x_3 / (y_2 y_7 + 1000 x_3), where y_7 = rest - slope y_4.
+  const Scalar octane = 86.35 + 1.098 * y_6 - 0.038 * y_6 * y_6 - 0.325 * 89.0;
+  const double slope = 0.222 * 3 * 0.325;
+  const Scalar rest = 35.82 + 0.222 * 133.0 - 0.222 * 3 * octane;
+  const Scalar whole = y_2 * rest + 1000.0 * x[2];
+  const Scalar y_4 =
+      2.0 * 98000.0 * x[2] / (whole + sqrt(whole * whole - 4 * 98000 * slope * y_2 * x[2]));
+  const Scalar y_5 = octane + 0.325 * y_4;
+  const Scalar y_8 = 3.0 * y_5 - 133.0;
+  return {y_2, 1.22 * y_2 - x[0], y_4, y_5, y_6, 35.82 - 0.222 * y_8, y_8};
+}
+
+/// Alkylation.
+Problem hs_67() {
+  return from_formulas(
+      hock_schittkowski(
+          67, "Colville", Vector::Constant(3, 1e-5), Vector{{2000, 16000, 120}},
+          Vector{{1745, 12000, 110}},
+          {-1162.026980059687, Vector{{1728.3714432410852, 16000, 98.13617652300942}},
+           "published: -1162.036507, of iterations that stop early; digits by Newton's method"}),
+      []<class Scalar>(const Point<Scalar>& x) {
+        const std::array<Scalar, 7> y = alkylated(x);
+        return 5.04 * x[0] + 0.035 * x[1] + 10.0 * x[2] + 3.36 * y[1] - 0.063 * y[0] * y[3];
+      },
+      []<class Scalar>(const Point<Scalar>& x) {
+        const std::array<Scalar, 7> y = alkylated(x);
+        constexpr std::array<double, 7> least = {0, 0, 85, 90, 3, 0.01, 145};
+        constexpr std::array<double, 7> most = {5000, 2000, 93, 95, 12, 4, 162};
+        std::array<Scalar, 14> result;
+        for (std::size_t i = 0; i < y.size(); ++i) {
+          result[i] = least[i] - y[i];
+          result[7 + i] = y[i] - most[i];
+        }
+        return result;
+      });
+}
+
+/// What a plant makes of wood in problem 85: y_1 to y_17 of the source and, behind, its c_12, c_15,
+/// c_16 and c_17.
+template <class Scalar>
+struct Pulp {
+  std::array<Scalar, 17> y;
+  Scalar c_12, c_15, c_16, c_17;
+};
+
+template <class Scalar>
+Pulp<Scalar> pulp_of(const Point<Scalar>& x) {
+  const Scalar y_1 = x[1] + x[2] + 41.6;
+  const Scalar y_2 = 12.5 / (0.024 * x[3] - 4.62) + 12.0;
+  const Scalar y_3 = (3.535e-4 * x[0] * x[0] + 0.5311 * x[0] + 0.08705 * y_2 * x[0]) /
+                     (0.052 * x[0] + 78.0 + 0.002377 * y_2 * x[0]);
+  const Scalar y_4 = 19.0 * y_3;
+  const Scalar left = x[0] - y_3;
+  const Scalar c_4 = 0.04782 * left + 0.1956 * left * left / x[1] + 0.6376 * y_4 + 1.594 * y_3;
+  const Scalar y_5 = (left - y_4) * (0.95 - c_4 / (100.0 * x[1]));
+  const Scalar y_6 = left - y_5 - y_4;
+  const Scalar c_8 = 0.995 * (y_5 + y_4);
+  const Scalar y_7 = c_8 / y_1;
+  const Scalar y_8 = c_8 / 3798.0;
+  const Scalar y_9 = 96.82 / (y_7 - 0.0663 * y_7 / y_8 - 0.3153) + 0.321 * y_1;
+  const Scalar y_10 = 1.29 * y_5 + 1.258 * y_4 + 2.29 * y_3 + 1.71 * y_6;
+  const Scalar y_11 = 1.71 * x[0] - 0.452 * y_4 + 0.58 * y_3;
+  const Scalar c_12 = 0.995 * y_10 + 1998.0;
+  const Scalar y_12 = 12.3 / 752.3 * x[0] + 1.75 * 0.995 * y_2 * x[0] / c_12;
+  const Scalar y_13 = c_12 - 1.75 * y_2;
+  const Scalar c_17 = y_9 + x[4];
+  const Scalar y_14 = 3623.0 + 64.4 * x[1] + 58.4 * x[2] + 146312.0 / c_17;
+  const Scalar y_15 = y_13 / (0.995 * y_10 + 60.8 * x[1] + 48.0 * x[3] - 0.1121 * y_14 - 5095.0);
+  const Scalar y_16 = 148000.0 - 331000.0 * y_15 + 40.0 * y_13 - 61.0 * y_15 * y_13;
+  const Scalar y_17 =
+      14130000.0 - 1328.0 * y_10 - 531.0 * y_11 + (2324.0 * y_10 - 28740000.0 * y_2) / c_12;
+  return {
+      {y_1, y_2, y_3, y_4, y_5, y_6, y_7, y_8, y_9, y_10, y_11, y_12, y_13, y_14, y_15, y_16, y_17},
+      c_12,
+      y_13 / y_15 - y_13 / 0.52,
+      1.104 - 0.72 * y_15,
+      c_17};
+}
+
+/// A pulp mill.
+Problem hs_85() {
+  return from_formulas(
+      hock_schittkowski(85, "", Vector{{704.4148, 68.6, 0, 193, 25}},
+                        Vector{{906.3855, 288.88, 134.75, 287.0966, 84.1988}},
+                        Vector{{900, 80, 115, 267, 27}},
+                        {-1.9051552585347844,
+                         Vector{{705.174537070091, 68.6, 102.89999999999999, 282.32493159366027,
+                                 37.58411642580553}},
+                         "published: -1.90513375, near the minimum; digits by Newton's method"}),
+      []<class Scalar>(const Point<Scalar>& x) {
+        const auto [y, c_12, c_15, c_16, c_17] = pulp_of(x);
+        return Scalar(-5.843e-7 * y[16] + 1.17e-4 * y[13] + 0.1365 + 2.358e-5 * y[12] +
+                      1.502e-6 * y[15] + 0.0321 * y[11] + 0.004324 * y[4] + 1e-4 * c_15 / c_16 +
+                      37.48 * y[1] / c_12);
+      },
+      []<class Scalar>(const Point<Scalar>& x) {
+        const auto [y, c_12, c_15, c_16, c_17] = pulp_of(x);
+        // Of y_2 to y_17.
+        constexpr std::array<double, 16> least = {
+            17.505,  11.275,  214.228, 7.458,    0.961,    1.612, 0.146,    107.99,
+            922.693, 926.832, 18.766,  1072.163, 8961.448, 0.063, 71084.33, 2802713};
+        constexpr std::array<double, 16> most = {
+            1053.6667, 35.03,    665.585, 584.463,  265.916,   7.046, 0.222,  273.366,
+            1286.105,  1444.046, 537.141, 3247.039, 26844.086, 0.386, 140000, 12146108};
+        std::array<Scalar, 38> result;
+        result[0] = x[2] - 1.5 * x[1];
+        result[1] = 213.1 - y[0];
+        result[2] = y[0] - 405.23;
+        for (std::size_t i = 0; i < least.size(); ++i) {
+          result[3 + i] = least[i] - y[i + 1];
+          result[19 + i] = y[i + 1] - most[i];
+        }
+        result[35] = 0.28 / 0.72 * y[4] - y[3];
+        result[36] = 3496.0 * y[1] / c_12 - 21.0;
+        result[37] = 110.6 + y[0] - 62212.0 / c_17;
+        return result;
+      });
+}
+
+/// Alkylation, with tolerances: what should be equal may be off by a hundredth or a tenth.
+Problem hs_114() {
+  return with_equations(
+      from_formulas(
+          hock_schittkowski(114, "", Vector{{1e-5, 1e-5, 1e-5, 1e-5, 1e-5, 85, 90, 3, 1.2, 145}},
+                            Vector{{2000, 16000, 120, 5000, 2000, 93, 95, 12, 4, 162}},
+                            Vector{{1745, 12000, 110, 3048, 1974, 89.2, 92.8, 8, 3.6, 145}},
+                            {-1768.806963716239,
+                             Vector{{1698.094765188969, 15818.61492418302, 54.10268233324761,
+                                     3031.2252173680076, 2000, 90.11542219898666, 95,
+                                     10.493298306705581, 1.5616363636363726, 153.5353535353535}},
+                             "published: -1768.80696; digits by Newton's method"}),
+          []<class Scalar>(const Point<Scalar>& x) {
+            return 5.04 * x[0] + 0.035 * x[1] + 10.0 * x[2] + 3.36 * x[4] - 0.063 * x[3] * x[6];
+          },
+          []<class Scalar>(const Point<Scalar>& x) {
+            const Scalar yield = x[0] * (1.12 + 0.13167 * x[7] - 0.00667 * x[7] * x[7]);
+            const Scalar octane = 57.425 + 1.098 * x[7] - 0.038 * x[7] * x[7] + 0.325 * x[5];
+            return std::array<Scalar, 11>{1.22 * x[3] - x[0] - x[4],
+                                          98000.0 * x[2] / (x[3] * x[8] + 1000.0 * x[2]) - x[5],
+                                          (x[1] + x[4]) / x[0] - x[7],
+                                          0.222 * x[9] + 0.9 * x[8] - 35.82,
+                                          133.0 + 0.99 * x[9] - 3.0 * x[6],
+                                          35.82 - 0.222 * x[9] - x[8] / 0.9,
+                                          3.0 * x[6] - 133.0 - x[9] / 0.99,
+                                          0.99 * x[3] - yield,
+                                          0.99 * x[6] - octane,
+                                          yield - x[3] / 0.99,
+                                          octane - x[6] / 0.99};
+          }),
+      3);
+}
+
+/// Three stages of a separation by membranes. More constraints meet at the optimum than there are
+/// variables; rounding keeps x_4 off its bound there.
+Problem hs_116() {
+  Vector lower(13), upper(13), start(13), best(13);
+  lower << 0.1, 0.1, 0.1, 1e-4, 0.1, 0.1, 0.1, 0.1, 500, 0.1, 1, 1e-4, 1e-4;
+  upper << 1, 1, 1, 0.1, 0.9, 0.9, 1000, 1000, 1000, 500, 150, 150, 150;
+  start << 0.5, 0.8, 0.9, 0.1, 0.14, 0.5, 489, 80, 650, 450, 150, 150, 150;
+  best << 0.8037731573766448, 0.8999858006730382, 0.9709824354836251, 0.09999999999999845,
+      0.19081317621551291, 0.46065478285066047, 574.0775735827698, 74.07757358277016,
+      500.01616016896867, 0.1, 20.2330906973706, 77.34768992730716, 0.006728933395597682;
+  return from_formulas(
+      hock_schittkowski(116, "", lower, upper, start,
+                        {97.58750955807335, best,
+                         "published: 97.588409, near the minimum; digits by Newton's method"}),
+      []<class Scalar>(const Point<Scalar>& x) { return x[10] + x[11] + x[12]; },
+      []<class Scalar>(const Point<Scalar>& x) {
+        const auto stage = [](const Scalar& fed, const Scalar& left) {
+          return Scalar(0.03475 * fed + 0.975 * fed * left - 0.00975 * fed * fed - left);
+        };
+        const auto area = [](const Scalar& flow, const Scalar& fed) {
+          return Scalar(flow * (1.262626 - 1.231059 * fed));
+        };
+        const Scalar sum = x[10] + x[11] + x[12];
+        return std::array<Scalar, 15>{
+            x[1] - x[2],
+            x[0] - x[1],
+            0.002 * (x[6] - x[7]) - 1.0,
+            50.0 - sum,
+            sum - 250.0,
+            area(x[9], x[2]) - x[12],
+            stage(x[1], x[4]),
+            stage(x[2], x[5]),
+            x[0] * x[7] + x[3] * (x[6] - x[7]) - x[4] * x[6],
+            0.002 * (x[1] * x[8] + x[4] * x[7] - x[0] * x[7] - x[5] * x[8]) + x[4] + x[5] - 1.0,
+            x[2] * x[9] + x[5] * x[8] + 500.0 * (x[1] - x[5]) - x[1] * (x[8] + x[9]),
+            0.9 - x[1] + 0.002 * (x[1] - x[2]) * x[9],
+            stage(x[0], x[3]),
+            area(x[7], x[0]) - x[10],
+            area(x[8], x[1]) - x[11]};
+      });
+}
+
+}  // namespace
+
+std::vector<Problem> hock_schittkowski_plants() {
+  return {hs_67(), hs_85(), hs_114(), hs_116()};
+}
+
+}  // namespace ricochet::classic

@@ -150,17 +150,19 @@ std::string in_words(Ipopt::ApplicationReturnStatus status) {
 /// Guards the whole of Ipopt, its construction and destruction too: it and MUMPS keep global state.
 std::mutex ipopt_mutex;
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start) {
+SolverExit minimise(Evaluator& evaluator, const Vector& start, Settings settings) {
   const std::lock_guard lock(ipopt_mutex);
   const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start);
   // false: no console, so there is neither banner nor log to silence.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   const auto options = application->Options();
   options->SetStringValue("hessian_approximation", "limited-memory");
-  // Without second derivatives Ipopt would adapt its barrier freely, and often loses the way in a
-  // constraint that bends as sharply as a surrogate; a start may be near the optimum, too.
-  options->SetStringValue("mu_strategy", "monotone");
-  options->SetNumericValue("mu_init", 1e-3);
+  if (settings == Settings::tuned) {
+    // Without second derivatives Ipopt adapts its barrier freely, and often loses the way in a
+    // constraint that bends as sharply as a surrogate; a start may be near the optimum, too.
+    options->SetStringValue("mu_strategy", "monotone");
+    options->SetNumericValue("mu_init", 1e-3);
+  }
   // The verdict grants no violation, so neither may the solver widen the bounds.
   options->SetNumericValue("bound_relax_factor", 0.0);
   // "": no options file, not even one that happens to lie in the working directory.
@@ -171,15 +173,15 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
 
 }  // namespace
 
-Solver ipopt() {
+Solver ipopt(Settings settings) {
   Solver solver;
-  solver.name = "ipopt";
+  solver.name = settings == Settings::tuned ? "ipopt-tuned" : "ipopt";
   solver.version = "Ipopt " IPOPT_VERSION;
   solver.accepts = [](const Problem& problem) {
     return has_room(problem) && static_cast<bool>(problem.differentiate);
   };
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise(evaluator, start);
+  solver.solve = [settings](Evaluator& evaluator, const Vector& start, Random&) {
+    return minimise(evaluator, start, settings);
   };
   return solver;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solvers/settings.h"
 #include "src/core/solver.h"
 
 namespace ricochet {
@@ -7,6 +8,6 @@ namespace ricochet {
 /// "ipopt": the interior-point method of Waechter and Biegler (Math. Program. 106 (2006) 25-57) in
 /// the unit cube, with a limited-memory Hessian. Needs derivatives. Ipopt is not thread-safe, so
 /// one solve at a time runs in a process and others wait; waiting costs a run no processor time.
-Solver ipopt();
+Solver ipopt(Settings settings);
 
 }  // namespace ricochet

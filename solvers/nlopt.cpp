@@ -34,6 +34,7 @@ struct Algorithm {
   Constraints constraints;
   Draws draws;
   Eigen::Index least_dimension;
+  double tolerance = step_tolerance;
 };
 
 // DIRECT is the original code: the other one in NLopt takes no constraints.
@@ -44,6 +45,8 @@ constexpr Algorithm without_derivatives[] = {
     {"isres", NLOPT_GN_ISRES, Reach::global, Constraints::all, Draws::yes, 1},
     {"esch", NLOPT_GN_ESCH, Reach::global, Constraints::no, Draws::yes, 1},
     {"cobyla", NLOPT_LN_COBYLA, Reach::local, Constraints::all, Draws::no, 1},
+    // What a step smaller than a step of the function can find is not worth its evaluations.
+    {"cobyla-tuned", NLOPT_LN_COBYLA, Reach::local, Constraints::all, Draws::no, 1, 1e-4},
     {"bobyqa", NLOPT_LN_BOBYQA, Reach::local, Constraints::no, Draws::no, 2},
     {"nelder-mead", NLOPT_LN_NELDERMEAD, Reach::local, Constraints::no, Draws::no, 1},
     {"sbplx", NLOPT_LN_SBPLX, Reach::local, Constraints::no, Draws::no, 1},
@@ -99,7 +102,7 @@ Search::Search(const Algorithm& algorithm, Evaluator& evaluator)
   }
   if (others > 0) nlopt_add_inequality_mconstraint(nlopt, others, inequalities, this, nullptr);
   nlopt_set_initial_step1(nlopt, initial_step);
-  nlopt_set_xtol_abs1(nlopt, step_tolerance);
+  nlopt_set_xtol_abs1(nlopt, algorithm.tolerance);
   if (algorithm.id == NLOPT_LD_LBFGS) nlopt_set_vector_storage(nlopt, lbfgs_memory);
   // The evaluator ends the search. DIRECT sets aside memory for as many points at once.
   const bool direct = algorithm.id == NLOPT_GN_ORIG_DIRECT_L;

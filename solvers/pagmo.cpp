@@ -86,12 +86,12 @@ Eigen::Index sade_size(Eigen::Index n) {
   return std::clamp<Eigen::Index>(10 * n, 20, 100);
 }
 
-SolverExit minimise_by_cmaes(Evaluator& evaluator, const Vector& start, Random& random) {
+SolverExit minimise_by_cmaes(Evaluator& evaluator, const Vector& start, Random& random,
+                             double initial_step) {
   UnitBox box(evaluator);
   auto population =
       population_of(box, evaluator.problem(), start, cmaes_size(start.size()), random);
   constexpr double automatic = -1;
-  constexpr double initial_step = 0.5;  // of the box; pagmo's own default
   const pagmo::cmaes algorithm(batch, automatic, automatic, automatic, automatic, initial_step,
                                value_tolerance, step_tolerance, true, true, seed_from(random));
   return evolve(algorithm, std::move(population), evaluator);
@@ -122,8 +122,13 @@ Solver adapter(const char* name, Minimise minimise) {
 
 }  // namespace
 
-Solver pagmo_cmaes() {
-  return adapter("pagmo-cmaes", minimise_by_cmaes);
+Solver pagmo_cmaes(Settings settings) {
+  const bool tuned = settings == Settings::tuned;
+  const double initial_step = tuned ? 0.25 : 0.5;  // of the box; pagmo's own default is 0.5
+  return adapter(tuned ? "pagmo-cmaes-tuned" : "pagmo-cmaes",
+                 [initial_step](Evaluator& evaluator, const Vector& start, Random& random) {
+                   return minimise_by_cmaes(evaluator, start, random, initial_step);
+                 });
 }
 
 Solver pagmo_sade() {

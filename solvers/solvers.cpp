@@ -23,15 +23,17 @@ std::vector<Solver> all_solvers() {
       fireworks("fireworks", {}),
       fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
 #ifdef RICOCHET_HAS_IPOPT
-      ipopt(),
-      continuation(ipopt()),
+      ipopt(Settings::own),
+      ipopt(Settings::tuned),
+      continuation(ipopt(Settings::tuned)),
 #endif
 #ifdef RICOCHET_HAS_CERES
       ceres_lbfgs(),
       ceres_least_squares(),
 #endif
 #ifdef RICOCHET_HAS_PAGMO
-      pagmo_cmaes(),
+      pagmo_cmaes(Settings::own),
+      pagmo_cmaes(Settings::tuned),
       pagmo_sade(),
 #endif
   };
@@ -45,13 +47,18 @@ std::vector<Solver> all_solvers() {
 std::vector<MissingSolver> missing_solvers() {
   return {
 #ifndef RICOCHET_HAS_IPOPT
-      {"ipopt", "Ipopt"},       {"continuation-ipopt", "Ipopt"},
+      {"ipopt", "Ipopt"},
+      {"ipopt-tuned", "Ipopt"},
+      {"continuation-ipopt-tuned", "Ipopt"},
 #endif
 #ifndef RICOCHET_HAS_CERES
-      {"ceres-lbfgs", "Ceres"}, {"ceres-trust-region", "Ceres"},
+      {"ceres-lbfgs", "Ceres"},
+      {"ceres-trust-region", "Ceres"},
 #endif
 #ifndef RICOCHET_HAS_PAGMO
-      {"pagmo-cmaes", "pagmo"}, {"pagmo-sade", "pagmo"},
+      {"pagmo-cmaes", "pagmo"},
+      {"pagmo-cmaes-tuned", "pagmo"},
+      {"pagmo-sade", "pagmo"},
 #endif
   };
 }

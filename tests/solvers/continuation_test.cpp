@@ -52,7 +52,7 @@ TEST(Continuation, FindsTheEndOfAPlateauThatItsSolverMisses) {
       const RunRecord record = run(problem, solver, {400}, 0);
       return -record.trace.back().truth.objective;
     };
-    for (const char* name : {"nlopt-slsqp", "ipopt"}) {
+    for (const char* name : {"nlopt-slsqp", "ipopt-tuned"}) {
       const Solver solver = solver_named(name);
       EXPECT_GT(std::abs(best_of(solver) - 8), 0.1) << name << " " << rise;
       EXPECT_NEAR(best_of(continuation(solver)), 8.0, 1e-3) << name << " " << rise;

@@ -30,7 +30,7 @@ std::vector<std::string> accepting(const Problem& problem) {
 TEST(Nlopt, AcceptsConstraintsWhereTheAlgorithmTakesThem) {
   EXPECT_THAT(accepting(disc()),
               testing::UnorderedElementsAre("nlopt-direct-l", "nlopt-isres", "nlopt-cobyla",
-                                            "nlopt-slsqp", "nlopt-mma"));
+                                            "nlopt-cobyla-tuned", "nlopt-slsqp", "nlopt-mma"));
 }
 
 TEST(Nlopt, AcceptsProblemsWithoutDerivativesWhereTheAlgorithmNeedsNone) {
@@ -38,8 +38,8 @@ TEST(Nlopt, AcceptsProblemsWithoutDerivativesWhereTheAlgorithmNeedsNone) {
   problem.differentiate = nullptr;
   EXPECT_THAT(accepting(problem),
               testing::UnorderedElementsAre("nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
-                                            "nlopt-esch", "nlopt-cobyla", "nlopt-bobyqa",
-                                            "nlopt-nelder-mead", "nlopt-sbplx"));
+                                            "nlopt-esch", "nlopt-cobyla", "nlopt-cobyla-tuned",
+                                            "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx"));
 }
 
 TEST(Nlopt, KeepsBobyqaFromOneDimension) {

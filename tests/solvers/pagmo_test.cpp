@@ -37,10 +37,10 @@ double end_of(const Problem& problem, const Solver& solver, std::int64_t budget)
 }
 
 TEST(PagmoCmaes, AsksForFourAndThreeLogNPointsAGeneration) {
-  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(), 1), 5) << "fewer pagmo refuses";
-  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(), 2), 6);
-  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(), 5), 8);
-  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(), 20), 12);
+  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(Settings::own), 1), 5) << "fewer pagmo refuses";
+  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(Settings::own), 2), 6);
+  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(Settings::own), 5), 8);
+  EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(Settings::own), 20), 12);
 }
 
 TEST(PagmoSade, AsksForTenNPointsAGenerationWithinLimits) {
@@ -51,7 +51,7 @@ TEST(PagmoSade, AsksForTenNPointsAGenerationWithinLimits) {
 }
 
 TEST(PagmoCmaes, FollowsACurvedValley) {
-  EXPECT_LT(end_of(rosenbrock(5), pagmo_cmaes(), 5000), 1e-8);
+  EXPECT_LT(end_of(rosenbrock(5), pagmo_cmaes(Settings::own), 5000), 1e-8);
 }
 
 TEST(PagmoSade, FollowsACurvedValley) {
@@ -59,7 +59,7 @@ TEST(PagmoSade, FollowsACurvedValley) {
 }
 
 TEST(PagmoCmaes, FindsAShiftedOptimum) {
-  EXPECT_LT(end_of(sphere(5, -20), pagmo_cmaes(), 2500), 1e-8);
+  EXPECT_LT(end_of(sphere(5, -20), pagmo_cmaes(Settings::own), 2500), 1e-8);
 }
 
 TEST(PagmoSade, FindsAShiftedOptimum) {
@@ -76,7 +76,9 @@ TEST(PagmoSade, FindsTheLowestOfManyHollows) {
 
 class Pagmo : public testing::TestWithParam<std::string> {
  protected:
-  Solver solver() const { return GetParam() == "pagmo-cmaes" ? pagmo_cmaes() : pagmo_sade(); }
+  Solver solver() const {
+    return GetParam() == "pagmo-cmaes" ? pagmo_cmaes(Settings::own) : pagmo_sade();
+  }
 };
 
 TEST_P(Pagmo, BeginsAtTheStart) {

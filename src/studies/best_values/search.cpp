@@ -106,7 +106,7 @@ BestKnown search_for_best(const Question& question, const Effort& effort) {
   std::vector<double> shown = {0};
   if (question.stated.smoothed) shown.insert(shown.end(), std::begin(widths), std::end(widths));
   for (const double width : shown) {
-    for (const char* solver : {"nlopt-slsqp", "ipopt"}) {
+    for (const char* solver : {"nlopt-slsqp", "ipopt-tuned"}) {
       improve(question, width, solver, evaluations, false, best);
       improve(question, width, solver, evaluations / 2, true, best);
     }

@@ -1,11 +1,16 @@
 #include "src/studies/contest/study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 
 #include "problems/families.h"
 #include "solvers/solvers.h"
 #include "src/contest/chosen.h"
+#include "src/core/error.h"
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/contest/order_data.h"
@@ -17,11 +22,11 @@ namespace {
 using namespace contest;
 using report::Json;
 
-/// What the standing contest asks: the paper's questions, and those of 2 to 64 variables that tell
-/// solvers apart, of four machines.
+/// What the standing contest asks: the paper's questions, and those of 2 to 32 variables, which
+/// tell solvers apart.
 constexpr const char* standing_questions =
-    "count-*,top-speed-*,profile-count-[248]-C[149],profile-count-32-C[149],design-count-C[149],"
-    "robust-*-C[149]";
+    "count-*,top-speed-*,profile-count-[28]-C[14],profile-count-32-C4,design-count-C[149],"
+    "robust-worst-C4";
 
 /// Who leads in every group with every budget.
 Json leaders_of(const Json& groups) {
@@ -72,8 +77,9 @@ std::vector<Standing> in_forms(std::vector<Standing> standings, const Plan& plan
   return standings;
 }
 
-Json compute(const ContestOptions& options, bool quick) {
-  const std::vector<Family> families = all_families();
+/// The contests: of one variable, where a thousand evaluations are cheap, and of several.
+std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
+                           const std::vector<Family>& families) {
   Plan plan;
   plan.questions = chosen_questions(
       every_question(families), options.questions.empty() ? standing_questions : options.questions,
@@ -81,37 +87,77 @@ Json compute(const ContestOptions& options, bool quick) {
   plan.solvers = chosen_solvers(all_solvers(), options.solvers, "--solvers");
   plan.widths = options.widths;
   plan.instances = quick ? std::min(options.instances, 5) : options.instances;
-  plan.budgets = options.budgets;
-  if (plan.budgets.empty())
-    plan.budgets =
-        quick ? std::vector<std::int64_t>{20, 100} : std::vector<std::int64_t>{100, 1000};
-  const auto standings = in_forms(hold(plan), plan, options.forms);
+  Plan several = plan;
+  const auto is_one = [](const Question& q) { return q.stated.dimension() == 1; };
+  std::erase_if(plan.questions, [&](const Question& q) { return !is_one(q); });
+  std::erase_if(several.questions, is_one);
+  using Budgets = std::vector<std::int64_t>;
+  plan.budgets = quick ? Budgets{20, 100} : Budgets{100, 1000};
+  several.budgets = quick ? Budgets{20, 50} : Budgets{20, 200};
+  std::vector<Plan> plans;
+  for (Plan& each : {std::ref(plan), std::ref(several)}) {
+    if (!options.budgets.empty()) each.budgets = options.budgets;
+    if (!each.questions.empty()) plans.push_back(each);
+  }
+  return plans;
+}
+
+/// What came of one contest: lists, but for the number of standings.
+Json results_of(const Plan& plan, const std::vector<Family>& families, const std::string& forms) {
+  const auto standings = in_forms(hold(plan), plan, forms);
   const std::vector<Group> groups = groups_of(plan, families);
   Plan repeated = plan;
   repeated.run = 1;
   repeated.budgets = {plan.budgets.front()};
-  const auto again = in_forms(hold(repeated), repeated, options.forms);
-  Json solvers = Json::array();
-  for (const Solver& solver : plan.solvers) {
-    solvers.push_back({{"name", solver.name}, {"version", solver.version}});
-  }
+  const auto again = in_forms(hold(repeated), repeated, forms);
   const Json group_rows = group_data(plan, standings, groups);
-  return {{"plan",
-           {{"instances", plan.instances},
-            {"budgets", plan.budgets},
-            {"least", plan.budgets.front()},
-            {"most", plan.budgets.back()},
-            {"questions", plan.questions.size()},
-            {"solvers", plan.solvers.size()},
-            {"standings", standings.size()}}},
+  const Json twins = twin_data(plan);
+  return {{"plans",
+           {{{"variables", plan.questions.front().stated.dimension() == 1 ? "one" : "several"},
+             {"questions", plan.questions.size()},
+             {"several", plan.questions.front().stated.dimension() > 1},
+             {"least", plan.budgets.front()},
+             {"most", plan.budgets.back()},
+             {"twins", twins["questions"]},
+             {"standings", standings.size()}}}},
           {"leaders", leaders_of(group_rows)},
           {"groups", group_rows},
           {"forms", form_data(plan, standings, groups)},
           {"ceilings", ceiling_data(plan)},
           {"orders", order_data(plan, standings, again, groups)},
-          {"twins", twin_data(plan)},
-          {"exits", exits_of(standings)},
-          {"solvers", std::move(solvers)}};
+          {"twins", twins["rows"]},
+          {"exits", exits_of(standings)}};
+}
+
+Json compute(const ContestOptions& options, bool quick) {
+  if (options.instances < 1) {
+    throw InputError(fmt::format("--instances {}: must be >= 1", options.instances));
+  }
+  for (std::size_t b = 0; b < options.budgets.size(); ++b) {
+    if (options.budgets[b] < (b == 0 ? 1 : options.budgets[b - 1] + 1)) {
+      throw InputError(fmt::format("--budget {}: must be >= 1, and rise", options.budgets[b]));
+    }
+  }
+  for (const double width : options.widths) {
+    if (width > 0 && std::isfinite(width)) continue;
+    throw InputError(fmt::format("--widths {}: must be finite and > 0", width));
+  }
+  const std::vector<Family> families = all_families();
+  const std::vector<Plan> plans = plans_of(options, quick, families);
+  Json data;
+  for (const Plan& plan : plans) {
+    for (auto& [key, rows] : results_of(plan, families, options.forms).items()) {
+      if (data[key].is_null()) data[key] = Json::array();
+      for (Json& row : rows) data[key].push_back(std::move(row));
+    }
+  }
+  Json solvers = Json::array();
+  for (const Solver& solver : plans.front().solvers) {
+    solvers.push_back({{"name", solver.name}, {"version", solver.version}});
+  }
+  data["instances"] = plans.front().instances;
+  data["solvers"] = std::move(solvers);
+  return data;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::vector<Solver> compared_solvers() {
   std::vector<Solver> solvers;
   for (Solver& solver : all_solvers()) {
     const std::string& name = solver.name;
-    if (name == "nlopt-slsqp" || name == "ipopt" || name.rfind("continuation-", 0) == 0) {
+    if (name == "nlopt-slsqp" || name == "ipopt-tuned" || name.rfind("continuation-", 0) == 0) {
       solvers.push_back(std::move(solver));
     }
   }

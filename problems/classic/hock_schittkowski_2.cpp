@@ -137,7 +137,7 @@ Problem hs_13() {
       hock_schittkowski(13, "", Vector{{0, 0}}, Vector{{10, 10}}, Vector{{-2, -2}},
                         {1, Vector{{1, 0}}, in_closed_form}),
       []<class Scalar>(const Point<Scalar>& x) { return square(x[0] - 2.0) + x[1] * x[1]; },
-      []<class Scalar>(const Point<Scalar>& x) { return x[1] - cube(1.0 - x[0]); });
+      []<class Scalar>(const Point<Scalar>& x) { return x[1] - cubed(1.0 - x[0]); });
 }
 
 Problem hs_14() {
@@ -172,7 +172,7 @@ Problem hs_19() {
       hock_schittkowski(19, "", Vector{{13, 0}}, Vector{{100, 100}}, Vector{{20.1, 5.84}},
                         {-6961.813875580139, Vector{{14.095, 0.8429607892154776}},
                          "published: -6961.81381; digits by Newton's method"}),
-      []<class Scalar>(const Point<Scalar>& x) { return cube(x[0] - 10.0) + cube(x[1] - 20.0); },
+      []<class Scalar>(const Point<Scalar>& x) { return cubed(x[0] - 10.0) + cubed(x[1] - 20.0); },
       []<class Scalar>(const Point<Scalar>& x) {
         return std::array<Scalar, 2>{100.0 - square(x[0] - 5.0) - square(x[1] - 5.0),
                                      square(x[1] - 5.0) + square(x[0] - 6.0) - 82.81};

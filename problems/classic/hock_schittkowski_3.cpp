@@ -101,7 +101,7 @@ Problem hs_32() {
           },
           []<class Scalar>(const Point<Scalar>& x) {
             return std::array<Scalar, 2>{1.0 - x[0] - x[1] - x[2],
-                                         3.0 + cube(x[0]) - 6.0 * x[1] - 4.0 * x[2]};
+                                         3.0 + cubed(x[0]) - 6.0 * x[1] - 4.0 * x[2]};
           }),
       1);
 }

@@ -35,7 +35,7 @@ Problem hs_39() {
                                               {-1, Vector{{1, 1, 0, 0}}, in_closed_form, true}),
                             []<class Scalar>(const Point<Scalar>& x) { return Scalar(-x[0]); },
                             []<class Scalar>(const Point<Scalar>& x) {
-                              return std::array<Scalar, 2>{x[1] - cube(x[0]) - x[2] * x[2],
+                              return std::array<Scalar, 2>{x[1] - cubed(x[0]) - x[2] * x[2],
                                                            x[0] * x[0] - x[1] - x[3] * x[3]};
                             }),
                         2);
@@ -51,7 +51,7 @@ Problem hs_40() {
                             Vector::Constant(4, 0.8), {-0.25, best, in_closed_form, true}),
           []<class Scalar>(const Point<Scalar>& x) { return Scalar(-x[0] * x[1] * x[2] * x[3]); },
           []<class Scalar>(const Point<Scalar>& x) {
-            return std::array<Scalar, 3>{cube(x[0]) + x[1] * x[1] - 1.0, x[0] * x[0] * x[3] - x[2],
+            return std::array<Scalar, 3>{cubed(x[0]) + x[1] * x[1] - 1.0, x[0] * x[0] * x[3] - x[2],
                                          x[3] * x[3] - x[1]};
           }),
       3);

@@ -27,7 +27,7 @@ Problem hs_46() {
                             {0, Vector::Ones(5), in_closed_form, true}),
           []<class Scalar>(const Point<Scalar>& x) {
             return square(x[0] - x[1]) + square(x[2] - 1.0) + square(square(x[3] - 1.0)) +
-                   square(cube(x[4] - 1.0));
+                   square(cubed(x[4] - 1.0));
           },
           []<class Scalar>(const Point<Scalar>& x) {
             using std::sin;
@@ -50,7 +50,7 @@ Problem hs_47() {
                    square(square(x[3] - x[4]));
           },
           []<class Scalar>(const Point<Scalar>& x) {
-            return std::array<Scalar, 3>{x[0] + x[1] * x[1] + cube(x[2]) - 3.0,
+            return std::array<Scalar, 3>{x[0] + x[1] * x[1] + cubed(x[2]) - 3.0,
                                          x[1] - x[2] * x[2] + x[3] - 1.0, x[0] * x[4] - 1.0};
           }),
       3);
@@ -78,7 +78,7 @@ Problem hs_49() {
                                               {0, Vector::Ones(5), in_closed_form, true}),
                             []<class Scalar>(const Point<Scalar>& x) {
                               return square(x[0] - x[1]) + square(x[2] - 1.0) +
-                                     square(square(x[3] - 1.0)) + square(cube(x[4] - 1.0));
+                                     square(square(x[3] - 1.0)) + square(cubed(x[4] - 1.0));
                             },
                             []<class Scalar>(const Point<Scalar>& x) {
                               return std::array<Scalar, 2>{x[0] + x[1] + x[2] + 4.0 * x[3] - 7.0,
@@ -148,7 +148,7 @@ Problem hs_77() {
                              "published: 0.24150513; digits by Newton's method"}),
           []<class Scalar>(const Point<Scalar>& x) {
             return square(x[0] - 1.0) + square(x[0] - x[1]) + square(x[2] - 1.0) +
-                   square(square(x[3] - 1.0)) + square(cube(x[4] - 1.0));
+                   square(square(x[3] - 1.0)) + square(cubed(x[4] - 1.0));
           },
           []<class Scalar>(const Point<Scalar>& x) {
             using std::sin;
@@ -161,7 +161,7 @@ Problem hs_77() {
 /// What must be 0 in problems 78, 80 and 81.
 constexpr auto three_equations = []<class Scalar>(const Point<Scalar>& x) {
   return std::array<Scalar, 3>{x.squaredNorm() - 10.0, x[1] * x[2] - 5.0 * x[3] * x[4],
-                               cube(x[0]) + cube(x[1]) + 1.0};
+                               cubed(x[0]) + cubed(x[1]) + 1.0};
 };
 
 Problem hs_78() {
@@ -191,7 +191,7 @@ Problem hs_79() {
                    square(square(x[2] - x[3])) + square(square(x[3] - x[4]));
           },
           []<class Scalar>(const Point<Scalar>& x) {
-            return std::array<Scalar, 3>{x[0] + x[1] * x[1] + cube(x[2]) - (2.0 + 3.0 * sqrt2),
+            return std::array<Scalar, 3>{x[0] + x[1] * x[1] + cubed(x[2]) - (2.0 + 3.0 * sqrt2),
                                          x[1] - x[2] * x[2] + x[3] + (2.0 - 2.0 * sqrt2),
                                          x[0] * x[4] - 2.0};
           }),
@@ -225,7 +225,7 @@ Problem hs_81() {
           exponential_of_product(81),
           []<class Scalar>(const Point<Scalar>& x) {
             using std::exp;
-            return Scalar(exp(x.prod()) - 0.5 * square(cube(x[0]) + cube(x[1]) + 1.0));
+            return Scalar(exp(x.prod()) - 0.5 * square(cubed(x[0]) + cubed(x[1]) + 1.0));
           },
           three_equations),
       3);

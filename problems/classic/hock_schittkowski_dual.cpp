@@ -81,7 +81,7 @@ Problem hs_117() {
         Scalar sum(0.0);
         for (Eigen::Index i = 0; i < 10; ++i) sum -= data.b[i] * x[i];
         for (Eigen::Index j = 0; j < 5; ++j) {
-          sum += 2.0 * data.d[j] * cube(x[10 + j]);
+          sum += 2.0 * data.d[j] * cubed(x[10 + j]);
           for (Eigen::Index i = 0; i < 5; ++i) sum += data.c(i, j) * x[10 + i] * x[10 + j];
         }
         return sum;

@@ -11,7 +11,7 @@ namespace {
 template <class Scalar>
 Scalar four_terms(const Point<Scalar>& x, double power) {
   using std::pow, std::sqrt;
-  return 10.0 * x[0] * x[3] * x[3] * pow(x[6], power) / (x[1] * cube(x[5])) +
+  return 10.0 * x[0] * x[3] * x[3] * pow(x[6], power) / (x[1] * cubed(x[5])) +
          15.0 * x[2] * x[3] / (x[0] * x[1] * x[1] * x[4] * sqrt(x[6])) +
          20.0 * x[1] * x[5] / (x[0] * x[0] * x[3] * x[4] * x[4]) +
          25.0 * square(x[0] * x[1]) * sqrt(x[4]) * x[6] / (x[2] * x[5] * x[5]);
@@ -25,7 +25,7 @@ std::array<Scalar, 4> sums_of_terms(const Point<Scalar>& x) {
   const Scalar third = cbrt(x[6]);
   const Scalar half = sqrt(x[6]);
   const Scalar first = 0.5 * sqrt(x[0]) * x[6] / (x[2] * x[5] * x[5]) +
-                       0.7 * cube(x[0]) * x[1] * x[5] * half / (x[2] * x[2]) +
+                       0.7 * cubed(x[0]) * x[1] * x[5] * half / (x[2] * x[2]) +
                        0.2 * x[2] * square(cbrt(x[5])) * quarter / (x[1] * sqrt(x[3]));
   const Scalar second = 1.3 * x[1] * x[5] / (sqrt(x[0]) * x[2] * x[4]) +
                         0.8 * x[2] * x[5] * x[5] / (x[3] * x[4]) +
@@ -37,7 +37,7 @@ std::array<Scalar, 4> sums_of_terms(const Point<Scalar>& x) {
   const Scalar fourth =
       0.2 * x[1] * sqrt(x[4]) * third / (x[0] * x[0] * x[3]) +
       0.3 * sqrt(x[0]) * x[1] * x[1] * x[2] * cbrt(x[3]) * quarter / square(cbrt(x[4])) +
-      0.4 * x[2] * x[4] * half * quarter / (cube(x[0]) * x[1] * x[1]) +
+      0.4 * x[2] * x[4] * half * quarter / (cubed(x[0]) * x[1] * x[1]) +
       0.5 * x[3] * half / (x[2] * x[2]);
   return {first, second, sum, fourth};
 }

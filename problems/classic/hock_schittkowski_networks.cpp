@@ -15,8 +15,8 @@ Problem two_generators(int number, double limit, Optimum optimum) {
                                               Vector{{1200, 1200, limit, limit}}, Vector::Zero(4),
                                               std::move(optimum)),
                             []<class Scalar>(const Point<Scalar>& x) {
-                              return 3.0 * x[0] + 1e-6 * cube(x[0]) + 2.0 * x[1] +
-                                     2e-6 / 3 * cube(x[1]);
+                              return 3.0 * x[0] + 1e-6 * cubed(x[0]) + 2.0 * x[1] +
+                                     2e-6 / 3 * cubed(x[1]);
                             },
                             [limit]<class Scalar>(const Point<Scalar>& x) {
                               using std::sin;
@@ -103,7 +103,7 @@ Problem hs_107() {
                                      0.10661062240656408, -0.3387876190699067}},
                              "published: 5055.011803; digits by Newton's method"}),
           []<class Scalar>(const Point<Scalar>& x) {
-            return 3000.0 * x[0] + 1000.0 * cube(x[0]) + 2000.0 * x[1] + 666.667 * cube(x[1]);
+            return 3000.0 * x[0] + 1000.0 * cubed(x[0]) + 2000.0 * x[1] + 666.667 * cubed(x[1]);
           },
           []<class Scalar>(const Point<Scalar>& x) {
             const double c = 2 * 48.4 / 50.176 * std::sin(0.25);
@@ -142,7 +142,7 @@ Problem hs_109() {
                                      426.6190056621184, 368.48819908752205}},
                              "published: 5362.06928; digits by Newton's method"}),
           []<class Scalar>(const Point<Scalar>& x) {
-            return 3.0 * x[0] + 1e-6 * cube(x[0]) + 2.0 * x[1] + 0.522074e-6 * cube(x[1]);
+            return 3.0 * x[0] + 1e-6 * cubed(x[0]) + 2.0 * x[1] + 0.522074e-6 * cubed(x[1]);
           },
           []<class Scalar>(const Point<Scalar>& x) {
             using std::cos, std::sin;

@@ -29,7 +29,7 @@ Scalar square(const Scalar& t) {
 }
 
 template <class Scalar>
-Scalar cube(const Scalar& t) {
+Scalar cubed(const Scalar& t) {
   return t * t * t;
 }
 

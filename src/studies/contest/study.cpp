@@ -13,6 +13,7 @@
 #include "src/core/error.h"
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
+#include "src/studies/contest/history_data.h"
 #include "src/studies/contest/order_data.h"
 #include "src/studies/contest/twin_data.h"
 
@@ -125,6 +126,7 @@ Json results_of(const Plan& plan, const std::vector<Family>& families, const std
           {"forms", form_data(plan, standings, groups)},
           {"ceilings", ceiling_data(plan)},
           {"orders", order_data(plan, standings, again, groups)},
+          {"history", history_data(plan, standings, groups)},
           {"twins", twins["rows"]},
           {"exits", exits_of(standings)}};
 }

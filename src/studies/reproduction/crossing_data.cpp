@@ -11,15 +11,15 @@ using namespace carrier_track;
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double radius = 0.065;      // [m], the paper's radius of the spindle's path
-constexpr double omega = 9.0;         // [rad/s], the paper's threshold of case C1
+constexpr double shown_speed = 9.0;   // [rad/s], the paper's threshold of case C1
 constexpr double half_crossing = 45;  // [degrees]; not in the paper
 constexpr double arc = 60;            // [degrees] shown on either side
 
 /// `turned` [degrees] from where the crossing begins.
 TheoreticalMotion motion_at(double turned) {
-  if (turned < 0 || turned > 2 * half_crossing) return on_arc(radius, omega);
+  if (turned < 0 || turned > 2 * half_crossing) return on_arc(radius, shown_speed);
   const double angle = turned <= half_crossing ? turned : turned - 2 * half_crossing;
-  return on_crossing(radius, omega, angle * degree);
+  return on_crossing(radius, shown_speed, angle * degree);
 }
 
 }  // namespace

@@ -17,11 +17,11 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-constexpr std::size_t path_samples = 600;
+constexpr std::size_t samples_of_a_path = 600;
 
 Recording path_at(Scene scene, double omega) {
   scene.omega = omega;
-  return record(scene, default_width, path_samples);
+  return record(scene, default_width, samples_of_a_path);
 }
 
 CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptions& options) {

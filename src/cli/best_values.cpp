@@ -15,9 +15,9 @@
 namespace ricochet::cli {
 namespace {
 
-/// Of 300 machines around each case, the twenty hardest.
+/// Of 500 machines around each case, the twenty hardest.
 int look_for_hard_machines(const std::string& file) {
-  const auto machines = studies::best_values::find_hard_machines(300, 20);
+  const auto machines = studies::best_values::find_hard_machines(500, 20);
   write_text_file(file, carrier_track::write_hard_machines(machines));
   fmt::print("{} hard machines; the file: {}\n", machines.size(),
              std::filesystem::absolute(file).lexically_normal().string());

@@ -32,7 +32,7 @@ TEST(Families, HaveDistinctNamesAndSoDoTheirQuestions) {
   EXPECT_EQ(names.size(), 13U);
   // Count, top speed, six sizes of two profiles, design and three risks; and the calibration. Then
   // the hard machines, and what the literature has.
-  EXPECT_EQ(questions.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 1 + 20 + 27 + 33 + 53);
+  EXPECT_EQ(questions.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 1 + 15 + 27 + 33 + 53);
 }
 
 TEST(Families, HaveProblemsThatHoldTogether) {

@@ -35,7 +35,7 @@ constexpr double largest_share = 1e-2;
 constexpr double least_distance = 0.5;  // [rad/s]
 constexpr double least_loud = 0.1;
 constexpr double fastest_best = 17.9;
-constexpr double largest_bisection_share = 0.05;
+constexpr double largest_bisection_share = 0.25;
 constexpr int most_around_a_case = 5;
 
 /// Of the last pocket and of what lies below it, where a scan finds it hard; `slack` is what a

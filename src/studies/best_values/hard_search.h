@@ -26,7 +26,7 @@ Machine random_machine(const std::string& around, int draw);
 /// - The best speed, its end to 1e-7 rad/s, is below 17.9 rad/s, and the counts at it and 1e-4
 ///   rad/s to either side of it are certain.
 /// - Bisection ends elsewhere when it begins in the middle of the box or at one of its ends, and
-///   from 19 of 20 places in between.
+///   from three of four places in between.
 /// Scans more coarsely first, so that most machines cost little.
 std::optional<HardMachine> judged_hard(const Machine& machine);
 

@@ -1,6 +1,7 @@
 #include "problems/families.h"
 
 #include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/questions/hard_machines.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "problems/classic/families.h"
 
@@ -12,6 +13,7 @@ std::vector<Family> all_families(const std::string& scene_file) {
     return carrier_track::families_of({carrier_track::machine_of(scene, scene_file)});
   }
   std::vector<Family> families = carrier_track::case_families();
+  families.push_back(carrier_track::hard_family());
   for (Family& family : classic::families()) families.push_back(std::move(family));
   return families;
 }

@@ -8,12 +8,27 @@
 #include "problems/carrier_track/questions/families.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"
+#include "src/core/text_file.h"
 #include "src/studies/best_values/best_values.h"
+#include "src/studies/best_values/hard_search.h"
 
 namespace ricochet::cli {
+namespace {
+
+/// Of 500 machines around each case, the twenty hardest.
+int look_for_hard_machines(const std::string& file) {
+  const auto machines = studies::best_values::find_hard_machines(500, 20);
+  write_text_file(file, carrier_track::write_hard_machines(machines));
+  fmt::print("{} hard machines; the file: {}\n", machines.size(),
+             std::filesystem::absolute(file).lexically_normal().string());
+  return 0;
+}
+
+}  // namespace
 
 int best_values(const BestValuesOptions& options) {
   using namespace studies::best_values;
+  if (!options.hard_machines.empty()) return look_for_hard_machines(options.hard_machines);
   if (options.seconds && !(*options.seconds >= 0)) {
     throw InputError(fmt::format("--seconds {}: must be >= 0", *options.seconds));
   }

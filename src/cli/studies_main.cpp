@@ -93,6 +93,12 @@ class Studies : public CommandLine {
     command->add_option("--out", best_values_.out, "The file of the values")
         ->type_name("FILE")
         ->capture_default_str();
+    command
+        ->add_option("--hard-machines", best_values_.hard_machines,
+                     "Instead: look for machines whose fastest quiet speed is hard to find, into "
+                     "this file")
+        ->type_name("FILE")
+        ->excludes("--questions", "--seconds", "--out");
     on_call(command, [this] { return best_values(best_values_); });
   }
 

@@ -34,7 +34,7 @@ TEST(AllSolvers, AreThese) {
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {
   EXPECT_THAT(accepting(arc()),
-              testing::UnorderedElementsAre("ipopt", "nlopt-isres", "nlopt-cobyla",
+              testing::UnorderedElementsAre("ipopt", "ipopt-tuned", "nlopt-isres", "nlopt-cobyla",
                                             "nlopt-cobyla-tuned", "nlopt-slsqp"));
   Problem point_on_a_line = arc();
   point_on_a_line.lower = point_on_a_line.upper = point_on_a_line.start = Vector::Ones(1);

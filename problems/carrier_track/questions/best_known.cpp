@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "embedded/best_known_text.h"
 #include "problems/carrier_track/scene/toml_table.h"
 #include "src/core/error.h"
@@ -65,9 +67,19 @@ void know_best(Problem& problem, const std::string& reading) {
   if (reading.empty() || reading != best_values().reading) return;
   const auto found = best_values().of.find(problem.name);
   if (found == best_values().of.end()) return;
-  problem.best_known = found->second.value;
-  problem.best_point = found->second.point;
-  problem.provenance = found->second.provenance;
+  problem = knowing(std::move(problem), found->second);
+}
+
+Problem knowing(Problem problem, const BestKnown& best) {
+  problem.best_known = best.value;
+  problem.best_point = best.point;
+  problem.provenance = best.provenance;
+  if (problem.smoothed) {
+    problem.smoothed = [smoothed = std::move(problem.smoothed), best](double width) {
+      return knowing(smoothed(width), best);
+    };
+  }
+  return problem;
 }
 
 }  // namespace ricochet::carrier_track::inline questions

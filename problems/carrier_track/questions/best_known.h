@@ -33,4 +33,7 @@ const BestValues& best_values();
 /// reading. An empty name is no reading.
 void know_best(Problem& problem, const std::string& reading);
 
+/// The problem, and whatever it is smoothed to, with this best value.
+Problem knowing(Problem problem, const BestKnown& best);
+
 }  // namespace ricochet::carrier_track::inline questions

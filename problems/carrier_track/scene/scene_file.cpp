@@ -141,12 +141,7 @@ struct FieldWriter {
   }
 };
 
-}  // namespace
-
-Scene read_scene(const std::filesystem::path& path) {
-  const bool standard_input = path == "-";
-  const toml::table file = parse_toml_file(standard_input ? "/dev/stdin" : path);
-  const std::string origin = standard_input ? "standard input" : path.string();
+Scene scene_of(const toml::table& file, const std::string& origin) {
   static constexpr std::array<std::string_view, 5> tables = {"scene", "across", "window", "count",
                                                              "model"};
   for (const auto& [key, node] : file) {
@@ -177,6 +172,18 @@ Scene read_scene(const std::filesystem::path& path) {
   }
   check(result, origin);
   return result;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& path) {
+  const bool standard_input = path == "-";
+  return scene_of(parse_toml_file(standard_input ? "/dev/stdin" : path),
+                  standard_input ? "standard input" : path.string());
+}
+
+Scene parse_scene(const std::string& text, const std::string& origin) {
+  return scene_of(parse_toml(text, origin), origin);
 }
 
 std::string write_scene(const Scene& scene) {

@@ -13,6 +13,9 @@ namespace ricochet::carrier_track::inline scene {
 /// out of range.
 Scene read_scene(const std::filesystem::path& path);
 
+/// The same from a text, which errors call `origin`.
+Scene parse_scene(const std::string& text, const std::string& origin);
+
 /// The scene as a TOML text that read_scene reads back to the same scene, bit for bit.
 std::string write_scene(const Scene& scene);
 

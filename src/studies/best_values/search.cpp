@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -16,8 +15,6 @@
 
 namespace ricochet::studies::best_values {
 namespace {
-
-constexpr double bisected_to = 1e-7;
 
 /// Smoothing widths of what solvers with derivatives are shown.
 constexpr double widths[] = {0.25, 0.1};
@@ -66,35 +63,6 @@ BestKnown known(const Truth& truth, const Vector& x, std::string provenance) {
 }
 
 }  // namespace
-
-BestKnown scan_for_best(const Problem& problem, double step) {
-  const auto truth = [&](double x) { return truth_at(problem, Vector::Constant(1, x)); };
-  const auto first = std::llround(std::ceil(problem.lower[0] / step - 1e-9));
-  const auto last = std::llround(std::floor(problem.upper[0] / step + 1e-9));
-  double best = problem.start[0];
-  Truth best_truth = truth(best);
-  for (auto k = first; k <= last; ++k) {
-    const double x = std::clamp(static_cast<double>(k) * step, problem.lower[0], problem.upper[0]);
-    const Truth found = truth(x);
-    // The start must not win over the first of equals.
-    if (k == first || better(found, best_truth)) {
-      best = x;
-      best_truth = found;
-    }
-  }
-  for (const double side : {-step, step}) {
-    double other = std::clamp(best + side, problem.lower[0], problem.upper[0]);
-    while (std::abs(other - best) > bisected_to) {
-      const double middle = (best + other) / 2;
-      const Truth found = truth(middle);
-      const bool gains = better(found, best_truth);
-      (gains ? best : other) = middle;
-      if (gains) best_truth = found;
-    }
-  }
-  return known(best_truth, Vector::Constant(1, best),
-               fmt::format("exhaustive scan, step {}, then bisection", step));
-}
 
 BestKnown search_for_best(const Question& question, const Effort& effort) {
   const std::int64_t evaluations =

@@ -151,6 +151,17 @@ TEST(SceneFile, ReadsEveryKeyOfTheSecondDirection) {
   EXPECT_EQ(scene.across->start_velocity, 0.01);
 }
 
+TEST(SceneFile, IsReadFromATextAsFromAFile) {
+  const std::string text = write_scene(exploratory_scene());
+  EXPECT_EQ(write_scene(parse_scene(text, "a text")), text);
+  try {
+    parse_scene("[scene]\nmass = 1", "a text");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a text: "));
+  }
+}
+
 TEST(SceneFile, ReadsTheOtherFormsOfAKey) {
   EXPECT_EQ(
       read_scene(file_with(with("restitution", "restitution = [0.2, 0.7]"))).restitution_upper,

@@ -10,28 +10,6 @@
 namespace ricochet::studies::best_values {
 namespace {
 
-TEST(Search, ScansForTheFirstOfTheLowest) {
-  const BestKnown best = scan_for_best(stairs(), 0.001);
-  EXPECT_EQ(best.value, -3);
-  EXPECT_EQ(best.point[0], 2.0);
-  EXPECT_NE(best.provenance.find("0.001"), std::string::npos);
-}
-
-TEST(Search, BisectsToTheEdgeOfWhatIsFeasible) {
-  const BestKnown best = scan_for_best(speeds(), 0.01);
-  EXPECT_LE(best.point[0], 3.14159265);
-  EXPECT_NEAR(best.point[0], 3.14159265, 1e-7);
-  EXPECT_EQ(best.value, -best.point[0]);
-}
-
-TEST(Search, SaysThatNothingIsFeasible) {
-  Problem problem = speeds();
-  problem.evaluate = [](const Vector& x) { return Values{-x[0], Vector::Constant(1, 1.0)}; };
-  const BestKnown best = scan_for_best(problem, 0.01);
-  EXPECT_TRUE(std::isinf(best.value));
-  EXPECT_EQ(best.point.size(), 0);
-}
-
 TEST(Search, OfSeveralVariablesFindsTheConstrainedOptimum) {
   const Question question{.stated = cut_bowl(), .penalty_weight = 10};
   const BestKnown best = best_of(question, Effort{400, 0});

@@ -8,6 +8,7 @@
 
 #include "problems/carrier_track/paper/sustained_bouncing.h"
 #include "tests/studies/reproduction/drawn_results.h"
+#include "tests/studies/reproduction/tiny_plan.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -165,6 +166,7 @@ std::vector<CaseStudy> made_cases() {
 /// The section that the report has of them.
 report::Section theory_section(const std::vector<CaseStudy>& cases) {
   Results results;
+  results.plan = tiny_plan();
   results.reading = carrier_track::default_reading();
   results.cases = cases;
   results.grid = {{0.1}, {0.1}, {0.0}, {1.0}};

@@ -1,0 +1,185 @@
+#include "src/studies/best_values/hard_search.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "problems/carrier_track/counting/quiet_pockets.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/questions/top_speed.h"
+#include "solvers/bisection.h"
+#include "src/campaign/progress.h"
+#include "src/core/evaluator.h"
+#include "src/core/random.h"
+#include "src/core/seed.h"
+
+namespace ricochet::studies::best_values {
+namespace {
+
+using namespace carrier_track;
+
+constexpr double finest_step = 1e-4;  // [rad/s]
+constexpr double bisected_to = 1e-7;
+constexpr double least_share = 1e-3;  // of the box, in the last pocket
+constexpr double largest_share = 1e-2;
+constexpr double least_distance = 0.5;  // [rad/s]
+constexpr double least_loud = 0.1;
+constexpr double fastest_best = 17.9;
+constexpr double largest_bisection_share = 0.25;
+constexpr int most_around_a_case = 5;
+
+/// Of the last pocket and of what lies below it, where a scan finds it hard; `slack` is what a
+/// coarse scan may be wrong by.
+struct LastPocket {
+  Pocket pocket;
+  Hardness hardness;
+};
+
+std::optional<LastPocket> last_pocket(const Machine& machine, double step, double slack) {
+  const SpeedScan scan = scan_speeds(machine.scene, step, fastest_speed);
+  const std::vector<Pocket> pockets = quiet_pockets(scan, machine.quiet_limit);
+  if (pockets.size() < 2) return std::nullopt;
+  LastPocket last{pockets.back(), {}};
+  Hardness& hardness = last.hardness;
+  for (const Pocket& pocket : pockets) {
+    if (pocket.width() < speed_tolerance - slack) continue;
+    if (hardness.pockets++ == 0) hardness.first_end = pocket.to;
+  }
+  hardness.last_begin = last.pocket.from;
+  hardness.loud_before = last.pocket.from - pockets[pockets.size() - 2].to;
+  const double box = fastest_speed - slowest_speed;
+  const bool hard = hardness.pockets > 1 && last.pocket.width() >= least_share * box - slack &&
+                    last.pocket.width() <= largest_share * box + slack &&
+                    last.pocket.to - hardness.first_end >= least_distance - slack &&
+                    hardness.loud_before >= least_loud - slack && last.pocket.to < fastest_best;
+  return hard ? std::optional(last) : std::nullopt;
+}
+
+/// The end of the pocket [rad/s], to bisected_to: between a quiet speed and a loud one.
+double end_of(const Machine& machine, double quiet, double loud) {
+  while (loud - quiet > bisected_to) {
+    const double middle = (quiet + loud) / 2;
+    (count_at(machine.scene, middle) <= machine.quiet_limit ? quiet : loud) = middle;
+  }
+  return quiet;
+}
+
+bool certain_about(const Machine& machine, double speed) {
+  for (const double at : {speed - finest_step, speed, speed + finest_step}) {
+    if (!record(at_speed(machine.scene, at), default_width, 0).certainty.certain) return false;
+  }
+  return true;
+}
+
+/// Where bisection ends that begins at this share of the box.
+double bisected(const Problem& problem, double share) {
+  Evaluator evaluator(problem, Budget{100});
+  Random unused;
+  const Vector start = problem.lower + share * (problem.upper - problem.lower);
+  return bisection().solve(evaluator, start, unused).point.value_or(problem.upper)[0];
+}
+
+/// Whether bisection misses the best from the middle, which is where it goes on from an end, and
+/// from nearly everywhere.
+/// Tells how far from it it ends, begun in the middle, and from how many places it finds it.
+bool bisection_misses(const Machine& machine, double best, Hardness& hardness) {
+  const Problem problem = top_speed_question(machine).stated;
+  constexpr int parts = 256;
+  int solved = 0;
+  for (int k = 1; k < parts; ++k) {
+    const double gap = best - bisected(problem, static_cast<double>(k) / parts);
+    const bool solves = gap <= speed_tolerance;
+    if (solves && k == parts / 2) return false;
+    solved += solves ? 1 : 0;
+    if (k == parts / 2) hardness.bisection_gap = gap;
+  }
+  hardness.bisection_share = static_cast<double>(solved) / (parts - 1);
+  return hardness.bisection_share <= largest_bisection_share;
+}
+
+}  // namespace
+
+Machine random_machine(const std::string& around, int draw) {
+  Random random(seed_of(around, "hard machine", draw, 0));
+  const auto between = [&random](double low, double high) {
+    return low * std::pow(high / low, uniform(random));
+  };
+  Machine machine;
+  machine.id = fmt::format("{}~{}", around, draw);
+  Scene& scene = machine.scene;
+  scene = scene_of(find_case(around), default_reading().scene);
+  for (const std::string& key : constants_of(scene)) {
+    scene = scaled(std::move(scene), key, between(0.5, 2));
+  }
+  scene.disturbance = between(0.1, 100);
+  scene.disturbance_frequency = between(1, 100);
+  scene.disturbance_phase = 2 * std::numbers::pi * uniform(random);
+  scene.phase = 2 * std::numbers::pi * uniform(random);
+  machine.quiet_limit = quiet_limit(quiet_count(scene, Claim{}, ScanOptions{}));
+  return machine;
+}
+
+std::optional<HardMachine> judged_hard(const Machine& machine) {
+  for (const double coarse : {1e-2, 1e-3}) {
+    if (!last_pocket(machine, coarse, 2 * coarse)) return std::nullopt;
+  }
+  const auto last = last_pocket(machine, finest_step, 0);
+  if (!last) return std::nullopt;
+  const double best = end_of(machine, last->pocket.to, last->pocket.to + finest_step);
+  if (!certain_about(machine, best)) return std::nullopt;
+  HardMachine hard;
+  hard.hardness = last->hardness;
+  if (!bisection_misses(machine, best, hard.hardness)) return std::nullopt;
+  hard.machine = machine;
+  hard.best = {-best, Vector::Constant(1, best),
+               fmt::format("exhaustive scan, step {}, then bisection to {}; count certain",
+                           finest_step, bisected_to)};
+  return hard;
+}
+
+std::vector<HardMachine> find_hard_machines(int draws, std::size_t wanted) {
+  const std::vector<Case> cases = all_cases();
+  const std::size_t size = cases.size() * static_cast<std::size_t>(draws);
+  std::vector<std::optional<HardMachine>> judged(size);
+  {
+    Progress progress("looking for hard machines", static_cast<double>(size));
+    tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) {
+      const std::string& around = cases[i % cases.size()].id;
+      const int draw = static_cast<int>(i / cases.size());
+      judged[i] = judged_hard(random_machine(around, draw));
+      if (judged[i]) {
+        judged[i]->around = around;
+        judged[i]->draw = draw;
+      }
+      progress.advance(1);
+    });
+  }
+  std::vector<HardMachine> found;
+  for (std::optional<HardMachine>& hard : judged) {
+    if (hard) found.push_back(std::move(*hard));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const HardMachine& a, const HardMachine& b) {
+    return pocket_share(a) < pocket_share(b);
+  });
+  std::map<std::string, int> around;
+  std::vector<HardMachine> kept;
+  for (HardMachine& hard : found) {
+    if (kept.size() == wanted) break;
+    if (++around[hard.around] > most_around_a_case) continue;
+    hard.machine.id = fmt::format("{:02}", kept.size() + 1);
+    kept.push_back(std::move(hard));
+  }
+  return kept;
+}
+
+}  // namespace ricochet::studies::best_values

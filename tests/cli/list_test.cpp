@@ -76,7 +76,7 @@ TEST(List, HasTheQuestionsOfAFamilyAndThoseThatASolverAccepts) {
   const auto accepted = listed("questions --solver-accepts scan");
   ASSERT_GT(accepted.size(), 12U);
   for (const auto& question : accepted) EXPECT_EQ(question["dimension"], 1);
-  expect_refusal("list questions --family top-sped", "did you mean top-speed?");
+  expect_refusal("list questions --family top-sped", "did you mean top-speed");
   expect_refusal("list questions --solver-accepts ipot", "did you mean ipopt");
   expect_refusal("list cases --family top-speed", "--family");
 }

@@ -148,7 +148,8 @@ Json compute(const ContestOptions& options, bool quick) {
   const std::vector<Plan> plans = plans_of(options, quick, families);
   Json data;
   for (const Plan& plan : plans) {
-    for (auto& [key, rows] : results_of(plan, families, options.forms).items()) {
+    Json results = results_of(plan, families, options.forms);
+    for (auto& [key, rows] : results.items()) {
       if (data[key].is_null()) data[key] = Json::array();
       for (Json& row : rows) data[key].push_back(std::move(row));
     }

@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+using nlohmann::json;
+
+TEST(Compare, WritesAReportOfEverySolverInEveryForm) {
+  const auto folder = fresh_folder() / "mine";
+  const Outcome outcome = call(
+      "compare --questions top-speed-C1,profile-count-2-C4 --solvers 'nlopt-c*,random*,bisection' "
+      "--budget 5,20 --instances 2 --out " +
+      folder.string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::HasSubstr("top-speed, 20 evaluations a variable:"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "leaders.csv"));
+  const json data = json::parse(read(folder / "data.json"));
+  ASSERT_EQ(data["groups"].size(), 2U);
+  std::set<std::string> cobyla;
+  for (const json& standing : data["groups"][0]["standings"]) {
+    if (standing["solver"] == "nlopt-cobyla") cobyla.insert(standing["form"].get<std::string>());
+    EXPECT_EQ(standing["runs"], 2);
+    EXPECT_LE(standing["found"]["lower"], standing["found"]["share"]);
+  }
+  EXPECT_EQ(cobyla, (std::set<std::string>{"count", "surrogate", "penalised-count",
+                                           "penalised-surrogate"}));
+  EXPECT_EQ(data["ceilings"].size(), 1U) << "of the question of one variable";
+  EXPECT_FALSE(data["forms"].empty());
+  EXPECT_FALSE(data["history"].empty());
+  EXPECT_FALSE(data["twins"].empty());
+}
+
+TEST(Compare, ChoosesForms) {
+  const auto folder = fresh_folder() / "mine";
+  const Outcome outcome = call(
+      "compare --questions top-speed-C1 --solvers nlopt-cobyla --forms '*count' --budget 5 "
+      "--instances 1 --out " +
+      folder.string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json data = json::parse(read(folder / "data.json"));
+  EXPECT_EQ(data["groups"][0]["standings"].size(), 2U);
+}
+
+TEST(Compare, RefusesWhatNothingFits) {
+  expect_refusal("compare --questions top-sped-C1", "--questions top-sped-C1: nothing fits");
+  expect_refusal("compare --solvers coblya", "--solvers coblya: nothing fits");
+  expect_refusal("compare --budget 20,10", "--budget 10");
+  expect_refusal("compare --budget 0", "--budget 0");
+  expect_refusal("compare --instances 0", "--instances 0");
+  expect_refusal("compare --widths -1", "--widths -1");
+}
+
+}  // namespace
+}  // namespace ricochet::cli

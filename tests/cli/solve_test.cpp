@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+TEST(Solve, RunsOneSolverAndJudgesIt) {
+  const Outcome outcome = call("solve bisection top-speed-C1 --budget 30 --format json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  EXPECT_EQ(result["solved"], true);
+  EXPECT_EQ(result["form"], "count");
+  EXPECT_NEAR(result["point"][0].get<double>(), 8.274, 0.01);
+  EXPECT_LE(result["evaluations"], 30);
+  EXPECT_EQ(result["handed_over_solved"], true);
+}
+
+TEST(Solve, SaysTheSameInWords) {
+  const Outcome outcome = call("solve bisection top-speed-C1 --budget 30");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("bisection on top-speed-C1, shown count, instance 0: solved"));
+  EXPECT_THAT(outcome.out, HasSubstr("Handed over -8.27"));
+}
+
+TEST(Solve, IsAnotherRunWithAnotherSeedAndTheSameWithTheSame) {
+  const std::string command = "solve random-search top-speed-C1 --budget 30 --format json --seed ";
+  const auto point = [&](const char* seed) {
+    return json::parse(call(command + seed).out)["point"];
+  };
+  EXPECT_EQ(point("1"), point("1"));
+  EXPECT_NE(point("1"), point("2"));
+}
+
+TEST(Solve, WritesTraceAndPicture) {
+  const auto folder = fresh_folder();
+  const Outcome outcome =
+      call("solve fireworks profile-count-8-C4 --budget 100 --trace " +
+           (folder / "trace.csv").string() + " --plot " + (folder / "trace.svg").string());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(read(folder / "trace.csv"),
+              testing::StartsWith("evaluations,seconds,objective,violation,x1,x2,"));
+  EXPECT_THAT(read(folder / "trace.svg"), HasSubstr("best true objective"));
+}
+
+TEST(Solve, RefusesWhatIsNotThere) {
+  expect_refusal("solve coblya top-speed-C1", "coblya: there is no such solver");
+  expect_refusal("solve scan top-sped-C1", "top-sped-C1: there is no such question");
+  expect_refusal("solve bisection top-speed-C1 --form penalised", "there is no such form");
+  expect_refusal("solve bisection count-C1", "accepts no form of count-C1");
+  expect_refusal("solve scan count-C1 --budget 0", "--budget 0");
+  expect_refusal("solve scan count-C1 --instance -1", "--instance -1");
+}
+
+}  // namespace
+}  // namespace ricochet::cli

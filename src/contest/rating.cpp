@@ -77,14 +77,23 @@ std::vector<Rating> rate(const Plan& plan, const std::vector<Standing>& standing
   std::vector<Rating> ratings;
   std::vector<const std::map<std::size_t, const Standing*>*> competitors;
   for (const auto& [name, mine] : by_name) {
-    Rating rating{name.first, name.second, static_cast<int>(mine.size()), 0, {}, 0, 0};
+    Rating rating;
+    rating.solver = name.first;
+    rating.form = name.second;
+    rating.questions = static_cast<int>(mine.size());
     std::vector<std::vector<double>> times;
     for (const auto& [q, standing] : mine) {
       times.push_back(hitting_times(plan.questions[q], *standing));
-      rating.never += std::none_of(standing->outcomes.begin(), standing->outcomes.end(),
-                                   [](const Outcome& o) { return o.verdict.solved; })
-                          ? 1
-                          : 0;
+      int found = 0;
+      int handed_over = 0;
+      for (const Outcome& outcome : standing->outcomes) {
+        found += outcome.verdict.solved ? 1 : 0;
+        handed_over += outcome.verdict.handed_over_solved ? 1 : 0;
+      }
+      rating.never += found == 0 ? 1 : 0;
+      const auto all = static_cast<double>(standing->outcomes.size() * mine.size());
+      rating.found += found / all;
+      rating.handed_over += handed_over / all;
     }
     for (const double place : places(static_cast<double>(plan.budgets[budget]))) {
       const auto share = empirical_distribution(times, place);

@@ -22,6 +22,8 @@ struct Rating {
   std::string form;
   int questions = 0;                     ///< that it takes in this form
   int never = 0;                         ///< of these, those that no run solved
+  double found = 0;                      ///< share of runs solved, mean over the questions
+  double handed_over = 0;                ///< the same of the points that were handed over
   std::vector<Reach> progress;           ///< the empirical distribution of hitting times
   double probability_of_being_best = 0;  ///< Plackett and Luce's model of all questions' rankings
   double rank = 0;                       ///< mean over questions and instances, ties sharing theirs

@@ -15,7 +15,7 @@ using nlohmann::json;
 TEST(Compare, WritesAReportOfEverySolverInEveryForm) {
   const auto folder = fresh_folder() / "mine";
   const Outcome outcome = call(
-      "compare --questions top-speed-C1,profile-count-2-C4 --solvers 'nlopt-c*,random*,bisection' "
+      "compare --questions top-speed-C1,profile-count-2-C4 --solvers 'nlopt-co*,random*,bisection' "
       "--budget 5,20 --instances 2 --out " +
       folder.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -11,7 +11,7 @@ namespace {
 
 using report::Json;
 
-/// A page shows every standing of a group where there are no more.
+/// A report has every standing of a group where there are no more.
 constexpr std::size_t shown_rows = 80;
 
 Json interval_of(const Interval& interval) {
@@ -63,6 +63,7 @@ Json rating_data(const Rating& rating) {
   const Reach& last = rating.progress.back();
   return {{"solver", rating.solver},       {"form", rating.form},
           {"questions", rating.questions}, {"never", rating.never},
+          {"found", rating.found},         {"handed_over", rating.handed_over},
           {"share", last.share},           {"lower", last.interval.lower},
           {"upper", last.interval.upper},  {"best", rating.probability_of_being_best},
           {"rank", rating.rank},           {"progress", std::move(progress)}};
@@ -112,9 +113,10 @@ Json group_data(const Plan& plan, const std::vector<Standing>& standings,
   for (const Group& group : groups) {
     Json budgets = Json::array();
     for (std::size_t b = 0; b < plan.budgets.size(); ++b) {
-      const Json ratings = report::list_of(rate(plan, standings, group.questions, b), rating_data);
+      Json ratings = report::list_of(rate(plan, standings, group.questions, b), rating_data);
       Json first = Json::array();
       for (std::size_t i = 0; i < std::min(drawn, ratings.size()); ++i) first.push_back(ratings[i]);
+      for (Json& rating : ratings) rating.erase("progress");  // the first ones are drawn
       budgets.push_back({{"budget", plan.budgets[b]},
                          {"leader", ratings.empty() ? Json() : ratings[0]},
                          {"ratings", ratings},
@@ -140,7 +142,7 @@ Json group_data(const Plan& plan, const std::vector<Standing>& standings,
                    {"questions", std::move(questions)},
                    {"shares", share_rows(plan, standings, group)},
                    {"few", rows.size() <= shown_rows},
-                   {"standings", std::move(rows)}});
+                   {"standings", rows.size() <= shown_rows ? std::move(rows) : Json::array()}});
   }
   return all;
 }

@@ -20,8 +20,8 @@ struct Group {
 /// The families of the plan's questions, in its order.
 std::vector<Group> groups_of(const Plan& plan, const std::vector<Family>& families);
 
-/// What the plan's runs say: of each group the ratings for each budget, its questions, and all the
-/// standings on them.
+/// What the plan's runs say: of each group the ratings for each budget, its questions, and, where
+/// they are few, all the standings on them.
 report::Json group_data(const Plan& plan, const std::vector<Standing>& standings,
                         const std::vector<Group>& groups);
 

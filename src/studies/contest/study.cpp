@@ -36,7 +36,6 @@ Json leaders_of(const Json& groups) {
     for (const Json& budget : group["budgets"]) {
       if (budget["leader"].is_null()) continue;
       Json row = budget["leader"];
-      row.erase("progress");
       row["family"] = group["family"];
       row["budget"] = budget["budget"];
       row["largest"] = budget == group["budgets"].back();

@@ -80,6 +80,40 @@ Matrix random_turn(Eigen::Index n, Random& random) {
   return turn;
 }
 
+/// The problem with its functions in the frame's coordinates, and all else as it was.
+Problem seen_through(const Frame& frame, const Problem& problem) {
+  const auto original = std::make_shared<const Problem>(problem);
+  // NOTE: rounding in the frame can lead a hair outside the box; the original is asked inside it.
+  // One that can be turned is defined outside, too.
+  const auto inside = [original, frame](const Vector& x) -> Vector {
+    const Vector natural = frame.natural(x);
+    return original->rotates ? natural
+                             : natural.cwiseMax(original->lower).cwiseMin(original->upper);
+  };
+  const Matrix slope = frame.slope();
+  Problem result = problem;
+  result.evaluate = [original, inside](const Vector& x) { return original->evaluate(inside(x)); };
+  if (problem.differentiate) {
+    result.differentiate = [original, inside, slope](const Vector& x) {
+      Derivatives d = original->differentiate(inside(x));
+      d.gradient = slope.transpose() * d.gradient;
+      d.jacobian = d.jacobian * slope;
+      return d;
+    };
+  }
+  if (problem.residuals) {
+    result.residuals = [original, inside, slope](const Vector& x) {
+      Residuals r = original->residuals(inside(x));
+      r.jacobian = r.jacobian * slope;
+      return r;
+    };
+  }
+  if (problem.truth) {
+    result.truth = [original, inside](const Vector& x) { return original->truth(inside(x)); };
+  }
+  return result;
+}
+
 }  // namespace
 
 Vector uniform_point(const Problem& problem, Random& random) {
@@ -114,8 +148,7 @@ Problem instance(const Problem& problem, int number) {
     frame.direction[i] = reflected ? -1.0 : 1.0;
     frame.offset[i] = (reflected ? box.lower[i] + box.upper[i] : 0.0) + shift;
   }
-  const auto original = std::make_shared<const Problem>(problem);
-  Problem result = problem;
+  Problem result = seen_through(frame, problem);
   result.instance = number;
   const Vector a = frame.shown(box.lower);
   const Vector b = frame.shown(box.upper);
@@ -123,36 +156,9 @@ Problem instance(const Problem& problem, int number) {
   result.upper = a.cwiseMax(b);
   result.start = start.size() > 0 ? frame.shown(start) : uniform_point(result, random);
   if (problem.best_point) result.best_point = frame.shown(*problem.best_point);
-  // NOTE: rounding in the frame can lead a hair outside the box; the original is asked inside it.
-  // One that can be turned is defined outside, too.
-  const auto inside = [original, frame](const Vector& x) -> Vector {
-    const Vector natural = frame.natural(x);
-    return original->rotates ? natural
-                             : natural.cwiseMax(original->lower).cwiseMin(original->upper);
-  };
-  const Matrix slope = frame.slope();
-  result.evaluate = [original, inside](const Vector& x) { return original->evaluate(inside(x)); };
-  if (problem.differentiate) {
-    result.differentiate = [original, inside, slope](const Vector& x) {
-      Derivatives d = original->differentiate(inside(x));
-      d.gradient = slope.transpose() * d.gradient;
-      d.jacobian = d.jacobian * slope;
-      return d;
-    };
-  }
-  if (problem.residuals) {
-    result.residuals = [original, inside, slope](const Vector& x) {
-      Residuals r = original->residuals(inside(x));
-      r.jacobian = r.jacobian * slope;
-      return r;
-    };
-  }
-  if (problem.truth) {
-    result.truth = [original, inside](const Vector& x) { return original->truth(inside(x)); };
-  }
   if (problem.smoothed) {
-    result.smoothed = [original, number](double smoothing) {
-      return instance(original->smoothed(smoothing), number);
+    result.smoothed = [smoothed = problem.smoothed, number](double width) {
+      return instance(smoothed(width), number);
     };
   }
   return result;

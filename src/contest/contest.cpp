@@ -26,7 +26,7 @@ std::vector<Entry> entries_of(const Plan& plan) {
     }
     for (const Solver& solver : plan.solvers) {
       for (const Form& form : forms_of(question, plan.widths)) {
-        if (!solver.accepts(question.problem(form))) continue;
+        if (!plan.wants(question, form) || !solver.accepts(question.problem(form))) continue;
         for (std::size_t b = 0; b < plan.budgets.size(); ++b) {
           entries.push_back({{q, solver.name, form, b, {}}, &solver});
         }

@@ -21,6 +21,10 @@ struct Plan {
   int instances = 15;                 ///< 1, 2, ... of every question
   std::vector<std::int64_t> budgets;  ///< evaluations for each variable, rising; runs of their own
   int run = 0;                        ///< number of the runs: another one is another seed
+  /// Whether a form of a question is put to anybody.
+  std::function<bool(const Question&, const Form&)> wants = [](const Question&, const Form&) {
+    return true;
+  };
   /// What instance 1, 2, ... of a problem is.
   std::function<Problem(const Problem&, int)> instance_of = instance;
 };

@@ -38,13 +38,13 @@ constexpr double fastest_best = 17.9;
 constexpr double largest_bisection_share = 0.25;
 constexpr int most_around_a_case = 5;
 
-/// Of the last pocket and of what lies below it, where a scan finds it hard; `slack` is what a
-/// coarse scan may be wrong by.
 struct LastPocket {
   Pocket pocket;
   Hardness hardness;
 };
 
+/// The last pocket and what lies below it, where a scan finds it hard; `slack` is what a coarse
+/// scan may be wrong by.
 std::optional<LastPocket> last_pocket(const Machine& machine, double step, double slack) {
   const SpeedScan scan = scan_speeds(machine.scene, step, fastest_speed);
   const std::vector<Pocket> pockets = quiet_pockets(scan, machine.quiet_limit);
@@ -90,8 +90,8 @@ double bisected(const Problem& problem, double share) {
 }
 
 /// Whether bisection misses the best from the middle, which is where it goes on from an end, and
-/// from nearly everywhere.
-/// Tells how far from it it ends, begun in the middle, and from how many places it finds it.
+/// from most places. Notes how far from it it ends, begun in the middle, and from which share of
+/// places it finds it.
 bool bisection_misses(const Machine& machine, double best, Hardness& hardness) {
   const Problem problem = top_speed_question(machine).stated;
   constexpr int parts = 256;

@@ -1,50 +1,24 @@
 #include "src/studies/contest/form_data.h"
 
-#include <algorithm>
-#include <map>
+#include <utility>
 
 #include "src/contest/ceiling.h"
-#include "src/statistics/wilson_interval.h"
+#include "src/studies/contest/share_data.h"
 
 namespace ricochet::studies::contest {
-namespace {
-
 using report::Json;
-
-struct Tally {
-  int solved = 0;
-  int runs = 0;
-};
-
-}  // namespace
 
 Json form_data(const Plan& plan, const std::vector<Standing>& standings,
                const std::vector<Group>& groups) {
   Json rows = Json::array();
   for (const Group& group : groups) {
-    std::map<std::string, std::map<std::string, Tally>> tallies;
-    for (const Standing& standing : standings) {
-      const bool here = std::find(group.questions.begin(), group.questions.end(),
-                                  standing.question) != group.questions.end();
-      if (!here || standing.budget + 1 != plan.budgets.size()) continue;
-      Tally& tally =
-          tallies[standing.solver][plan.questions[standing.question].name_of(standing.form)];
-      for (const Outcome& outcome : standing.outcomes) {
-        ++tally.runs;
-        tally.solved += outcome.verdict.solved ? 1 : 0;
-      }
-    }
-    for (const auto& [solver, forms] : tallies) {
+    for (const auto& [solver, forms] : shares_by_form(plan, standings, group)) {
       if (forms.size() < 2) continue;
-      for (const auto& [form, tally] : forms) {
-        const Interval interval = wilson_interval(tally.solved, tally.runs);
-        rows.push_back({{"family", group.family},
-                        {"solver", solver},
-                        {"form", form},
-                        {"runs", tally.runs},
-                        {"share", tally.solved / static_cast<double>(tally.runs)},
-                        {"lower", interval.lower},
-                        {"upper", interval.upper}});
+      for (const auto& [form, share] : forms) {
+        Json row = {
+            {"family", group.family}, {"solver", solver}, {"form", form}, {"runs", share.trials}};
+        row.update(share_data(share));
+        rows.push_back(std::move(row));
       }
     }
   }

@@ -123,16 +123,23 @@ Json group_data(const Plan& plan, const std::vector<Standing>& standings,
                          {"first", std::move(first)}});
     }
     Json questions = Json::array();
-    Json rows = Json::array();
     for (const std::size_t q : group.questions) {
       const Problem& stated = plan.questions[q].stated;
       questions.push_back({{"question", stated.name},
                            {"variables", stated.dimension()},
                            {"constraints", stated.constraints},
                            {"best_known", stated.best_known}});
+    }
+    std::vector<const Standing*> mine;
+    for (const std::size_t q : group.questions) {
       for (const Standing& standing : standings) {
-        if (standing.question == q) rows.push_back(standing_data(plan, standing));
+        if (standing.question == q) mine.push_back(&standing);
       }
+    }
+    const bool few = mine.size() <= shown_rows;
+    Json rows = Json::array();
+    if (few) {
+      for (const Standing* standing : mine) rows.push_back(standing_data(plan, *standing));
     }
     const Json last = budgets.back();
     all.push_back({{"family", group.family},
@@ -141,8 +148,8 @@ Json group_data(const Plan& plan, const std::vector<Standing>& standings,
                    {"budgets", std::move(budgets)},
                    {"questions", std::move(questions)},
                    {"shares", share_rows(plan, standings, group)},
-                   {"few", rows.size() <= shown_rows},
-                   {"standings", rows.size() <= shown_rows ? std::move(rows) : Json::array()}});
+                   {"few", few},
+                   {"standings", std::move(rows)}});
   }
   return all;
 }

@@ -1,46 +1,18 @@
 #include "src/studies/contest/history_data.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "embedded/old_contest.h"
-#include "src/statistics/wilson_interval.h"
+#include "src/studies/contest/share_data.h"
 
 namespace ricochet::studies::contest {
 namespace {
 
 using report::Json;
 
-struct Tally {
-  int solved = 0;
-  int runs = 0;
-
-  double share() const { return solved / static_cast<double>(runs); }
-};
-
-/// Those of every solver and form, with the largest budget.
-std::map<std::string, std::map<std::string, Tally>> tallies_of(
-    const Plan& plan, const std::vector<Standing>& standings, const Group& group) {
-  std::map<std::string, std::map<std::string, Tally>> tallies;
-  for (const Standing& s : standings) {
-    const auto& mine = group.questions;
-    if (s.budget + 1 != plan.budgets.size()) continue;
-    if (std::find(mine.begin(), mine.end(), s.question) == mine.end()) continue;
-    Tally& tally = tallies[s.solver][plan.questions[s.question].name_of(s.form)];
-    for (const Outcome& outcome : s.outcomes) {
-      ++tally.runs;
-      tally.solved += outcome.verdict.solved ? 1 : 0;
-    }
-  }
-  return tallies;
-}
-
-Json share_of(int solved, int runs) {
-  const Interval interval = wilson_interval(solved, runs);
-  return {{"share", solved / static_cast<double>(runs)},
-          {"lower", interval.lower},
-          {"upper", interval.upper}};
+double share_of(const Share& share) {
+  return share.successes / static_cast<double>(share.trials);
 }
 
 /// The old name, and the one that the same solver has now.
@@ -67,25 +39,25 @@ Json history_data(const Plan& plan, const std::vector<Standing>& standings,
   const Json old = Json::parse(embedded::old_contest);
   Json all = Json::array();
   for (const Group& group : groups) {
-    auto tallies = tallies_of(plan, standings, group);
+    auto shares = shares_by_form(plan, standings, group);
     Json rows = Json::array();
     for (const Json& then : old) {
       const std::string solver = name_now(then["solver"].get<std::string>());
-      if (then["family"] != group.family || !tallies.contains(solver)) continue;
-      const auto& forms = tallies[solver];
+      if (then["family"] != group.family || !shares.contains(solver)) continue;
+      const auto& forms = shares[solver];
       const auto same = forms.find(then["form"].get<std::string>());
       if (same == forms.end()) continue;
       const auto best = std::max_element(
           forms.begin(), forms.end(),
-          [](const auto& a, const auto& b) { return a.second.share() < b.second.share(); });
+          [](const auto& a, const auto& b) { return share_of(a.second) < share_of(b.second); });
       rows.push_back({{"family", group.family},
                       {"solver", solver},
                       {"form", then["form"]},
-                      {"then", share_of(then["solved"].get<int>(), then["runs"].get<int>())},
+                      {"then", share_data({then["solved"].get<int>(), then["runs"].get<int>()})},
                       {"evaluations_then", then["evaluations"]},
-                      {"now", share_of(same->second.solved, same->second.runs)},
+                      {"now", share_data(same->second)},
                       {"best_form", best->first},
-                      {"best", share_of(best->second.solved, best->second.runs)}});
+                      {"best", share_data(best->second)}});
     }
     add_places(rows, "then", "place_then");
     add_places(rows, "best", "place_now");

@@ -68,15 +68,6 @@ Json exits_of(const std::vector<Standing>& standings) {
   return rows;
 }
 
-/// Leaves the forms whose names fit.
-std::vector<Standing> in_forms(std::vector<Standing> standings, const Plan& plan,
-                               const std::string& patterns) {
-  std::erase_if(standings, [&](const Standing& s) {
-    return !fits(plan.questions[s.question].name_of(s.form), patterns);
-  });
-  return standings;
-}
-
 /// The contests: of one variable, where a thousand evaluations are cheap, and of several.
 std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
                            const std::vector<Family>& families) {
@@ -86,6 +77,9 @@ std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
       "--questions");
   plan.solvers = chosen_solvers(all_solvers(), options.solvers, "--solvers");
   plan.widths = options.widths;
+  plan.wants = [forms = options.forms](const Question& question, const Form& form) {
+    return fits(question.name_of(form), forms);
+  };
   plan.instances = quick ? std::min(options.instances, 5) : options.instances;
   Plan several = plan;
   const auto is_one = [](const Question& q) { return q.stated.dimension() == 1; };
@@ -103,13 +97,13 @@ std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
 }
 
 /// What came of one contest: lists, but for the number of standings.
-Json results_of(const Plan& plan, const std::vector<Family>& families, const std::string& forms) {
-  const auto standings = in_forms(hold(plan), plan, forms);
+Json results_of(const Plan& plan, const std::vector<Family>& families) {
+  const auto standings = hold(plan);
   const std::vector<Group> groups = groups_of(plan, families);
   Plan repeated = plan;
   repeated.run = 1;
   repeated.budgets = {plan.budgets.front()};
-  const auto again = in_forms(hold(repeated), repeated, forms);
+  const auto again = hold(repeated);
   const Json group_rows = group_data(plan, standings, groups);
   const Json twins = twin_data(plan);
   return {{"plans",
@@ -147,7 +141,7 @@ Json compute(const ContestOptions& options, bool quick) {
   const std::vector<Plan> plans = plans_of(options, quick, families);
   Json data;
   for (const Plan& plan : plans) {
-    Json results = results_of(plan, families, options.forms);
+    Json results = results_of(plan, families);
     for (auto& [key, rows] : results.items()) {
       if (data[key].is_null()) data[key] = Json::array();
       for (Json& row : rows) data[key].push_back(std::move(row));

@@ -6,7 +6,7 @@
 #include "src/contest/twin.h"
 #include "src/statistics/fisher_exact_test.h"
 #include "src/statistics/holm.h"
-#include "src/statistics/wilson_interval.h"
+#include "src/studies/contest/share_data.h"
 
 namespace ricochet::studies::contest {
 namespace {
@@ -23,6 +23,8 @@ Json twin_data(const Plan& asked) {
   Plan plan = asked;
   plan.budgets = {asked.budgets.front()};
   plan.widths.clear();
+  // Those that are shown what is judged: a surrogate leans by itself.
+  plan.wants = [](const Question&, const Form& form) { return form.width == 0; };
   std::erase_if(plan.questions, [](const Question& q) { return !has_twins(q.stated); });
   std::map<std::string, std::map<Place, Share>> tallies;
   for (const Place place : places) {
@@ -31,13 +33,7 @@ Json twin_data(const Plan& asked) {
     };
     for (const Standing& standing : hold(plan)) {
       const Question& question = plan.questions[standing.question];
-      // Those that are shown what is judged: a surrogate leans by itself.
-      if (standing.form.width > 0) continue;
-      Share& share = tallies[standing.solver + ", " + question.name_of(standing.form)][place];
-      for (const Outcome& outcome : standing.outcomes) {
-        ++share.trials;
-        share.successes += outcome.verdict.solved ? 1 : 0;
-      }
+      add_runs(tallies[standing.solver + ", " + question.name_of(standing.form)][place], standing);
     }
   }
   std::vector<double> p_values;
@@ -53,11 +49,8 @@ Json twin_data(const Plan& asked) {
     Json row = {{"solver", solver}, {"p_value", adjusted[k++]}};
     for (std::size_t i = 0; i < std::size(places); ++i) {
       const Share& share = shares.at(places[i]);
-      const Interval interval = wilson_interval(share.successes, share.trials);
       row["runs"] = share.trials;
-      row[names[i]] = {{"share", share.successes / static_cast<double>(share.trials)},
-                       {"lower", interval.lower},
-                       {"upper", interval.upper}};
+      row[names[i]] = share_data(share);
     }
     row["leans"] = adjusted[k - 1] < 0.05;
     rows.push_back(std::move(row));

@@ -40,9 +40,10 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
 }
 
 /// What solvers are compared on.
-contest::Plan contest_of(const StudyPlan& plan, std::vector<Solver> solvers) {
+contest::Plan contest_of(const StudyPlan& plan, std::vector<Solver> solvers,
+                         const std::vector<Family>& families) {
   contest::Plan contest;
-  contest.questions = contest::chosen_questions(every_question(all_families()), plan.compared,
+  contest.questions = contest::chosen_questions(every_question(families), plan.compared,
                                                 "the questions to compare on");
   contest.solvers = std::move(solvers);
   contest.instances = plan.instances;
@@ -70,7 +71,9 @@ Results results_of(const StudyPlan& plan, std::vector<Solver> solvers) {
   Results results;
   results.plan = plan;
   results.reading = default_reading();
-  results.contest = contest_of(plan, std::move(solvers));
+  const std::vector<Family> families = all_families();
+  results.contest = contest_of(plan, std::move(solvers), families);
+  results.groups = contest::groups_of(results.contest, families);
   {
     const auto cases = all_cases();
     Progress progress("scanning speeds", static_cast<double>(cases.size()));

@@ -9,8 +9,8 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/contest/contest.h"
 #include "src/report/json.h"
+#include "src/studies/contest/group.h"
 #include "src/studies/reproduction/conclusions.h"
 #include "src/studies/study.h"
 
@@ -56,6 +56,7 @@ struct Results {
   CountGrid grid;
   std::vector<Trend> trends;
   contest::Plan contest;
+  std::vector<contest::Group> groups;  ///< of the contest's questions, by family
   std::vector<contest::Standing> standings;
 };
 

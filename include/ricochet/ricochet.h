@@ -1,0 +1,91 @@
+#ifndef RICOCHET_RICOCHET_H
+#define RICOCHET_RICOCHET_H
+
+/**
+ * @file
+ * The C interface of ricochet: for solvers that ricochet loads (ricochet_plugin), and for programs
+ * of any language that ask its questions (ricochet_open). Both see the same ricochet_problem.
+ *
+ * Vectors are arrays of double of the length given; matrices are row-major. Nothing may be thrown
+ * through these functions. A problem is used by one thread at a time.
+ */
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The version of this interface: rises whenever a structure below changes. */
+#define RICOCHET_ABI 1
+
+/** A minimisation problem within a box: objective, and constraints of which the equalities come
+ * first and must be 0, the others <= 0. */
+typedef struct ricochet_problem {
+  int32_t abi; /**< RICOCHET_ABI of who made it */
+  int32_t dimension;
+  int32_t constraints; /**< equalities and others */
+  int32_t equalities;
+  int32_t has_derivatives;
+  const char* name;
+  const double* lower; /**< dimension */
+  const double* upper; /**< dimension */
+  const double* start; /**< dimension */
+
+  /** Objective and constraints at x; costs one evaluation. Returns 0, or 1 once the run is over
+   * (the budget is spent, or x is not finite): then return. `constraints` may be NULL. */
+  int32_t (*values)(struct ricochet_problem* problem, const double* x, double* objective,
+                    double* constraints);
+
+  /** The same with the gradient of the objective (dimension) and the Jacobian of the constraints
+   * (constraints x dimension), each of which may be NULL; costs 1 + dimension evaluations, or
+   * dimension where the values at x were just asked for. Only where has_derivatives. */
+  int32_t (*derivatives)(struct ricochet_problem* problem, const double* x, double* objective,
+                         double* constraints, double* gradient, double* jacobian);
+
+  /** Evaluations left. */
+  int64_t (*remaining)(struct ricochet_problem* problem);
+
+  /** A number uniform in [0, 1), from the run's own seed: a solver that draws all its numbers here
+   * makes the same run again. */
+  double (*uniform)(struct ricochet_problem* problem);
+} ricochet_problem;
+
+/** What a shared library exports, under the name ricochet_plugin, to be a solver:
+ *
+ *     const ricochet_solver ricochet_plugin = {RICOCHET_ABI, "mine", "1.0", 0, 0, 0, solve};
+ */
+typedef struct ricochet_solver {
+  int32_t abi; /**< RICOCHET_ABI */
+  const char* name;
+  const char* version;
+  int32_t takes_constraints; /**< 0: none; 1: inequalities; 2: equalities, too */
+  int32_t needs_derivatives;
+  int32_t stochastic;
+
+  /** Minimises from problem->start until it is done or values() returns 1; ricochet starts it
+   * again elsewhere while evaluations are left. `point` (dimension) holds the start, and takes the
+   * point handed over. Returns why it ended, in static storage, or NULL. */
+  const char* (*solve)(ricochet_problem* problem, double* point);
+} ricochet_solver;
+
+/** The question of this name in this form (NULL or "": as it is judged), as instance 0 (as stated)
+ * or 1, 2, ... (moved, reflected); `budget` evaluations, and `seed` for uniform(). NULL where
+ * something is wrong: see ricochet_error. To be closed. */
+ricochet_problem* ricochet_open(const char* question, const char* form, int32_t instance,
+                                int64_t budget, uint64_t seed);
+void ricochet_close(ricochet_problem* problem);
+
+/** What the suite judges by: the true objective and the largest violation, 0 where feasible.
+ * Costs nothing. Returns 0, or 1 where something is wrong. */
+int32_t ricochet_judge(ricochet_problem* problem, const double* x, double* objective,
+                       double* violation);
+
+/** What went wrong last in this thread; "" where nothing did. */
+const char* ricochet_error(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,22 +1,21 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "src/campaign/progress.h"
-#include "src/core/run.h"
+#include "src/campaign/worker.h"
 
 namespace ricochet {
 
-/// One run to be made; problem and solver outlive it.
-struct Job {
-  const Problem* problem;
-  const Solver* solver;
-  Budget budget;
-  int number = 0;
-};
+/// Makes all runs, the first ones first, each in a process of its own and on every core. Hands a
+/// record to `done`, with the index of its job, as soon as its run has ended; records do not depend
+/// on how the runs were spread, but for the times in them. Throws what `done` throws, and
+/// std::system_error where there can be no process; then no process of its own is left.
+void run_all(const std::vector<Job>& jobs, const Limits& limits,
+             const std::function<void(std::size_t, RunRecord)>& done);
 
-/// Makes all runs, on every core. The records come in the order of the jobs and do not depend on
-/// how the runs were spread, but for the times in them.
+/// The records in the order of the jobs.
 std::vector<RunRecord> run_all(const std::vector<Job>& jobs, Progress& progress);
 
 }  // namespace ricochet

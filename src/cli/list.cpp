@@ -11,6 +11,7 @@
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/families.h"
+#include "solvers/acceptance.h"
 #include "solvers/solvers.h"
 #include "src/core/error.h"
 #include "src/core/near_names.h"
@@ -93,12 +94,21 @@ Json questions(const ListOptions& options) {
 Json solvers() {
   Json rows = Json::array();
   for (const Solver& s : all_solvers()) {
-    rows.push_back({{"solver", s.name}, {"version", s.version}, {"stochastic", s.stochastic}});
+    const Acceptance acceptance = acceptance_of(s);
+    rows.push_back({{"solver", s.name},
+                    {"variables", acceptance.variables},
+                    {"constraints", acceptance.constraints},
+                    {"needs", acceptance.needs},
+                    {"stochastic", s.stochastic},
+                    {"version", s.version}});
   }
   for (const MissingSolver& missing : missing_solvers()) {
     rows.push_back({{"solver", missing.solver},
-                    {"version", fmt::format("missing: built without {}", missing.library)},
-                    {"stochastic", nullptr}});
+                    {"variables", nullptr},
+                    {"constraints", nullptr},
+                    {"needs", nullptr},
+                    {"stochastic", nullptr},
+                    {"version", fmt::format("missing: built without {}", missing.library)}});
   }
   return rows;
 }

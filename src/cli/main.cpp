@@ -161,8 +161,16 @@ class Program : public CommandLine {
     command->add_option("--trace", solve_.trace, "CSV file for the improvements")
         ->type_name("FILE");
     command->add_option("--plot", solve_.plot, "SVG file for a picture of them")->type_name("FILE");
+    add_limits(command, solve_.limits);
     add_format(command, solve_.json);
     on_call(command, [this] { return solve(solve_); });
+  }
+
+  void add_limits(CLI::App* command, Limits& limits) {
+    command->add_option("--run-seconds", limits.seconds, "After which a run is killed")
+        ->capture_default_str();
+    command->add_option("--run-megabytes", limits.megabytes, "Memory that a run may take")
+        ->capture_default_str();
   }
 
   void add_compare() {
@@ -182,6 +190,7 @@ class Program : public CommandLine {
         ->delimiter(',');
     command->add_option("--instances", contest_.instances, "Of every question")
         ->capture_default_str();
+    add_limits(command, contest_.limits);
   }
 
   void add_list() {

@@ -21,6 +21,7 @@ inline constexpr OtherCommand other_commands[] = {
     {"surrogate", "ricochet-studies",
      "Where the smooth surrogate and its gradient can be trusted, as a report"},
     {"verify", "ricochet-studies", "The impact model against an oracle in extended precision"},
+    {"stress", "ricochet-studies", "What every solver does where a problem is ill, as a report"},
     {"problems", "ricochet-studies", "What every question asks, as a report"},
     {"best-values", "ricochet-studies",
      "The best known value of every question, looked for at length"},

@@ -10,6 +10,7 @@
 
 #include "problems/families.h"
 #include "solvers/solvers.h"
+#include "src/campaign/runner.h"
 #include "src/core/error.h"
 #include "src/core/instance.h"
 #include "src/core/near_names.h"
@@ -165,7 +166,7 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
   for (const SolverExit& exit : record.exits) ++exits[exit.reason];
   for (const auto& [reason, times] : exits) fmt::print(" {} times \"{}\"", times, reason);
   fmt::print(".\n");
-  if (!record.failure.empty()) fmt::print("Thrown: {}\n", record.failure);
+  if (!record.failure.empty()) fmt::print("Failed: {}\n", record.failure);
 }
 
 }  // namespace
@@ -177,6 +178,7 @@ int solve(const SolveOptions& options) {
     throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
   }
   if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
+  check(options.limits);
   const Solver solver =
       named(all_solvers(), options.solver, "solver", [](const Solver& s) { return s.name; });
   const Question question = named(every_question(all_families()), options.question, "question",
@@ -184,7 +186,10 @@ int solve(const SolveOptions& options) {
   const Form form = form_of(options, question, solver);
   const std::string form_name = question.name_of(form);
   const Problem problem = instance(question.problem(form), options.instance);
-  const RunRecord record = run(watched(problem), solver, Budget{options.budget}, options.seed);
+  const Problem seen = watched(problem);
+  RunRecord record;
+  run_all({{&seen, &solver, {options.budget}, options.seed}}, options.limits,
+          [&record](std::size_t, RunRecord made) { record = std::move(made); });
   if (isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\033[K");
   const Verdict verdict = judge(record, problem, question.tolerance);
   std::deque<TextDraft> drafts;

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "src/campaign/worker.h"
+
 namespace ricochet::cli {
 
 struct SolveOptions {
@@ -14,6 +16,7 @@ struct SolveOptions {
   std::string trace;           ///< CSV file of the improvements
   std::string plot;            ///< SVG file of the same
   bool json = false;
+  Limits limits;
 };
 
 /// One run of one solver, watched, judged and shown.

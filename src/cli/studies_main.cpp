@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "solvers/solvers.h"
 #include "src/cli/best_values.h"
 #include "src/cli/command_line.h"
 #include "src/cli/other_program.h"
@@ -9,6 +10,7 @@
 #include "src/studies/calibration/study.h"
 #include "src/studies/dynamics/study.h"
 #include "src/studies/problems/study.h"
+#include "src/studies/stress/study.h"
 #include "src/studies/surrogate/study.h"
 #include "src/studies/verification/study.h"
 
@@ -25,6 +27,9 @@ class Studies : public CommandLine {
     add_study("surrogate", summary_of("surrogate"), studies::surrogate_study,
               "  ricochet surrogate --quick");
     add_verify();
+    add_study(
+        "stress", summary_of("stress"), [] { return studies::stress_study(all_solvers()); },
+        "  ricochet stress");
     add_problems();
     add_best_values();
     add_description();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "src/campaign/worker.h"
 #include "src/contest/outcome.h"
 #include "src/core/instance.h"
 #include "src/core/question.h"
@@ -21,6 +22,7 @@ struct Plan {
   int instances = 15;                 ///< 1, 2, ... of every question
   std::vector<std::int64_t> budgets;  ///< evaluations for each variable, rising; runs of their own
   int run = 0;                        ///< number of the runs: another one is another seed
+  Limits limits = {};                 ///< of every run
   /// Whether a form of a question is put to anybody.
   std::function<bool(const Question&, const Form&)> wants = [](const Question&, const Form&) {
     return true;
@@ -42,7 +44,8 @@ struct Standing {
 /// each penalised, too, where it has constraints.
 std::vector<Form> forms_of(const Question& question, const std::vector<double>& widths);
 
-/// Runs every solver in every form that it accepts, on all cores; standings by question, then
+/// Runs every solver in every form that it accepts, each run in a process of its own, on all cores;
+/// standings by question, then
 /// solver, form and budget. The same every time, but for the times. Throws std::invalid_argument
 /// for a question whose best value is not known.
 std::vector<Standing> hold(const Plan& plan);

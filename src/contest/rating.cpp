@@ -52,56 +52,12 @@ Reached reached_by(const Outcome& outcome) {
   return {outcome.steps.back().regret, static_cast<double>(outcome.steps.back().evaluations)};
 }
 
-}  // namespace
+/// The standings of one competitor, by question.
+using ByQuestion = std::map<std::size_t, const Standing*>;
 
-std::vector<double> targets_of(const Question& question) {
-  if (question.tolerance == 0.5) return {0.5, 1.5, 2.5, 4.5, 8.5};  // a count: whole levels
-  std::vector<double> targets;
-  for (int k = 0; k <= 3; ++k) targets.push_back(question.tolerance * std::pow(10.0, k));
-  return targets;
-}
-
-std::vector<Rating> rate(const Plan& plan, const std::vector<Standing>& standings,
-                         const std::vector<std::size_t>& questions, std::size_t budget) {
-  using Name = std::pair<std::string, std::string>;
-  // By competitor, then by question.
-  std::map<Name, std::map<std::size_t, const Standing*>> by_name;
-  for (const Standing& standing : standings) {
-    if (standing.budget != budget) continue;
-    if (std::find(questions.begin(), questions.end(), standing.question) == questions.end()) {
-      continue;
-    }
-    const std::string form = plan.questions[standing.question].name_of(standing.form);
-    by_name[{standing.solver, form}][standing.question] = &standing;
-  }
-  std::vector<Rating> ratings;
-  std::vector<const std::map<std::size_t, const Standing*>*> competitors;
-  for (const auto& [name, mine] : by_name) {
-    Rating rating;
-    rating.solver = name.first;
-    rating.form = name.second;
-    rating.questions = static_cast<int>(mine.size());
-    std::vector<std::vector<double>> times;
-    for (const auto& [q, standing] : mine) {
-      times.push_back(hitting_times(plan.questions[q], *standing));
-      int found = 0;
-      int handed_over = 0;
-      for (const Outcome& outcome : standing->outcomes) {
-        found += outcome.verdict.solved ? 1 : 0;
-        handed_over += outcome.verdict.handed_over_solved ? 1 : 0;
-      }
-      rating.never += found == 0 ? 1 : 0;
-      const auto all = static_cast<double>(standing->outcomes.size() * mine.size());
-      rating.found += found / all;
-      rating.handed_over += handed_over / all;
-    }
-    for (const double place : places(static_cast<double>(plan.budgets[budget]))) {
-      const auto share = empirical_distribution(times, place);
-      rating.progress.push_back({place, share.mean, share.interval});
-    }
-    ratings.push_back(std::move(rating));
-    competitors.push_back(&mine);
-  }
+/// Ranks the competitors, of which these are the ratings, on every instance of every question.
+void place(std::vector<Rating>& ratings, const std::vector<const ByQuestion*>& competitors,
+           const Plan& plan, const std::vector<std::size_t>& questions, std::size_t budget) {
   std::vector<Ranking> rankings;
   std::vector<double> sums(ratings.size());
   std::vector<int> taken(ratings.size());
@@ -129,8 +85,63 @@ std::vector<Rating> rate(const Plan& plan, const std::vector<Standing>& standing
     ratings[c].probability_of_being_best = strengths[c].probability_of_being_best;
     ratings[c].rank = taken[c] > 0 ? sums[c] / taken[c] : infinity;
   }
-  std::stable_sort(ratings.begin(), ratings.end(),
-                   [](const Rating& a, const Rating& b) { return a.rank < b.rank; });
+}
+
+}  // namespace
+
+std::vector<double> targets_of(const Question& question) {
+  if (question.tolerance == 0.5) return {0.5, 1.5, 2.5, 4.5, 8.5};  // a count: whole levels
+  std::vector<double> targets;
+  for (int k = 0; k <= 3; ++k) targets.push_back(question.tolerance * std::pow(10.0, k));
+  return targets;
+}
+
+std::vector<Rating> rate(const Plan& plan, const std::vector<Standing>& standings,
+                         const std::vector<std::size_t>& questions, std::size_t budget) {
+  using Name = std::pair<std::string, std::string>;
+  // By competitor, then by question.
+  std::map<Name, ByQuestion> by_name;
+  for (const Standing& standing : standings) {
+    if (standing.budget != budget) continue;
+    if (std::find(questions.begin(), questions.end(), standing.question) == questions.end()) {
+      continue;
+    }
+    const std::string form = plan.questions[standing.question].name_of(standing.form);
+    by_name[{standing.solver, form}][standing.question] = &standing;
+  }
+  std::vector<Rating> ratings;
+  std::vector<const ByQuestion*> competitors;
+  for (const auto& [name, mine] : by_name) {
+    Rating rating;
+    rating.solver = name.first;
+    rating.form = name.second;
+    rating.questions = static_cast<int>(mine.size());
+    std::vector<std::vector<double>> times;
+    for (const auto& [q, standing] : mine) {
+      times.push_back(hitting_times(plan.questions[q], *standing));
+      int found = 0;
+      int handed_over = 0;
+      for (const Outcome& outcome : standing->outcomes) {
+        found += outcome.verdict.solved ? 1 : 0;
+        handed_over += outcome.verdict.handed_over_solved ? 1 : 0;
+      }
+      rating.never += found == 0 ? 1 : 0;
+      const auto all = static_cast<double>(standing->outcomes.size() * mine.size());
+      rating.found += found / all;
+      rating.handed_over += handed_over / all;
+    }
+    for (const double place : places(static_cast<double>(plan.budgets[budget]))) {
+      const auto share = empirical_distribution(times, place);
+      rating.progress.push_back({place, share.mean, share.interval});
+    }
+    ratings.push_back(std::move(rating));
+    competitors.push_back(&mine);
+  }
+  place(ratings, competitors, plan, questions, budget);
+  std::stable_sort(ratings.begin(), ratings.end(), [](const Rating& a, const Rating& b) {
+    return std::pair(-a.probability_of_being_best, a.rank) <
+           std::pair(-b.probability_of_being_best, b.rank);
+  });
   return ratings;
 }
 

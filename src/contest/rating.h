@@ -32,8 +32,9 @@ struct Rating {
 /// Regrets that count as targets of a question: its own tolerance, and easier ones.
 std::vector<double> targets_of(const Question& question);
 
-/// Rates all that took part with budget `budget` of the plan on these questions (indices), the best
-/// first. On every instance the competitors are ranked by the best regret and then by what it cost.
+/// Rates all that took part with budget `budget` of the plan on these questions (indices): the one
+/// that is best with the highest probability first, equals by their mean rank. On every instance
+/// the competitors are ranked by the best regret and then by what it cost.
 std::vector<Rating> rate(const Plan& plan, const std::vector<Standing>& standings,
                          const std::vector<std::size_t>& questions, std::size_t budget);
 

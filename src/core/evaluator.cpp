@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace ricochet {
 
-Evaluator::Evaluator(const Problem& problem, const Budget& budget)
-    : problem_(problem), budget_(budget) {}
+Evaluator::Evaluator(const Problem& problem, const Budget& budget,
+                     std::function<void(const Improvement&)> on_improvement)
+    : problem_(problem), budget_(budget), on_improvement_(std::move(on_improvement)) {}
 
 std::int64_t Evaluator::remaining() const {
   return over() ? 0 : std::min(budget_.evaluations, pause_) - ledger_.charged;
@@ -98,6 +100,7 @@ void Evaluator::score(const Vector& x, const Values* known) {
   const bool is_number = !std::isnan(truth.objective) && !std::isnan(truth.violation);
   if (is_number && (trace_.empty() || better(truth, trace_.back().truth))) {
     trace_.push_back({ledger_.charged, stopwatch_.read(), truth, x});
+    if (on_improvement_) stopwatch_.leave_out([&] { on_improvement_(trace_.back()); });
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -66,7 +67,10 @@ struct Improvement {
 /// from then on every call is refused.
 class Evaluator {
  public:
-  Evaluator(const Problem& problem, const Budget& budget);
+  /// `on_improvement`, where there is one, is told at once of every point of the trace, off the
+  /// clock.
+  Evaluator(const Problem& problem, const Budget& budget,
+            std::function<void(const Improvement&)> on_improvement = nullptr);
 
   const Problem& problem() const { return problem_; }
 
@@ -141,6 +145,7 @@ class Evaluator {
   std::optional<Problem> smoothed_;
   std::optional<Shown> best_shown_;
   Budget budget_;
+  std::function<void(const Improvement&)> on_improvement_;
   std::int64_t pause_ = std::numeric_limits<std::int64_t>::max();  // evaluations, charged till then
   Ledger ledger_;
   Refusal refusal_ = Refusal::none;

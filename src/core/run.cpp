@@ -1,6 +1,8 @@
 #include "src/core/run.h"
 
 #include <limits>
+#include <new>
+#include <utility>
 
 #include "src/core/instance.h"
 #include "src/core/seed.h"
@@ -15,6 +17,8 @@ constexpr int idle_starts = 10;
 std::string message_of(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
   } catch (const std::exception& error) {
     return error.what();
   } catch (...) {
@@ -61,7 +65,8 @@ std::exception_ptr hand_over(const Problem& problem, RunRecord& record) {
 
 }  // namespace
 
-RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number) {
+RunRecord nothing_run(const Problem& problem, const Solver& solver, const Budget& budget,
+                      int number) {
   RunRecord record;
   record.problem = problem.name;
   record.solver = solver.name;
@@ -69,9 +74,15 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
   record.run = number;
   record.seed = seed_of(problem.name, solver.name, problem.instance, number);
   record.budget = budget;
+  return record;
+}
+
+RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number,
+              std::function<void(const Improvement&)> on_improvement) {
+  RunRecord record = nothing_run(problem, solver, budget, number);
   Random random(record.seed);
   Random starts(seed_of(problem.name, "start", problem.instance, number));
-  Evaluator evaluator(problem, budget);
+  Evaluator evaluator(problem, budget, std::move(on_improvement));
   std::exception_ptr failure;
   try {
     const bool stated = number == 0 || !problem.start_scales.empty();

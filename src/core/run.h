@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,12 @@ struct RunRecord {
 /// on problem, instance and run alone, so that all solvers get the same ones; the solver's
 /// randomness depends on the solver too. An exception ends the run and is recorded, never passed
 /// on.
-RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number);
+/// `on_improvement`, where there is one, is told at once of every point of the trace.
+RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number,
+              std::function<void(const Improvement&)> on_improvement = nullptr);
+
+/// The record of a run of which nothing has been done yet.
+RunRecord nothing_run(const Problem& problem, const Solver& solver, const Budget& budget,
+                      int number);
 
 }  // namespace ricochet

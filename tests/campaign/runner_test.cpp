@@ -47,8 +47,8 @@ struct Jobs {
   }
 };
 
-std::vector<RunRecord> run_on(const std::vector<Job>& jobs, std::size_t threads) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+std::vector<RunRecord> run_on(const std::vector<Job>& jobs, std::size_t at_once) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, at_once);
   Progress progress("running", static_cast<double>(jobs.size()));
   return run_all(jobs, progress);
 }
@@ -63,7 +63,7 @@ TEST(Runner, KeepsTheOrderOfTheJobs) {
   }
 }
 
-TEST(Runner, GivesTheSameBitsOnAnyNumberOfThreads) {
+TEST(Runner, GivesTheSameBitsOnAnyNumberOfProcesses) {
   const Jobs jobs(20);
   const auto one = run_on(jobs.jobs, 1);
   const auto two = run_on(jobs.jobs, 2);

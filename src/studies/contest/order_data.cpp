@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "src/statistics/rank_correlation.h"
@@ -12,20 +13,30 @@ namespace {
 
 using report::Json;
 
-/// Mean ranks by competitor.
-using Order = std::map<std::string, double>;
+/// Who is first, and the mean ranks by competitor.
+struct Order {
+  std::string leader;
+  std::map<std::string, double> ranks;
+};
 
+/// Of ratings with the best first.
 Order order_of(const std::vector<Rating>& ratings) {
   Order order;
-  for (const Rating& r : ratings) order[r.solver + ", " + r.form] = r.rank;
+  for (const Rating& r : ratings) {
+    const std::string name = r.solver + ", " + r.form;
+    if (order.leader.empty()) order.leader = name;
+    order.ranks[name] = r.rank;
+  }
   return order;
 }
 
-/// The ranks of the solvers that are shown this form.
+/// The order of the solvers that are shown this form.
 Order order_in(const std::vector<Rating>& ratings, const std::string& form) {
   Order order;
   for (const Rating& r : ratings) {
-    if (r.form == form) order[r.solver] = r.rank;
+    if (r.form != form) continue;
+    if (order.leader.empty()) order.leader = r.solver;
+    order.ranks[r.solver] = r.rank;
   }
   return order;
 }
@@ -42,19 +53,13 @@ std::vector<Standing> half(std::vector<Standing> standings, std::size_t from) {
   return standings;
 }
 
-std::string leader(const Order& order) {
-  const auto first = std::min_element(
-      order.begin(), order.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return first == order.end() ? "" : first->first;
-}
-
 /// How alike two orders are, of those that are in both; nothing of fewer than five.
 Json compared(const std::string& family, const std::string& what, const Order& a, const Order& b) {
   std::vector<double> ranks_a;
   std::vector<double> ranks_b;
-  for (const auto& [name, rank] : a) {
-    const auto other = b.find(name);
-    if (other == b.end()) continue;
+  for (const auto& [name, rank] : a.ranks) {
+    const auto other = b.ranks.find(name);
+    if (other == b.ranks.end()) continue;
     ranks_a.push_back(rank);
     ranks_b.push_back(other->second);
   }
@@ -68,15 +73,16 @@ Json compared(const std::string& family, const std::string& what, const Order& a
           {"correlation", *correlation},
           {"lower", interval.lower},
           {"upper", interval.upper},
-          {"leader", leader(a)},
-          {"other_leader", leader(b)},
-          {"same_leader", leader(a) == leader(b)}};
+          {"leader", a.leader},
+          {"other_leader", b.leader},
+          {"same_leader", a.leader == b.leader}};
 }
 
 }  // namespace
 
 Json order_data(const Plan& plan, const std::vector<Standing>& standings,
-                const std::vector<Standing>& again, const std::vector<Group>& groups) {
+                const std::vector<Standing>& again, const Plan& drawn,
+                const std::vector<Group>& groups) {
   const std::size_t last = plan.budgets.size() - 1;
   Plan halved = plan;
   halved.instances = plan.instances / 2;
@@ -97,6 +103,12 @@ Json order_data(const Plan& plan, const std::vector<Standing>& standings,
                    order_of(of(halved, half(standings, 1), last))));
     }
     if (last > 0) add(compared(group.family, "more evaluations", order_of(first), order_of(most)));
+    if (group.family == "top-speed" && !drawn.questions.empty()) {
+      std::vector<std::size_t> all(drawn.questions.size());
+      std::iota(all.begin(), all.end(), std::size_t{0});
+      add(compared(group.family, "machines drawn around the cases", order_of(most),
+                   order_of(rate(drawn, hold(drawn), all, 0))));
+    }
     std::map<std::string, int> forms;
     for (const Rating& rating : most) ++forms[rating.form];
     for (auto a = forms.begin(); a != forms.end(); ++a) {

@@ -6,8 +6,10 @@ namespace ricochet::studies::contest {
 
 /// Whether the order of the competitors in every group would be another: with other seeds, with
 /// either half of the instances, in another form, with the largest budget in place of the smallest.
-/// `again` are the standings of the same plan with another run's seeds and its smallest budget.
+/// `again` are the standings of the same plan with another run's seeds and its smallest budget. Top
+/// speeds also with other machines: `drawn` is the plan of them.
 report::Json order_data(const Plan& plan, const std::vector<Standing>& standings,
-                        const std::vector<Standing>& again, const std::vector<Group>& groups);
+                        const std::vector<Standing>& again, const Plan& drawn,
+                        const std::vector<Group>& groups);
 
 }  // namespace ricochet::studies::contest

@@ -11,6 +11,8 @@
 #include "solvers/solvers.h"
 #include "src/contest/chosen.h"
 #include "src/core/error.h"
+#include "src/studies/contest/drawn_plan.h"
+#include "src/studies/contest/failure_data.h"
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/contest/history_data.h"
@@ -51,7 +53,7 @@ Json exits_of(const std::vector<Standing>& standings) {
   for (const Standing& standing : standings) {
     for (const Outcome& outcome : standing.outcomes) {
       for (const std::string& exit : outcome.exits) ++exits[standing.solver][exit];
-      if (!outcome.failure.empty()) ++exits[standing.solver]["thrown: " + outcome.failure];
+      if (!outcome.failure.empty()) ++exits[standing.solver]["failed: " + outcome.failure];
     }
   }
   Json rows = Json::array();
@@ -77,6 +79,7 @@ std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
       "--questions");
   plan.solvers = chosen_solvers(all_solvers(), options.solvers, "--solvers");
   plan.widths = options.widths;
+  plan.limits = options.limits;
   plan.wants = [forms = options.forms](const Question& question, const Form& form) {
     return fits(question.name_of(form), forms);
   };
@@ -118,10 +121,11 @@ Json results_of(const Plan& plan, const std::vector<Family>& families) {
           {"groups", group_rows},
           {"forms", form_data(plan, standings, groups)},
           {"ceilings", ceiling_data(plan)},
-          {"orders", order_data(plan, standings, again, groups)},
+          {"orders", order_data(plan, standings, again, drawn_plan(plan), groups)},
           {"history", history_data(plan, standings, groups)},
           {"twins", twins["rows"]},
-          {"exits", exits_of(standings)}};
+          {"exits", exits_of(standings)},
+          {"failures", failure_data(plan, standings)}};
 }
 
 Json compute(const ContestOptions& options, bool quick) {
@@ -133,6 +137,7 @@ Json compute(const ContestOptions& options, bool quick) {
       throw InputError(fmt::format("--budget {}: must be >= 1, and rise", options.budgets[b]));
     }
   }
+  check(options.limits);
   for (const double width : options.widths) {
     if (width > 0 && std::isfinite(width)) continue;
     throw InputError(fmt::format("--widths {}: must be finite and > 0", width));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "src/campaign/worker.h"
 #include "src/studies/study.h"
 
 namespace ricochet::studies {
@@ -17,6 +18,7 @@ struct ContestOptions {
       budgets;  ///< evaluations for each variable; empty: as for the standing contest
   std::vector<double> widths;  ///< of surrogates, beside the usual one
   int instances = 15;
+  Limits limits;  ///< of every run
 };
 
 /// Solvers compared on questions: who solves what, in which form, how surely, at what cost; and

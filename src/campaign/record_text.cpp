@@ -1,0 +1,113 @@
+#include "src/campaign/record_text.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace ricochet {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string bytes_of(const Json& json) {
+  std::string bytes;
+  Json::to_cbor(json, nlohmann::detail::output_adapter<char>(bytes));
+  return bytes;
+}
+
+Json json_of(const Vector& x) {
+  return std::vector<double>(x.begin(), x.end());
+}
+
+Vector vector_from(const Json& json) {
+  const auto numbers = json.get<std::vector<double>>();
+  return Eigen::Map<const Vector>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+Json json_of(const Truth& truth) {
+  return {truth.objective, truth.violation};
+}
+
+Truth truth_from(const Json& json) {
+  return {json.at(0), json.at(1)};
+}
+
+Json json_of(const Improvement& step) {
+  return {step.evaluations, step.seconds, json_of(step.truth), json_of(step.x)};
+}
+
+Improvement step_from(const Json& json) {
+  return {json.at(0), json.at(1), truth_from(json.at(2)), vector_from(json.at(3))};
+}
+
+Json json_of(const SolverExit& exit) {
+  return {exit.reason, exit.point ? json_of(*exit.point) : Json()};
+}
+
+SolverExit exit_from(const Json& json) {
+  SolverExit exit{json.at(0)};
+  if (!json.at(1).is_null()) exit.point = vector_from(json.at(1));
+  return exit;
+}
+
+template <class List>
+Json list_of(const List& list) {
+  Json all = Json::array();
+  for (const auto& entry : list) all.push_back(json_of(entry));
+  return all;
+}
+
+}  // namespace
+
+std::string text_of(const Improvement& improvement) {
+  return bytes_of(json_of(improvement));
+}
+
+Improvement improvement_from(const std::string& text) {
+  return step_from(Json::from_cbor(text));
+}
+
+std::string text_of(const RunRecord& record) {
+  const Ledger& ledger = record.ledger;
+  Json json = {
+      {"problem", record.problem},
+      {"solver", record.solver},
+      {"instance", record.instance},
+      {"run", record.run},
+      {"seed", record.seed},
+      {"evaluations", record.budget.evaluations},
+      {"seconds", record.budget.seconds},
+      {"ledger",
+       {ledger.values, ledger.derivatives, ledger.charged, ledger.refused, ledger.seconds}},
+      {"refusal", static_cast<int>(record.refusal)},
+      {"exits", list_of(record.exits)},
+      {"failure", record.failure},
+      {"trace", list_of(record.trace)}};
+  if (const auto& over = record.handed_over) {
+    json["handed_over"] = {json_of(over->x), json_of(over->truth)};
+  }
+  return bytes_of(json);
+}
+
+RunRecord record_from(const std::string& text) {
+  const Json json = Json::from_cbor(text);
+  const Json& ledger = json.at("ledger");
+  RunRecord record;
+  record.problem = json.at("problem");
+  record.solver = json.at("solver");
+  record.instance = json.at("instance");
+  record.run = json.at("run");
+  record.seed = json.at("seed");
+  record.budget = {json.at("evaluations"), json.at("seconds")};
+  record.ledger = {ledger.at(0), ledger.at(1), ledger.at(2), ledger.at(3), ledger.at(4)};
+  record.refusal = static_cast<Refusal>(json.at("refusal").get<int>());
+  for (const Json& exit : json.at("exits")) record.exits.push_back(exit_from(exit));
+  record.failure = json.at("failure");
+  for (const Json& step : json.at("trace")) record.trace.push_back(step_from(step));
+  if (json.contains("handed_over")) {
+    const Json& over = json["handed_over"];
+    record.handed_over = {vector_from(over.at(0)), truth_from(over.at(1))};
+  }
+  return record;
+}
+
+}  // namespace ricochet

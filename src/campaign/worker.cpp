@@ -1,0 +1,194 @@
+#include "src/campaign/worker.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "src/campaign/record_text.h"
+#include "src/core/error.h"
+
+namespace ricochet {
+namespace {
+
+// A message: how long it is, what it is, and itself.
+struct Head {
+  std::uint64_t length;
+  enum class Kind : std::uint64_t { improvement, record } kind;
+};
+
+/// A record is shorter by far; a longer one comes from a process that has lost its senses.
+constexpr std::uint64_t longest_message = 1ULL << 30;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// Of this process now [bytes].
+double address_space() {
+  std::int64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return static_cast<double>(pages * sysconf(_SC_PAGESIZE));
+}
+
+/// The sanitizers' own memory knows no limit.
+void limit_memory(double megabytes) {
+  if (sanitized) return;
+  const auto most = static_cast<rlim_t>(address_space() + 1e6 * std::min(megabytes, 1e9));
+  const rlimit limit{most, most};
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+/// Where nobody reads any more the process has no purpose.
+void write_all(int descriptor, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = write(descriptor, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) _exit(1);
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+}
+
+void tell(int descriptor, Head::Kind kind, const std::string& text) {
+  const Head head{text.size(), kind};
+  std::string message(reinterpret_cast<const char*>(&head), sizeof head);
+  message += text;
+  write_all(descriptor, message.data(), message.size());
+}
+
+/// The life of the process.
+[[noreturn]] void work(const Job& job, const Limits& limits, pid_t parent, int descriptor) {
+  setpgid(0, 0);  // so that it can be killed with whatever it starts
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  limit_memory(limits.megabytes);
+  dup2(STDERR_FILENO, STDOUT_FILENO);  // where a solver prints, it prints into no result
+  try {
+    const RunRecord record = run(
+        *job.problem, *job.solver, job.budget, job.number,
+        [&](const Improvement& step) { tell(descriptor, Head::Kind::improvement, text_of(step)); });
+    tell(descriptor, Head::Kind::record, text_of(record));
+  } catch (...) {
+    _exit(1);
+  }
+  _exit(0);  // and nothing that the parent would have done at its end
+}
+
+std::string in_words(int status) {
+  if (WIFSIGNALED(status)) return fmt::format("crashed: {}", strsignal(WTERMSIG(status)));
+  return fmt::format("ended the process, with exit status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+void check(const Limits& limits) {
+  if (!(limits.seconds > 0)) {
+    throw InputError(fmt::format("--run-seconds {}: must be > 0", limits.seconds));
+  }
+  if (!(limits.megabytes > 0)) {
+    throw InputError(fmt::format("--run-megabytes {}: must be > 0", limits.megabytes));
+  }
+}
+
+Worker::Worker(const Job& job, const Limits& limits) : job_(job), limits_(limits) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) fail("pipe");
+  std::fflush(nullptr);  // what is buffered is the parent's to write
+  const pid_t parent = getpid();
+  process_ = fork();
+  if (process_ == 0) {
+    close(ends[0]);
+    work(job, limits, parent, ends[1]);
+  }
+  const int error = errno;
+  close(ends[1]);
+  descriptor_ = ends[0];
+  if (process_ < 0) {
+    close(descriptor_);
+    errno = error;
+    fail("fork");
+  }
+  setpgid(process_, process_);  // whoever comes first
+  deadline_ = std::chrono::steady_clock::now() +
+              std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                  std::chrono::duration<double>(std::min(limits.seconds, 1e9)));
+}
+
+Worker::~Worker() {
+  kill_and_wait();
+  close(descriptor_);
+}
+
+bool Worker::listen() {
+  char buffer[1 << 16];
+  const ssize_t count = read(descriptor_, buffer, sizeof buffer);
+  if (count < 0 && errno == EINTR) return true;
+  if (count <= 0) return false;
+  unread_.append(buffer, static_cast<std::size_t>(count));
+  std::size_t taken = 0;
+  Head head{};
+  while (unread_.size() - taken >= sizeof head) {
+    std::memcpy(&head, unread_.data() + taken, sizeof head);
+    if (head.length > longest_message) return false;
+    if (unread_.size() - taken - sizeof head < head.length) break;
+    const std::string text = unread_.substr(taken + sizeof head, head.length);
+    try {
+      if (head.kind == Head::Kind::improvement) {
+        trace_.push_back(improvement_from(text));
+      } else {
+        record_ = record_from(text);
+      }
+    } catch (const std::exception&) {
+      return false;
+    }
+    taken += sizeof head + head.length;
+  }
+  unread_.erase(0, taken);
+  return !record_;
+}
+
+/// Kills it, with those that it has started. What it had ended with before, where it had.
+std::string Worker::kill_and_wait() {
+  if (process_ < 0) return {};
+  const bool late = std::chrono::steady_clock::now() >= deadline_;
+  kill(-process_, SIGKILL);
+  kill(process_, SIGKILL);
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  return late ? fmt::format("killed: it took more than {} s", limits_.seconds) : in_words(status);
+}
+
+RunRecord Worker::record() {
+  std::string ending = kill_and_wait();
+  if (record_) return *std::move(record_);
+  RunRecord record = nothing_run(*job_.problem, *job_.solver, job_.budget, job_.number);
+  record.ledger.charged = job_.budget.evaluations;
+  record.trace = std::move(trace_);
+  record.failure = std::move(ending);
+  return record;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,94 @@
+#include "src/studies/stress/study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "src/core/instance.h"
+#include "src/studies/stress/ill_problems.h"
+
+namespace ricochet::studies {
+namespace {
+
+using testing::StartsWith;
+
+Solver named(const char* name) {
+  Solver solver;
+  solver.name = name;
+  solver.accepts = [](const Problem& problem) { return problem.constraints == 0; };
+  return solver;
+}
+
+/// Looks at the best point, where there is one, and then at others until it is stopped.
+Solver lucky() {
+  Solver solver = named("lucky");
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
+    Vector x = evaluator.problem().best_point.value_or(start);
+    while (evaluator.objective(x)) x = uniform_point(evaluator.problem(), random);
+    return {"stopped"};
+  };
+  return solver;
+}
+
+Solver crashing() {
+  Solver solver = named("crashing");
+  solver.solve = [](Evaluator&, const Vector&, Random&) -> SolverExit {
+    kill(getpid(), SIGKILL);
+    return {};
+  };
+  return solver;
+}
+
+Solver lazy() {
+  Solver solver = named("lazy");
+  solver.solve = [](Evaluator&, const Vector&, Random&) { return SolverExit{"no"}; };
+  return solver;
+}
+
+/// How that solver's run on that problem ended; null where it was not put to it.
+report::Json ending(const report::Json& data, std::size_t solver, const std::string& problem) {
+  for (std::size_t k = 0; k < data["problems"].size(); ++k) {
+    if (data["problems"][k]["problem"] == problem) return data["solvers"][solver]["endings"][k];
+  }
+  ADD_FAILURE() << "no problem " << problem;
+  return {};
+}
+
+TEST(StressStudy, KeepsARecordOfEveryRunWhateverHappens) {
+  const auto data = stress_study({lucky(), crashing(), lazy()}).compute(false);
+  const std::size_t problems = data["problems"].size();
+  EXPECT_EQ(data["counts"]["runs"], 3 * (problems - 1)) << "none takes constraints";
+  EXPECT_EQ(data["counts"]["crashed"], problems - 2) << "with budget 0 nobody is called";
+  int counted = 0;
+  for (const char* kind : {"solved", "spent", "ended", "threw", "killed", "crashed"}) {
+    counted += data["counts"][kind].get<int>();
+  }
+  EXPECT_EQ(counted, data["counts"]["runs"]);
+  EXPECT_EQ(ending(data, 0, "no-number")["ending"], "solved at 1");
+  EXPECT_EQ(ending(data, 0, "cliff")["kind"], "solved");
+  EXPECT_EQ(ending(data, 0, "throws")["kind"], "threw");
+  EXPECT_EQ(ending(data, 0, "throws")["reasons"], "the model broke");
+  EXPECT_EQ(ending(data, 0, "plateau")["ending"], "spent 400");
+  EXPECT_EQ(ending(data, 0, "sleeps")["kind"], "killed");
+  EXPECT_EQ(ending(data, 0, "sleeps")["improvements"], 1);
+  EXPECT_EQ(ending(data, 0, "budget-1")["kind"], "solved");
+  EXPECT_EQ(ending(data, 0, "budget-0")["kind"], "ended");
+  EXPECT_TRUE(ending(data, 0, "infeasible").is_null());
+  EXPECT_THAT(ending(data, 1, "cliff")["ending"], StartsWith("crashed"));
+  EXPECT_EQ(ending(data, 2, "cliff")["ending"], "ended at 0");
+}
+
+TEST(IllProblems, AreAsTheySay) {
+  for (const auto& [what, problem, budget, limits] : stress::ill_problems()) {
+    EXPECT_TRUE((problem.start.array() >= problem.lower.array()).all()) << problem.name;
+    if (problem.name == "sleeps") continue;
+    if (!problem.best_known || problem.name == "throws") continue;
+    EXPECT_EQ(truth_at(problem, *problem.best_point).objective, *problem.best_known)
+        << problem.name;
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::studies

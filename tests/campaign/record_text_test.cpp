@@ -79,7 +79,9 @@ TEST(RecordText, KeepsAllOfARecord) {
     ASSERT_EQ(again.trace.size(), 2U);
     EXPECT_EQ(again.trace[1].x, record.trace[1].x);
     ASSERT_EQ(again.handed_over.has_value(), handed_over);
-    if (handed_over) EXPECT_EQ(again.handed_over->truth.violation, 8);
+    if (handed_over) {
+      EXPECT_EQ(again.handed_over->truth.violation, 8);
+    }
   }
 }
 

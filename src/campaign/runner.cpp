@@ -13,18 +13,43 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Running {
-  std::size_t job;
-  std::unique_ptr<Worker> worker;
+/// A process is replaced when it is so old, so that what solvers leave behind does not add up;
+/// another one costs some milliseconds.
+constexpr std::chrono::seconds old_age(1);
+
+/// Jobs that wait, the next one first.
+class Queue {
+ public:
+  explicit Queue(std::size_t jobs) : jobs_(jobs) {}
+
+  bool empty() const { return again_.empty() && next_ == jobs_; }
+
+  /// Whether the next one must have a process of its own.
+  bool alone() const { return !again_.empty(); }
+
+  std::size_t take() {
+    if (again_.empty()) return next_++;
+    const std::size_t job = again_.back();
+    again_.pop_back();
+    return job;
+  }
+
+  /// What went wrong after other runs in the same process may be their fault: once more, alone.
+  void put_back(std::size_t job) { again_.push_back(job); }
+
+ private:
+  std::size_t jobs_;
+  std::size_t next_ = 0;
+  std::vector<std::size_t> again_;
 };
 
 /// Waits for news of any of them. Returns whether there are some, for each.
-std::vector<bool> wait_for(const std::vector<Running>& running) {
+std::vector<bool> wait_for(const std::vector<std::unique_ptr<Worker>>& workers) {
   std::vector<pollfd> descriptors;
   auto deadline = Clock::time_point::max();
-  for (const Running& each : running) {
-    descriptors.push_back({each.worker->descriptor(), POLLIN, 0});
-    deadline = std::min(deadline, each.worker->deadline());
+  for (const auto& worker : workers) {
+    descriptors.push_back({worker->descriptor(), POLLIN, 0});
+    deadline = std::min(deadline, worker->deadline());
   }
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
   // An hour at most: it is an int.
@@ -35,31 +60,41 @@ std::vector<bool> wait_for(const std::vector<Running>& running) {
   return news;
 }
 
+/// A worker at the next job: this one, where it may go on.
+std::unique_ptr<Worker> at_work(std::unique_ptr<Worker> worker, Queue& queue,
+                                const std::vector<Job>& jobs, const Limits& limits) {
+  const bool goes_on = worker && worker->alive() && worker->age() < old_age && !queue.alone();
+  if (!goes_on) worker = std::make_unique<Worker>(jobs, limits);
+  worker->begin(queue.take());
+  return worker;
+}
+
 }  // namespace
 
 void run_all(const std::vector<Job>& jobs, const Limits& limits,
              const std::function<void(std::size_t, RunRecord)>& done) {
   const std::size_t at_once = std::max<std::size_t>(
       1, tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  std::vector<Running> running;
-  std::size_t next = 0;
-  while (next < jobs.size() || !running.empty()) {
-    while (next < jobs.size() && running.size() < at_once) {
-      running.push_back({next, std::make_unique<Worker>(jobs[next], limits)});
-      ++next;
-    }
-    const std::vector<bool> news = wait_for(running);
-    std::vector<Running> still;
-    for (std::size_t i = 0; i < running.size(); ++i) {
-      Worker& worker = *running[i].worker;
-      const bool goes_on = !news[i] || worker.listen();
-      if (goes_on && Clock::now() < worker.deadline()) {
-        still.push_back(std::move(running[i]));
+  Queue queue(jobs.size());
+  std::vector<std::unique_ptr<Worker>> workers;
+  while (workers.size() < at_once && !queue.empty()) {
+    workers.push_back(at_work(nullptr, queue, jobs, limits));
+  }
+  while (!workers.empty()) {
+    const std::vector<bool> news = wait_for(workers);
+    for (std::size_t w = 0; w < workers.size(); ++w) {
+      Worker& worker = *workers[w];
+      const bool goes_on = !news[w] || worker.listen();
+      if (goes_on && Clock::now() < worker.deadline()) continue;
+      RunRecord record = worker.record();
+      if (!worker.alive() && worker.runs() > 1) {
+        queue.put_back(worker.job());
       } else {
-        done(running[i].job, worker.record());
+        done(worker.job(), std::move(record));
       }
+      workers[w] = queue.empty() ? nullptr : at_work(std::move(workers[w]), queue, jobs, limits);
     }
-    running = std::move(still);
+    std::erase(workers, nullptr);
   }
 }
 

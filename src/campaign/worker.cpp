@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,8 +76,19 @@ void tell(int descriptor, Head::Kind kind, const std::string& text) {
   write_all(descriptor, message.data(), message.size());
 }
 
+/// The next job that the parent wants; nothing where there is none.
+std::optional<std::size_t> next_job(int descriptor) {
+  std::size_t job = 0;
+  ssize_t count = 0;
+  do {
+    count = read(descriptor, &job, sizeof job);
+  } while (count < 0 && errno == EINTR);
+  return count == sizeof job ? std::optional(job) : std::nullopt;
+}
+
 /// The life of the process.
-[[noreturn]] void work(const Job& job, const Limits& limits, pid_t parent, int descriptor) {
+[[noreturn]] void work(const std::vector<Job>& jobs, const Limits& limits, pid_t parent,
+                       int descriptor) {
   setpgid(0, 0);  // so that it can be killed with whatever it starts
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
@@ -85,10 +97,13 @@ void tell(int descriptor, Head::Kind kind, const std::string& text) {
   limit_memory(limits.megabytes);
   dup2(STDERR_FILENO, STDOUT_FILENO);  // where a solver prints, it prints into no result
   try {
-    const RunRecord record = run(
-        *job.problem, *job.solver, job.budget, job.number,
-        [&](const Improvement& step) { tell(descriptor, Head::Kind::improvement, text_of(step)); });
-    tell(descriptor, Head::Kind::record, text_of(record));
+    while (const auto job = next_job(descriptor)) {
+      const auto& [problem, solver, budget, number] = jobs[*job];
+      const RunRecord record = run(*problem, *solver, budget, number, [&](const Improvement& step) {
+        tell(descriptor, Head::Kind::improvement, text_of(step));
+      });
+      tell(descriptor, Head::Kind::record, text_of(record));
+    }
   } catch (...) {
     _exit(1);
   }
@@ -111,15 +126,16 @@ void check(const Limits& limits) {
   }
 }
 
-Worker::Worker(const Job& job, const Limits& limits) : job_(job), limits_(limits) {
+Worker::Worker(const std::vector<Job>& jobs, const Limits& limits)
+    : jobs_(jobs), limits_(limits), born_(std::chrono::steady_clock::now()) {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) fail("pipe");
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair");
   std::fflush(nullptr);  // what is buffered is the parent's to write
   const pid_t parent = getpid();
   process_ = fork();
   if (process_ == 0) {
     close(ends[0]);
-    work(job, limits, parent, ends[1]);
+    work(jobs, limits, parent, ends[1]);
   }
   const int error = errno;
   close(ends[1]);
@@ -130,9 +146,22 @@ Worker::Worker(const Job& job, const Limits& limits) : job_(job), limits_(limits
     fail("fork");
   }
   setpgid(process_, process_);  // whoever comes first
+}
+
+void Worker::begin(std::size_t job) {
+  job_ = job;
+  ++runs_;
+  trace_.clear();
+  record_.reset();
   deadline_ = std::chrono::steady_clock::now() +
               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                  std::chrono::duration<double>(std::min(limits.seconds, 1e9)));
+                  std::chrono::duration<double>(std::min(limits_.seconds, 1e9)));
+  // Where nobody takes it, listening will tell.
+  static_cast<void>(send(descriptor_, &job, sizeof job, MSG_NOSIGNAL));
+}
+
+std::chrono::steady_clock::duration Worker::age() const {
+  return std::chrono::steady_clock::now() - born_;
 }
 
 Worker::~Worker() {
@@ -182,12 +211,12 @@ std::string Worker::kill_and_wait() {
 }
 
 RunRecord Worker::record() {
-  std::string ending = kill_and_wait();
   if (record_) return *std::move(record_);
-  RunRecord record = nothing_run(*job_.problem, *job_.solver, job_.budget, job_.number);
-  record.ledger.charged = job_.budget.evaluations;
+  const Job& job = jobs_[job_];
+  RunRecord record = nothing_run(*job.problem, *job.solver, job.budget, job.number);
+  record.ledger.charged = job.budget.evaluations;
   record.trace = std::move(trace_);
-  record.failure = std::move(ending);
+  record.failure = kill_and_wait();
   return record;
 }
 

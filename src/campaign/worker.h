@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "src/core/run.h"
 
@@ -28,41 +29,55 @@ struct Limits {
 /// Throws InputError, naming the option, where a limit is none.
 void check(const Limits& limits);
 
-/// One run in a process of its own: a copy of this one, so that it starts within a millisecond and
-/// leaves nothing behind. A solver that crashes, hangs or eats memory costs its own run and nothing
-/// else.
+/// A process that makes runs, one after the other: a copy of this one, so that it knows all jobs.
+/// A solver that crashes, hangs or eats memory costs its own run, the process, and nothing else.
 class Worker {
  public:
-  /// Throws std::system_error where there can be no other process.
-  Worker(const Job& job, const Limits& limits);
+  /// The jobs outlive it. Throws std::system_error where there can be no other process.
+  Worker(const std::vector<Job>& jobs, const Limits& limits);
 
-  /// Kills the process where it still runs.
+  /// Kills the process.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Has something to be read when there is news.
+  /// Begins the run of a job. The one before must have ended, and the process must be alive.
+  void begin(std::size_t job);
+
+  /// The job of the run.
+  std::size_t job() const { return job_; }
+
+  /// When the run is killed, unless it has ended.
+  std::chrono::steady_clock::time_point deadline() const { return deadline_; }
+
+  /// Has something to be read when there is news of the run.
   int descriptor() const { return descriptor_; }
 
   /// Takes the news. Returns whether the run goes on.
   bool listen();
 
-  /// When it is killed, unless it has ended.
-  std::chrono::steady_clock::time_point deadline() const { return deadline_; }
-
   /// After the run has ended, or its deadline: its record. Of a run that did not come to its own
   /// end the record has what it had found, says what happened in `failure`, and is charged the
-  /// whole budget.
+  /// whole budget; the process is dead then.
   RunRecord record();
 
+  bool alive() const { return process_ >= 0; }
+
+  /// Runs that it has begun.
+  int runs() const { return runs_; }
+
+  std::chrono::steady_clock::duration age() const;
+
  private:
-  void take(const std::string& message);
   std::string kill_and_wait();
 
-  Job job_;
+  const std::vector<Job>& jobs_;
   Limits limits_;
+  std::chrono::steady_clock::time_point born_;
   pid_t process_ = -1;
   int descriptor_ = -1;
+  std::size_t job_ = 0;
+  int runs_ = 0;
   std::chrono::steady_clock::time_point deadline_;
   std::string unread_;  // of a message that has not wholly come
   std::vector<Improvement> trace_;

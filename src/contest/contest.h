@@ -44,7 +44,7 @@ struct Standing {
 /// each penalised, too, where it has constraints.
 std::vector<Form> forms_of(const Question& question, const std::vector<double>& widths);
 
-/// Runs every solver in every form that it accepts, each run in a process of its own, on all cores;
+/// Runs every solver in every form that it accepts, in other processes, on all cores;
 /// standings by question, then
 /// solver, form and budget. The same every time, but for the times. Throws std::invalid_argument
 /// for a question whose best value is not known.

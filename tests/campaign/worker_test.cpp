@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -148,16 +149,32 @@ TEST(Worker, GivesASolverNoMoreMemoryThanAllowed) {
 #endif
   const auto eats = [] {
     std::vector<std::unique_ptr<char[]>> meals;
-    for (int k = 0; k < 100; ++k) meals.push_back(std::make_unique<char[]>(1 << 20));
+    for (int k = 0; k < 30; ++k) meals.push_back(std::make_unique<char[]>(1 << 20));
   };
-  expect_failed(run_that(eats, {60, 64}), StartsWith("out of memory"));
+  expect_failed(run_that(eats, {60, 16}), StartsWith("out of memory"));
   const auto does_not_look = [] {
-    for (int k = 0; k < 1000; ++k) {
+    for (int k = 0; k < 30; ++k) {
       static_cast<volatile char*>(std::malloc(1 << 20))[0] = 1;
     }
   };
-  expect_failed(run_that(does_not_look, {60, 64}), StartsWith("crashed: "));
-  EXPECT_THAT(run_that(eats, {60, 500}).failure, IsEmpty());
+  expect_failed(run_that(does_not_look, {60, 16}), StartsWith("crashed: "));
+  EXPECT_THAT(run_that(eats, {60, 200}).failure, IsEmpty());
+}
+
+TEST(Worker, MakesARunAgainWhereAnotherMayHaveSpoiltTheProcess) {
+  const Problem problem = valley();
+  static int runs = 0;
+  const Solver spoils = that([] { ++runs; });
+  const Solver suffers = that([] {
+    if (runs > 0) _exit(9);
+  });
+  const std::vector<Job> jobs = {{&problem, &spoils, {1}}, {&problem, &suffers, {1}}};
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  std::vector<RunRecord> records(2);
+  run_all(jobs, {}, [&](std::size_t job, RunRecord record) { records[job] = record; });
+  EXPECT_THAT(records[0].failure, IsEmpty());
+  EXPECT_THAT(records[1].failure, IsEmpty());
+  EXPECT_EQ(records[1].exits.size(), 2U);
 }
 
 TEST(Worker, KeepsWhatASolverPrintsOutOfTheResults) {

@@ -29,6 +29,11 @@ struct Rating {
   double rank = 0;                       ///< mean over questions and instances, ties sharing theirs
 };
 
+/// How tables and charts name a solver that is shown a form.
+inline std::string competitor(const std::string& solver, const std::string& form) {
+  return solver + ", " + form;
+}
+
 /// Regrets that count as targets of a question: its own tolerance, and easier ones.
 std::vector<double> targets_of(const Question& question);
 

@@ -104,7 +104,7 @@ struct BasicScene {
   // Of fidelity compliant alone, which carries no derivatives.
   ContactLaw contact_law = ContactLaw::hunt_crossley;
   double stiffness = 1e8;               ///< [N/m^contact_exponent], > 0
-  double contact_exponent = 1.5;        ///< > 0; 1 for kelvin_voigt
+  double contact_exponent = 1.5;        ///< > 0, of compliant walls >= 1; 1 for kelvin_voigt
   std::optional<double> contact_speed;  ///< [m/s], > 0: v0 of the law; none: of each impact its own
   std::optional<Across<Scalar>> across;  ///< of fidelity planar and automatic
 };

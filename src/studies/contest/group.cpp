@@ -77,7 +77,7 @@ Json share_rows(const Plan& plan, const std::vector<Standing>& standings, const 
     const auto place = std::find(group.questions.begin(), group.questions.end(), standing.question);
     if (place == group.questions.end() || standing.budget + 1 != plan.budgets.size()) continue;
     Json& cells =
-        rows[standing.solver + ", " + plan.questions[standing.question].name_of(standing.form)];
+        rows[competitor(standing.solver, plan.questions[standing.question].name_of(standing.form))];
     if (cells.is_null()) cells = Json(group.questions.size(), Json());
     cells[static_cast<std::size_t>(place - group.questions.begin())] =
         result_of(standing.outcomes).found.share;

@@ -23,7 +23,7 @@ struct Order {
 Order order_of(const std::vector<Rating>& ratings) {
   Order order;
   for (const Rating& r : ratings) {
-    const std::string name = r.solver + ", " + r.form;
+    const std::string name = competitor(r.solver, r.form);
     if (order.leader.empty()) order.leader = name;
     order.ranks[name] = r.rank;
   }

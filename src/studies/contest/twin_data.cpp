@@ -33,7 +33,8 @@ Json twin_data(const Plan& asked) {
     };
     for (const Standing& standing : hold(plan)) {
       const Question& question = plan.questions[standing.question];
-      add_runs(tallies[standing.solver + ", " + question.name_of(standing.form)][place], standing);
+      add_runs(tallies[competitor(standing.solver, question.name_of(standing.form))][place],
+               standing);
     }
   }
   std::vector<double> p_values;

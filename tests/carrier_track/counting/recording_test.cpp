@@ -10,13 +10,18 @@
 namespace ricochet::carrier_track {
 namespace {
 
+Scene bouncing_scene(CountRule rule) {
+  Scene scene = exploratory_scene();
+  scene.restitution_lower = scene.restitution_upper = 0.9;
+  scene.rule = rule;
+  scene.peak_high = 0.9e-3;
+  scene.peak_low = 0.1e-3;
+  return scene;
+}
+
 TEST(Recording, CountsAsTheObjectiveDoes) {
   for (const CountRule rule : {CountRule::impacts, CountRule::peaks}) {
-    Scene scene = exploratory_scene();
-    scene.restitution_lower = scene.restitution_upper = 0.9;
-    scene.rule = rule;
-    scene.peak_high = 0.9e-3;
-    scene.peak_low = 0.1e-3;
+    Scene scene = bouncing_scene(rule);
     for (const double omega : {1.0, 4.0, 11.0}) {
       scene.omega = omega;
       const Recording recording = record(scene, 0.25, 0);
@@ -69,11 +74,7 @@ TEST(Recording, HasNoMarginWithoutFeatures) {
 
 TEST(Recording, MarksAsManyFeaturesAsCount) {
   for (const CountRule rule : {CountRule::impacts, CountRule::peaks}) {
-    Scene scene = exploratory_scene();
-    scene.restitution_lower = scene.restitution_upper = 0.9;
-    scene.rule = rule;
-    scene.peak_high = 0.9e-3;
-    scene.peak_low = 0.1e-3;
+    Scene scene = bouncing_scene(rule);
     scene.omega = 11;
     const Recording recording = record(scene, 0.25, 0);
     ASSERT_GT(recording.count, 0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "src/contest/rating.h"
 #include "src/contest/twin.h"
 #include "src/statistics/fisher_exact_test.h"
 #include "src/statistics/holm.h"

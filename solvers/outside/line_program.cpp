@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <pthread.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -95,7 +95,9 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
   child_ = fork();
   if (child_ < 0) refuse("fork");
   if (child_ == 0) become(pointers.data(), its_input.number(), its_output.number(), maker_);
-  process_.take(pidfd_open(child_, 0));  // -1 on an old kernel, where the end of the output must do
+  // By its number: glibc 2.36 does not declare pidfd_open for C++. -1 on an old kernel, where the
+  // end of the output must do.
+  process_.take(static_cast<int>(syscall(SYS_pidfd_open, child_, 0)));
 }
 
 LineProgram::~LineProgram() {

@@ -136,8 +136,9 @@ TEST(LineProgram, EndsWithItsObject) {
 TEST(LineProgram, EndsWithTheThreadThatStartedIt) {
   std::unique_ptr<LineProgram> program;
   std::thread([&] {
-    program = std::make_unique<LineProgram>(shell("while true; do sleep 0.1; done"));
+    program = std::make_unique<LineProgram>(shell("echo here; while true; do sleep 0.1; done"));
     EXPECT_TRUE(program->is_of_this_thread());
+    EXPECT_THAT(program->line(), Optional(std::string_view("here")));
   }).join();
   EXPECT_FALSE(program->is_of_this_thread());
   EXPECT_EQ(program->line(), std::nullopt);

@@ -17,7 +17,8 @@ foreach(folder src/core problems solvers)  # included as "src/core/problem.h", h
   get_filename_component(above ${folder} DIRECTORY)
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ricochet/${above}
           FILES_MATCHING PATTERN "*.h"
-          PATTERN oracle EXCLUDE PATTERN reference_integrators EXCLUDE)
+          PATTERN oracle EXCLUDE PATTERN outside EXCLUDE
+          PATTERN reference_integrators EXCLUDE)
 endforeach()
 
 configure_package_config_file(cmake/ricochetConfig.cmake.in ricochetConfig.cmake

@@ -65,9 +65,14 @@ typedef struct ricochet_solver {
 
   /** Minimises from problem->start until it is done or values() returns 1; ricochet starts it
    * again elsewhere while evaluations are left. `point` (dimension) holds the start, and takes the
-   * point handed over. Returns why it ended, in static storage, or NULL. */
+   * point handed over; left as it is, the best one shown is. Returns why it ended, in static
+   * storage, or NULL. May be called from several threads at once, each with a problem of its own;
+   * from C++ it may throw a std::exception, which ends the run as a failure. */
   const char* (*solve)(ricochet_problem* problem, double* point);
 } ricochet_solver;
+
+/** Declared so that its definition is exported from C++, too, where constants are not. */
+extern const ricochet_solver ricochet_plugin;
 
 /** The question of this name in this form (NULL or "": as it is judged), as instance 0 (as stated)
  * or 1, 2, ... (moved, reflected); `budget` evaluations, and `seed` for uniform(). NULL where

@@ -146,8 +146,12 @@ class Program : public CommandLine {
     CLI::App* command =
         add("solve", "One run of one solver on one question, watched and judged",
             "  ricochet solve nlopt-cobyla top-speed-C1 --form penalised-count\n"
-            "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg");
-    command->add_option("solver", solve_.solver, "One of ricochet list solvers")
+            "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg\n"
+            "  ricochet solve ./mine.so count-C1\n"
+            "  ricochet solve 'python3 mine.py' count-C1");
+    command
+        ->add_option("solver", solve_.solver,
+                     "One of ricochet list solvers; or your own, a library or a program")
         ->required()
         ->type_name("SOLVER");
     command->add_option("question", solve_.question, "One of ricochet list questions")
@@ -178,10 +182,16 @@ class Program : public CommandLine {
         "compare", "Solvers against each other: who solves what, in which form, at what cost",
         [this] { return studies::contest_study(contest_); },
         "  ricochet compare --quick\n"
-        "  ricochet compare --questions 'hs-*' --solvers 'nlopt-*' --budget 100,1000");
+        "  ricochet compare --questions 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
+        "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'");
     command->add_option("--questions", contest_.questions,
                         "Patterns, with commas between; else the standing contest's");
     command->add_option("--solvers", contest_.solvers, "Patterns")->capture_default_str();
+    command
+        ->add_option("--solver", contest_.added_solvers,
+                     "One more, such as your own, a library or a program; may be repeated")
+        ->type_name("SOLVER")
+        ->allow_extra_args(false);
     command->add_option("--forms", contest_.forms, "Patterns, such as *count or penalised*")
         ->capture_default_str();
     command->add_option("--widths", contest_.widths, "Of surrogates, beside the usual one")

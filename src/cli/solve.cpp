@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "problems/families.h"
+#include "solvers/outside/outside.h"
 #include "solvers/solvers.h"
 #include "src/campaign/runner.h"
 #include "src/core/error.h"
@@ -34,6 +36,12 @@ auto named(const List& list, const std::string& wanted, const char* what, NameOf
   }
   throw InputError(
       fmt::format("{}: there is no such {}; {}", wanted, what, what_instead(wanted, known)));
+}
+
+Solver solver_of(const std::string& wanted) {
+  const std::optional<Solver> brought = outside::outside_solver(wanted);
+  if (brought) return *brought;
+  return named(all_solvers(), wanted, "solver", [](const Solver& s) { return s.name; });
 }
 
 /// The form asked for, or the first that the solver accepts.
@@ -179,8 +187,7 @@ int solve(const SolveOptions& options) {
   }
   if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
   check(options.limits);
-  const Solver solver =
-      named(all_solvers(), options.solver, "solver", [](const Solver& s) { return s.name; });
+  const Solver solver = solver_of(options.solver);
   const Question question = named(every_question(all_families()), options.question, "question",
                                   [](const Question& q) { return q.name(); });
   const Form form = form_of(options, question, solver);

@@ -18,15 +18,6 @@ std::string readme() {
   return read(RICOCHET_SOURCE "/README.md");
 }
 
-TEST(Readme, ShowsASolverThatIsReallyThere) {
-  const std::string text = readme();
-  const std::string fence = "```cpp\n";
-  const auto start = text.find(fence) + fence.size();
-  const std::string code = text.substr(start, text.find("```", start) - start);
-  EXPECT_GT(code.size(), 100U);
-  EXPECT_THAT(read(RICOCHET_SOURCE "/solvers/random_search.cpp"), testing::HasSubstr(code));
-}
-
 /// A row of the table of the scene's keys; its cells after the keys.
 struct Row {
   std::string unit, allowed, missing;

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "problems/families.h"
+#include "solvers/outside/outside.h"
 #include "solvers/solvers.h"
 #include "src/contest/chosen.h"
 #include "src/core/error.h"
+#include "src/core/near_names.h"
 #include "src/studies/contest/drawn_plan.h"
 #include "src/studies/contest/failure_data.h"
 #include "src/studies/contest/form_data.h"
@@ -70,6 +73,39 @@ Json exits_of(const std::vector<Standing>& standings) {
   return rows;
 }
 
+/// The solvers that the patterns fit, and those that were added.
+std::vector<Solver> solvers_of(const ContestOptions& options) {
+  std::vector<Solver> all = all_solvers();
+  std::vector<std::string> names;
+  for (const Solver& solver : all) names.push_back(solver.name);
+  std::vector<std::string> added;
+  for (const std::string& text : options.added_solvers) {
+    const std::optional<Solver> brought = outside::outside_solver(text);
+    const std::string& name = brought ? brought->name : text;
+    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
+    if (brought && is_known) {
+      throw InputError(
+          fmt::format("--solver {}: there is another solver of its name, {}", text, name));
+    }
+    if (!brought && !is_known) {
+      throw InputError(
+          fmt::format("--solver {}: there is no such solver; {}", text, what_instead(text, names)));
+    }
+    if (brought) {
+      all.push_back(*brought);
+      names.push_back(name);
+    }
+    added.push_back(name);
+  }
+  std::vector<Solver> chosen = chosen_solvers(all, options.solvers, "--solvers");
+  for (const Solver& solver : all) {
+    const auto has_its_name = [&](const Solver& other) { return other.name == solver.name; };
+    if (std::find(added.begin(), added.end(), solver.name) == added.end()) continue;
+    if (std::none_of(chosen.begin(), chosen.end(), has_its_name)) chosen.push_back(solver);
+  }
+  return chosen;
+}
+
 /// The contests: of one variable, where a thousand evaluations are cheap, and of several.
 std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
                            const std::vector<Family>& families) {
@@ -77,7 +113,7 @@ std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
   plan.questions = chosen_questions(
       every_question(families), options.questions.empty() ? standing_questions : options.questions,
       "--questions");
-  plan.solvers = chosen_solvers(all_solvers(), options.solvers, "--solvers");
+  plan.solvers = solvers_of(options);
   plan.widths = options.widths;
   plan.limits = options.limits;
   plan.wants = [forms = options.forms](const Question& question, const Form& form) {

@@ -13,6 +13,9 @@ namespace ricochet::studies {
 struct ContestOptions {
   std::string questions;  ///< names of questions; empty: those of the standing contest
   std::string solvers = "*";
+  /// Solvers that are in whatever the patterns say: names, or files and programs of the user's own;
+  /// see solvers/outside/outside.h.
+  std::vector<std::string> added_solvers = {};
   std::string forms = "*";
   std::vector<std::int64_t>
       budgets;  ///< evaluations for each variable; empty: as for the standing contest

@@ -16,11 +16,10 @@ Solver shrinking_steps() {
   solver.accepts = [](const Problem& problem) { return problem.constraints == 0; };
   solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
     const Vector box = evaluator.problem().upper - evaluator.problem().lower;
-    std::uniform_real_distribution<double> uniform(-1, 1);
     Vector x = start;
     for (double size = 1; evaluator.values(x) && size > 1e-6; size *= 0.98) {
       x = *evaluator.best_shown();
-      for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += size * uniform(random) * box[i];
+      for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += size * (2 * uniform(random) - 1) * box[i];
     }
     return {"steps too short"};
   };

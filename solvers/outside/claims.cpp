@@ -1,0 +1,48 @@
+#include "solvers/outside/claims.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solvers/unit_box.h"
+#include "src/core/error.h"
+#include "src/core/one_line.h"
+
+namespace ricochet::outside {
+namespace {
+
+constexpr std::size_t longest_name = 60;
+
+bool may_stand_in_a_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+         c == '_' || c == '.' || c == '+';
+}
+
+}  // namespace
+
+Solver solver_as_claimed(const Claims& claims, const std::string& source) {
+  const std::string& name = claims.name;
+  if (name.empty() || name.size() > longest_name ||
+      !std::all_of(name.begin(), name.end(), may_stand_in_a_name)) {
+    throw InputError(fmt::format(
+        "{}: name \"{}\"; allowed are 1 to {} letters, digits and the characters - _ . +", source,
+        name, longest_name));
+  }
+  if (claims.takes_constraints < 0 || claims.takes_constraints > 2) {
+    throw InputError(fmt::format("{}: takes_constraints {}; allowed are 0, 1 and 2", source,
+                                 claims.takes_constraints));
+  }
+  Solver solver;
+  solver.name = name;
+  solver.version = one_line(claims.version);
+  solver.stochastic = claims.stochastic;
+  solver.accepts = [takes = claims.takes_constraints,
+                    needs = claims.needs_derivatives](const Problem& problem) {
+    const bool can =
+        takes == 2 || (takes == 1 && problem.equalities == 0) || problem.constraints == 0;
+    return can && has_room(problem) && (!needs || problem.differentiate);
+  };
+  return solver;
+}
+
+}  // namespace ricochet::outside

@@ -1,0 +1,211 @@
+#include "solvers/outside/conversation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solvers/unit_box.h"
+#include "src/core/near_names.h"
+#include "src/core/one_line.h"
+
+namespace ricochet::outside {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::chrono::seconds patience{60};  // imports of a large library take long
+constexpr int most_asked_when_over = 500;     // as of every solver; see its tests
+constexpr std::size_t shown_of_a_line = 80;   // bytes
+
+/// One line of a program, an object with no keys but those allowed.
+class Message {
+ public:
+  Message(const LineProgram& program, std::string_view line)
+      : number_(program.lines()), line_(line), content_(Json::parse(line, nullptr, false)) {
+    if (content_.is_discarded()) {
+      refuse("is no JSON (what is for people to read belongs on standard error)");
+    }
+    if (!content_.is_object()) refuse("is no JSON object");
+  }
+
+  void allow(const std::vector<std::string>& keys) const {
+    for (const auto& [key, value] : content_.items()) {
+      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+      refuse(fmt::format("knows no \"{}\"; {}", key, what_instead(key, keys)));
+    }
+  }
+
+  bool has(const char* key) const { return content_.contains(key); }
+  const Json& operator[](const char* key) const { return content_[key]; }
+
+  /// What the key holds, or `otherwise` where it is not there; `is` says whether it is of the type
+  /// that is described.
+  template <class T>
+  T get(const char* key, T otherwise, bool (Json::*is)() const noexcept, const char* type) const {
+    if (!has(key)) return otherwise;
+    if (!(content_[key].*is)()) refuse(fmt::format("\"{}\" is no {}", key, type));
+    return content_[key].get<T>();
+  }
+  std::string text(const char* key) const {
+    return get(key, std::string(), &Json::is_string, "text in quotes");
+  }
+  bool flag(const char* key) const { return get(key, false, &Json::is_boolean, "true or false"); }
+
+  Vector point(const char* key, const Json& list, Eigen::Index dimension) const {
+    if (!list.is_array()) refuse(fmt::format("\"{}\" is no list of numbers", key));
+    if (static_cast<Eigen::Index>(list.size()) != dimension) {
+      refuse(fmt::format("\"{}\" has {} numbers, but the problem {} variables", key, list.size(),
+                         dimension));
+    }
+    Vector x(dimension);
+    for (Eigen::Index i = 0; i < dimension; ++i) {
+      const Json& number = list[static_cast<std::size_t>(i)];
+      if (!number.is_number() && !number.is_null()) {
+        refuse(fmt::format("\"{}\" holds what is no number", key));
+      }
+      x[i] = number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
+    }
+    return x;
+  }
+
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw std::runtime_error(fmt::format("output line {} {}: {}{}", number_, reason,
+                                         one_line(line_.substr(0, shown_of_a_line)),
+                                         line_.size() > shown_of_a_line ? "..." : ""));
+  }
+
+ private:
+  int number_;
+  std::string_view line_;
+  Json content_;
+};
+
+Json list_of(const Vector& vector) {
+  Json list = Json::array();
+  for (const double value : vector) list.push_back(value);
+  return list;
+}
+
+Json rows_of(const Matrix& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) rows.push_back(list_of(matrix.row(i)));
+  return rows;
+}
+
+void send(LineProgram& program, const Json& message) {
+  // Names of problems are the user's own: what is no UTF-8 in them is replaced.
+  program.send(message.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Json description_of(Evaluator& evaluator, const Vector& start, std::uint32_t seed) {
+  const Problem& problem = evaluator.problem();
+  return {{"ricochet", 1},
+          {"name", problem.name},
+          {"dimension", problem.dimension()},
+          {"lower", list_of(problem.lower)},
+          {"upper", list_of(problem.upper)},
+          {"start", list_of(start)},
+          {"constraints", problem.constraints},
+          {"equalities", problem.equalities},
+          {"derivatives", static_cast<bool>(problem.differentiate)},
+          {"budget", evaluator.remaining()},
+          {"seed", seed}};
+}
+
+/// What is told of a point; nothing once the run is over.
+std::optional<Json> told(Evaluator& evaluator, const Vector& x, bool derivatives) {
+  if (!derivatives) {
+    const auto values = evaluator.values(x);
+    if (!values) return std::nullopt;
+    return Json{{"objective", values->objective}, {"constraints", list_of(values->constraints)}};
+  }
+  const auto known = evaluator.derivatives(x);
+  if (!known) return std::nullopt;
+  return Json{{"objective", known->values.objective},
+              {"constraints", list_of(known->values.constraints)},
+              {"gradient", list_of(known->gradient)},
+              {"jacobian", rows_of(known->jacobian)}};
+}
+
+/// The answer to what is asked: of a batch, what is told of each point in turn, key by key; nothing
+/// once the run is over.
+std::optional<Json> answer(Evaluator& evaluator, const Message& message) {
+  message.allow({"ask", "derivatives"});
+  const Eigen::Index dimension = evaluator.problem().dimension();
+  const Json& asked = message["ask"];
+  const bool derivatives = message.flag("derivatives");
+  if (derivatives && !evaluator.problem().differentiate) {
+    message.refuse("wants derivatives, but the problem has none");
+  }
+  std::optional<Json> result;
+  if (!asked.is_array() || asked.empty() || !asked[0].is_array()) {
+    result = told(evaluator, message.point("ask", asked, dimension), derivatives);
+  } else {
+    result = Json::object();
+    for (const Json& each : asked) {
+      std::optional<Json> one = told(evaluator, message.point("ask", each, dimension), derivatives);
+      if (!one) return std::nullopt;
+      for (auto& [key, value] : one->items()) (*result)[key].push_back(std::move(value));
+    }
+  }
+  if (result) (*result)["remaining"] = evaluator.remaining();
+  return result;
+}
+
+SolverExit exit_of(const Evaluator& evaluator, const Message& message) {
+  message.allow({"done", "point"});
+  SolverExit exit{one_line(message.text("done"))};
+  if (message.has("point")) {
+    exit.point = message.point("point", message["point"], evaluator.problem().dimension());
+  }
+  if (evaluator.over()) exit.reason = stopped_by_evaluator;
+  return exit;
+}
+
+}  // namespace
+
+Claims greeting_of(LineProgram& program) {
+  const auto line = program.line(Patience{patience, "it was started"});
+  if (!line) throw std::runtime_error(program.how_it_ended() + ", and has not said what it is");
+  const Message greeting(program, *line);
+  greeting.allow({"name", "version", "takes_constraints", "needs_derivatives", "stochastic"});
+  return {greeting.text("name"), greeting.text("version"),
+          greeting.get("takes_constraints", 0, &Json::is_number_integer, "whole number"),
+          greeting.flag("needs_derivatives"), greeting.flag("stochastic")};
+}
+
+std::optional<SolverExit> converse(LineProgram& program, Evaluator& evaluator, const Vector& start,
+                                   std::uint32_t seed) {
+  if (program.has_spoken()) {
+    throw std::runtime_error(
+        fmt::format("spoke after output line {}, when it was done", program.lines()));
+  }
+  const int lines_before = program.lines();
+  send(program, description_of(evaluator, start, seed));
+  int asked_when_over = 0;
+  for (;;) {
+    std::optional<Patience> limit;
+    if (evaluator.over()) limit = Patience{patience, "it was told to stop"};
+    const auto line = program.line(limit);
+    if (!line && program.lines() == lines_before) return std::nullopt;
+    if (!line && evaluator.over()) return SolverExit{stopped_by_evaluator};
+    if (!line)
+      throw std::runtime_error(program.how_it_ended() + ", and has not said that it is done");
+    const Message message(program, *line);
+    if (message.has("done")) return exit_of(evaluator, message);
+    if (!message.has("ask")) message.refuse("has neither \"ask\" nor \"done\"");
+    if (evaluator.over() && ++asked_when_over > most_asked_when_over) {
+      message.refuse("asks on, long after it was told to stop");
+    }
+    const std::optional<Json> found = evaluator.over() ? std::nullopt : answer(evaluator, message);
+    send(program, found ? *found : Json{{"stop", true}});
+  }
+}
+
+}  // namespace ricochet::outside

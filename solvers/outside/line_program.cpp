@@ -1,0 +1,209 @@
+#include "solvers/outside/line_program.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <pthread.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+namespace ricochet::outside {
+namespace {
+
+constexpr std::size_t longest_line = 4 << 20;  // bytes
+constexpr std::size_t chunk = 1 << 16;         // bytes: what a pipe holds
+constexpr int grace = 1000;                    // ms, for a program to end by itself
+constexpr int forever = -1;
+
+/// While it lives, a write to a program that has ended is an error, and not the end of ours.
+class WithoutBrokenPipes {
+ public:
+  WithoutBrokenPipes() {
+    sigemptyset(&signal_);
+    sigaddset(&signal_, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+  }
+  ~WithoutBrokenPipes() {
+    const timespec at_once{};
+    if (broken) sigtimedwait(&signal_, nullptr, &at_once);
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  WithoutBrokenPipes(const WithoutBrokenPipes&) = delete;
+  WithoutBrokenPipes& operator=(const WithoutBrokenPipes&) = delete;
+
+  bool broken = false;
+
+ private:
+  sigset_t signal_{}, before_{};
+};
+
+[[noreturn]] void refuse(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
+  int ends[2] = {};
+  if (pipe2(ends, O_CLOEXEC) != 0) refuse("pipe");  // no other program holds them open
+  end_to_read.take(ends[0]);
+  end_to_write.take(ends[1]);
+}
+
+/// Becomes the program. Between fork and exec only what is safe in a signal handler.
+[[noreturn]] void become(char* const* arguments, int input, int output, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a solver that hangs shall not outlive a run that is killed
+  if (getppid() != parent) _exit(127);
+  dup2(input, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);
+  execvp(arguments[0], arguments);
+  _exit(errno == ENOENT ? 127 : 126);
+}
+
+}  // namespace
+
+void Descriptor::close() {
+  if (number_ >= 0) ::close(number_);
+  number_ = -1;
+}
+
+void Descriptor::take(int number) {
+  close();
+  number_ = number;
+}
+
+LineProgram::LineProgram(std::vector<std::string> arguments)
+    : maker_(getpid()), thread_(std::this_thread::get_id()) {
+  Descriptor its_input, its_output;
+  open_pipe(its_input, input_);
+  open_pipe(output_, its_output);
+  fcntl(input_.number(), F_SETFL, O_NONBLOCK);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  child_ = fork();
+  if (child_ < 0) refuse("fork");
+  if (child_ == 0) become(pointers.data(), its_input.number(), its_output.number(), maker_);
+  // By its number: glibc 2.36 does not declare pidfd_open for C++. -1 on an old kernel, where the
+  // end of the output must do.
+  process_.take(static_cast<int>(syscall(SYS_pidfd_open, child_, 0)));
+}
+
+LineProgram::~LineProgram() {
+  if (getpid() != maker_) return;  // in a copy of the process that started it
+  input_.close();
+  if (!ends_within(grace)) {
+    kill(child_, SIGKILL);
+    waitpid(child_, nullptr, 0);
+  }
+}
+
+bool LineProgram::is_of_this_thread() const {
+  return getpid() == maker_ && std::this_thread::get_id() == thread_;
+}
+
+bool LineProgram::ends_within(int milliseconds) {
+  if (ended_) return true;
+  pollfd process{process_.number(), POLLIN, 0};
+  poll(&process, 1, milliseconds);
+  ended_ = waitpid(child_, &status_, WNOHANG) != 0;
+  return ended_;
+}
+
+std::string LineProgram::how_it_ended() {
+  if (!ends_within(grace)) return "closed its standard output";
+  if (WIFSIGNALED(status_)) {
+    return fmt::format("was ended by signal {}, {}", WTERMSIG(status_),
+                       strsignal(WTERMSIG(status_)));
+  }
+  const int code = WEXITSTATUS(status_);
+  const char* usual = code == 127   ? ": there is no such program"
+                      : code == 126 ? ": it cannot be run"
+                                    : "";
+  return fmt::format("ended with exit code {}{}", code, usual);
+}
+
+/// Reads what there is, once there is something, into read_. Returns false at the limit; at the end
+/// of the output sets at_end_.
+bool LineProgram::read_more(int limit_in_milliseconds) {
+  read_.erase(0, begin_);
+  begin_ = 0;
+  // What a program started may hold its output open after it has ended.
+  pollfd ends[] = {{output_.number(), POLLIN, 0}, {process_.number(), POLLIN, 0}};
+  if (poll(ends, 2, limit_in_milliseconds) == 0) return false;
+  if (ends[0].revents == 0 && poll(ends, 1, 0) == 0) {  // nor did it write just before
+    at_end_ = true;
+    return true;
+  }
+  const std::size_t before = read_.size();
+  read_.resize(before + chunk);
+  const ssize_t count = ::read(output_.number(), read_.data() + before, chunk);
+  read_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  at_end_ = count == 0 || (count < 0 && errno != EINTR);
+  return true;
+}
+
+std::optional<std::string_view> LineProgram::line(const std::optional<Patience>& patience) {
+  const int milliseconds = patience ? static_cast<int>(patience->limit.count()) * 1000 : forever;
+  std::size_t searched = 0;  // from begin_ on
+  for (;;) {
+    const std::size_t end = read_.find('\n', begin_ + searched);
+    if (end != std::string::npos || (at_end_ && begin_ < read_.size())) {
+      const auto found = std::string_view(read_).substr(begin_, end - begin_);
+      begin_ = std::min(end, read_.size() - 1) + 1;
+      ++lines_;
+      return found;
+    }
+    if (at_end_) return std::nullopt;
+    searched = read_.size() - begin_;
+    if (searched > longest_line) throw std::runtime_error("a line of more than 4 MiB");
+    if (!read_more(milliseconds)) {
+      throw std::runtime_error(
+          fmt::format("wrote nothing for {} s after {}; are its lines flushed?",
+                      patience->limit.count(), patience->after));
+    }
+  }
+}
+
+bool LineProgram::has_spoken() {
+  if (begin_ < read_.size()) return true;
+  pollfd end{output_.number(), POLLIN, 0};
+  return poll(&end, 1, 0) == 1 && (end.revents & POLLIN) != 0;
+}
+
+/// Returns when it takes more, and reads on meanwhile: it may do the same.
+void LineProgram::wait_to_send() {
+  pollfd ends[] = {{input_.number(), POLLOUT, 0}, {output_.number(), POLLIN, 0}};
+  poll(ends, 2, forever);
+  if (ends[0].revents != 0 || ends[1].revents == 0) return;
+  read_more(forever);
+  if (read_.size() > longest_line) throw std::runtime_error("4 MiB without reading an answer");
+}
+
+void LineProgram::send(std::string_view text) {
+  WithoutBrokenPipes pipes;
+  while (!text.empty() && !at_end_) {
+    const ssize_t count = ::write(input_.number(), text.data(), text.size());
+    if (count >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno == EAGAIN) {
+      wait_to_send();
+    } else if (errno != EINTR) {
+      pipes.broken = errno == EPIPE;
+      return;
+    }
+  }
+}
+
+}  // namespace ricochet::outside

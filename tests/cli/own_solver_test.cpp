@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/tool.h"
+
+/// Solvers that a user brings along, by the examples.
+namespace ricochet::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string library = RICOCHET_EXAMPLE_LIBRARY;
+
+/// How an example in Python is called.
+std::string python(const std::string& name) {
+  return fmt::format("\"" RICOCHET_PYTHON " " RICOCHET_SOURCE "/examples/solvers/{}.py\"", name);
+}
+
+bool python_has(const std::string& module) {
+  return std::system((RICOCHET_PYTHON " -c 'import " + module + "' 2>/dev/null").c_str()) == 0;
+}
+
+json run_of(const std::string& arguments) {
+  const Outcome outcome = call("solve --format json " + arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  json run = json::parse(outcome.out, nullptr, false);
+  run.erase("seconds");
+  return run;
+}
+
+/// Expects that the solver does the same twice, spends what it is given, and no more.
+void expect_a_good_run(const std::string& solver, const std::string& question, int budget) {
+  const std::string call = fmt::format("{} {} --instance 1 --budget {}", solver, question, budget);
+  const json run = run_of(call);
+  EXPECT_EQ(run["failure"], "") << solver;
+  EXPECT_EQ(run["evaluations"], budget) << solver;
+  EXPECT_EQ(run["exits"].back(), "stopped by the evaluator") << solver;
+  EXPECT_EQ(run, run_of(call)) << solver;
+}
+
+TEST(OwnSolver, IsALibrary) {
+  expect_a_good_run(library, "classic-sphere-5", 2000);
+  EXPECT_EQ(run_of(library + " classic-sphere-5 --budget 2000")["solved"], true);
+  EXPECT_EQ(run_of(library + " hs-71")["form"], "penalised") << "it takes no constraints";
+}
+
+TEST(OwnSolver, IsAProgram) {
+  if (!python_has("json")) GTEST_SKIP() << "no Python";
+  expect_a_good_run(python("hill_climber"), "classic-sphere-5", 2000);
+  const json run = run_of(python("hill_climber") + " classic-sphere-5 --budget 2000");
+  EXPECT_EQ(run["solver"], "hill-climber");
+  EXPECT_EQ(run["solved"], true);
+  EXPECT_EQ(run["handed_over_solved"], true);
+}
+
+TEST(OwnSolver, IsOneOfScipy) {
+  if (!python_has("scipy")) GTEST_SKIP() << "no python3-scipy";
+  const std::string solver = python("scipy_differential_evolution");
+  expect_a_good_run(solver, "classic-sphere-5", 300);
+  EXPECT_EQ(run_of(solver + " count-C1 --budget 200")["solver"], "scipy-differential-evolution");
+}
+
+TEST(OwnSolver, IsOneOfNloptInPython) {
+  if (!python_has("nlopt")) GTEST_SKIP() << "no python3-nlopt";
+  const std::string solver = python("nlopt_cobyla");
+  expect_a_good_run(solver, "hs-71", 300);
+  const json run = run_of(solver + " hs-71 --budget 1000");
+  EXPECT_EQ(run["form"], "as-stated") << "with its constraints, an equality among them";
+  EXPECT_NEAR(run["objective"].get<double>(), 17.014, 0.01);
+}
+
+TEST(OwnSolver, IsComparedWithOthers) {
+  if (!python_has("json")) GTEST_SKIP() << "no Python";
+  const auto folder = fresh_folder() / "mine";
+  const std::string arguments = fmt::format(
+      "compare --solver {} --solver {} --solver scan --solvers 'nlopt-crs*' "
+      "--questions count-C1 --forms count --budget 20 --instances 2 --out {}",
+      library, python("hill_climber"), folder.string());
+  const Outcome outcome = call(arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json data = json::parse(read(folder / "data.json"));
+  std::set<std::string> names;
+  for (const json& standing : data["groups"][0]["standings"]) {
+    names.insert(standing["solver"].get<std::string>());
+    EXPECT_EQ(standing["failed"], 0);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"mine", "hill-climber", "scan", "nlopt-crs2"}));
+}
+
+TEST(OwnSolver, IsRefusedInOneLine) {
+  expect_refusal("solve ./nothing.so count-C1", "./nothing.so: cannot open shared object file");
+  expect_refusal("solve ./nothing count-C1", "./nothing: there is no such file");
+  expect_refusal("solve 'no-such-program mine.py' count-C1", "exit code 127");
+  expect_refusal("solve 'echo hello' count-C1", "echo hello: output line 1 is no JSON");
+  expect_refusal(fmt::format("compare --solver {0} --solver {0}", library),
+                 "there is another solver of its name, mine");
+  expect_refusal("compare --solver coblya", "--solver coblya: there is no such solver");
+}
+
+TEST(OwnSolver, ThatFailsIsSaidTo) {
+  const auto folder = fresh_folder();
+  write(folder, "mine.sh", "echo '{\"name\": \"mine\"}'; read -r problem; echo oops");
+  const json run = run_of("\"sh " + (folder / "mine.sh").string() + "\" count-C1");
+  EXPECT_THAT(run["failure"].get<std::string>(), HasSubstr("mine.sh: output line 2 is no JSON"));
+}
+
+/// The README's section, and in it the code blocks of a language.
+std::string section() {
+  const std::string readme = read(RICOCHET_SOURCE "/README.md");
+  const auto start = readme.find("\n## Bring your own solver\n");
+  return start == std::string::npos ? ""
+                                    : readme.substr(start, readme.find("\n## ", start + 4) - start);
+}
+
+std::vector<std::string> blocks_of(const std::string& language) {
+  const std::string text = section(), fence = "```" + language + "\n";
+  std::vector<std::string> blocks;
+  for (auto at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 1)) {
+    const auto start = at + fence.size();
+    blocks.push_back(text.substr(start, text.find("```", start) - start));
+  }
+  return blocks;
+}
+
+TEST(OwnSolver, IsShownInTheReadmeAsItIsTested) {
+  const auto expect_code = [](const std::string& language, const std::vector<const char*>& files) {
+    const std::vector<std::string> blocks = blocks_of(language);
+    ASSERT_EQ(blocks.size(), files.size()) << language;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      EXPECT_GT(blocks[k].size(), 100U);
+      EXPECT_THAT(read(std::string(RICOCHET_SOURCE "/") + files[k]), HasSubstr(blocks[k]));
+    }
+  };
+  expect_code("python", {"examples/solvers/hill_climber.py"});
+  expect_code("c", {"examples/solvers/mine.c"});
+  expect_code("cpp", {"examples/solvers/library/main.cpp", "solvers/random_search.cpp"});
+}
+
+TEST(OwnSolver, IsCompiledByTheLineOfTheReadme) {
+  std::string line;
+  std::istringstream lines(section());
+  while (std::getline(lines, line) && !line.starts_with("    gcc ")) {
+  }
+  const auto folder = fresh_folder();
+  const auto in_folder = [&](const std::string& file, const std::string& instead) {
+    const auto at = line.find(file);
+    ASSERT_NE(at, std::string::npos) << line;
+    line.replace(at, file.size(), instead);
+  };
+  in_folder("-o mine.so", "-o " + (folder / "mine.so").string());
+  in_folder(" mine.c", " examples/solvers/mine.c");
+  ASSERT_EQ(std::system(("cd " RICOCHET_SOURCE " && " + line).c_str()), 0) << line;
+  EXPECT_EQ(run_of((folder / "mine.so").string() + " count-C1")["solver"], "mine");
+}
+
+}  // namespace
+}  // namespace ricochet::cli

@@ -1,0 +1,127 @@
+#include "solvers/outside/plugin.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <future>
+
+#include "src/core/error.h"
+#include "src/core/run.h"
+#include "tests/outside/scripts.h"
+#include "tests/solvers/test_problems.h"
+
+namespace ricochet::outside {
+namespace {
+
+using testing::HasSubstr;
+
+std::string library(const std::string& name) {
+  return RICOCHET_FOLDER "/" + name + ".so";
+}
+
+std::vector<Vector> points_of(const RunRecord& record) {
+  std::vector<Vector> points;
+  for (const Improvement& step : record.trace) points.push_back(step.x);
+  return points;
+}
+
+TEST(Plugin, IsWhatItSaysItIs) {
+  const Solver mine = plugin(library("mine"));
+  EXPECT_EQ(mine.name, "mine");
+  EXPECT_EQ(mine.version, "1.0");
+  EXPECT_TRUE(mine.stochastic);
+  EXPECT_TRUE(mine.accepts(sphere(2, 3)));
+  EXPECT_FALSE(mine.accepts(disc()));
+  const Solver newton = plugin(library("takes_constraints"));
+  EXPECT_TRUE(newton.accepts(disc()));
+  EXPECT_FALSE(newton.accepts(arc())) << "it has an equality";
+  EXPECT_FALSE(newton.accepts(limited(7))) << "it has no derivatives";
+  EXPECT_EQ(plugin(library("keeps_its_start")).name, "keeps_its_start");
+}
+
+TEST(Plugin, SolvesAndSpendsItsBudgetAndNoMore) {
+  const Solver mine = plugin(library("mine"));
+  const RunRecord record = run(sphere(2, 3), mine, {5000}, 0);
+  EXPECT_EQ(record.failure, "");
+  EXPECT_EQ(record.ledger.charged, 5000);
+  EXPECT_EQ(record.exits.front().reason, "steps too short");
+  EXPECT_EQ(record.exits.back().reason, "stopped by the evaluator");
+  EXPECT_LT(record.trace.back().truth.objective, 1e-6);
+  EXPECT_EQ(record.handed_over->x, record.trace.back().x);
+  for (const std::int64_t budget : {0, 1, 2, 50}) {
+    EXPECT_EQ(run(sphere(2, 3), mine, {budget}, 0).ledger.charged, budget);
+  }
+}
+
+TEST(Plugin, MakesTheSameRunAgainInEveryThread) {
+  const Solver mine = plugin(library("mine"));
+  const auto work = [&](int number) {
+    std::vector<std::vector<Vector>> all;
+    for (int k = 0; k < 5; ++k) {
+      for (const Problem& problem : {sphere(3, 3), staircase(), plateau(2), never_a_number(1)}) {
+        all.push_back(points_of(run(problem, mine, {200}, number + k)));
+      }
+    }
+    return all;
+  };
+  auto one = std::async(std::launch::async, work, 1);
+  auto two = std::async(std::launch::async, work, 2);
+  EXPECT_EQ(one.get(), work(1));
+  EXPECT_EQ(two.get(), work(2));
+  EXPECT_NE(work(1), work(2));
+}
+
+TEST(Plugin, SeesConstraintsAndTheirDerivatives) {
+  const RunRecord record = run(disc(), plugin(library("takes_constraints")), {150}, 1);
+  EXPECT_EQ(record.failure, "");
+  EXPECT_EQ(record.exits.front().reason, "fifty steps");
+  EXPECT_NEAR(record.exits.front().point->norm(), 1, 1e-6);
+  EXPECT_NE(record.exits.front().point, record.exits.at(1).point) << "it has another start";
+}
+
+TEST(Plugin, HandsOverTheBestShownWhereItSaysNothing) {
+  Problem problem = sphere(2, 3);
+  problem.upper.setConstant(5);
+  problem.start.setConstant(-20);
+  const RunRecord record = run(problem, plugin(library("keeps_its_start")), {2}, 0);
+  EXPECT_EQ(record.handed_over->x, (Vector{{5, 5}}));
+  EXPECT_EQ(record.exits.front().reason, "done");
+}
+
+TEST(Plugin, FailsWhereItThrows) {
+  const RunRecord record = run(arc(), plugin(library("throws")), {20}, 0);
+  EXPECT_EQ(record.failure, library("throws") + ": lost its way");
+  EXPECT_EQ(record.ledger.charged, 1);
+}
+
+TEST(Plugin, IsStoppedWhereTheProblemThrows) {
+  const RunRecord record = run(breaks_after(7, 2), plugin(library("mine")), {100}, 0);
+  EXPECT_EQ(record.failure, "broken scene");
+  EXPECT_EQ(record.ledger.values, 7);
+}
+
+TEST(Plugin, IsRefusedWhereItIsNone) {
+  const auto refused = [](const std::string& path, const std::string& reason) {
+    try {
+      plugin(path);
+      ADD_FAILURE() << path;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith(path + ": "));
+      EXPECT_THAT(error.what(), HasSubstr(reason));
+    }
+  };
+  refused("./nothing.so", "No such file");
+  const auto text = fresh_folder() / "text.so";
+  std::ofstream(text) << "I am no library.\n";
+  refused(text.string(), "file too short");
+  std::ofstream(text) << std::string(10000, 'x');
+  refused(text.string(), "invalid ELF header");
+  refused(library("without_a_solver"), "exports no ricochet_plugin");
+  refused(library("of_another_interface"), "is made for interface 2, this is 1; compile it again");
+  refused(library("without_solve"), "solve is NULL");
+}
+
+}  // namespace
+}  // namespace ricochet::outside

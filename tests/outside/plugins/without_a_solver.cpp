@@ -1,0 +1,1 @@
+extern "C" const int ricochet_plugout = 1;

@@ -1,9 +1,10 @@
 # What `cmake --install` and `cpack -G DEB` bring: the program, the libraries that a solver or a
-# problem of one's own is built with, their headers, and the package for find_package(ricochet).
+# problem of one's own is built with, their headers, the package for find_package(ricochet), and the
+# C library with its Python module for optimisers outside.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/ricochet)
 
-set(libraries options dual_numbers core carrier_track classic problems solvers)
+set(libraries options dual_numbers core carrier_track classic problems solvers interface)
 foreach(library ${libraries})
   set_target_properties(ricochet_${library} PROPERTIES EXPORT_NAME ${library})
   list(APPEND library_targets ricochet_${library})
@@ -29,6 +30,7 @@ install(FILES
   cmake/Dependencies.cmake
   DESTINATION ${package_folder})
 install(FILES README.md LICENSE TYPE DOC)
+install(FILES python/ricochet.py DESTINATION lib/python3/dist-packages)  # Debian's place for modules
 
 # The manual and the completions, made of the one description of the commands.
 set(descriptions ${PROJECT_BINARY_DIR}/descriptions)
@@ -62,7 +64,7 @@ if(RICOCHET_SHLIBDEPS)
 endif()
 set(CPACK_DEBIAN_PACKAGE_DEPENDS gnuplot-nox)  # draws the charts
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "libeigen3-dev, libceres-dev, libnlopt-cxx-dev, libboost-dev, libtbb-dev, libfmt-dev, libtomlplusplus-dev, pkg-config")
+  "libeigen3-dev, libceres-dev, libnlopt-cxx-dev, libboost-dev, libtbb-dev, libfmt-dev, libtomlplusplus-dev, pkg-config, python3-numpy")
 if(RICOCHET_HAS_IPOPT)
   string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", coinor-libipopt-dev")
 endif()

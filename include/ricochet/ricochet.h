@@ -33,7 +33,8 @@ typedef struct ricochet_problem {
   const double* start; /**< dimension */
 
   /** Objective and constraints at x; costs one evaluation. Returns 0, or 1 once the run is over
-   * (the budget is spent, or x is not finite): then return. `constraints` may be NULL. */
+   * (the budget is spent, or x is not finite): then return. `objective` or `constraints` may be
+   * NULL: asking for both of one point, one after the other, costs one evaluation, too. */
   int32_t (*values)(struct ricochet_problem* problem, const double* x, double* objective,
                     double* constraints);
 
@@ -76,7 +77,8 @@ extern const ricochet_solver ricochet_plugin;
 
 /** The question of this name in this form (NULL or "": as it is judged), as instance 0 (as stated)
  * or 1, 2, ... (moved, reflected); `budget` evaluations, and `seed` for uniform(). NULL where
- * something is wrong: see ricochet_error. To be closed. */
+ * something is wrong: see ricochet_error. To be closed. The first call takes a tenth of a
+ * second, for it makes all questions. */
 ricochet_problem* ricochet_open(const char* question, const char* form, int32_t instance,
                                 int64_t budget, uint64_t seed);
 void ricochet_close(ricochet_problem* problem);
@@ -85,6 +87,9 @@ void ricochet_close(ricochet_problem* problem);
  * Costs nothing. Returns 0, or 1 where something is wrong. */
 int32_t ricochet_judge(ricochet_problem* problem, const double* x, double* objective,
                        double* violation);
+
+/** The name of a question: of index 0, 1, 2, ..., and NULL where there are no more. Static. */
+const char* ricochet_question_name(int32_t index);
 
 /** What went wrong last in this thread; "" where nothing did. */
 const char* ricochet_error(void);

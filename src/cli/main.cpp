@@ -11,6 +11,7 @@
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/command_line.h"
 #include "src/cli/completion.h"
+#include "src/cli/evaluate.h"
 #include "src/cli/list.h"
 #include "src/cli/machine.h"
 #include "src/cli/manual.h"
@@ -65,6 +66,7 @@ class Program : public CommandLine {
     add_scene();
     add_solve();
     add_compare();
+    add_evaluate();
     add_list();
     add_report();
     for (const OtherCommand& other : other_commands) add_other(other);
@@ -203,6 +205,31 @@ class Program : public CommandLine {
     add_limits(command, contest_.limits);
   }
 
+  void add_evaluate() {
+    CLI::App* command =
+        add("evaluate", "A question for an optimiser outside: points in, values out, as JSON lines",
+            "  echo '[5.0]' | ricochet evaluate top-speed-C1\n"
+            "  ricochet evaluate hs-71 --derivatives < points.jsonl > values.jsonl\n"
+            "  ricochet evaluate profile-count-8-C4 --form surrogate --instance 1 --describe\n"
+            "A line in is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}.");
+    command->add_option("question", evaluate_.question, "One of ricochet list questions")
+        ->required()
+        ->type_name("QUESTION");
+    command
+        ->add_option("--scene", evaluate_.scene_file,
+                     "The question is asked of a machine of your own, a TOML file")
+        ->type_name("FILE");
+    command->add_option("--form", evaluate_.form, "That it is shown in; else as it is judged");
+    command->add_option("--instance", evaluate_.instance, "0: as stated; others: in another box")
+        ->capture_default_str();
+    command->add_flag("--derivatives", evaluate_.derivatives,
+                      "Gradient and Jacobian, too, where a line does not say");
+    command->add_flag("--replay", evaluate_.replay,
+                      "Every point twice: are the answers the same to the last bit?");
+    command->add_flag("--describe", evaluate_.describe, "What is asked, in one line; no points");
+    on_call(command, [this] { return evaluate(evaluate_); });
+  }
+
   void add_list() {
     CLI::App* command = add("list", "What there is",
                             "  ricochet list questions --family top-speed\n"
@@ -283,6 +310,7 @@ class Program : public CommandLine {
 
   SolveOptions solve_;
   studies::ContestOptions contest_;
+  EvaluateOptions evaluate_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   SceneChoice scene_;

@@ -64,7 +64,9 @@ std::string manual(const Json& commands) {
   text +=
       ".SH EXIT STATUS\n"
       ".TP\n0\nDone.\n"
-      ".TP\n1\nA failure, as of a full disk; of verify: a count called certain is wrong.\n"
+      ".TP\n1\nA failure, as of a full disk; of verify: a count called certain is wrong; of "
+      "evaluate: a "
+      "line is no point.\n"
       ".TP\n2\nBad input.\n"
       ".TP\n130, 143\nInterrupted, by Ctrl\\-C and by SIGTERM.\n"
       ".SH ENVIRONMENT\n.TP\nNO_COLOR\nIf it is set, errors are not coloured on a terminal.\n";

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "src/core/error.h"
+#include "src/core/near_names.h"
 #include "src/core/penalty.h"
 
 namespace ricochet {
@@ -35,6 +37,17 @@ std::string Question::name_of(const Form& form) const {
                             : form.width == width ? "surrogate"
                                                   : fmt::format("surrogate-{}", form.width);
   return form.penalised ? "penalised-" + shown : shown;
+}
+
+Form Question::form_named(const std::string& wanted) const {
+  if (wanted.empty()) return {};
+  std::vector<std::string> known;
+  for (const Form& form : forms()) {
+    known.push_back(name_of(form));
+    if (known.back() == wanted) return form;
+  }
+  throw InputError(
+      fmt::format("{}: {} has no such form; {}", wanted, name(), what_instead(wanted, known)));
 }
 
 }  // namespace ricochet

@@ -38,6 +38,10 @@ struct Question {
   /// "count" and "surrogate" where it can be smoothed, the width added where it is not the usual
   /// one, else "as-stated"; "penalised-count", "penalised" and so on.
   std::string name_of(const Form& form) const;
+
+  /// The one of forms() that has this name; where it is empty, as judged. Throws InputError, with
+  /// what may have been meant, where there is none.
+  Form form_named(const std::string& wanted) const;
 };
 
 }  // namespace ricochet

@@ -23,6 +23,16 @@ void write_rows(const Matrix& matrix, double* to) {
   }
 }
 
+/// What a caller asks for who wants to know of the objective, of the constraints, or of both.
+Part part_of(bool of_objective, bool of_constraints) {
+  if (of_objective && !of_constraints) return Part::objective;
+  if (!of_objective && of_constraints) {
+    return static_cast<Part>(static_cast<unsigned>(Part::equalities) |
+                             static_cast<unsigned>(Part::inequalities));
+  }
+  return Part::everything;
+}
+
 SeenProblem& seen(ricochet_problem* problem) {
   return *static_cast<SeenProblem*>(problem);
 }
@@ -62,7 +72,9 @@ auto SeenProblem::told(const double* x, Ask ask) -> decltype(ask(Vector())) {
 std::int32_t SeenProblem::values_at(ricochet_problem* problem, const double* x, double* objective,
                                     double* constraints) {
   SeenProblem& self = seen(problem);
-  const auto told = self.told(x, [&self](const Vector& at) { return self.evaluator_.values(at); });
+  const Part part = part_of(objective, constraints);
+  const auto told =
+      self.told(x, [&](const Vector& at) { return self.evaluator_.values(at, part); });
   if (!told) return 1;
   write(told->objective, objective);
   write(told->constraints, constraints);
@@ -73,8 +85,9 @@ std::int32_t SeenProblem::derivatives_at(ricochet_problem* problem, const double
                                          double* objective, double* constraints, double* gradient,
                                          double* jacobian) {
   SeenProblem& self = seen(problem);
+  const Part part = part_of(objective || gradient, constraints || jacobian);
   const auto told =
-      self.told(x, [&self](const Vector& at) { return self.evaluator_.derivatives(at); });
+      self.told(x, [&](const Vector& at) { return self.evaluator_.derivatives(at, part); });
   if (!told) return 1;
   write(told->values.objective, objective);
   write(told->values.constraints, constraints);

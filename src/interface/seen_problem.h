@@ -12,6 +12,9 @@ namespace ricochet::interface {
 /// What an evaluator's problem looks like from C. Whoever is handed it sees the problem through the
 /// evaluator alone, and draws from `random`; both must outlive it, and it stays where it is.
 ///
+/// What is asked for is told by which pointers are not null: who asks for objective and constraints
+/// of one point in two calls pays once.
+///
 /// Nothing is thrown through its functions. Where one cannot do what it is asked, because the run
 /// is over or because no memory is left, values() and derivatives() return 1 and write nothing.
 class SeenProblem : public ricochet_problem {
@@ -26,11 +29,13 @@ class SeenProblem : public ricochet_problem {
   /// evaluator's failure instead.
   std::exception_ptr failure() const { return failure_; }
 
- private:
+ protected:
   static std::int32_t values_at(ricochet_problem* problem, const double* x, double* objective,
                                 double* constraints);
   static std::int32_t derivatives_at(ricochet_problem* problem, const double* x, double* objective,
                                      double* constraints, double* gradient, double* jacobian);
+
+ private:
   static std::int64_t evaluations_left(ricochet_problem* problem);
   static double next_uniform(ricochet_problem* problem);
 

@@ -10,4 +10,8 @@ run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${FOLDER}/build -D CMAKE_BUILD_TYP
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${FOLDER}/prefix)
 run(${CMAKE_COMMAND} --build ${FOLDER}/build)
 run(${FOLDER}/build/consumer)
+run(${FOLDER}/build/asks)
 run(${FOLDER}/prefix/bin/ricochet list solvers)
+if(NOT EXISTS ${FOLDER}/prefix/lib/python3/dist-packages/ricochet.py)
+  message(FATAL_ERROR "the Python module is not installed")
+endif()

@@ -1,0 +1,160 @@
+#include "src/cli/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include "problems/families.h"
+#include "src/cli/outside_run.h"
+#include "src/core/error.h"
+#include "src/core/instance.h"
+#include "src/core/near_names.h"
+#include "src/core/one_line.h"
+#include "src/report/json.h"
+
+namespace ricochet::cli {
+namespace {
+
+using report::Json;
+
+/// Of a line; what is longer is no point, and is not kept.
+constexpr std::size_t longest_line = 1 << 20;
+
+Question question_of(const EvaluateOptions& options) {
+  if (options.scene_file == "-") {
+    throw InputError("--scene -: must be a file, because standard input holds the points");
+  }
+  std::vector<std::string> known;
+  for (const Question& question : every_question(all_families(options.scene_file))) {
+    if (question.name() == options.question) return question;
+    known.push_back(question.name());
+  }
+  throw InputError(fmt::format("{}: there is no such question; {}", options.question,
+                               what_instead(options.question, known)));
+}
+
+Json description_of(const Question& question, const Form& form, const Problem& problem) {
+  return {
+      {"question", question.name()},
+      {"source", problem.source},
+      {"form", question.name_of(form)},
+      {"forms",
+       report::list_of(question.forms(), [&](const Form& each) { return question.name_of(each); })},
+      {"instance", problem.instance},
+      {"dimension", problem.dimension()},
+      {"constraints", problem.constraints},
+      {"equalities", problem.equalities},
+      {"derivatives", static_cast<bool>(problem.differentiate)},
+      {"variables", report::list_of(problem.variables,
+                                    [](const Variable& variable) {
+                                      return Json{{"name", variable.name}, {"unit", variable.unit}};
+                                    })},
+      {"lower", problem.lower},
+      {"upper", problem.upper},
+      {"start", problem.start},
+      {"best_known", problem.best_known},
+      {"tolerance", question.tolerance}};
+}
+
+/// The next line of standard input, without its end; of one that is too long the beginning. Returns
+/// false where there is none.
+bool read_line(std::string& line) {
+  line.clear();
+  int letter = getc_unlocked(stdin);
+  if (letter == EOF) return false;
+  for (; letter != EOF && letter != '\n'; letter = getc_unlocked(stdin)) {
+    if (line.size() <= longest_line) line.push_back(static_cast<char>(letter));
+  }
+  return true;
+}
+
+/// Whoever asked waits for it. Throws std::system_error where nobody takes it.
+void print_line(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+    throw std::system_error(errno, std::generic_category());
+  }
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+/// Answers line by line.
+class Service {
+ public:
+  Service(const Problem& problem, const EvaluateOptions& options)
+      : run_(problem), derivatives_(options.derivatives) {
+    if (options.replay) again_.emplace(problem);
+  }
+
+  /// Throws what is wrong with the line, or with the point.
+  Json answer(const std::string& line) {
+    if (line.size() > longest_line) {
+      throw InputError(fmt::format("is longer than {} bytes", longest_line));
+    }
+    const AskedPoint asked = parse_asked_point(line, run_.problem(), derivatives_);
+    const Answer answer = run_.answer(asked);
+    Json json = json_of(answer, asked.derivatives);
+    json["evaluations"] = run_.evaluations();
+    if (again_) {
+      json["same_again"] = same_bits(answer.numbers(), again_->answer(asked).numbers());
+      all_well_ = all_well_ && json["same_again"];
+    }
+    return json;
+  }
+
+  /// The answer, or an error that names the line.
+  Json answer_or_error(const std::string& line, std::int64_t number) {
+    try {
+      return answer(line);
+    } catch (const std::exception& error) {
+      all_well_ = false;
+      return {{"error", fmt::format("line {}: {}", number, one_line(error.what()))}};
+    }
+  }
+
+  bool all_well() const { return all_well_; }
+
+ private:
+  OutsideRun run_;
+  std::optional<OutsideRun> again_;  // asked the same, where all is evaluated twice
+  bool derivatives_;
+  bool all_well_ = true;
+};
+
+}  // namespace
+
+int evaluate(const EvaluateOptions& options) {
+  if (options.instance < 0) {
+    throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
+  }
+  const Question question = question_of(options);
+  const Form form = question.form_named(options.form);
+  const Problem problem = instance(question.problem(form), options.instance);
+  if (options.describe) {
+    print_line(description_of(question, form, problem));
+    return 0;
+  }
+  if (options.derivatives && !problem.differentiate) {
+    throw InputError(fmt::format("--derivatives: {} has none in form {}", question.name(),
+                                 question.name_of(form)));
+  }
+  Service service(problem, options);
+  std::string line;
+  for (std::int64_t number = 1; read_line(line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    print_line(service.answer_or_error(line, number));
+  }
+  if (std::ferror(stdin) != 0) {
+    throw InputError("standard input: " + std::generic_category().message(errno));
+  }
+  return service.all_well() ? 0 : 1;
+}
+
+}  // namespace ricochet::cli

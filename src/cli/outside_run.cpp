@@ -1,0 +1,67 @@
+#include "src/cli/outside_run.h"
+
+#include <limits>
+#include <utility>
+
+namespace ricochet::cli {
+namespace {
+
+using report::Json;
+
+/// Row by row.
+Json rows_of(const Matrix& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) rows.push_back(Vector(matrix.row(i)));
+  return rows;
+}
+
+void append(const auto& values, std::vector<double>& numbers) {
+  const auto flat = values.reshaped();
+  numbers.insert(numbers.end(), flat.begin(), flat.end());
+}
+
+}  // namespace
+
+std::vector<double> Answer::numbers() const {
+  std::vector<double> all = {told.values.objective, truth.objective, truth.violation};
+  append(told.values.constraints, all);
+  append(told.gradient, all);
+  append(told.jacobian, all);
+  return all;
+}
+
+Json json_of(const Answer& answer, bool derivatives) {
+  Json json = {{"objective", answer.told.values.objective},
+               {"constraints", answer.told.values.constraints}};
+  if (derivatives) {
+    json["gradient"] = answer.told.gradient;
+    json["jacobian"] = rows_of(answer.told.jacobian);
+  }
+  json["truth"] = {{"objective", answer.truth.objective}, {"violation", answer.truth.violation}};
+  return json;
+}
+
+OutsideRun::OutsideRun(Problem problem) : problem_(std::move(problem)) {
+  if (problem_.truth) {
+    problem_.truth = [this, truth = problem_.truth](const Vector& x) { return truth_ = truth(x); };
+  }
+  evaluator_.emplace(problem_, Budget{std::numeric_limits<std::int64_t>::max()});
+}
+
+Answer OutsideRun::answer(const AskedPoint& asked) {
+  Answer answer;
+  if (asked.derivatives) {
+    if (auto told = evaluator_->derivatives(asked.x)) answer.told = std::move(*told);
+  } else {
+    if (auto told = evaluator_->values(asked.x)) answer.told.values = std::move(*told);
+  }
+  if (const std::exception_ptr failure = evaluator_->failure()) {
+    before_ = evaluations();
+    evaluator_.emplace(problem_, Budget{std::numeric_limits<std::int64_t>::max()});
+    std::rethrow_exception(failure);
+  }
+  answer.truth = problem_.truth ? truth_ : truth_of(answer.told.values, problem_.equalities);
+  return answer;
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,58 @@
+#include "src/interface/opened_problem.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "src/interface/last_error.h"
+
+namespace ricochet::interface {
+
+OpenedProblem::OpenedProblem(Problem asked, std::int64_t budget, std::uint64_t seed)
+    : OpenedRun(std::move(asked), budget, seed),
+      SeenProblem(OpenedRun::evaluator, OpenedRun::random),
+      budget_(budget) {
+  values = values_or_reason;
+  derivatives = derivatives_or_reason;
+}
+
+Truth OpenedProblem::judge(const double* x) const {
+  if (!x) throw std::invalid_argument("the point to be judged is NULL");
+  const Eigen::Map<const Vector> point(x, dimension);
+  if (!point.allFinite()) {
+    throw std::invalid_argument("the point to be judged has a coordinate that is not finite");
+  }
+  return truth_at(problem, point.cwiseMax(problem.lower).cwiseMin(problem.upper));
+}
+
+std::int32_t OpenedProblem::values_or_reason(ricochet_problem* problem, const double* x,
+                                             double* objective, double* constraints) {
+  const std::int32_t over = values_at(problem, x, objective, constraints);
+  if (over) keep_error(static_cast<OpenedProblem*>(problem)->reason());
+  return over;
+}
+
+std::int32_t OpenedProblem::derivatives_or_reason(ricochet_problem* problem, const double* x,
+                                                  double* objective, double* constraints,
+                                                  double* gradient, double* jacobian) {
+  const std::int32_t over = derivatives_at(problem, x, objective, constraints, gradient, jacobian);
+  if (over) keep_error(static_cast<OpenedProblem*>(problem)->reason());
+  return over;
+}
+
+std::exception_ptr OpenedProblem::reason() const {
+  switch (OpenedRun::evaluator.refusal()) {
+    case Refusal::bad_point:
+      return std::make_exception_ptr(std::runtime_error(
+          "the run is over: it asked for a point with a coordinate that is not finite"));
+    case Refusal::failure:
+      return OpenedRun::evaluator.failure();
+    case Refusal::none:
+      return failure();
+    default:
+      return std::make_exception_ptr(std::runtime_error(
+          fmt::format("the run is over: its budget of {} evaluations is spent", budget_)));
+  }
+}
+
+}  // namespace ricochet::interface

@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// What the program is sent on standard input, and what it answers.
+struct Dialogue {
+  Outcome outcome;
+  std::vector<json> answers;
+};
+
+Dialogue asked(const std::string& arguments, const std::string& lines) {
+  const auto points = write(fresh_folder(), "points.jsonl", lines);
+  Dialogue dialogue{call(fmt::format("evaluate {} <{}", arguments, points.string())), {}};
+  std::istringstream out(dialogue.outcome.out);
+  for (std::string line; std::getline(out, line);) dialogue.answers.push_back(json::parse(line));
+  return dialogue;
+}
+
+/// The error of a line that holds no point of hs-71, which has four variables.
+std::string error_of(const std::string& line) {
+  const Dialogue dialogue = asked("hs-71", line + "\n[1, 1, 1, 1]\n");
+  EXPECT_EQ(dialogue.outcome.exit_code, 1);
+  EXPECT_EQ(dialogue.outcome.err, "");
+  EXPECT_EQ(dialogue.answers.size(), 2U);
+  if (dialogue.answers.size() != 2) return "";
+  EXPECT_EQ(dialogue.answers[1]["evaluations"], 1) << "it goes on";
+  return dialogue.answers[0].value("error", "");
+}
+
+/// hs-71: minimise x1 x4 (x1 + x2 + x3) + x3; sum of squares 40, product 25 at least.
+TEST(Evaluate, AnswersEveryPoint) {
+  const Dialogue dialogue = asked("hs-71", "[1, 5, 5, 1]\n{\"x\": [1, 2, 3, 4]}\n");
+  EXPECT_EQ(dialogue.outcome.exit_code, 0) << dialogue.outcome.err;
+  ASSERT_EQ(dialogue.answers.size(), 2U);
+  const json& first = dialogue.answers[0];
+  EXPECT_EQ(first["objective"], 16);
+  EXPECT_EQ(first["constraints"], (json{12, 0}));
+  EXPECT_EQ(first["truth"], (json{{"objective", 16}, {"violation", 12}}));
+  EXPECT_EQ(first["evaluations"], 1);
+  EXPECT_FALSE(first.contains("gradient"));
+  EXPECT_EQ(dialogue.answers[1]["objective"], 27);
+  EXPECT_EQ(dialogue.answers[1]["evaluations"], 2);
+}
+
+TEST(Evaluate, TellsDerivativesOfAllPointsOrOfSome) {
+  const std::string with = R"({"x": [1, 2, 3, 4], "derivatives": true})";
+  const std::string without = R"({"x": [1, 2, 3, 4], "derivatives": false})";
+  const json gradient = {4 * 7, 4, 5, 6};
+  const json jacobian = {{2, 4, 6, 8}, {-24, -12, -8, -6}};
+  const Dialogue one = asked("hs-71", with + "\n[1, 2, 3, 5]\n");
+  EXPECT_EQ(one.answers.at(0)["gradient"], gradient);
+  EXPECT_EQ(one.answers.at(0)["jacobian"], jacobian);
+  EXPECT_EQ(one.answers.at(0)["evaluations"], 5);
+  EXPECT_FALSE(one.answers.at(1).contains("gradient"));
+  const Dialogue other = asked("hs-71 --derivatives", "[1, 2, 3, 4]\n" + without + "\n");
+  EXPECT_EQ(other.answers.at(0)["jacobian"], jacobian);
+  EXPECT_FALSE(other.answers.at(1).contains("jacobian"));
+}
+
+TEST(Evaluate, IsTheCountOfTheSimulation) {
+  const json simulated = json::parse(call("simulate --case C1 --omega 9 --format json").out);
+  const Dialogue count = asked("count-C1", "[9]\n");
+  EXPECT_EQ(count.answers.at(0)["objective"], simulated["count"]);
+  const Dialogue smooth = asked("count-C1 --form surrogate", "[9]\n");
+  EXPECT_EQ(smooth.answers.at(0)["objective"], simulated["surrogate"]);
+  EXPECT_EQ(smooth.answers.at(0)["truth"]["objective"], simulated["count"]);
+}
+
+TEST(Evaluate, ReadsBackTheBitsItWrote) {
+  const Dialogue once = asked("profile-wear-8-C4", "[1.1, 2.3, 3.7, 4.1, 5.3, 6.1, 7.9, 0.1]\n");
+  const Dialogue again = asked("profile-wear-8-C4 --replay", "[1.1,2.3,3.7,4.1,5.3,6.1,7.9,0.1]\n");
+  EXPECT_EQ(once.answers.at(0)["objective"], again.answers.at(0)["objective"]);
+  EXPECT_EQ(again.answers.at(0)["same_again"], true);
+  EXPECT_EQ(again.answers.at(0)["evaluations"], 1);
+  EXPECT_EQ(again.outcome.exit_code, 0);
+}
+
+TEST(Evaluate, DescribesTheQuestion) {
+  const Outcome outcome = call("evaluate top-speed-C1 --describe --form penalised-surrogate");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json described = json::parse(outcome.out);
+  EXPECT_EQ(described["question"], "top-speed-C1");
+  EXPECT_EQ(described["form"], "penalised-surrogate");
+  EXPECT_THAT(described["forms"],
+              ElementsAre("count", "penalised-count", "surrogate", "penalised-surrogate"));
+  EXPECT_EQ(described["dimension"], 1);
+  EXPECT_EQ(described["constraints"], 0);
+  EXPECT_EQ(described["derivatives"], true);
+  EXPECT_EQ(described["variables"], (json{{{"name", "speed"}, {"unit", "rad/s"}}}));
+  EXPECT_EQ(described["lower"].size(), 1U);
+  EXPECT_NEAR(described["best_known"].get<double>(), -8.274, 0.001);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 1);
+  const json moved = json::parse(call("evaluate top-speed-C1 --describe --instance 2").out);
+  EXPECT_EQ(moved["best_known"], described["best_known"]);
+  EXPECT_NE(moved["lower"], described["lower"]);
+}
+
+TEST(Evaluate, AsksAMachineOfYourOwnAtItsLevel) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "ricochet_evaluate_machine.toml";
+  std::ofstream(file) << call("scene --case C4").out;
+  const Dialogue mine = asked("count-scene --scene " + file.string(), "[9]\n");
+  EXPECT_EQ(mine.outcome.exit_code, 0) << mine.outcome.err;
+  EXPECT_EQ(mine.outcome.out, asked("count-C4", "[9]\n").outcome.out);
+}
+
+TEST(Evaluate, GoesOnAfterABadLine) {
+  const std::string point = "x must have 4 numbers";
+  EXPECT_EQ(error_of("[1, 2, 3]"), "line 1: " + point);
+  EXPECT_EQ(error_of("[1, 2, 3, 4, 5]"), "line 1: " + point);
+  EXPECT_EQ(error_of("{\"x\": 1}"), "line 1: " + point);
+  EXPECT_EQ(error_of("[1, 2, 3, \"4\"]"), "line 1: " + point + ": entry 4 is of type string");
+  EXPECT_EQ(error_of("[1, 2, null, 4]"), "line 1: " + point + ": entry 3 is of type null");
+  EXPECT_THAT(error_of("5"), StartsWith("line 1: must be a point, such as [1, 2]"));
+  EXPECT_THAT(error_of("{\"y\": [1]}"), StartsWith("line 1: must be a point"));
+  EXPECT_THAT(error_of("[1, 2, 3, NaN]"), StartsWith("line 1: is no JSON, from byte 11 on"));
+  EXPECT_THAT(error_of("[1, 2, 3, 1e999]"), StartsWith("line 1: has a number that is too large"));
+  EXPECT_THAT(error_of("[1, 2, 3, 4"), HasSubstr("is no JSON"));
+  EXPECT_THAT(error_of("x = 1\xff\x1b"), HasSubstr("is no JSON"));
+  EXPECT_THAT(error_of("{\"x\": [1, 1, 1, 1], \"derivative\": true}"),
+              HasSubstr("derivative is not expected; did you mean derivatives?"));
+  EXPECT_THAT(error_of("{\"x\": [1, 1, 1, 1], \"derivatives\": 1}"), HasSubstr("true or false"));
+}
+
+TEST(Evaluate, SaysWhichLineWasBad) {
+  const Dialogue dialogue = asked("hs-71", "[1, 1, 1, 1]\n\n \t\r\n[1]\n[2, 2, 2, 2]");
+  ASSERT_EQ(dialogue.answers.size(), 3U);
+  EXPECT_EQ(dialogue.answers[1]["error"], "line 4: x must have 4 numbers");
+  EXPECT_EQ(dialogue.answers[2]["evaluations"], 2) << "the last line needs no end";
+}
+
+TEST(Evaluate, SurvivesLongLines) {
+  const std::string deep(500'000, '[');
+  EXPECT_THAT(error_of(deep), HasSubstr("is no JSON"));
+  EXPECT_THAT(error_of("[" + deep + std::string(500'000, ']') + "]"), HasSubstr("line 1: x must"));
+  EXPECT_EQ(error_of("[" + std::string(3'000'000, '1') + "]"),
+            "line 1: is longer than 1048576 bytes");
+}
+
+TEST(Evaluate, HasNoAnswerButNullForWhatIsNoNumber) {
+  const Dialogue dialogue = asked("hs-71", "[1e300, 1e300, 1e300, -1e308]\n");
+  EXPECT_EQ(dialogue.outcome.exit_code, 0);
+  EXPECT_TRUE(dialogue.answers.at(0)["objective"].is_number()) << "projected onto the box";
+}
+
+/// What a script of bash that calls $PROGRAM leaves behind.
+Outcome call_from_bash(const std::string& script) {
+  const auto file = write(fresh_folder(), "script", "PROGRAM=" RICOCHET_PROGRAM "\n" + script);
+  return call("--version >/dev/null; bash " + file.string());
+}
+
+TEST(Evaluate, AnswersAtOnce) {
+  const Outcome outcome = call_from_bash(R"(
+coproc asked { "$PROGRAM" evaluate hs-71; }
+echo '[1, 1, 1, 1]' >&"${asked[1]}"
+read -r -t 20 -u "${asked[0]}" answer
+echo "$answer"
+exec {asked[1]}>&-
+wait)");
+  EXPECT_THAT(outcome.out, HasSubstr("\"evaluations\":1")) << outcome.err;
+}
+
+TEST(Evaluate, EndsWhereNobodyListens) {
+  const auto point = write(fresh_folder(), "point", "[1, 1, 1, 1]");
+  const Outcome full = call_with_output("evaluate hs-71 <" + point.string(), ">/dev/full");
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_THAT(full.err, StartsWith("ricochet: standard output: "));
+  const Outcome closed = call_from_bash(R"(
+trap '' PIPE
+{ yes '[1, 1, 1, 1]' 2>/dev/null | "$PROGRAM" evaluate hs-71; echo "${PIPESTATUS[1]}" >&2; } | head -n 1)");
+  EXPECT_EQ(closed.err, "ricochet: standard output: Broken pipe\n1\n");
+}
+
+TEST(Evaluate, RefusesWhatIsNotThere) {
+  expect_refusal("evaluate top-sped-C1 </dev/null", "top-sped-C1: there is no such question");
+  expect_refusal("evaluate hs-71 --form surrogate </dev/null", "hs-71 has no such form; allowed");
+  expect_refusal("evaluate hs-71 --instance -1 </dev/null", "--instance -1: must be >= 0");
+  expect_refusal("evaluate count-C1 --derivatives </dev/null", "has none in form count");
+  expect_refusal("evaluate count-scene --scene - </dev/null", "standard input holds the points");
+  expect_refusal("evaluate count-scene --scene /nowhere.toml </dev/null", "/nowhere.toml");
+  expect_refusal("evaluate hs-71 </tmp", "standard input: ");
+  expect_refusal("evaluate hs-71 <&-", "standard input: ");
+}
+
+TEST(Evaluate, EndsWithNothingAsked) {
+  const Outcome outcome = call("evaluate hs-71 </dev/null");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "");
+}
+
+}  // namespace
+}  // namespace ricochet::cli

@@ -1,0 +1,273 @@
+// libricochet.so, from outside, against the questions it is made of.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <malloc.h>
+#include <ricochet/ricochet.h>
+
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "problems/families.h"
+#include "src/core/instance.h"
+#include "src/core/random.h"
+
+namespace ricochet {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+struct Closer {
+  void operator()(ricochet_problem* problem) const { ricochet_close(problem); }
+};
+using Opened = std::unique_ptr<ricochet_problem, Closer>;
+
+Opened open(const std::string& question, const std::string& form = "", int instance = 0,
+            std::int64_t budget = 1000, std::uint64_t seed = 0) {
+  return Opened(ricochet_open(question.c_str(), form.c_str(), instance, budget, seed));
+}
+
+const std::vector<Question>& questions() {
+  static const std::vector<Question> all = every_question(all_families());
+  return all;
+}
+
+const Question& question_named(const std::string& name) {
+  for (const Question& question : questions()) {
+    if (question.name() == name) return question;
+  }
+  throw std::out_of_range(name);
+}
+
+Vector vector_at(const double* numbers, Eigen::Index size) {
+  return Eigen::Map<const Vector>(numbers, size);
+}
+
+/// NaN where it cannot be asked.
+double objective_at(const Opened& opened, const Vector& x) {
+  double objective = 0;
+  const bool over = opened->values(opened.get(), x.data(), &objective, nullptr) != 0;
+  return over ? std::numeric_limits<double>::quiet_NaN() : objective;
+}
+
+/// The two are the same in every bit, at a few points.
+void expect_same(const Opened& opened, const Problem& problem) {
+  ASSERT_TRUE(opened) << ricochet_error();
+  const Eigen::Index n = problem.dimension(), m = problem.constraints;
+  ASSERT_EQ(opened->dimension, n);
+  ASSERT_EQ(opened->constraints, m);
+  EXPECT_EQ(opened->equalities, problem.equalities);
+  EXPECT_EQ(opened->has_derivatives != 0, static_cast<bool>(problem.differentiate));
+  EXPECT_EQ(opened->name, problem.name);
+  EXPECT_EQ(vector_at(opened->lower, n), problem.lower);
+  EXPECT_EQ(vector_at(opened->upper, n), problem.upper);
+  EXPECT_EQ(vector_at(opened->start, n), problem.start);
+  Random random(1);
+  for (int k = 0; k < 3; ++k) {
+    const Vector x = k == 0 ? problem.start : uniform_point(problem, random);
+    const Values expected = problem.evaluate(x);
+    double objective = 0;
+    Vector constraints(m);
+    ASSERT_EQ(opened->values(opened.get(), x.data(), &objective, constraints.data()), 0)
+        << ricochet_error();
+    EXPECT_EQ(objective, expected.objective);
+    EXPECT_EQ(constraints, expected.constraints);
+  }
+}
+
+TEST(Interface, OpensEveryQuestion) {
+  int index = 0;
+  for (const Question& question : questions()) {
+    SCOPED_TRACE(question.name());
+    ASSERT_EQ(ricochet_question_name(index++), question.name());
+    if (question.cost > 1000) continue;  // calibration: a second for each point
+    expect_same(open(question.name()), question.stated);
+  }
+  EXPECT_EQ(ricochet_question_name(index), nullptr);
+  EXPECT_EQ(ricochet_question_name(-1), nullptr);
+}
+
+TEST(Interface, OpensEveryFormAndInstance) {
+  for (const char* const name : {"count-C4", "top-speed-C1", "hs-71", "profile-count-8-C4"}) {
+    const Question& question = question_named(name);
+    for (const Form& form : question.forms()) {
+      for (const int number : {0, 1, 7}) {
+        SCOPED_TRACE(question.name_of(form));
+        expect_same(open(name, question.name_of(form), number),
+                    instance(question.problem(form), number));
+      }
+    }
+  }
+}
+
+TEST(Interface, TellsExactDerivativesRowByRow) {
+  const Problem problem = question_named("hs-71").stated;
+  const Opened opened = open("hs-71");
+  Vector gradient(4);
+  Eigen::Matrix<double, 2, 4, Eigen::RowMajor> jacobian;
+  double objective = 0;
+  ASSERT_EQ(opened->derivatives(opened.get(), opened->start, &objective, nullptr, gradient.data(),
+                                jacobian.data()),
+            0);
+  const Derivatives expected = problem.differentiate(problem.start);
+  EXPECT_EQ(objective, expected.values.objective);
+  EXPECT_EQ(gradient, expected.gradient);
+  EXPECT_EQ(Matrix(jacobian), expected.jacobian);
+  EXPECT_EQ(opened->remaining(opened.get()), 995);
+}
+
+TEST(Interface, StopsWhenTheBudgetIsSpentAndSaysSo) {
+  const Opened opened = open("hs-71", "", 0, 3);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(opened->remaining(opened.get()), 3 - k);
+    EXPECT_FALSE(std::isnan(objective_at(opened, Vector::Constant(4, 1.0 + k))));
+  }
+  EXPECT_EQ(opened->remaining(opened.get()), 0);
+  EXPECT_TRUE(std::isnan(objective_at(opened, Vector::Constant(4, 4.5))));
+  EXPECT_STREQ(ricochet_error(), "the run is over: its budget of 3 evaluations is spent");
+}
+
+TEST(Interface, EndsTheRunThatAsksForNoPoint) {
+  const Opened opened = open("hs-71");
+  EXPECT_EQ(opened->values(opened.get(), nullptr, nullptr, nullptr), 1);
+  EXPECT_STREQ(ricochet_error(), "the point asked for is NULL");
+  EXPECT_EQ(opened->remaining(opened.get()), 1000) << "the run goes on";
+  objective_at(opened, Vector::Constant(4, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_THAT(ricochet_error(), HasSubstr("not finite"));
+  EXPECT_EQ(opened->remaining(opened.get()), 0);
+}
+
+TEST(Interface, SaysThatAFormHasNoDerivatives) {
+  const Opened opened = open("count-C1", "count");
+  EXPECT_EQ(opened->has_derivatives, 0);
+  EXPECT_EQ(opened->derivatives(opened.get(), opened->start, nullptr, nullptr, nullptr, nullptr),
+            1);
+  EXPECT_STREQ(ricochet_error(), "count-C1 has no derivatives");
+}
+
+TEST(Interface, JudgesByTheTruthWhateverIsShown) {
+  const Question& question = question_named("top-speed-C1");
+  const Opened opened = open("top-speed-C1", "penalised-surrogate", 0, 1);
+  Random random(3);
+  for (int k = 0; k < 10; ++k) {
+    const Vector x = uniform_point(question.stated, random);
+    const Truth expected = truth_at(question.stated, x);
+    double objective = 0, violation = -1;
+    ASSERT_EQ(ricochet_judge(opened.get(), x.data(), &objective, &violation), 0);
+    EXPECT_EQ(objective, expected.objective);
+    EXPECT_EQ(violation, expected.violation);
+  }
+  EXPECT_EQ(opened->remaining(opened.get()), 1) << "it costs nothing";
+  double objective = 0;
+  const double outside = 1e9;
+  EXPECT_EQ(ricochet_judge(opened.get(), &outside, &objective, nullptr), 0);
+  EXPECT_EQ(objective, truth_at(question.stated, question.stated.upper).objective);
+  const double none = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(ricochet_judge(opened.get(), &none, &objective, nullptr), 1);
+  EXPECT_THAT(ricochet_error(), HasSubstr("not finite"));
+  EXPECT_EQ(ricochet_judge(opened.get(), nullptr, &objective, nullptr), 1);
+}
+
+TEST(Interface, DrawsTheSameNumbersFromTheSameSeed) {
+  const auto draws = [](std::uint64_t seed) {
+    const Opened opened = open("hs-71", "", 0, 1, seed);
+    std::vector<double> numbers;
+    for (int k = 0; k < 100; ++k) numbers.push_back(opened->uniform(opened.get()));
+    return numbers;
+  };
+  EXPECT_EQ(draws(5), draws(5));
+  EXPECT_NE(draws(5), draws(6));
+  EXPECT_THAT(draws(5), testing::Each(AllOf(testing::Ge(0), testing::Lt(1))));
+}
+
+TEST(Interface, RefusesWhatIsNotThere) {
+  const auto expect_refusal = [](const Opened& opened, const std::string& reason) {
+    EXPECT_FALSE(opened);
+    EXPECT_THAT(ricochet_error(), HasSubstr(reason));
+  };
+  expect_refusal(open("top-sped-C1"),
+                 "top-sped-C1: there is no such question; did you mean top-speed-C1");
+  expect_refusal(open(""), "there is no such question");
+  expect_refusal(open("hs-71", "surrogate"),
+                 "surrogate: hs-71 has no such form; allowed: as-stated");
+  expect_refusal(open("hs-71", "", -1), "instance -1: must be >= 0");
+  expect_refusal(open("hs-71", "", 0, 0), "budget 0: must be >= 1");
+  expect_refusal(open("hs-71", "", 0, std::numeric_limits<std::int64_t>::min()), "budget -92");
+  expect_refusal(Opened(ricochet_open(nullptr, nullptr, 0, 1, 0)), "NULL");
+  expect_refusal(open(std::string(1 << 20, 'x') + "\x1b\n\xff"), "bytes ... ");
+  EXPECT_EQ(std::string(ricochet_error()).find('\n'), std::string::npos);
+  EXPECT_TRUE(Opened(ricochet_open("hs-71", nullptr, 0, 1, 0))) << "the form may be NULL";
+}
+
+TEST(Interface, KnowsWhichProblemsAreOpen) {
+  ricochet_close(nullptr);
+  ricochet_problem* const problem = ricochet_open("hs-71", "", 0, 1, 0);
+  ricochet_close(problem);
+  ricochet_close(problem);
+  EXPECT_STREQ(ricochet_error(), "the problem is not open");
+  const Vector x = Vector::Ones(4);
+  EXPECT_EQ(ricochet_judge(problem, x.data(), nullptr, nullptr), 1);
+  EXPECT_EQ(ricochet_judge(nullptr, x.data(), nullptr, nullptr), 1);
+  ricochet_problem stranger{};
+  EXPECT_EQ(ricochet_judge(&stranger, x.data(), nullptr, nullptr), 1);
+  ricochet_close(&stranger);
+}
+
+TEST(Interface, KeepsTheErrorsOfThreadsApart) {
+  open("nothing");
+  std::string before, after;
+  std::thread([&] {
+    before = ricochet_error();
+    open("hs-71", "sideways");
+    after = ricochet_error();
+  }).join();
+  EXPECT_EQ(before, "");
+  EXPECT_THAT(after, HasSubstr("sideways"));
+  EXPECT_THAT(ricochet_error(), HasSubstr("nothing: there is no such question"));
+}
+
+TEST(Interface, IsUsedByManyThreadsAtOnce) {
+  const Vector x = Vector::Constant(1, 5.0);
+  const double expected = objective_at(open("count-C4", "surrogate"), x);
+  std::vector<double> found(8);
+  std::vector<std::thread> threads;
+  for (double& result : found) {
+    threads.emplace_back([&result, &x] {
+      for (int k = 0; k < 100; ++k) result = objective_at(open("count-C4", "surrogate"), x);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_THAT(found, testing::Each(expected));
+}
+
+/// Where the sanitizers look for leaks, too, which they see at the end.
+TEST(Interface, KeepsNothingOfWhatWasClosed) {
+  open("hs-71");
+  const std::size_t before = mallinfo2().uordblks;
+  for (int k = 0; k < 100'000; ++k) {
+    const Opened opened = open("hs-71", "penalised", k % 3);
+    objective_at(opened, Vector::Ones(4));
+  }
+  EXPECT_LT(mallinfo2().uordblks, before + 10'000);
+}
+
+TEST(Interface, ExportsItsFunctionsAlone) {
+  FILE* const names =
+      popen("nm --dynamic --defined-only --format=just-symbols " RICOCHET_LIBRARY, "r");
+  ASSERT_NE(names, nullptr);
+  std::set<std::string> exported;
+  char name[1000];
+  while (std::fscanf(names, "%999s", name) == 1) exported.insert(name);
+  ASSERT_EQ(pclose(names), 0);
+  EXPECT_EQ(exported, (std::set<std::string>{"ricochet_close", "ricochet_error", "ricochet_judge",
+                                             "ricochet_open", "ricochet_question_name"}));
+}
+
+}  // namespace
+}  // namespace ricochet

@@ -1,0 +1,264 @@
+"""The module ricochet, against the program ricochet and against SciPy."""
+
+import json
+import math
+import os
+import subprocess
+import sys
+import threading
+import unittest
+import warnings
+
+try:
+    import numpy
+except ImportError:
+    print("skipped: this Python has no NumPy (Debian: python3-numpy)", file=sys.stderr)
+    sys.exit(77)
+
+try:
+    import scipy.optimize
+except ImportError:
+    scipy = None
+
+import ricochet
+
+needs_scipy = unittest.skipUnless(scipy, "this Python has no SciPy (Debian: python3-scipy)")
+
+
+def evaluated(name, points, *options):
+    """What `ricochet evaluate` answers."""
+    text = "".join(json.dumps(list(x)) + "\n" for x in points)
+    done = subprocess.run(
+        [os.environ["RICOCHET_PROGRAM"], "evaluate", name, *options],
+        input=text, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def some_points(q, count=20):
+    draw = numpy.random.default_rng(1)
+    return draw.uniform(q.lower, q.upper, (count, q.dimension))
+
+
+class Values(unittest.TestCase):
+    def test_are_those_of_the_program_bit_for_bit(self):
+        for name, form in [
+            ("count-C1", "count"),
+            ("count-C9", "surrogate"),
+            ("top-speed-C4", "surrogate"),
+            ("profile-wear-8-C2", ""),
+            ("hs-71", ""),
+            ("hard-top-speed-01", "penalised-count"),
+        ]:
+            for instance in (0, 3):
+                with self.subTest(name=name, form=form, instance=instance):
+                    q = ricochet.question(name, form, instance=instance)
+                    points = some_points(q)
+                    options = ["--instance", str(instance)]
+                    options += ["--form", form] if form else []
+                    for x, answer in zip(points, evaluated(name, points, *options)):
+                        objective, constraints = q.values(x)
+                        self.assertEqual(objective, answer["objective"])
+                        self.assertEqual(constraints.tolist(), answer["constraints"])
+                        truth = q.judge(x)
+                        self.assertEqual(truth._asdict(), answer["truth"])
+
+    def test_have_the_derivatives_of_the_program_bit_for_bit(self):
+        for name, form in [("hs-71", ""), ("top-speed-C1", "surrogate")]:
+            with self.subTest(name=name):
+                q = ricochet.question(name, form)
+                points = some_points(q, 10)
+                options = ["--derivatives"] + (["--form", form] if form else [])
+                for x, answer in zip(points, evaluated(name, points, *options)):
+                    objective, constraints, gradient, jacobian = q.derivatives(x)
+                    self.assertEqual(objective, answer["objective"])
+                    self.assertEqual(constraints.tolist(), answer["constraints"])
+                    self.assertEqual(gradient.tolist(), answer["gradient"])
+                    self.assertEqual(jacobian.tolist(), answer["jacobian"])
+                    self.assertEqual(q.gradient(x).tolist(), gradient.tolist())
+                    self.assertEqual(q.jacobian(x).tolist(), jacobian.tolist())
+
+    def test_are_new_arrays_each_time(self):
+        q = ricochet.question("hs-71")
+        first = q.constraint_values([1, 2, 3, 4])
+        before = first.copy()
+        q.constraint_values([4, 3, 2, 1])
+        self.assertEqual(first.tolist(), before.tolist())
+
+
+class Question(unittest.TestCase):
+    def test_says_what_it_is(self):
+        q = ricochet.question("hs-71")
+        (described,) = evaluated("hs-71", [], "--describe")
+        self.assertEqual(q.name, "hs-71")
+        self.assertEqual(q.dimension, described["dimension"])
+        self.assertEqual(q.constraints, described["constraints"])
+        self.assertEqual(q.equalities, described["equalities"])
+        self.assertEqual(q.has_derivatives, described["derivatives"])
+        self.assertEqual(q.lower.tolist(), described["lower"])
+        self.assertEqual(q.upper.tolist(), described["upper"])
+        self.assertEqual(q.start.tolist(), described["start"])
+        with self.assertRaises(ValueError):
+            q.lower[0] = 0
+
+    def test_is_one_of_those_listed(self):
+        names = ricochet.questions()
+        self.assertGreater(len(names), 200)
+        self.assertEqual(len(set(names)), len(names))
+        self.assertIn("top-speed-C1", names)
+
+    def test_is_a_function_where_nothing_constrains_it(self):
+        q = ricochet.question("count-C1")
+        self.assertIs(type(q(5.0)), float)
+        self.assertEqual(q(5.0), q([5.0]))
+        self.assertEqual(q(numpy.array([5])), q(5))
+        with self.assertRaisesRegex(TypeError, "hs-71 has 2 constraints"):
+            ricochet.question("hs-71")([1, 5, 5, 1])
+
+    def test_counts_as_the_suite_does(self):
+        q = ricochet.question("hs-71", budget=10)
+        q.objective([1, 2, 3, 4])
+        q.constraint_values([1, 2, 3, 4])
+        self.assertEqual(q.remaining, 9)
+        q.gradient([1, 2, 3, 4])
+        q.jacobian([1, 2, 3, 4])
+        self.assertEqual(q.remaining, 5)
+        q.judge([1, 2, 3, 4])
+        self.assertEqual(q.remaining, 5)
+        for k in range(5):
+            q.values([1, 2, 3, 4 + k / 8])
+        with self.assertRaisesRegex(ricochet.RunOver, "budget of 10 evaluations is spent"):
+            q.values([1, 1, 1, 1])
+
+    def test_draws_the_same_from_the_same_seed(self):
+        def draws(seed):
+            q = ricochet.question("hs-71", seed=seed)
+            return [q.uniform() for _ in range(10)]
+
+        self.assertEqual(draws(2**64 - 1), draws(2**64 - 1))
+        self.assertNotEqual(draws(1), draws(2))
+
+    def test_is_closed_once(self):
+        with ricochet.question("hs-71") as q:
+            self.assertIn("hs-71", repr(q))
+        q.close()
+        self.assertIn("closed", repr(q))
+        for ask in (lambda: q.values([1, 1, 1, 1]), lambda: q.remaining, q.uniform):
+            with self.assertRaisesRegex(ricochet.Error, "hs-71 is closed"):
+                ask()
+
+    def test_is_open_in_each_of_many_threads(self):
+        expected = ricochet.question("count-C4", "surrogate")(5.0)
+        found = []
+
+        def work():
+            for _ in range(20):
+                with ricochet.question("count-C4", "surrogate") as q:
+                    found.append(q(5.0))
+
+        threads = [threading.Thread(target=work) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(found, [expected] * 80)
+
+
+class BadInput(unittest.TestCase):
+    def test_is_named(self):
+        for arguments, complaint in [
+            (("top-sped-C1",), "did you mean top-speed-C1"),
+            (("",), "no such question"),
+            (("hs-71", "surrogate"), "hs-71 has no such form; allowed: as-stated"),
+            (("hs-71\n",), r"hs-71\\x0a: there is no such question"),
+        ]:
+            with self.assertRaisesRegex(ricochet.Error, complaint):
+                ricochet.question(*arguments)
+        for options in [{"instance": -1}, {"budget": 0}, {"seed": -1}, {"seed": 2**64}]:
+            with self.assertRaises(ValueError):
+                ricochet.question("hs-71", **options)
+
+    def test_does_not_end_the_run(self):
+        q = ricochet.question("hs-71", budget=3)
+        for x in [
+            [1, 2, 3], [1, 2, 3, 4, 5], [[1, 2, 3, 4]], 1, [],
+            [1, 2, 3, math.nan], [1, 2, 3, math.inf], [1, 2, 3, None], "four",
+        ]:  # fmt: skip
+            with self.subTest(x=x), self.assertRaises((ValueError, TypeError)):
+                q.values(x)
+        self.assertEqual(q.remaining, 3)
+
+    def test_is_asking_for_derivatives_where_there_are_none(self):
+        q = ricochet.question("count-C1")
+        with self.assertRaisesRegex(ricochet.Error, "count-C1 has no derivatives in this form"):
+            q.gradient(5.0)
+        self.assertIs(type(q(5.0)), float)
+
+
+@needs_scipy
+class SciPy(unittest.TestCase):
+    def test_solves_a_question_with_constraints(self):
+        q = ricochet.question("hs-71", budget=1000)
+        limit = numpy.where(numpy.arange(q.constraints) < q.equalities, 0, -numpy.inf)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # that both kinds of constraints come in one function
+            result = scipy.optimize.minimize(
+                q.objective, q.start, jac=q.gradient, method="SLSQP",
+                bounds=scipy.optimize.Bounds(q.lower, q.upper),
+                constraints=scipy.optimize.NonlinearConstraint(
+                    q.constraint_values, limit, 0, jac=q.jacobian
+                ),
+            )  # fmt: skip
+        truth = q.judge(result.x)
+        self.assertLess(truth.violation, 1e-6)
+        self.assertAlmostEqual(truth.objective, 17.0140173, delta=1e-5)  # published
+
+    def test_finds_the_fewest_collisions(self):
+        q = ricochet.question("count-C1")
+        (described,) = evaluated("count-C1", [], "--describe")
+        result = scipy.optimize.differential_evolution(
+            q, scipy.optimize.Bounds(q.lower, q.upper), seed=1, maxiter=50
+        )
+        self.assertEqual(q.judge(result.x).objective, described["best_known"])
+
+    def test_ends_when_the_budget_does(self):
+        q = ricochet.question("profile-count-8-C4", budget=100)
+        with self.assertRaises(ricochet.RunOver):
+            scipy.optimize.differential_evolution(q, list(zip(q.lower, q.upper)), seed=1)
+        self.assertEqual(q.remaining, 0)
+
+
+class Library(unittest.TestCase):
+    def test_is_missed_with_a_reason(self):
+        done = subprocess.run(
+            [sys.executable, "-c", "import ricochet"],
+            env={**os.environ, "RICOCHET_LIBRARY": "/nowhere.so"}, capture_output=True, text=True,
+        )  # fmt: skip
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("ImportError: ricochet: /nowhere.so cannot be loaded", done.stderr)
+
+    def test_lets_a_program_end_with_questions_open(self):
+        done = subprocess.run(
+            [sys.executable, "-c", "import ricochet; q = ricochet.question('count-C1'); q(5.0)"],
+            capture_output=True, text=True,
+        )  # fmt: skip
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_keeps_nothing_of_what_was_closed(self):
+        def resident():
+            with open("/proc/self/statm") as file:
+                return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE")
+
+        def use(times):
+            for k in range(times):
+                with ricochet.question("hs-71", instance=k % 3) as q:
+                    q.values(q.start)
+
+        use(1000)
+        before = resident()
+        use(10_000)
+        self.assertLess(resident() - before, 2e6)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -37,6 +37,11 @@ macro(ricochet_backend name target)
 endmacro()
 
 ricochet_backend(CERES Ceres::ceres Ceres 2.1)
+ricochet_backend(DLIB dlib::dlib dlib 19.24)
+if(RICOCHET_HAS_DLIB)
+  # Its library finds what it needs itself; the files named here may be missing.
+  set_target_properties(dlib::dlib PROPERTIES INTERFACE_LINK_LIBRARIES "")
+endif()
 ricochet_backend(IPOPT PkgConfig::Ipopt pkg-config Ipopt ipopt)
 ricochet_backend(PAGMO Pagmo::pagmo Pagmo 2.18)
 ricochet_backend(SUNDIALS SUNDIALS::cvode SUNDIALS 6.4 COMPONENTS cvode nvecserial)

@@ -65,6 +65,9 @@ endif()
 set(CPACK_DEBIAN_PACKAGE_DEPENDS gnuplot-nox)  # draws the charts
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
   "libeigen3-dev, libceres-dev, libnlopt-cxx-dev, libboost-dev, libtbb-dev, libfmt-dev, libtomlplusplus-dev, pkg-config, python3-numpy")
+if(RICOCHET_HAS_DLIB)
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", libdlib-dev")
+endif()
 if(RICOCHET_HAS_IPOPT)
   string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", coinor-libipopt-dev")
 endif()

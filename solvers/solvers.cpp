@@ -4,11 +4,12 @@
 #include "solvers/ceres.h"
 #include "solvers/ceres_least_squares.h"
 #include "solvers/continuation.h"
+#include "solvers/dlib.h"
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/golden_section.h"
 #include "solvers/ipopt.h"
-#include "solvers/nlopt.h"
-#include "solvers/pagmo.h"
+#include "solvers/nlopt/nlopt.h"
+#include "solvers/pagmo/pagmo.h"
 #include "solvers/random_search.h"
 #include "solvers/scan.h"
 
@@ -34,7 +35,17 @@ std::vector<Solver> all_solvers() {
 #ifdef RICOCHET_HAS_PAGMO
       pagmo_cmaes(Settings::own),
       pagmo_cmaes(Settings::tuned),
+      pagmo_cmaes_ipop(),
+      pagmo_xnes(),
+      pagmo_de(),
       pagmo_sade(),
+      pagmo_de1220(),
+      pagmo_gaco(),
+      pagmo_compass_search(),
+      pagmo_constrained_de(),
+#endif
+#ifdef RICOCHET_HAS_DLIB
+      dlib_global_search(),
 #endif
   };
   for (Solver& solver : nlopt_solvers()) {
@@ -58,7 +69,17 @@ std::vector<MissingSolver> missing_solvers() {
 #ifndef RICOCHET_HAS_PAGMO
       {"pagmo-cmaes", "pagmo"},
       {"pagmo-cmaes-tuned", "pagmo"},
+      {"pagmo-cmaes-ipop", "pagmo"},
+      {"pagmo-xnes", "pagmo"},
+      {"pagmo-de", "pagmo"},
       {"pagmo-sade", "pagmo"},
+      {"pagmo-de1220", "pagmo"},
+      {"pagmo-gaco", "pagmo"},
+      {"pagmo-compass-search", "pagmo"},
+      {"pagmo-constrained-de", "pagmo"},
+#endif
+#ifndef RICOCHET_HAS_DLIB
+      {"dlib-global-search", "dlib"},
 #endif
   };
 }

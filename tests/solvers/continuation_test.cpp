@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solvers/nlopt.h"
+#include "solvers/nlopt/nlopt.h"
 #include "solvers/solvers.h"
 #include "src/core/run.h"
 #include "tests/solvers/test_problems.h"

@@ -1,4 +1,4 @@
-#include "solvers/nlopt.h"
+#include "solvers/nlopt/nlopt.h"
 
 #include <gmock/gmock.h>
 
@@ -29,22 +29,35 @@ std::vector<std::string> accepting(const Problem& problem) {
 
 TEST(Nlopt, AcceptsConstraintsWhereTheAlgorithmTakesThem) {
   EXPECT_THAT(accepting(disc()),
-              testing::UnorderedElementsAre("nlopt-direct-l", "nlopt-isres", "nlopt-cobyla",
-                                            "nlopt-cobyla-tuned", "nlopt-slsqp", "nlopt-mma"));
+              testing::UnorderedElementsAre("nlopt-direct", "nlopt-direct-l", "nlopt-isres",
+                                            "nlopt-ags", "nlopt-cobyla", "nlopt-cobyla-tuned",
+                                            "nlopt-slsqp", "nlopt-mma", "nlopt-ccsaq",
+                                            "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx",
+                                            "nlopt-auglag-lbfgs", "nlopt-auglag-mma"));
 }
 
 TEST(Nlopt, AcceptsProblemsWithoutDerivativesWhereTheAlgorithmNeedsNone) {
   Problem problem = sphere(2, 3);
   problem.differentiate = nullptr;
   EXPECT_THAT(accepting(problem),
-              testing::UnorderedElementsAre("nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
-                                            "nlopt-esch", "nlopt-cobyla", "nlopt-cobyla-tuned",
-                                            "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx"));
+              testing::UnorderedElementsAre(
+                  "nlopt-direct", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch",
+                  "nlopt-ags", "nlopt-mlsl-bobyqa", "nlopt-cobyla", "nlopt-cobyla-tuned",
+                  "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx"));
 }
 
-TEST(Nlopt, KeepsBobyqaFromOneDimension) {
-  EXPECT_FALSE(named("nlopt-bobyqa").accepts(sphere(1, 3)));
-  EXPECT_TRUE(named("nlopt-bobyqa").accepts(sphere(2, 3)));
+TEST(Nlopt, KeepsWhatInterpolatesFromOneDimension) {
+  for (const char* name : {"nlopt-bobyqa", "nlopt-mlsl-bobyqa"}) {
+    EXPECT_FALSE(named(name).accepts(sphere(1, 3))) << name;
+    EXPECT_TRUE(named(name).accepts(sphere(2, 3))) << name;
+  }
+  EXPECT_FALSE(named("nlopt-auglag-bobyqa").accepts(limited(7)));
+  EXPECT_TRUE(named("nlopt-auglag-sbplx").accepts(limited(7)));
+}
+
+TEST(Nlopt, KeepsAgsFromMoreThanTenDimensions) {
+  EXPECT_TRUE(named("nlopt-ags").accepts(sphere(10, 3)));
+  EXPECT_FALSE(named("nlopt-ags").accepts(sphere(11, 3)));
 }
 
 class NloptLocal : public testing::TestWithParam<std::string> {};
@@ -106,14 +119,40 @@ TEST_P(NloptLocal, EndsAStartAtANumberThatIsNotFinite) {
 
 INSTANTIATE_TEST_SUITE_P(All, NloptLocal,
                          testing::Values("nlopt-cobyla", "nlopt-bobyqa", "nlopt-nelder-mead",
-                                         "nlopt-sbplx", "nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"),
+                                         "nlopt-sbplx", "nlopt-slsqp", "nlopt-mma", "nlopt-ccsaq",
+                                         "nlopt-lbfgs", "nlopt-var2", "nlopt-tnewton"),
                          [](const auto& tested) { return test_name(tested.param); });
 
 INSTANTIATE_TEST_SUITE_P(All, NloptConstrained,
-                         testing::Values("nlopt-cobyla", "nlopt-slsqp", "nlopt-mma"),
+                         testing::Values("nlopt-cobyla", "nlopt-slsqp", "nlopt-mma", "nlopt-ccsaq"),
                          [](const auto& tested) { return test_name(tested.param); });
 
 INSTANTIATE_TEST_SUITE_P(All, NloptEquations, testing::Values("nlopt-cobyla", "nlopt-slsqp"),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+/// These approach the constraints from outside, by one local search after the other.
+class NloptAugmentedLagrangian : public testing::TestWithParam<std::string> {};
+
+TEST_P(NloptAugmentedLagrangian, ApproachesACurvedConstraint) {
+  const RunRecord record = run(disc(), named(GetParam()), {5000}, 0);
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
+}
+
+TEST_P(NloptAugmentedLagrangian, ApproachesAnEquation) {
+  const RunRecord record = run(arc(), named(GetParam()), {5000}, 0);
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-5);
+}
+
+TEST_P(NloptAugmentedLagrangian, IsOfUseForConstraintsOnly) {
+  EXPECT_FALSE(named(GetParam()).accepts(sphere(2, 3)));
+  EXPECT_TRUE(named(GetParam()).accepts(arc()));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, NloptAugmentedLagrangian,
+                         testing::Values("nlopt-auglag-bobyqa", "nlopt-auglag-sbplx",
+                                         "nlopt-auglag-lbfgs", "nlopt-auglag-mma"),
                          [](const auto& tested) { return test_name(tested.param); });
 
 /// The evolution strategy comes near the equation, if not within its tolerance.
@@ -121,6 +160,17 @@ TEST(Nlopt, ComesNearAnEquationByIsres) {
   const RunRecord record = run(arc(), named("nlopt-isres"), {5000}, 0);
   EXPECT_LT(record.trace.back().truth.violation, 1e-3);
   EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 0.5);
+}
+
+/// Rastrigin's function: a hollow at every point of whole numbers, the lowest, 0, at the origin.
+Problem hollows() {
+  Problem problem = box_problem("hollows", 2, -5.12, 4.12, 3.1, [](const Vector& x) {
+    return (x.array().square() + 10 * (1 - (2 * M_PI * x.array()).cos())).sum();
+  });
+  differentiate_by(problem, [](const Vector& x) -> Vector {
+    return 2 * x.array() + 20 * M_PI * (2 * M_PI * x.array()).sin();
+  });
+  return problem;
 }
 
 class NloptGlobal : public testing::TestWithParam<std::string> {};
@@ -132,9 +182,17 @@ TEST_P(NloptGlobal, GoesOnWhereANumberIsNotFinite) {
   EXPECT_EQ(record.exits.front().reason, "stopped by the evaluator");
 }
 
+TEST_P(NloptGlobal, FindsTheLowestOfManyHollowsOrTheNext) {
+  const RunRecord record = run(hollows(), named(GetParam()), {4000}, 0);
+  const bool slow = GetParam() == "nlopt-isres";
+  EXPECT_LT(record.trace.back().truth.objective, slow ? 2 : 0.05) << "the next four have 1";
+}
+
 INSTANTIATE_TEST_SUITE_P(All, NloptGlobal,
-                         testing::Values("nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
-                                         "nlopt-esch"),
+                         testing::Values("nlopt-direct", "nlopt-direct-l", "nlopt-crs2",
+                                         "nlopt-isres", "nlopt-esch", "nlopt-ags",
+                                         "nlopt-mlsl-bobyqa", "nlopt-mlsl-slsqp",
+                                         "nlopt-mlsl-lbfgs"),
                          [](const auto& tested) { return test_name(tested.param); });
 
 }  // namespace

@@ -1,9 +1,10 @@
-#include "solvers/pagmo.h"
+#include "solvers/pagmo/pagmo.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include "src/core/run.h"
@@ -20,6 +21,13 @@ Problem rosenbrock(Eigen::Index n) {
       sum += 100 * std::pow(x[i + 1] - x[i] * x[i], 2) + std::pow(1 - x[i], 2);
     }
     return sum;
+  });
+}
+
+/// Rastrigin's function: a hollow at every point of whole numbers, the lowest, 0, at the origin.
+Problem hollows(Eigen::Index n) {
+  return box_problem("hollows", n, -5.12, 4.12, 3, [](const Vector& x) {
+    return (x.array().square() + 10 * (1 - (2 * M_PI * x.array()).cos())).sum();
   });
 }
 
@@ -41,6 +49,11 @@ TEST(PagmoCmaes, AsksForFourAndThreeLogNPointsAGeneration) {
   EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(Settings::own), 2), 6);
   EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(Settings::own), 5), 8);
   EXPECT_EQ(asked_on_a_plateau(pagmo_cmaes(Settings::own), 20), 12);
+}
+
+TEST(PagmoXnes, AsksForAsManyAndLooksAtThemAfterAnotherGeneration) {
+  EXPECT_EQ(asked_on_a_plateau(pagmo_xnes(), 1), 2 * 5);
+  EXPECT_EQ(asked_on_a_plateau(pagmo_xnes(), 20), 2 * 12);
 }
 
 TEST(PagmoSade, AsksForTenNPointsAGenerationWithinLimits) {
@@ -67,18 +80,27 @@ TEST(PagmoSade, FindsAShiftedOptimum) {
 }
 
 TEST(PagmoSade, FindsTheLowestOfManyHollows) {
-  // Rastrigin's function: a hollow at every point of whole numbers, the lowest, 0, at the origin.
-  const Problem problem = box_problem("hollows", 2, -5.12, 4.12, 3, [](const Vector& x) {
-    return (x.array().square() + 10 * (1 - (2 * M_PI * x.array()).cos())).sum();
-  });
-  EXPECT_LT(end_of(problem, pagmo_sade(), 3000), 1e-8);
+  EXPECT_LT(end_of(hollows(2), pagmo_sade(), 3000), 1e-8);
+}
+
+TEST(PagmoCmaesIpop, FindsTheLowestOfManyHollowsByGrowingPopulations) {
+  // Populations that stay as they are begin some 60 times, in vain.
+  EXPECT_LT(end_of(hollows(5), pagmo_cmaes_ipop(), 40'000), 1e-8);
+  EXPECT_GT(end_of(hollows(5), pagmo_cmaes(Settings::tuned), 40'000), 0.9);
+}
+
+Solver named(const std::string& name) {
+  for (const Solver& solver :
+       {pagmo_cmaes(Settings::own), pagmo_cmaes_ipop(), pagmo_xnes(), pagmo_de(), pagmo_sade(),
+        pagmo_de1220(), pagmo_gaco(), pagmo_compass_search(), pagmo_constrained_de()}) {
+    if (solver.name == name) return solver;
+  }
+  throw std::invalid_argument(name);
 }
 
 class Pagmo : public testing::TestWithParam<std::string> {
  protected:
-  Solver solver() const {
-    return GetParam() == "pagmo-cmaes" ? pagmo_cmaes(Settings::own) : pagmo_sade();
-  }
+  Solver solver() const { return named(GetParam()); }
 };
 
 TEST_P(Pagmo, BeginsAtTheStart) {
@@ -86,11 +108,8 @@ TEST_P(Pagmo, BeginsAtTheStart) {
   EXPECT_LT((run(problem, solver(), {1}, 0).trace.front().x - problem.start).norm(), 1e-12);
 }
 
-TEST_P(Pagmo, ConvergesToTheOptimumAndSaysSo) {
-  const RunRecord record = run(sphere(2, 3), solver(), {4000}, 0);
-  EXPECT_EQ(record.exits.front().reason, "converged");
-  EXPECT_GE(record.exits.size(), 2U) << "it leaves the budget to another start";
-  EXPECT_LT(record.trace.back().truth.objective, 1e-10);
+TEST_P(Pagmo, FindsAnOptimumInTheMiddle) {
+  EXPECT_LT(end_of(sphere(2, 3), solver(), 4000), 1e-10);
 }
 
 TEST_P(Pagmo, FindsAnOptimumInACorner) {
@@ -128,13 +147,51 @@ TEST_P(Pagmo, DoesNotDependOnTheUnitsOfBoxAndObjective) {
   EXPECT_EQ(a.exits.front().reason, b.exits.front().reason);
 }
 
-TEST_P(Pagmo, TakesOnlyWhatItCanDo) {
-  EXPECT_TRUE(solver().accepts(staircase())) << "one dimension, and no use of derivatives";
-  EXPECT_FALSE(solver().accepts(disc()));
+INSTANTIATE_TEST_SUITE_P(All, Pagmo,
+                         testing::Values("pagmo-cmaes", "pagmo-cmaes-ipop", "pagmo-xnes",
+                                         "pagmo-de", "pagmo-sade", "pagmo-de1220", "pagmo-gaco",
+                                         "pagmo-compass-search"),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+class PagmoThatConverges : public Pagmo {};
+
+TEST_P(PagmoThatConverges, SaysSo) {
+  const RunRecord record = run(sphere(2, 3), solver(), {4000}, 0);
+  EXPECT_EQ(record.exits.front().reason, "converged");
+  EXPECT_GE(record.exits.size(), 2U) << "it leaves the budget to another start";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Pagmo, testing::Values("pagmo-cmaes", "pagmo-sade"),
+INSTANTIATE_TEST_SUITE_P(All, PagmoThatConverges,
+                         testing::Values("pagmo-cmaes", "pagmo-xnes", "pagmo-de", "pagmo-sade",
+                                         "pagmo-de1220", "pagmo-compass-search"),
                          [](const auto& tested) { return test_name(tested.param); });
+
+class PagmoConstrained : public Pagmo {};
+
+TEST_P(PagmoConstrained, ComesNearACurvedConstraintWithoutViolatingIt) {
+  const RunRecord record = run(disc(), solver(), {6000}, 0);
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 0.02);
+}
+
+TEST_P(PagmoConstrained, ComesNearAnEquation) {
+  const RunRecord record = run(arc(), solver(), {6000}, 0);
+  EXPECT_LT(record.trace.back().truth.violation, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PagmoConstrained,
+                         testing::Values("pagmo-gaco", "pagmo-compass-search",
+                                         "pagmo-constrained-de"),
+                         [](const auto& tested) { return test_name(tested.param); });
+
+TEST(PagmoSolvers, TakeOnlyWhatTheyCanDo) {
+  EXPECT_TRUE(pagmo_de().accepts(staircase())) << "one dimension, and no use of derivatives";
+  EXPECT_FALSE(pagmo_de().accepts(disc()));
+  EXPECT_TRUE(pagmo_gaco().accepts(staircase()));
+  EXPECT_TRUE(pagmo_gaco().accepts(arc()));
+  EXPECT_FALSE(pagmo_constrained_de().accepts(staircase()));
+  EXPECT_TRUE(pagmo_constrained_de().accepts(arc()));
+}
 
 }  // namespace
 }  // namespace ricochet

@@ -1,0 +1,44 @@
+#include <cmath>
+#include <pagmo/algorithms/cstrs_self_adaptive.hpp>
+#include <pagmo/algorithms/de.hpp>
+
+#include "solvers/pagmo/pagmo.h"
+#include "solvers/pagmo/unit_problem.h"
+
+namespace ricochet {
+namespace {
+
+/// From the best point to the worst, along all axes together.
+double spread(const pagmo::population& population) {
+  const pagmo::vector_double best = population.get_x()[population.best_idx()];
+  const pagmo::vector_double worst = population.get_x()[population.worst_idx()];
+  double sum = 0;
+  for (std::size_t i = 0; i < best.size(); ++i) sum += std::abs(best[i] - worst[i]);
+  return sum;
+}
+
+SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
+  UnitBox box(evaluator);
+  pagmo::population population =
+      population_of(box, evaluator.problem(), start, usual_size(start.size()), random);
+  constexpr double weight = 0.8, crossover = 0.9;  // pagmo's own defaults, as is the rest
+  constexpr unsigned rand_1_exp = 2;
+  const pagmo::de generation(1, weight, crossover, rand_1_exp, 0.0, 0.0, seed_from(random));
+  const pagmo::cstrs_self_adaptive algorithm(1, generation, seed_from(random));
+  // pagmo remembers the points of a generation: it asks for none where they are all alike.
+  unsigned long long asked = 0;
+  while (population.get_problem().get_fevals() > asked &&
+         spread(population) >= pagmo_step_tolerance) {
+    asked = population.get_problem().get_fevals();
+    population = algorithm.evolve(population);
+  }
+  return {converged};
+}
+
+}  // namespace
+
+Solver pagmo_constrained_de() {
+  return pagmo_solver("constrained-de", Takes::constrained, minimise);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <limits>
+#include <pagmo/algorithms/gaco.hpp>
+
+#include "solvers/pagmo/pagmo.h"
+#include "solvers/pagmo/unit_problem.h"
+
+namespace ricochet {
+namespace {
+
+/// The highest objective of the population, points without a number left out: with this as pagmo's
+/// oracle what is feasible comes first.
+double highest(const pagmo::population& population) {
+  double highest = std::numeric_limits<double>::lowest();
+  for (const pagmo::vector_double& values : population.get_f()) {
+    if (values[0] < without_a_number) highest = std::max(highest, values[0]);
+  }
+  return highest;
+}
+
+SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
+  UnitBox box(evaluator);
+  const Eigen::Index size = usual_size(start.size());
+  const pagmo::population population = population_of(box, evaluator.problem(), start, size, random);
+  constexpr double spread = 1;                             // pagmo's own default
+  constexpr double accuracy = 0;                           // two values differ, however little
+  constexpr unsigned threshold = 1, marks = 7, never = 0;  // pagmo's own defaults
+  pagmo::gaco(endless, static_cast<unsigned>(size), spread, highest(population), accuracy,
+              threshold, marks, never, never, 0.0, false, seed_from(random))
+      .evolve(population);
+  return {converged};
+}
+
+}  // namespace
+
+Solver pagmo_gaco() {
+  return pagmo_solver("gaco", Takes::both, minimise);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "solvers/settings.h"
+#include "src/core/solver.h"
+
+/// The solvers of pagmo, all in the unit cube. Populations begin with the start and points uniform
+/// in the box. Points without a number count as the worst. Where nothing else is said they take no
+/// constraints, and end where a step, or the way from the best point to the worst, is below 1e-8 of
+/// the box, or where all points of a generation are worth the same.
+namespace ricochet {
+
+/// "pagmo-cmaes": the evolution strategy with covariance matrix adaptation (Hansen, in: Towards a
+/// New Evolutionary Computation, 2006, 75-102; doi 10.1007/3-540-32494-1_4), with 4 + floor(3 ln n)
+/// points a generation, at least 5.
+Solver pagmo_cmaes(Settings settings);
+
+/// "pagmo-cmaes-ipop": the same with a first step of 0.25 of the box, begun again elsewhere with
+/// twice as many points whenever it ends (Auger and Hansen, CEC 2005, 1769-1776; doi
+/// 10.1109/CEC.2005.1554902), until the evaluator refuses.
+Solver pagmo_cmaes_ipop();
+
+/// "pagmo-xnes": exponential natural evolution strategies (Glasmachers et al., GECCO 2010, 393-400;
+/// doi 10.1145/1830483.1830557), with as many points a generation as pagmo_cmaes().
+Solver pagmo_xnes();
+
+/// "pagmo-de": differential evolution (Storn and Price, J. Global Optim. 11 (1997) 341-359; doi
+/// 10.1023/A:1008202821328) with weight 0.8, crossover rate 0.9 and mutation rand/1/exp, pagmo's
+/// defaults, of 10 n points, but 20 at least and 100 at most.
+Solver pagmo_de();
+
+/// "pagmo-sade": the same, but it adapts its weight and crossover rate itself, jDE (Brest et al.,
+/// IEEE Trans. Evol. Comput. 10 (2006) 646-657; doi 10.1109/TEVC.2006.872133).
+Solver pagmo_sade();
+
+/// "pagmo-de1220": the same, but it adapts the mutation too; pagmo's own.
+Solver pagmo_de1220();
+
+/// "pagmo-gaco": the extended ant colony (Schlueter, Egea and Banga, Comput. Oper. Res. 36 (2009)
+/// 2217-2229; doi 10.1016/j.cor.2008.08.015) of as many points as pagmo_de(). Takes all
+/// constraints. Ends only where the evaluator refuses.
+Solver pagmo_gaco();
+
+/// "pagmo-compass-search": from the start along one axis after the other, with steps that are
+/// halved where none leads down (Kolda, Lewis and Torczon, SIAM Review 45 (2003) 385-482; doi
+/// 10.1137/S003614450242889), from 0.25 to 1e-8 of the box. Takes all constraints: a point that
+/// violates less is better, whatever its objective.
+Solver pagmo_compass_search();
+
+/// "pagmo-constrained-de": the search of pagmo_de() under a penalty that adapts itself to the
+/// population after each generation (Farmani and Wright, IEEE Trans. Evol. Comput. 7 (2003)
+/// 445-455; doi 10.1109/TEVC.2003.817236). Takes all constraints, and nothing without.
+Solver pagmo_constrained_de();
+
+}  // namespace ricochet

@@ -67,6 +67,7 @@ void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);
+  std::signal(SIGINT, SIG_IGN);  // a Ctrl-C ends ricochet, which has the last word, and so this
   execvp(arguments[0], arguments);
   _exit(errno == ENOENT ? 127 : 126);
 }
@@ -103,6 +104,7 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
 LineProgram::~LineProgram() {
   if (getpid() != maker_) return;  // in a copy of the process that started it
   input_.close();
+  output_.close();  // so that one that is still writing ends, too
   if (!ends_within(grace)) {
     kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);

@@ -91,6 +91,7 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
   open_pipe(output_, its_output);
   fcntl(input_.number(), F_SETFL, O_NONBLOCK);
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   child_ = fork();

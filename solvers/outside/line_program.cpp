@@ -67,6 +67,7 @@ void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);
+  std::signal(SIGINT, SIG_IGN);  // a Ctrl-C ends ricochet, which has the last word, and so this
   execvp(arguments[0], arguments);
   _exit(errno == ENOENT ? 127 : 126);
 }
@@ -90,6 +91,7 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
   open_pipe(output_, its_output);
   fcntl(input_.number(), F_SETFL, O_NONBLOCK);
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   child_ = fork();
@@ -103,6 +105,7 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
 LineProgram::~LineProgram() {
   if (getpid() != maker_) return;  // in a copy of the process that started it
   input_.close();
+  output_.close();  // so that one that is still writing ends, too
   if (!ends_within(grace)) {
     kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);

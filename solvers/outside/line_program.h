@@ -45,7 +45,7 @@ class LineProgram {
   /// A program that is not there ends with exit code 127.
   explicit LineProgram(std::vector<std::string> arguments);
 
-  /// Closes its standard input, and ends it where it does not do so itself within a second.
+  /// Closes its standard streams, and ends it where it does not do so itself within a second.
   ~LineProgram();
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -112,6 +114,21 @@ TEST(OwnSolver, ThatFailsIsSaidTo) {
   write(folder, "mine.sh", "echo '{\"name\": \"mine\"}'; read -r problem; echo oops");
   const json run = run_of("\"sh " + (folder / "mine.sh").string() + "\" count-C1");
   EXPECT_THAT(run["failure"].get<std::string>(), HasSubstr("mine.sh: output line 2 is no JSON"));
+}
+
+TEST(OwnSolver, ThatHangsEndsWithRicochet) {
+  const auto folder = fresh_folder();
+  write(folder, "mine.sh",
+        fmt::format("echo '{{\"name\": \"mine\"}}'; read -r problem; echo $$ > {}/pid\n"
+                    "while :; do :; done",
+                    folder.string()));
+  const Outcome outcome =
+      call_interrupted("INT", "solve \"sh " + (folder / "mine.sh").string() + "\" count-C1");
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(outcome.err, "ricochet: interrupted\n");
+  const pid_t pid = std::stoi(read(folder / "pid"));
+  for (int wait = 0; wait < 100 && kill(pid, 0) == 0; ++wait) usleep(100'000);
+  EXPECT_NE(kill(pid, 0), 0) << "it goes on";
 }
 
 /// The README's section, and in it the code blocks of a language.

@@ -6,7 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <future>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "src/core/error.h"
 #include "src/core/run.h"
@@ -131,6 +135,28 @@ TEST(LineSolver, MakesTheSameRunInEveryThread) {
   auto two = std::async(std::launch::async, work, 2);
   EXPECT_EQ(one.get(), work(1));
   EXPECT_EQ(two.get(), work(2));
+}
+
+TEST(LineSolver, DoesNotEndWithTheThreadThatMadeIt) {
+  std::promise<Solver> made;
+  std::promise<void> may_end;
+  std::thread maker([&] {
+    made.set_value(line_solver(talker));
+    may_end.get_future().wait();
+  });
+  const Solver solver = made.get_future().get();
+  Problem problem = sphere(2, 3);
+  int calls = 0;
+  problem.evaluate = [&, evaluate = problem.evaluate](const Vector& x) {
+    if (++calls == 5) {
+      may_end.set_value();
+      maker.join();
+    }
+    return evaluate(x);
+  };
+  const RunRecord record = run(problem, solver, {20}, 0);
+  EXPECT_EQ(record.failure, "");
+  EXPECT_EQ(record.ledger.charged, 20);
 }
 
 TEST(LineSolver, ServesStartAfterStartWithOneProgram) {

@@ -74,7 +74,7 @@ TEST(Plugin, MakesTheSameRunAgainInEveryThread) {
 }
 
 TEST(Plugin, SeesConstraintsAndTheirDerivatives) {
-  const RunRecord record = run(disc(), plugin(library("takes_constraints")), {150}, 1);
+  const RunRecord record = run(disc(), plugin(library("takes_constraints")), {300}, 1);
   EXPECT_EQ(record.failure, "");
   EXPECT_EQ(record.exits.front().reason, "fifty steps");
   EXPECT_NEAR(record.exits.front().point->norm(), 1, 1e-6);

@@ -67,7 +67,9 @@ TEST(Question, KnowsItsFormsByTheirNames) {
     asked.form_named("surogate");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "surogate: parabola has no such form; did you mean surrogate?");
+    EXPECT_STREQ(
+        error.what(),
+        "surogate: parabola has no such form; did you mean surrogate or penalised-surrogate?");
   }
 }
 

@@ -208,9 +208,9 @@ class Program : public CommandLine {
   void add_evaluate() {
     CLI::App* command =
         add("evaluate", "A question for an optimiser outside: points in, values out, as JSON lines",
+            "  ricochet evaluate profile-count-8-C4 --form surrogate --instance 1 --describe\n"
             "  echo '[5.0]' | ricochet evaluate top-speed-C1\n"
             "  ricochet evaluate hs-71 --derivatives < points.jsonl > values.jsonl\n"
-            "  ricochet evaluate profile-count-8-C4 --form surrogate --instance 1 --describe\n"
             "A line in is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}.");
     command->add_option("question", evaluate_.question, "One of ricochet list questions")
         ->required()

@@ -75,6 +75,11 @@ TEST(Evaluate, TellsDerivativesOfAllPointsOrOfSome) {
   EXPECT_FALSE(other.answers.at(1).contains("jacobian"));
 }
 
+TEST(Evaluate, AnswersAsTheReadmeShows) {
+  const Dialogue dialogue = asked("hs-71", "{\"x\": [1, 5, 5, 1], \"derivatives\": true}\n");
+  EXPECT_THAT(read(RICOCHET_SOURCE "/README.md"), HasSubstr(dialogue.outcome.out));
+}
+
 TEST(Evaluate, IsTheCountOfTheSimulation) {
   const json simulated = json::parse(call("simulate --case C1 --omega 9 --format json").out);
   const Dialogue count = asked("count-C1", "[9]\n");

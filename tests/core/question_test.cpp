@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "src/core/error.h"
 #include "src/core/verdict.h"
 #include "tests/core/test_problems.h"
 
@@ -54,6 +55,22 @@ TEST(Question, HasTheFormsThatItsConstraintsAndItsKnobAllow) {
 TEST(Question, NamesAWidthThatIsNotTheUsualOne) {
   EXPECT_EQ(question(true, true).name_of({0.1}), "surrogate-0.1");
   EXPECT_EQ(question(true, true).name_of({0.1, true}), "penalised-surrogate-0.1");
+}
+
+TEST(Question, KnowsItsFormsByTheirNames) {
+  const Question asked = question(true, true);
+  for (const Form& form : asked.forms()) {
+    EXPECT_EQ(asked.form_named(asked.name_of(form)), form);
+  }
+  EXPECT_EQ(asked.form_named(""), Form{});
+  try {
+    asked.form_named("surogate");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "surogate: parabola has no such form; did you mean surrogate or penalised-surrogate?");
+  }
 }
 
 TEST(Question, IsShownInItsFormsAndJudgedByOneTruth) {

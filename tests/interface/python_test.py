@@ -1,8 +1,11 @@
 """The module ricochet, against the program ricochet and against SciPy."""
 
+import contextlib
+import io
 import json
 import math
 import os
+import pathlib
 import subprocess
 import sys
 import threading
@@ -220,6 +223,14 @@ class SciPy(unittest.TestCase):
             q, scipy.optimize.Bounds(q.lower, q.upper), seed=1, maxiter=50
         )
         self.assertEqual(q.judge(result.x).objective, described["best_known"])
+
+    def test_does_what_the_readme_shows(self):
+        readme = pathlib.Path(__file__).parents[2].joinpath("README.md").read_text()
+        code = readme.split("```python\n")[1].split("```")[0]
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            exec(code, {})
+        self.assertRegex(said.getvalue(), r"^\[\d+\.\d+\] Truth\(objective=3\.0, violation=0\.0\)$")
 
     def test_ends_when_the_budget_does(self):
         q = ricochet.question("profile-count-8-C4", budget=100)

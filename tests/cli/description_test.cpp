@@ -59,7 +59,7 @@ TEST(Description, HasEveryCommandForTheOtherShellsAndTheManual) {
 TEST(Description, OfEveryCommandHasExamplesAndExitCodes) {
   for (const char* command :
        {"reproduce", "simulate", "threshold", "scene", "list", "report", "machine", "calibrate",
-        "dynamics", "surrogate", "verify", "problems", "best-values"}) {
+        "dynamics", "surrogate", "fireworks", "verify", "problems", "best-values"}) {
     EXPECT_THAT(call(std::string(command) + " --help").out,
                 AllOf(HasSubstr(std::string("Usage: ricochet ") + command),
                       HasSubstr(std::string("Examples:\n  ricochet ") + command),

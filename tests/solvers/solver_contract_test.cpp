@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
-#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,12 +17,6 @@
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {
-
-/// How a failed test names its solver.
-void PrintTo(const Solver& solver, std::ostream* stream) {
-  *stream << solver.name;
-}
-
 namespace {
 
 std::vector<Problem> small_problems() {

@@ -22,20 +22,24 @@ std::vector<std::string> accepting(const Problem& problem) {
 TEST(AllSolvers, AreThese) {
   std::vector<std::string> names;
   for (const Solver& solver : all_solvers()) names.push_back(solver.name);
-  EXPECT_THAT(names, testing::UnorderedElementsAre(
-                         "fireworks", "fireworks-as-printed", "random-search", "scan", "bisection",
-                         "golden-section", "ipopt", "ipopt-tuned", "continuation-ipopt-tuned",
-                         "ceres-lbfgs", "ceres-trust-region", "pagmo-cmaes", "pagmo-cmaes-tuned",
-                         "pagmo-sade", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch",
-                         "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead",
-                         "nlopt-sbplx", "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma",
-                         "nlopt-lbfgs"));
+  EXPECT_THAT(
+      names,
+      testing::UnorderedElementsAre(
+          "fireworks", "fireworks-as-printed", "fireworks-authors", "fireworks-corrected", "efwa",
+          "dynfwa", "bbfwa", "lotfwa", "random-search", "scan", "bisection", "golden-section",
+          "ipopt", "ipopt-tuned", "continuation-ipopt-tuned", "ceres-lbfgs", "ceres-trust-region",
+          "pagmo-cmaes", "pagmo-cmaes-tuned", "pagmo-sade", "nlopt-direct-l", "nlopt-crs2",
+          "nlopt-isres", "nlopt-esch", "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa",
+          "nlopt-nelder-mead", "nlopt-sbplx", "nlopt-slsqp", "continuation-nlopt-slsqp",
+          "nlopt-mma", "nlopt-lbfgs"));
 }
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {
   EXPECT_THAT(accepting(arc()),
-              testing::UnorderedElementsAre("ipopt", "ipopt-tuned", "nlopt-isres", "nlopt-cobyla",
-                                            "nlopt-cobyla-tuned", "nlopt-slsqp"));
+              testing::UnorderedElementsAre(
+                  "fireworks", "fireworks-as-printed", "fireworks-authors", "fireworks-corrected",
+                  "efwa", "dynfwa", "bbfwa", "lotfwa", "ipopt", "ipopt-tuned", "nlopt-isres",
+                  "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-slsqp"));
   Problem point_on_a_line = arc();
   point_on_a_line.lower = point_on_a_line.upper = point_on_a_line.start = Vector::Ones(1);
   point_on_a_line.lower[0] = 0;
@@ -58,8 +62,10 @@ TEST(AllSolvers, HaveBothReadingsOfTheThirdBranch) {
     solver.solve(evaluator, problem.start, random);
     return evaluator.best()->truth.objective;
   };
-  const double rounded = end_of(fireworks("", {.third_branch = ThirdBranch::rounded_share}));
-  const double printed = end_of(fireworks("", {.third_branch = ThirdBranch::as_printed}));
+  const double rounded = end_of(fireworks::fireworks("", fireworks::paper_options()));
+  fireworks::FireworksOptions as_printed;
+  as_printed.counts.third_branch = fireworks::ThirdBranch::as_printed;
+  const double printed = end_of(fireworks::fireworks("", as_printed));
   ASSERT_NE(rounded, printed);
   for (const Solver& solver : all_solvers()) {
     if (solver.name == "fireworks") {

@@ -148,7 +148,7 @@ FireworksOptions corrected_options() {
           .gaussian_spark = GaussianSpark::approaches,
           .mapping = Mapping::redraw,
           .redraw_clones = true,
-          .selection = {.ties = Ties::any, .replacement = false}};
+          .selection = {.ties = Ties::any, .others = Others::uniform}};
 }
 
 FireworksOptions enhanced_options() {

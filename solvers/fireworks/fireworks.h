@@ -58,11 +58,11 @@ FireworksOptions paper_options();
 /// an explosion moves them all by one draw.
 FireworksOptions authors_options();
 
-/// What cures the known defects, and nothing more: amplitudes measured in box widths, with EFWA's
-/// floor, so that the best firework's sparks are no clones of it; uniform redraws outside the box
-/// and Gaussian sparks towards the best firework, so that no place of the box is favoured; m sparks
-/// in all, not 4 m, where fireworks are tied; the best of equals drawn at random, so that it drifts
-/// along a plateau; no point twice; at least one coordinate moved, by a draw of its own.
+/// What cures the known defects. EFWA's amplitudes, so that the best firework's sparks are no
+/// clones of it; EFWA's redraws outside the box and Gaussian sparks, so that no place of the box is
+/// favoured; and its uniform selection, for by distance those live on that are far from all that is
+/// good. Beyond EFWA at least one coordinate moves; fireworks that are tied have m sparks in all,
+/// not 4 m; the best of equals is drawn, so that it drifts along a plateau; and clones are redrawn.
 FireworksOptions corrected_options();
 
 /// EFWA, the enhanced fireworks algorithm (Zheng, Janecek and Tan, CEC 2013, doi

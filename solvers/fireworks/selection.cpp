@@ -65,21 +65,15 @@ Vector sums_on_a_line(const Eigen::Ref<const Matrix>& points) {
 
 Eigen::Index best_of(std::span<const Truth> worths, Ties ties, Random& random) {
   std::size_t best = 0;
-  std::size_t equals = 1;
   for (std::size_t i = 1; i < worths.size(); ++i) {
-    if (better(worths[i], worths[best])) {
-      best = i;
-      equals = 1;
-    } else if (!better(worths[best], worths[i])) {
-      ++equals;
-    }
+    if (better(worths[i], worths[best])) best = i;
   }
-  if (ties == Ties::any && equals > 1) {
-    std::size_t skipped = one_of(equals, random);
-    for (std::size_t i = best + 1; skipped > 0; ++i) {
-      if (better(worths[best], worths[i])) continue;
-      if (--skipped == 0) best = i;
+  if (ties == Ties::any) {
+    std::vector<std::size_t> equals = {best};
+    for (std::size_t i = best + 1; i < worths.size(); ++i) {
+      if (!better(worths[best], worths[i])) equals.push_back(i);
     }
+    if (equals.size() > 1) best = equals[one_of(equals.size(), random)];
   }
   return static_cast<Eigen::Index>(best);
 }

@@ -31,8 +31,12 @@ double farthest(const std::vector<Vector>& asked, std::size_t from, std::size_t 
 TEST(DynamicFireworks, LessenTheBestAmplitudeAsLongAsNothingIsBetter) {
   constexpr int generations = 40;
   constexpr std::size_t core = 120, all = 144;
-  const std::vector<Vector> asked = asked_points(
-      needle(), dynamic_fireworks("dynfwa"), static_cast<std::int64_t>(5 + all * generations), 0);
+  // No clones, and the best only once: it alone has the needle's worth.
+  const Solver solver = dynamic_fireworks(
+      "dynfwa",
+      {.moved = Moved::all, .selection = {.others = Others::uniform, .replacement = false}});
+  const auto evaluations = static_cast<std::int64_t>(5 + all * generations);
+  const std::vector<Vector> asked = asked_points(needle(), solver, evaluations, 0);
   ASSERT_EQ(asked.size(), 5 + all * generations);
   double amplitude = 2000;
   for (std::size_t g = 0; g < generations; ++g) {
@@ -59,7 +63,7 @@ TEST(DynamicFireworks, RaiseTheBestAmplitudeAsLongAsSomethingIsBetter) {
 
 TEST(DynamicFireworks, FindAShiftedOptimum) {
   for (const double centre : {0.0, 30.0, 70.0}) {
-    const RunRecord record = run(sphere(30, centre), dynamic_fireworks("dynfwa"), {30000}, 1);
+    const RunRecord record = run(sphere(10, centre), dynamic_fireworks("dynfwa"), {60000}, 1);
     EXPECT_LT(record.trace.back().truth.objective, 1e-3) << centre;
   }
 }

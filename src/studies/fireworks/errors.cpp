@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -10,6 +11,8 @@
 
 namespace ricochet::studies::fireworks {
 namespace {
+
+constexpr double negligible = 1e-8;
 
 /// How many standard errors a mean of `degrees + 1` values may be off at 95 %.
 double student_t(double degrees) {
@@ -53,10 +56,14 @@ report::Json moments_of(const std::vector<double>& values) {
           {"upper", mean + reach}};
 }
 
-bool agrees(const report::Json& moments, double mean, int runs) {
-  const double own = moments["runs"].get<double>();
-  const double error = moments["deviation"].get<double>() * std::sqrt(1 / own + 1.0 / runs);
-  return std::abs(moments["mean"].get<double>() - mean) <= student_t(own - 1) * error;
+bool agrees(const report::Json& moments, const OtherMean& other) {
+  const double runs = moments["runs"].get<double>();
+  const double deviation = moments["deviation"].get<double>();
+  const double other_deviation = other.deviation.value_or(deviation);
+  const double error =
+      std::hypot(deviation / std::sqrt(runs), other_deviation / std::sqrt(other.runs));
+  const double apart = std::abs(moments["mean"].get<double>() - other.mean);
+  return apart <= std::max(student_t(runs - 1) * error, negligible);
 }
 
 }  // namespace ricochet::studies::fireworks

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,16 @@ std::vector<std::vector<double>> errors_of(const std::vector<Contestant>& contes
 /// the mean, as if they were normal (Student's t).
 report::Json moments_of(const std::vector<double>& values);
 
-/// Whether another mean, of so many runs with the same deviation, agrees with these moments: not
-/// further away than chance would bring it in 1 of 20 cases.
-bool agrees(const report::Json& moments, double mean, int runs);
+/// Another's figure.
+struct OtherMean {
+  double mean;
+  int runs;
+  std::optional<double> deviation = {};  ///< without one, the same as ours
+};
+
+/// Whether it agrees with these moments: not further away than chance would bring it in 1 of 20
+/// cases (Welch's t, with our degrees of freedom), or than 1e-8, below which the competitions of
+/// CEC take an error for zero.
+bool agrees(const report::Json& moments, const OtherMean& other);
 
 }  // namespace ricochet::studies::fireworks

@@ -97,7 +97,9 @@ Json plateau_data(int runs) {
     }
     const std::string name = make(0).name;
     add_published(name, solvers);
-    landscapes.push_back({{"landscape", name}, {"solvers", std::move(solvers)}});
+    landscapes.push_back({{"id", next == errors.size() ? "staircase" : "needle"},
+                          {"landscape", name},
+                          {"solvers", std::move(solvers)}});
   }
   return {{"source", published()["plateau"]["source"]},
           {"evaluations", evaluations},

@@ -23,9 +23,13 @@ TEST(Moments, HaveStudentsInterval) {
 TEST(Moments, AgreeWithWhatChanceWouldBring) {
   const report::Json moments = moments_of({1, 2, 3, 4, 5});
   const double reach = 2.7764451 * std::sqrt(2.5 * (1.0 / 5 + 1.0 / 10));
-  EXPECT_TRUE(agrees(moments, 3 + 0.999 * reach, 10));
-  EXPECT_FALSE(agrees(moments, 3 + 1.001 * reach, 10));
-  EXPECT_FALSE(agrees(moments, 3 - 1.001 * reach, 10));
+  EXPECT_TRUE(agrees(moments, {3 + 0.999 * reach, 10}));
+  EXPECT_FALSE(agrees(moments, {3 + 1.001 * reach, 10}));
+  EXPECT_FALSE(agrees(moments, {3 - 1.001 * reach, 10}));
+  const double own = 2.7764451 * std::sqrt(2.5 / 5);  // another that is exact
+  EXPECT_TRUE(agrees(moments, {3 + 0.999 * own, 10, 0}));
+  EXPECT_FALSE(agrees(moments, {3 + 1.001 * own, 10, 0}));
+  EXPECT_TRUE(agrees(moments_of({0, 0, 0}), {1e-14, 15})) << "both are zero";
 }
 
 TEST(Errors, AreThoseOfTheRunsNumberedFromOne) {

@@ -4,7 +4,7 @@
 #include "solvers/ceres.h"
 #include "solvers/ceres_least_squares.h"
 #include "solvers/continuation.h"
-#include "solvers/fireworks/family.h"
+#include "solvers/fireworks/fireworks_family.h"
 #include "solvers/golden_section.h"
 #include "solvers/ipopt.h"
 #include "solvers/nlopt.h"

@@ -1,6 +1,6 @@
 #include "src/studies/fireworks/competition.h"
 
-#include "solvers/fireworks/family.h"
+#include "solvers/fireworks/fireworks_family.h"
 #include "src/studies/fireworks/errors.h"
 #include "src/studies/fireworks/published.h"
 #ifdef RICOCHET_HAS_PAGMO

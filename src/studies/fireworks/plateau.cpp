@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "solvers/fireworks/bare_bones_fireworks.h"
-#include "solvers/fireworks/family.h"
+#include "solvers/fireworks/fireworks_family.h"
 #include "solvers/random_search.h"
 #include "src/statistics/wilson_interval.h"
 #include "src/studies/fireworks/errors.h"

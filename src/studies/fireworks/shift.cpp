@@ -1,6 +1,6 @@
 #include "src/studies/fireworks/shift.h"
 
-#include "solvers/fireworks/family.h"
+#include "solvers/fireworks/fireworks_family.h"
 #include "src/studies/fireworks/benchmark_functions.h"
 #include "src/studies/fireworks/errors.h"
 #include "src/studies/fireworks/published.h"

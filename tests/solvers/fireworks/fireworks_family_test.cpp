@@ -1,6 +1,6 @@
 // What all members of the family promise beside what every solver does.
 
-#include "solvers/fireworks/family.h"
+#include "solvers/fireworks/fireworks_family.h"
 
 #include <gtest/gtest.h>
 

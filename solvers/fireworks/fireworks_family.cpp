@@ -1,4 +1,4 @@
-#include "solvers/fireworks/family.h"
+#include "solvers/fireworks/fireworks_family.h"
 
 #include "solvers/fireworks/bare_bones_fireworks.h"
 #include "solvers/fireworks/dynamic_fireworks.h"

@@ -5,7 +5,7 @@
 #include "solvers/ceres_least_squares.h"
 #include "solvers/continuation.h"
 #include "solvers/dlib.h"
-#include "solvers/fireworks/fireworks.h"
+#include "solvers/fireworks/fireworks_family.h"
 #include "solvers/golden_section.h"
 #include "solvers/ipopt.h"
 #include "solvers/nlopt/nlopt.h"
@@ -21,8 +21,6 @@ std::vector<Solver> all_solvers() {
       scan(),
       bisection(),
       golden_section(),
-      fireworks("fireworks", {}),
-      fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
 #ifdef RICOCHET_HAS_IPOPT
       ipopt(Settings::own),
       ipopt(Settings::tuned),
@@ -48,6 +46,7 @@ std::vector<Solver> all_solvers() {
       dlib_global_search(),
 #endif
   };
+  for (Solver& member : fireworks::family()) solvers.push_back(std::move(member));
   for (Solver& solver : nlopt_solvers()) {
     if (solver.name == "nlopt-slsqp") solvers.push_back(continuation(solver));
     solvers.push_back(std::move(solver));

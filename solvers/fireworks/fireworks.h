@@ -1,53 +1,76 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <vector>
 
+#include "solvers/fireworks/amplitudes.h"
+#include "solvers/fireworks/box.h"
+#include "solvers/fireworks/coordinates.h"
+#include "solvers/fireworks/selection.h"
+#include "solvers/fireworks/spark.h"
+#include "solvers/fireworks/spark_counts.h"
 #include "src/core/solver.h"
 
-/// The fireworks algorithm that optimised the driver plate's speed: equations (23)-(30) of the
-/// paper, which takes it from Tan & Zhu, Fireworks algorithm for optimization, ICSI 2010.
-namespace ricochet {
+/// The fireworks algorithm that optimised the driver plate's speed, equations (23)-(30) of the
+/// paper, which takes it from Tan & Zhu, Fireworks algorithm for optimization, ICSI 2010 (doi
+/// 10.1007/978-3-642-13495-1_44), and those that differ from it by options alone.
+namespace ricochet::fireworks {
 
-/// What equation (24) gives where a firework's share of sparks is within its limits.
-enum class ThirdBranch {
-  rounded_share,  ///< round(S_i), as Tan & Zhu have it
-  as_printed,     ///< round(a m), as the paper prints it: the fewest, whatever the share
+/// What a Gaussian spark does to a firework.
+enum class GaussianSpark {
+  multiplies,  ///< equation (27)
+  approaches,  ///< goes towards the best firework, or away from it, as EFWA has it
 };
 
-/// The defaults are those of Tan & Zhu; the paper states none.
+/// From where to where, in every coordinate.
+struct StartRegion {
+  double lower, upper;
+};
+
+/// The decisions that the papers leave open, or make differently. The defaults read equations (23)
+/// to (30) as they are printed, with Tan & Zhu's numbers, for the paper states none. Two decisions
+/// are none here: the budget ends a run inside of a generation, for the evaluator refuses (Tan &
+/// Zhu's program finishes the generation); and where all distances are 0, the others are drawn
+/// uniformly, for (30) is 0 / 0.
 struct FireworksOptions {
-  int fireworks = 5;         ///< N of (23), >= 1
-  double sparks = 50;        ///< m of (23): what the fireworks share
-  double fewest = 0.04;      ///< a of (24): no firework has fewer than round(a m) sparks
-  double most = 0.8;         ///< b of (24): and none more than round(b m); a < b < 1
-  double amplitude = 40;     ///< A_hat of (25), in the units of x, whatever the width of the box
-  int gaussian_sparks = 5;   ///< of (27), in each generation
-  double epsilon = 2.2e-16;  ///< of (23) and (25), in the units of the objective
-  ThirdBranch third_branch = ThirdBranch::rounded_share;
+  int fireworks = 5;  ///< N of (23)
+  SparkCountOptions counts = {};
+  double amplitude = 40;  ///< A_hat of (25), >= 0, in amplitude_unit
+  AmplitudeUnit amplitude_unit = AmplitudeUnit::of_x;
+  AmplitudeFloor amplitude_floor = {};  ///< in amplitude_unit; EFWA's check, not in (25)
+  Moved moved = Moved::all;             ///< by an explosion
+  Offsets offsets = Offsets::each;
+  int gaussian_sparks = 5;  ///< in each generation, of fireworks drawn with replacement; >= 0
+  Moved gaussian_moved = Moved::all;
+  GaussianSpark gaussian_spark = GaussianSpark::multiplies;
+  Mapping mapping = Mapping::modulo;
+  bool redraw_clones = false;  ///< a spark where its firework is becomes a uniform point instead
+  SelectionOptions selection = {};
+  /// Where the fireworks begin, as comparisons in the literature have it; without one the first
+  /// begins at the start that the solver is given, the others uniformly in the box.
+  std::optional<StartRegion> start_region = {};
 };
 
-/// The algorithm as the paper describes it: every coordinate of a spark moves by a draw of its own,
-/// a Gaussian spark multiplies a random firework's coordinates by one draw, the best of fireworks
-/// and sparks (the first of equals) lives on, and the others are drawn with replacement. The first
-/// firework is the start, the others are uniform in the box. It never stops by itself. A value that
-/// is not a number below 1e300 in size counts as the worst. Takes no constraints.
-/// Throws std::invalid_argument for fewer than one firework or a negative amplitude.
+/// The paper's equations: the defaults.
+FireworksOptions paper_options();
+
+/// Tan & Zhu's own program: an explosion and a Gaussian spark move ceil(d U(0, 1)) coordinates, and
+/// an explosion moves them all by one draw.
+FireworksOptions authors_options();
+
+/// What cures the known defects. EFWA's amplitudes, so that the best firework's sparks are no
+/// clones of it; EFWA's redraws outside the box and Gaussian sparks, so that no place of the box is
+/// favoured; and its uniform selection, for by distance those live on that are far from all that is
+/// good. Beyond EFWA at least one coordinate moves; fireworks that are tied have m sparks in all,
+/// not 4 m; the best of equals is drawn, so that it drifts along a plateau; and clones are redrawn.
+FireworksOptions corrected_options();
+
+/// EFWA, the enhanced fireworks algorithm (Zheng, Janecek and Tan, CEC 2013, doi
+/// 10.1109/CEC.2013.6557813). Its amplitude of 40 is 0.2 of the box that it was published for.
+FireworksOptions enhanced_options();
+
+/// Sets off fireworks, generation after generation, until the evaluator refuses; asks for nothing
+/// then. Throws std::invalid_argument for options that make no sense.
 Solver fireworks(std::string name, const FireworksOptions& options);
 
-/// Equations (23) and (24): how many sparks each firework gets, given the objectives of all
-/// fireworks. A value that is not usable counts as the worst usable one.
-std::vector<int> spark_counts(const Vector& objectives, const FireworksOptions& options);
-
-/// Equation (25): how far the sparks of each firework fly along each coordinate, in the units of x.
-Vector amplitudes(const Vector& objectives, const FireworksOptions& options);
-
-/// Equation (28), coordinate by coordinate, for what lies outside [lower, upper]:
-/// lower + |x| mod (upper - lower).
-Vector mapped(const Vector& x, const Vector& lower, const Vector& upper);
-
-/// Equation (29), the numerators of (30): for every point (a column of n x k) the sum of its
-/// Euclidean distances to all. All 1 where every distance is 0, for then (30) is 0 / 0.
-std::vector<double> roulette_weights(const Matrix& points);
-
-}  // namespace ricochet
+}  // namespace ricochet::fireworks

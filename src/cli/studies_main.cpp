@@ -9,6 +9,7 @@
 #include "src/cli/verify.h"
 #include "src/studies/calibration/study.h"
 #include "src/studies/dynamics/study.h"
+#include "src/studies/fireworks/study.h"
 #include "src/studies/problems/study.h"
 #include "src/studies/stress/study.h"
 #include "src/studies/surrogate/study.h"
@@ -26,6 +27,8 @@ class Studies : public CommandLine {
               "  ricochet dynamics --quick");
     add_study("surrogate", summary_of("surrogate"), studies::surrogate_study,
               "  ricochet surrogate --quick");
+    add_study("fireworks", summary_of("fireworks"), studies::fireworks_study,
+              "  ricochet fireworks --quick");
     add_verify();
     add_study(
         "stress", summary_of("stress"), [] { return studies::stress_study(all_solvers()); },

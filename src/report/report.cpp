@@ -11,6 +11,7 @@
 #include "embedded/template_contest.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
+#include "embedded/template_fireworks.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_reproduction.h"
 #include "embedded/template_surrogate.h"
@@ -27,6 +28,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"contest", embedded::template_contest},
     {"dynamics", embedded::template_dynamics},
     {"family", embedded::template_family},
+    {"fireworks", embedded::template_fireworks},
     {"problems", embedded::template_problems},
     {"reproduction", embedded::template_reproduction},
     {"surrogate", embedded::template_surrogate},

@@ -24,7 +24,8 @@ TEST(AllSolvers, AreThese) {
   for (const Solver& solver : all_solvers()) names.push_back(solver.name);
   EXPECT_THAT(
       names, testing::UnorderedElementsAre(
-                 "fireworks", "fireworks-as-printed", "random-search", "scan", "bisection",
+                 "fireworks", "fireworks-as-printed", "fireworks-authors", "fireworks-corrected",
+                 "efwa", "dynfwa", "bbfwa", "lotfwa", "random-search", "scan", "bisection",
                  "golden-section", "ipopt", "ipopt-tuned", "continuation-ipopt-tuned",
                  "ceres-lbfgs", "ceres-trust-region", "pagmo-cmaes", "pagmo-cmaes-tuned",
                  "pagmo-cmaes-ipop", "pagmo-xnes", "pagmo-de", "pagmo-sade", "pagmo-de1220",
@@ -66,8 +67,10 @@ TEST(AllSolvers, HaveBothReadingsOfTheThirdBranch) {
     solver.solve(evaluator, problem.start, random);
     return evaluator.best()->truth.objective;
   };
-  const double rounded = end_of(fireworks("", {.third_branch = ThirdBranch::rounded_share}));
-  const double printed = end_of(fireworks("", {.third_branch = ThirdBranch::as_printed}));
+  const double rounded = end_of(fireworks::fireworks("", fireworks::paper_options()));
+  fireworks::FireworksOptions as_printed;
+  as_printed.counts.third_branch = fireworks::ThirdBranch::as_printed;
+  const double printed = end_of(fireworks::fireworks("", as_printed));
   ASSERT_NE(rounded, printed);
   for (const Solver& solver : all_solvers()) {
     if (solver.name == "fireworks") {

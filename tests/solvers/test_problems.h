@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 
 #include "src/core/problem.h"
+#include "src/core/solver.h"
 
 /// The small problems that every solver is put to.
 namespace ricochet {
@@ -17,6 +19,11 @@ namespace ricochet {
 inline std::string test_name(std::string name) {
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
+}
+
+/// How a failed test names its solver.
+inline void PrintTo(const Solver& solver, std::ostream* stream) {
+  *stream << solver.name;
 }
 
 /// An unconstrained problem of n variables on [lower, upper]^n, started at `start` everywhere.

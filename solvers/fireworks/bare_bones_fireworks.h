@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "solvers/fireworks/amplitudes.h"
+#include "solvers/fireworks/box.h"
+#include "src/core/solver.h"
+
+namespace ricochet::fireworks {
+
+/// The defaults are the paper's.
+struct BareBonesFireworksOptions {
+  int sparks = 300;           ///< in each generation
+  AmplitudeSteps steps = {};  ///< of the amplitude, which starts at a box width
+  Mapping mapping = Mapping::redraw;
+  bool neutral_moves = false;  ///< whether the firework also moves to a spark that is as good
+};
+
+/// BBFWA, the bare bones fireworks algorithm (Li and Tan, Applied Soft Computing 62 (2018) 454, doi
+/// 10.1016/j.asoc.2017.10.046): one firework, whose sparks are uniform in a box about it. It moves
+/// to the best spark, the first of equals, if that is strictly better; then the amplitude grows,
+/// and else it declines. Goes on until the evaluator refuses. Throws std::invalid_argument for
+/// options that make no sense.
+Solver bare_bones_fireworks(std::string name, const BareBonesFireworksOptions& options = {});
+
+}  // namespace ricochet::fireworks

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "src/core/problem.h"
+#include "src/core/random.h"
+
+namespace ricochet::fireworks {
+
+/// How a coordinate outside the box comes back; one inside stays as it is.
+enum class Mapping {
+  modulo,  ///< lower + |x| mod (upper - lower), equation (28): just outside [-a, a] comes near 0
+  redraw,  ///< uniform in the box, as EFWA and its successors have it
+};
+
+/// A problem's box. Coordinates without width are fixed, the others free.
+class Box {
+ public:
+  explicit Box(const Problem& problem);
+
+  const Vector& lower() const { return lower_; }
+  const Vector& upper() const { return upper_; }
+  const Vector& width() const { return width_; }
+  const std::vector<Eigen::Index>& free() const { return free_; }
+
+  /// Makes x, of the right length, uniform in the box.
+  void draw(Vector& x, Random& random) const;
+
+  /// Brings x back into the box, coordinate by coordinate.
+  void bring_back(Vector& x, Mapping mapping, Random& random) const;
+
+ private:
+  double drawn(Eigen::Index k, Random& random) const;
+
+  Vector lower_, upper_, width_;
+  std::vector<Eigen::Index> free_;
+};
+
+}  // namespace ricochet::fireworks

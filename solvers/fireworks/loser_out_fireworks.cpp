@@ -1,0 +1,155 @@
+#include "solvers/fireworks/loser_out_fireworks.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include "solvers/fireworks/fitness.h"
+#include "solvers/fireworks/member.h"
+#include "solvers/fireworks/population.h"
+#include "solvers/fireworks/selection.h"
+#include "solvers/fireworks/spark.h"
+
+namespace ricochet::fireworks {
+namespace {
+
+struct Firework {
+  Vector x;
+  Truth worth;
+  double amplitude = 1;  // in box widths
+};
+
+class Tournament {
+ public:
+  Tournament(Evaluator& evaluator, const LoserOutFireworksOptions& options, Random& random)
+      : evaluator_(evaluator),
+        options_(options),
+        random_(random),
+        box_(evaluator.problem()),
+        sparks_(evaluator, options.sparks + 1),
+        ranked_(static_cast<std::size_t>(options.sparks)),
+        order_(static_cast<std::size_t>(options.sparks)) {}
+
+  /// Each returns false once the evaluator refuses.
+  bool begin(const Vector& start);
+  bool next_generation();
+
+ private:
+  bool begin_anew(Firework& firework);
+  bool explode(Firework& firework);
+  bool replace_losers(const std::vector<Truth>& before);
+  void rank_sparks();
+
+  Evaluator& evaluator_;
+  const LoserOutFireworksOptions& options_;
+  Random& random_;
+  Box box_;
+  std::vector<Firework> fireworks_;
+  Population sparks_;  // of one firework, the guiding spark last
+  std::vector<std::tuple<double, double, Eigen::Index>> ranked_;  // as better() and the index do
+  std::vector<Eigen::Index> order_;  // of them, but the guiding one: from the best to the worst
+  Vector spark_;
+};
+
+/// Evaluates it where it is, with the amplitude of a beginner.
+bool Tournament::begin_anew(Firework& firework) {
+  const auto values = evaluator_.values(firework.x);
+  if (!values) return false;
+  firework.worth = worth_of(*values, evaluator_.problem().equalities);
+  firework.amplitude = 1;
+  return true;
+}
+
+bool Tournament::begin(const Vector& start) {
+  fireworks_.resize(static_cast<std::size_t>(options_.fireworks));
+  for (Firework& firework : fireworks_) {
+    firework.x = start;
+    if (&firework != &fireworks_.front()) box_.draw(firework.x, random_);
+    if (!begin_anew(firework)) return false;
+  }
+  return true;
+}
+
+void Tournament::rank_sparks() {
+  for (std::size_t i = 0; i < ranked_.size(); ++i) {
+    const auto spark = static_cast<Eigen::Index>(i);
+    ranked_[i] = {sparks_.worth(spark).violation, sparks_.worth(spark).objective, spark};
+  }
+  std::sort(ranked_.begin(), ranked_.end());
+  for (std::size_t i = 0; i < ranked_.size(); ++i) order_[i] = std::get<2>(ranked_[i]);
+}
+
+bool Tournament::explode(Firework& firework) {
+  sparks_.clear();
+  for (int k = 0; k < options_.sparks; ++k) {
+    spark_ = firework.x;
+    displace(spark_, box_.free(), firework.amplitude, box_.width(), Offsets::each, random_);
+    box_.bring_back(spark_, options_.mapping, random_);
+    if (!sparks_.add(spark_)) return false;
+  }
+  rank_sparks();
+  spark_ = firework.x;
+  guide(spark_, sparks_.points(), order_, options_.guiding_share);
+  box_.bring_back(spark_, options_.mapping, random_);
+  if (!sparks_.add(spark_)) return false;
+
+  const Eigen::Index best = best_of(sparks_.worths(), Ties::first, random_);
+  const bool improved = better(sparks_.worth(best), firework.worth);
+  if (improved) {
+    firework.x = sparks_.point(best);
+    firework.worth = sparks_.worth(best);
+  }
+  firework.amplitude = options_.steps.next(firework.amplitude, improved);
+  return true;
+}
+
+bool Tournament::replace_losers(const std::vector<Truth>& before) {
+  std::vector<Truth> worths = before;
+  for (const Firework& firework : fireworks_) worths.push_back(firework.worth);
+  const Vector fitness = fitness_of(worths);
+  const double best = fitness.tail(options_.fireworks).minCoeff();
+  const double generations_left =
+      static_cast<double>(evaluator_.remaining()) / (options_.fireworks * (options_.sparks + 1.0));
+  for (Eigen::Index i = 0; i < options_.fireworks; ++i) {
+    if (!loses(fitness[i], fitness[options_.fireworks + i], best, generations_left)) continue;
+    Firework& loser = fireworks_[static_cast<std::size_t>(i)];
+    box_.draw(loser.x, random_);
+    if (!begin_anew(loser)) return false;
+  }
+  return true;
+}
+
+bool Tournament::next_generation() {
+  std::vector<Truth> before;
+  for (const Firework& firework : fireworks_) before.push_back(firework.worth);
+  for (Firework& firework : fireworks_) {
+    if (!explode(firework)) return false;
+  }
+  return replace_losers(before);
+}
+
+}  // namespace
+
+bool loses(double before, double now, double best, double generations_left) {
+  const double progress = before - now;
+  return progress > 0 && progress * generations_left < now - best;
+}
+
+Solver loser_out_fireworks(std::string name, const LoserOutFireworksOptions& options) {
+  check_number("fireworks", options.fireworks);
+  check_number("sparks", options.sparks);
+  check(options.steps);
+  if (!(options.guiding_share > 0 && options.guiding_share <= 1)) {
+    throw std::invalid_argument("guiding_share: must be in (0, 1]");
+  }
+  return member(std::move(name),
+                [options](Evaluator& evaluator, const Vector& start, Random& random) {
+                  Tournament tournament(evaluator, options, random);
+                  if (!tournament.begin(start)) return;
+                  while (tournament.next_generation()) {
+                  }
+                });
+}
+
+}  // namespace ricochet::fireworks

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "src/core/evaluator.h"
+
+namespace ricochet::fireworks {
+
+/// Fireworks and sparks of one generation, with what they are shown to be worth, in the order in
+/// which they were evaluated. Has room for so many from the beginning.
+class Population {
+ public:
+  Population(Evaluator& evaluator, Eigen::Index room);
+
+  /// Evaluates a point of the box and adds it. Returns false, and adds nothing, once the evaluator
+  /// refuses. There must be room.
+  bool add(const Vector& x);
+
+  Eigen::Index size() const { return size_; }
+
+  /// A row a point.
+  auto points() const { return points_.topRows(size_); }
+  auto point(Eigen::Index i) const { return points_.row(i).transpose(); }
+  std::span<const Truth> worths() const {
+    return {worths_.data(), static_cast<std::size_t>(size_)};
+  }
+  const Truth& worth(Eigen::Index i) const { return worths_[static_cast<std::size_t>(i)]; }
+
+  /// Leaves these, in this order; one may be named several times.
+  void keep(std::span<const Eigen::Index> chosen);
+
+  void clear() { size_ = 0; }
+
+ private:
+  Evaluator& evaluator_;
+  Matrix points_;
+  std::vector<Truth> worths_;
+  Eigen::Index size_ = 0;
+};
+
+}  // namespace ricochet::fireworks

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "src/core/problem.h"
+
+namespace ricochet::studies::fireworks {
+
+/// One of the nine functions on which the algorithm was published, by the name that Table 3 has, on
+/// [-100, 100]^n; its best value is 0. Schwefel is sum (x_1 - x_i^2)^2 + (x_i - 1)^2; Ellipse,
+/// Cigar and Tablet have the factor 10^4. Throws std::out_of_range for another name.
+Problem benchmark_function(const std::string& name, Eigen::Index n);
+
+/// Sum (x_i - shift)^2 on [-100, 100]^n.
+Problem shifted_sphere(double shift, Eigen::Index n);
+
+}  // namespace ricochet::studies::fireworks

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "src/core/problem.h"
+
+namespace ricochet::studies::fireworks {
+
+/// Function 1 to 28 of the competition on real-parameter optimisation at CEC 2013, on [-100,
+/// 100]^n, less its best value, which thus is 0; n is 2, 5, 10, 20, ..., 100. The code is pagmo's,
+/// which writes into memory of its own: one thread at a time. Throws std::invalid_argument for
+/// another number or n.
+Problem cec2013(unsigned number, unsigned n);
+
+}  // namespace ricochet::studies::fireworks

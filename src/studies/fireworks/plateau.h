@@ -1,0 +1,19 @@
+#pragma once
+
+#include "src/core/problem.h"
+#include "src/report/json.h"
+
+namespace ricochet::studies::fireworks {
+
+/// On [0, 1000] a target of width 1 that begins at `target`: 0 inside of it. Elsewhere 1, the
+/// needle.
+Problem needle(double target);
+
+/// The same target, elsewhere ceil(log2(1 + distance)): a staircase that leads there.
+Problem logarithmic_staircase(double target);
+
+/// How often each member of the family, and random search, hits such a target within 1000
+/// evaluations.
+report::Json plateau_data(int runs);
+
+}  // namespace ricochet::studies::fireworks

@@ -1,0 +1,91 @@
+#include "solvers/fireworks/box.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace ricochet::fireworks {
+namespace {
+
+Box box_of(const Vector& lower, const Vector& upper) {
+  Problem problem;
+  problem.lower = lower;
+  problem.upper = upper;
+  return Box(problem);
+}
+
+double brought_back(double x, double lower, double upper) {
+  Vector point = Vector::Constant(1, x);
+  Random random;
+  box_of(Vector::Constant(1, lower), Vector::Constant(1, upper))
+      .bring_back(point, Mapping::modulo, random);
+  return point[0];
+}
+
+TEST(Box, BringsBackByTheModuloOnlyWhatIsOutside) {
+  EXPECT_EQ(brought_back(-3, -100, 100), -3);
+  EXPECT_EQ(brought_back(-100, -100, 100), -100);
+  EXPECT_EQ(brought_back(100, -100, 100), 100);
+  EXPECT_EQ(brought_back(130, -100, 100), 30);
+  EXPECT_EQ(brought_back(-130, -100, 100), 30);
+  EXPECT_EQ(brought_back(18.5, 0, 18), 0.5);
+  EXPECT_EQ(brought_back(-0.5, 0, 18), 0.5);
+  EXPECT_EQ(brought_back(-7, 2, 10), 9);
+  EXPECT_EQ(brought_back(5, 4, 4), 4);
+}
+
+TEST(Box, ThrowsWhatIsJustOutsideSymmetricEndsNearTheOrigin) {
+  EXPECT_NEAR(brought_back(100.001, -100, 100), 0.001, 1e-9);
+  EXPECT_NEAR(brought_back(-100.001, -100, 100), 0.001, 1e-9);
+}
+
+TEST(Box, HoldsWhateverIsBroughtBack) {
+  Random random(1);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double scale = std::exp(40 * uniform(random) - 20);
+    const Vector lower = scale * normal(3, random);
+    Vector width = scale * normal(3, random).cwiseAbs();
+    width[1] = 0;
+    const Box box = box_of(lower, lower + width);
+    const Vector x = lower + 3 * scale * normal(3, random);
+    for (const Mapping mapping : {Mapping::modulo, Mapping::redraw}) {
+      Vector back = x;
+      box.bring_back(back, mapping, random);
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_GE(back[k], box.lower()[k]);
+        ASSERT_LE(back[k], box.upper()[k]);
+        if (x[k] >= box.lower()[k] && x[k] <= box.upper()[k]) {
+          ASSERT_EQ(back[k], x[k]);
+        }
+      }
+    }
+  }
+}
+
+TEST(Box, RedrawsUniformly) {
+  const Box box = box_of(Vector{{2, -1}}, Vector{{6, 1}});
+  Random random(1);
+  Vector sum = Vector::Zero(2), squares = Vector::Zero(2);
+  constexpr int draws = 20000;
+  for (int k = 0; k < draws; ++k) {
+    Vector x{{7, 0.5}};
+    box.bring_back(x, Mapping::redraw, random);
+    ASSERT_EQ(x[1], 0.5) << "it was inside";
+    box.draw(x, random);
+    sum += x;
+    squares += x.cwiseAbs2();
+  }
+  const Vector mean = sum / draws;
+  const Vector variance = squares / draws - mean.cwiseAbs2();
+  EXPECT_NEAR(mean[0], 4, 0.05);
+  EXPECT_NEAR(mean[1], 0, 0.025);
+  EXPECT_NEAR(variance[0], 16.0 / 12, 0.05);
+  EXPECT_NEAR(variance[1], 4.0 / 12, 0.0125);
+}
+
+TEST(Box, HasFreeCoordinatesWhereItHasWidth) {
+  EXPECT_THAT(box_of(Vector{{0, 1, 2}}, Vector{{1, 1, 3}}).free(), testing::ElementsAre(0, 2));
+}
+
+}  // namespace
+}  // namespace ricochet::fireworks

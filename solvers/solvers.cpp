@@ -7,6 +7,7 @@
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/golden_section.h"
 #include "solvers/ipopt.h"
+#include "solvers/mads/mads.h"
 #include "solvers/nlopt.h"
 #include "solvers/pagmo.h"
 #include "solvers/random_search.h"
@@ -20,6 +21,7 @@ std::vector<Solver> all_solvers() {
       scan(),
       bisection(),
       golden_section(),
+      mads(),
       fireworks("fireworks", {}),
       fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
 #ifdef RICOCHET_HAS_IPOPT
@@ -47,17 +49,14 @@ std::vector<Solver> all_solvers() {
 std::vector<MissingSolver> missing_solvers() {
   return {
 #ifndef RICOCHET_HAS_IPOPT
-      {"ipopt", "Ipopt"},
-      {"ipopt-tuned", "Ipopt"},
-      {"continuation-ipopt-tuned", "Ipopt"},
+      {"ipopt", "Ipopt"},       {"ipopt-tuned", "Ipopt"},
+      {"ipopt-exact", "Ipopt"}, {"continuation-ipopt-tuned", "Ipopt"},
 #endif
 #ifndef RICOCHET_HAS_CERES
-      {"ceres-lbfgs", "Ceres"},
-      {"ceres-trust-region", "Ceres"},
+      {"ceres-lbfgs", "Ceres"}, {"ceres-trust-region", "Ceres"},
 #endif
 #ifndef RICOCHET_HAS_PAGMO
-      {"pagmo-cmaes", "pagmo"},
-      {"pagmo-cmaes-tuned", "pagmo"},
+      {"pagmo-cmaes", "pagmo"}, {"pagmo-cmaes-tuned", "pagmo"},
       {"pagmo-sade", "pagmo"},
 #endif
   };

@@ -24,18 +24,18 @@ TEST(AllSolvers, AreThese) {
   for (const Solver& solver : all_solvers()) names.push_back(solver.name);
   EXPECT_THAT(names, testing::UnorderedElementsAre(
                          "fireworks", "fireworks-as-printed", "random-search", "scan", "bisection",
-                         "golden-section", "ipopt", "ipopt-tuned", "continuation-ipopt-tuned",
-                         "ceres-lbfgs", "ceres-trust-region", "pagmo-cmaes", "pagmo-cmaes-tuned",
-                         "pagmo-sade", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch",
-                         "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead",
-                         "nlopt-sbplx", "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma",
-                         "nlopt-lbfgs"));
+                         "golden-section", "mads", "ipopt", "ipopt-tuned", "ipopt-exact",
+                         "continuation-ipopt-tuned", "ceres-lbfgs", "ceres-trust-region",
+                         "pagmo-cmaes", "pagmo-cmaes-tuned", "pagmo-sade", "nlopt-direct-l",
+                         "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-cobyla",
+                         "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
+                         "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"));
 }
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {
   EXPECT_THAT(accepting(arc()),
-              testing::UnorderedElementsAre("ipopt", "ipopt-tuned", "nlopt-isres", "nlopt-cobyla",
-                                            "nlopt-cobyla-tuned", "nlopt-slsqp"));
+              testing::UnorderedElementsAre("mads", "ipopt", "ipopt-tuned", "nlopt-isres",
+                                            "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-slsqp"));
   Problem point_on_a_line = arc();
   point_on_a_line.lower = point_on_a_line.upper = point_on_a_line.start = Vector::Ones(1);
   point_on_a_line.lower[0] = 0;

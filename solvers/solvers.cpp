@@ -8,6 +8,7 @@
 #include "solvers/fireworks/fireworks_family.h"
 #include "solvers/golden_section.h"
 #include "solvers/ipopt.h"
+#include "solvers/mads/mads.h"
 #include "solvers/nlopt/nlopt.h"
 #include "solvers/pagmo/pagmo.h"
 #include "solvers/random_search.h"
@@ -21,6 +22,7 @@ std::vector<Solver> all_solvers() {
       scan(),
       bisection(),
       golden_section(),
+      mads(),
 #ifdef RICOCHET_HAS_IPOPT
       ipopt(Settings::own),
       ipopt(Settings::tuned),
@@ -59,6 +61,7 @@ std::vector<MissingSolver> missing_solvers() {
 #ifndef RICOCHET_HAS_IPOPT
       {"ipopt", "Ipopt"},
       {"ipopt-tuned", "Ipopt"},
+      {"ipopt-exact", "Ipopt"},
       {"continuation-ipopt-tuned", "Ipopt"},
 #endif
 #ifndef RICOCHET_HAS_CERES

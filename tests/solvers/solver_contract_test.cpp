@@ -136,8 +136,11 @@ TEST_P(SolverContract, GivesTheSameTraceForTheSameRun) {
 TEST_P(SolverContract, DrawsFromItsRandomStateIfItSaysSoAndOnlyThen) {
   const Problem problem = easy();
   const std::vector<Vector> a = asked_points(solver(), problem, 1);
-  const std::vector<Vector> b = asked_points(solver(), problem, 2);
-  EXPECT_EQ(a == b, !solver().stochastic);
+  bool differs = false;  // a toss of a coin may come out alike for two seeds
+  for (std::uint64_t seed = 2; seed < 12; ++seed) {
+    differs = differs || asked_points(solver(), problem, seed) != a;
+  }
+  EXPECT_EQ(differs, solver().stochastic);
   EXPECT_EQ(a, asked_points(solver(), problem, 1));
 }
 

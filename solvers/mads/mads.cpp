@@ -1,0 +1,121 @@
+#include "solvers/mads/mads.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "solvers/mads/barrier.h"
+#include "solvers/mads/mesh.h"
+#include "solvers/mads/poll_directions.h"
+#include "solvers/unit_box.h"
+
+namespace ricochet {
+namespace {
+
+constexpr double finest_mesh = 1e-8;  // of the box
+
+/// The search from one start.
+class Search {
+ public:
+  Search(Evaluator& evaluator, Random& random)
+      : evaluator_(evaluator),
+        random_(random),
+        box_(evaluator),
+        has_width_(evaluator.problem().upper.array() > evaluator.problem().lower.array()) {}
+
+  SolverExit run(const Vector& start) {
+    start_ = inside(box_.to_unit(start));
+    try_point(start_);
+    barrier_.settle(Progress::none);
+    last_step_ = normal(start_.size(), random_);  // any direction is as good as another
+    while (mesh_.spacing() >= finest_mesh && !evaluator_.over()) iterate();
+    return {evaluator_.over() ? stopped_by_evaluator : "the mesh is fine"};
+  }
+
+ private:
+  void iterate() {
+    Progress progress = succeeded_ ? look_further() : Progress::none;
+    if (progress != Progress::dominating) progress = std::max(progress, poll());
+    barrier_.settle(progress);
+    succeeded_ = progress == Progress::dominating;
+    if (succeeded_) mesh_.coarsen();
+    if (progress == Progress::none) mesh_.refine();
+  }
+
+  Progress look_further() { return try_step(last_success_, 3 * last_step_); }
+
+  Progress poll() {
+    const Matrix basis = poll_basis(normal(start_.size(), random_), mesh_.index());
+    const std::vector<Vector> directions = poll_directions(basis, last_step_);
+    const auto& feasible = barrier_.feasible();
+    const auto& infeasible = barrier_.infeasible();
+    if (!feasible) return poll_around(infeasible ? infeasible->u : start_, directions);
+    const Progress progress = poll_around(feasible->u, directions);
+    if (progress == Progress::dominating || !infeasible ||
+        infeasible->objective >= feasible->objective) {
+      return progress;
+    }
+    const Vector& first = directions.front();
+    return std::max(progress, poll_around(infeasible->u, {first, -first}));
+  }
+
+  Progress poll_around(const Vector& centre, const std::vector<Vector>& directions) {
+    Progress progress = Progress::none;
+    for (const Vector& direction : directions) {
+      progress = std::max(progress, try_step(centre, mesh_.spacing() * direction));
+      if (progress == Progress::dominating) break;
+    }
+    return progress;
+  }
+
+  Progress try_step(const Vector& centre, const Vector& step) {
+    const Vector u = inside(centre + step);
+    const Progress progress = try_point(u);
+    if (progress == Progress::dominating) {
+      last_step_ = u - centre;
+      last_success_ = u;
+    }
+    return progress;
+  }
+
+  /// A point that was tried before brings nothing on, and costs nothing.
+  Progress try_point(const Vector& u) {
+    if (!tried_.insert({u.begin(), u.end()}).second) return Progress::none;
+    const auto values = evaluator_.values(box_.from_unit(u));
+    if (!values) return Progress::none;
+    return barrier_.add(
+        {u, values->objective, violation_of(*values, evaluator_.problem().equalities)});
+  }
+
+  /// The nearest point of the unit box; a coordinate whose box has no width stays where it is.
+  Vector inside(const Vector& u) const {
+    return has_width_.select(u.cwiseMax(0.0).cwiseMin(1.0), 0.0);
+  }
+
+  Evaluator& evaluator_;
+  Random& random_;
+  UnitBox box_;
+  Eigen::Array<bool, Eigen::Dynamic, 1> has_width_;
+  Mesh mesh_;
+  Barrier barrier_;
+  std::set<std::vector<double>> tried_;
+  Vector start_;
+  Vector last_success_, last_step_;
+  bool succeeded_ = false;
+};
+
+}  // namespace
+
+Solver mads() {
+  Solver solver;
+  solver.name = "mads";
+  solver.version = "ricochet " RICOCHET_VERSION;
+  solver.stochastic = true;
+  solver.accepts = has_room;
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) {
+    return Search(evaluator, random).run(start);
+  };
+  return solver;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,130 @@
+#include "solvers/mads/mads.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "problems/classic/classic.h"
+#include "src/core/run.h"
+#include "tests/solvers/test_problems.h"
+
+namespace ricochet {
+namespace {
+
+/// The best feasible objective after one call of solve.
+double end_of(const Problem& problem, std::uint64_t seed = 1) {
+  Evaluator evaluator(problem, {20'000});
+  Random random(seed);
+  const SolverExit exit = mads().solve(evaluator, problem.start, random);
+  EXPECT_EQ(exit.reason, "the mesh is fine") << problem.name;
+  EXPECT_EQ(evaluator.best()->truth.violation, 0) << problem.name;
+  return evaluator.best()->truth.objective;
+}
+
+Problem classic_problem(const std::string& name) {
+  for (Problem& problem : classic::classic_problems()) {
+    if (problem.name == name) return problem;
+  }
+  throw std::invalid_argument(name);
+}
+
+TEST(Mads, ConvergesOnASphere) {
+  for (const Eigen::Index n : {1, 2, 5}) EXPECT_LT(end_of(sphere(n, 3)), 1e-3) << n;
+}
+
+TEST(Mads, ConvergesInRosenbrocksValley) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_LT(end_of(classic_problem("classic-rosenbrock-2"), seed), 0.05);
+  }
+}
+
+/// Inequalities alone, and one optimum; published.
+TEST(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
+  for (const char* name : {"hs-12", "hs-22", "hs-29", "hs-35", "hs-43", "hs-65", "hs-76"}) {
+    const Problem problem = classic_problem(name);
+    const double best = *problem.best_known;
+    EXPECT_NEAR(end_of(problem), best, 2e-2 * std::max(1.0, std::abs(best))) << name;
+  }
+}
+
+TEST(Mads, FindsPointsOnAnArc) {
+  const RunRecord record = run(arc(), mads(), {5000}, 0);
+  EXPECT_EQ(record.trace.back().truth.violation, 0);
+  EXPECT_LE(record.trace.back().truth.objective, -1);
+}
+
+/// The largest x + y on [0, 10]^2 at which a count, floor(x) + floor(2 y), is at most 7. With a
+/// first part of a it is below (a + 1) + (8 - a) / 2, which is most, 8.5, next to (8, 1/2).
+Problem steps() {
+  Problem problem = box_problem("steps", 2, 0, 10, 9, [](const Vector& x) { return -x.sum(); });
+  problem.constraints = 1;
+  problem.best_known = -8.5;
+  problem.evaluate = [](const Vector& x) {
+    return Values{-x.sum(), Vector::Constant(1, std::floor(x[0]) + std::floor(2 * x[1]) - 7)};
+  };
+  return problem;
+}
+
+TEST(Mads, ComesToTheEdgeOfAStepThatIsAConstraint) {
+  const RunRecord record = run(steps(), mads(), {2000}, 0);
+  EXPECT_EQ(record.trace.back().truth.violation, 0);
+  EXPECT_NEAR(record.trace.back().truth.objective, -8.5, 0.01);
+}
+
+TEST(Mads, StaysInTheBoxWhateverItAsksFor) {
+  for (Problem problem : {sphere(3, 130), disc(), steps()}) {
+    int asked = 0;
+    problem.evaluate = [&asked, problem](const Vector& x) {
+      EXPECT_TRUE((x.array() >= problem.lower.array()).all()) << x.transpose();
+      EXPECT_TRUE((x.array() <= problem.upper.array()).all()) << x.transpose();
+      ++asked;
+      return problem.evaluate(x);
+    };
+    run(problem, mads(), {1000}, 0);
+    EXPECT_GE(asked, 1000);
+  }
+}
+
+TEST(Mads, ReachesABound) {
+  EXPECT_EQ(end_of(sphere(3, 130)), 3 * 30 * 30);
+}
+
+TEST(Mads, AsksForNoPointTwiceFromOneStart) {
+  for (Problem problem : {sphere(1, 3), plateau(2)}) {
+    std::vector<Vector> asked;
+    problem.evaluate = [&asked, problem](const Vector& x) {
+      EXPECT_EQ(std::count(asked.begin(), asked.end(), x), 0) << x.transpose();
+      asked.push_back(x);
+      return problem.evaluate(x);
+    };
+    end_of(problem);
+  }
+}
+
+TEST(Mads, EndsOnAPlateauSoonAndIsStartedAgain) {
+  const RunRecord record = run(plateau(2), mads(), {1000}, 0);
+  EXPECT_GT(record.exits.size(), 10U);
+  EXPECT_EQ(record.exits.front().reason, "the mesh is fine");
+}
+
+TEST(Mads, LeavesACoordinateAloneWhoseBoxHasNoWidth) {
+  Problem problem = sphere(3, 3);
+  problem.lower[1] = problem.upper[1] = problem.start[1] = 5;
+  EXPECT_NEAR(end_of(problem), 4, 1e-3);
+}
+
+TEST(Mads, SpendsItsBudgetToTheLastEvaluation) {
+  const Problem problem = disc();
+  for (std::int64_t budget = 0; budget < 60; ++budget) {
+    Evaluator evaluator(problem, {budget});
+    Random random(1);
+    const SolverExit exit = mads().solve(evaluator, problem.start, random);
+    EXPECT_EQ(exit.reason, "stopped by the evaluator");
+    EXPECT_EQ(evaluator.ledger().charged, budget);
+  }
+}
+
+}  // namespace
+}  // namespace ricochet

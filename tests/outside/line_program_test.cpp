@@ -117,7 +117,7 @@ TEST(LineProgram, BoundsWhatIsWrittenWithoutReading) {
 }
 
 TEST(LineProgram, WaitsNoLongerThanItIsTold) {
-  LineProgram program(shell("sleep 30"));
+  LineProgram program(shell("exec sleep 30"));
   EXPECT_EQ(reason_of(program, Patience{std::chrono::seconds(1), "it was started"}),
             "wrote nothing for 1 s after it was started; are its lines flushed?");
 }

@@ -33,9 +33,9 @@ TEST(AllSolvers, AreThese) {
 }
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {
-  EXPECT_THAT(accepting(arc()),
-              testing::UnorderedElementsAre("mads", "ipopt", "ipopt-tuned", "nlopt-isres",
-                                            "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-slsqp"));
+  EXPECT_THAT(accepting(arc()), testing::UnorderedElementsAre(
+                                    "mads", "ipopt", "ipopt-tuned", "ipopt-exact", "nlopt-isres",
+                                    "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-slsqp"));
   Problem point_on_a_line = arc();
   point_on_a_line.lower = point_on_a_line.upper = point_on_a_line.start = Vector::Ones(1);
   point_on_a_line.lower[0] = 0;

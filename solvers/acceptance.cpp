@@ -18,6 +18,7 @@ struct Offer {
   Eigen::Index inequalities = 0;
   Eigen::Index equalities = 0;
   bool gradients = false;
+  bool hessians = false;
   bool residuals = false;
   bool width = false;
 };
@@ -32,6 +33,9 @@ Problem problem_of(const Offer& offer) {
   problem.constraints = offer.equalities + offer.inequalities;
   problem.evaluate = [](const Vector&) { return Values{}; };
   if (offer.gradients) problem.differentiate = [](const Vector&) { return Derivatives{}; };
+  if (offer.hessians) {
+    problem.lagrangian_hessian = [](const Vector&, double, const Vector&) { return Matrix(); };
+  }
   if (offer.residuals) problem.residuals = [](const Vector&) { return Residuals{}; };
   if (offer.width) problem.smoothed = [](double) { return Problem{}; };
   return problem;
@@ -42,7 +46,10 @@ bool takes(const Solver& solver, const Offer& offer) {
 }
 
 std::string needs_of(const Offer& offer) {
-  std::string needs = offer.residuals ? "residuals" : offer.gradients ? "gradients" : "nothing";
+  std::string needs = offer.residuals   ? "residuals"
+                      : offer.hessians  ? "Hessians"
+                      : offer.gradients ? "gradients"
+                                        : "nothing";
   if (offer.width) needs = offer.gradients ? needs + " and a width" : "a width";
   return needs;
 }

@@ -24,21 +24,28 @@ struct Refused {};
 constexpr Part constraints_only{static_cast<unsigned>(Part::equalities) |
                                 static_cast<unsigned>(Part::inequalities)};
 
+/// Where second derivatives come from.
+enum class Hessian {
+  limited_memory,  ///< Ipopt's own estimate, from gradients
+  exact            ///< the problem
+};
+
 /// A problem in the unit cube, as Ipopt wants to be asked. The jacobian is dense and row-major.
 class UnitProblem : public Ipopt::TNLP {
  public:
-  UnitProblem(Evaluator& evaluator, const Vector& start)
+  UnitProblem(Evaluator& evaluator, const Vector& start, Hessian hessian)
       : box_(evaluator),
         start_(box_.to_unit(start)),
         constraints_(evaluator.problem().constraints),
-        equalities_(evaluator.problem().equalities) {}
+        equalities_(evaluator.problem().equalities),
+        hessian_(hessian) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian_entries, Index& hessian_entries,
                     IndexStyleEnum& index_style) override {
     n = static_cast<Index>(start_.size());
     m = static_cast<Index>(constraints_);
     jacobian_entries = n * m;
-    hessian_entries = 0;
+    hessian_entries = hessian_ == Hessian::exact ? n * (n + 1) / 2 : 0;
     index_style = C_STYLE;
     return true;
   }
@@ -94,6 +101,29 @@ class UnitProblem : public Ipopt::TNLP {
     return done(derivatives.has_value());
   }
 
+  bool eval_h(Index n, const Number* u, bool, Number objective_factor, Index m,
+              const Number* multipliers, bool, Index, Index* rows, Index* columns,
+              Number* entries) override {
+    if (!entries) {  // asked for the structure: the lower triangle
+      for (Index i = 0, k = 0; i < n; ++i) {
+        for (Index j = 0; j <= i; ++j, ++k) {
+          rows[k] = i;
+          columns[k] = j;
+        }
+      }
+      return true;
+    }
+    const auto hessian = box_.lagrangian_hessian(Eigen::Map<const Vector>(u, n), objective_factor,
+                                                 Eigen::Map<const Vector>(multipliers, m));
+    const bool finite = hessian && hessian->allFinite();
+    if (finite) {
+      for (Index i = 0, k = 0; i < n; ++i) {
+        for (Index j = 0; j <= i; ++j, ++k) entries[k] = (*hessian)(i, j);
+      }
+    }
+    return done(finite);
+  }
+
   bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number, Number, Number, Number, Number,
                              Number, Number, Number, Index, const Ipopt::IpoptData*,
                              Ipopt::IpoptCalculatedQuantities*) override {
@@ -119,6 +149,7 @@ class UnitProblem : public Ipopt::TNLP {
   UnitBox box_;
   Vector start_;
   Eigen::Index constraints_, equalities_;
+  Hessian hessian_;
   std::optional<Vector> final_;
 };
 
@@ -150,13 +181,15 @@ std::string in_words(Ipopt::ApplicationReturnStatus status) {
 /// Guards the whole of Ipopt, its construction and destruction too: it and MUMPS keep global state.
 std::mutex ipopt_mutex;
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, Settings settings) {
+SolverExit minimise(Evaluator& evaluator, const Vector& start, Settings settings, Hessian hessian) {
   const std::lock_guard lock(ipopt_mutex);
-  const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start);
+  const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, hessian);
   // false: no console, so there is neither banner nor log to silence.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   const auto options = application->Options();
-  options->SetStringValue("hessian_approximation", "limited-memory");
+  if (hessian == Hessian::limited_memory) {
+    options->SetStringValue("hessian_approximation", "limited-memory");
+  }
   if (settings == Settings::tuned) {
     // Without second derivatives Ipopt adapts its barrier freely, and often loses the way in a
     // constraint that bends as sharply as a surrogate; a start may be near the optimum, too.
@@ -181,7 +214,19 @@ Solver ipopt(Settings settings) {
     return has_room(problem) && static_cast<bool>(problem.differentiate);
   };
   solver.solve = [settings](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise(evaluator, start, settings);
+    return minimise(evaluator, start, settings, Hessian::limited_memory);
+  };
+  return solver;
+}
+
+Solver ipopt_exact() {
+  Solver solver = ipopt(Settings::own);
+  solver.name = "ipopt-exact";
+  solver.accepts = [accepts = solver.accepts](const Problem& problem) {
+    return accepts(problem) && static_cast<bool>(problem.lagrangian_hessian);
+  };
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) {
+    return minimise(evaluator, start, Settings::own, Hessian::exact);
   };
   return solver;
 }

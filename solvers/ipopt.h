@@ -10,4 +10,8 @@ namespace ricochet {
 /// one solve at a time runs in a process and others wait; waiting costs a run no processor time.
 Solver ipopt(Settings settings);
 
+/// "ipopt-exact": the same with its own settings and the exact Hessian of the Lagrangian. Needs
+/// second derivatives, too.
+Solver ipopt_exact();
+
 }  // namespace ricochet

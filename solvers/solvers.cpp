@@ -26,6 +26,7 @@ std::vector<Solver> all_solvers() {
 #ifdef RICOCHET_HAS_IPOPT
       ipopt(Settings::own),
       ipopt(Settings::tuned),
+      ipopt_exact(),
       continuation(ipopt(Settings::tuned)),
 #endif
 #ifdef RICOCHET_HAS_CERES

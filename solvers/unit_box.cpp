@@ -43,6 +43,14 @@ std::optional<Derivatives> UnitBox::derivatives(const Vector& u, Part part) {
   return shown;
 }
 
+std::optional<Matrix> UnitBox::lagrangian_hessian(const Vector& u, double objective_factor,
+                                                  const Vector& multipliers) {
+  if (!u.allFinite()) return std::nullopt;
+  auto shown = evaluator_.lagrangian_hessian(from_unit(u), objective_factor, multipliers);
+  if (shown) *shown = width_.asDiagonal() * *shown * width_.asDiagonal();
+  return shown;
+}
+
 std::optional<Residuals> UnitBox::residuals(const Vector& u, Part part) {
   if (!u.allFinite()) return std::nullopt;
   auto shown = evaluator_.residuals(from_unit(u), part);

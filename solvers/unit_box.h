@@ -38,6 +38,10 @@ class UnitBox {
   /// The same with the derivatives with respect to u.
   std::optional<Derivatives> derivatives(const Vector& u, Part part = Part::everything);
 
+  /// The second derivatives of the Lagrangian with respect to u, as the evaluator charges them.
+  std::optional<Matrix> lagrangian_hessian(const Vector& u, double objective_factor,
+                                           const Vector& multipliers);
+
   /// The residuals with their derivatives with respect to u.
   std::optional<Residuals> residuals(const Vector& u, Part part = Part::everything);
 

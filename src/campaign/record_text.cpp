@@ -68,20 +68,20 @@ Improvement improvement_from(const std::string& text) {
 
 std::string text_of(const RunRecord& record) {
   const Ledger& ledger = record.ledger;
-  Json json = {
-      {"problem", record.problem},
-      {"solver", record.solver},
-      {"instance", record.instance},
-      {"run", record.run},
-      {"seed", record.seed},
-      {"evaluations", record.budget.evaluations},
-      {"seconds", record.budget.seconds},
-      {"ledger",
-       {ledger.values, ledger.derivatives, ledger.charged, ledger.refused, ledger.seconds}},
-      {"refusal", static_cast<int>(record.refusal)},
-      {"exits", list_of(record.exits)},
-      {"failure", record.failure},
-      {"trace", list_of(record.trace)}};
+  Json json = {{"problem", record.problem},
+               {"solver", record.solver},
+               {"instance", record.instance},
+               {"run", record.run},
+               {"seed", record.seed},
+               {"evaluations", record.budget.evaluations},
+               {"seconds", record.budget.seconds},
+               {"ledger",
+                {ledger.values, ledger.derivatives, ledger.hessians, ledger.charged, ledger.refused,
+                 ledger.seconds}},
+               {"refusal", static_cast<int>(record.refusal)},
+               {"exits", list_of(record.exits)},
+               {"failure", record.failure},
+               {"trace", list_of(record.trace)}};
   if (const auto& over = record.handed_over) {
     json["handed_over"] = {json_of(over->x), json_of(over->truth)};
   }
@@ -98,7 +98,8 @@ RunRecord record_from(const std::string& text) {
   record.run = json.at("run");
   record.seed = json.at("seed");
   record.budget = {json.at("evaluations"), json.at("seconds")};
-  record.ledger = {ledger.at(0), ledger.at(1), ledger.at(2), ledger.at(3), ledger.at(4)};
+  record.ledger = {ledger.at(0), ledger.at(1), ledger.at(2),
+                   ledger.at(3), ledger.at(4), ledger.at(5)};
   record.refusal = static_cast<Refusal>(json.at("refusal").get<int>());
   for (const Json& exit : json.at("exits")) record.exits.push_back(exit_from(exit));
   record.failure = json.at("failure");

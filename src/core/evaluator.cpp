@@ -144,6 +144,28 @@ std::optional<Derivatives> Evaluator::derivatives(const Vector& x, Part part) {
   return done ? derivatives_.told : std::nullopt;
 }
 
+std::optional<Matrix> Evaluator::lagrangian_hessian(const Vector& x, double objective_factor,
+                                                    const Vector& multipliers) {
+  const Eigen::Index n = problem_.dimension();
+  const std::int64_t price = n * (n + 1) / 2;
+  if (!admits(x, price)) return std::nullopt;
+  std::optional<Matrix> hessian;
+  const bool done = guarded([&] {
+    if (!shown().lagrangian_hessian) {
+      throw std::logic_error(problem_.name + " has no second derivatives");
+    }
+    move_to(x);
+    hessian = shown().lagrangian_hessian(inside_, objective_factor, multipliers);
+    if (hessian->rows() != n || hessian->cols() != n) {
+      throw std::logic_error(problem_.name + " has a Hessian that does not fit");
+    }
+    ++ledger_.hessians;
+    ledger_.charged += price;
+    score(inside_, values_.told ? &*values_.told : nullptr);
+  });
+  return done ? hessian : std::nullopt;
+}
+
 std::optional<Residuals> Evaluator::residuals(const Vector& x, Part part) {
   if (!over() && remembers(x) && residuals_.has(part)) return residuals_.told;
   const std::int64_t price = 1 + problem_.dimension();

@@ -101,6 +101,13 @@ Problem seen_through(const Frame& frame, const Problem& problem) {
       return d;
     };
   }
+  if (problem.lagrangian_hessian) {
+    result.lagrangian_hessian = [original, inside, slope](const Vector& x, double objective_factor,
+                                                          const Vector& multipliers) -> Matrix {
+      const Matrix hessian = original->lagrangian_hessian(inside(x), objective_factor, multipliers);
+      return slope.transpose() * hessian * slope;
+    };
+  }
   if (problem.residuals) {
     result.residuals = [original, inside, slope](const Vector& x) {
       Residuals r = original->residuals(inside(x));

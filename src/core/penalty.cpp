@@ -31,6 +31,14 @@ Problem penalised(const Problem& problem, double weight) {
                          Matrix(0, d.gradient.size()), d.trust};
     };
   }
+  if (problem.lagrangian_hessian) {
+    result.lagrangian_hessian = [hessian = problem.lagrangian_hessian, evaluate = problem.evaluate,
+                                 weight, m = problem.equalities](
+                                    const Vector& x, double objective_factor, const Vector&) {
+      const Vector sides = broken(evaluate(x).constraints, m).cwiseSign();
+      return hessian(x, objective_factor, objective_factor * weight * sides);
+    };
+  }
   result.residuals = nullptr;
   if (problem.smoothed) {
     result.smoothed = [smoothed = problem.smoothed, weight](double width) {

@@ -77,6 +77,11 @@ struct Problem {
   std::function<Values(const Vector&)> evaluate;
   /// Values and first derivatives in one call; empty where the problem has none.
   std::function<Derivatives(const Vector&)> differentiate;
+  /// Second derivatives, n x n and symmetric, of the Lagrangian: objective_factor times the
+  /// objective, plus every constraint times its multiplier, of which there are
+  /// Problem::constraints. Empty where the problem has none.
+  std::function<Matrix(const Vector& x, double objective_factor, const Vector& multipliers)>
+      lagrangian_hessian;
   /// Residuals and first derivatives in one call; empty where the problem is no sum of squares.
   /// Theirs may be a smooth stand-in for the objective.
   std::function<Residuals(const Vector&)> residuals;

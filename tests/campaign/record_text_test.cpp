@@ -53,7 +53,7 @@ TEST(RecordText, KeepsAllOfARecord) {
   record.run = 5;
   record.seed = ~0ULL;
   record.budget = {100, std::numeric_limits<double>::infinity()};
-  record.ledger = {1, 2, 3, 4, 0.5};
+  record.ledger = {1, 2, 6, 3, 4, 0.5};
   record.refusal = Refusal::bad_point;
   record.exits = {{"done", Vector::Constant(2, 0.1)}, {"stopped"}};
   record.failure = "torn";
@@ -70,6 +70,7 @@ TEST(RecordText, KeepsAllOfARecord) {
     EXPECT_EQ(again.budget.seconds, record.budget.seconds);
     EXPECT_EQ(again.ledger.values, 1);
     EXPECT_EQ(again.ledger.derivatives, 2);
+    EXPECT_EQ(again.ledger.hessians, 6);
     EXPECT_EQ(again.ledger.charged, 3);
     EXPECT_EQ(again.ledger.refused, 4);
     EXPECT_EQ(again.ledger.seconds, 0.5);

@@ -137,6 +137,60 @@ TEST(Evaluator, TakesResidualsThatDoNotFitForAFailure) {
   EXPECT_EQ(evaluator.refusal(), Refusal::failure);
 }
 
+/// parabola(n) with second derivatives.
+Problem curved_parabola(Eigen::Index n) {
+  Problem problem = parabola(n);
+  problem.lagrangian_hessian = [n](const Vector&, double factor, const Vector&) -> Matrix {
+    return 2 * factor * Matrix::Identity(n, n);
+  };
+  return problem;
+}
+
+TEST(Evaluator, ChargesAHessianForEachOfItsOwnEntries) {
+  const Problem problem = curved_parabola(3);
+  Evaluator evaluator(problem, {100});
+  const Vector x = Vector::Constant(3, 0.5);
+  ASSERT_TRUE(evaluator.derivatives(x));
+  EXPECT_EQ(evaluator.lagrangian_hessian(x, 1.5, Vector()), 3 * Matrix::Identity(3, 3));
+  EXPECT_EQ(evaluator.ledger().charged, 4 + 6);
+  EXPECT_EQ(evaluator.ledger().hessians, 1);
+  ASSERT_TRUE(evaluator.values(x));
+  EXPECT_EQ(evaluator.ledger().charged, 4 + 6) << "what was known of the point still is";
+  ASSERT_TRUE(evaluator.lagrangian_hessian(x, 1.5, Vector()));
+  EXPECT_EQ(evaluator.ledger().charged, 4 + 6 + 6) << "who asks again pays again";
+}
+
+TEST(Evaluator, ScoresThePointOfAHessian) {
+  const Problem problem = curved_parabola(2);
+  Evaluator evaluator(problem, {100});
+  ASSERT_TRUE(evaluator.lagrangian_hessian(Vector::Constant(2, 7.0), 1, Vector()));
+  EXPECT_EQ(evaluator.best()->x, problem.upper);
+  EXPECT_EQ(evaluator.best()->evaluations, 3);
+  EXPECT_EQ(evaluator.ledger().values, 0);
+}
+
+TEST(Evaluator, RefusesAHessianThatTheBudgetDoesNotCover) {
+  const Problem problem = curved_parabola(3);
+  Evaluator evaluator(problem, {5});
+  EXPECT_FALSE(evaluator.lagrangian_hessian(problem.start, 1, Vector()));
+  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
+  EXPECT_EQ(evaluator.ledger().charged, 0);
+}
+
+TEST(Evaluator, TakesAHessianThatDoesNotFitOrIsNotThereForAFailure) {
+  Problem problem = curved_parabola(2);
+  for (const Matrix& misfit : {Matrix(0, 2), Matrix(2, 3)}) {
+    problem.lagrangian_hessian = [&misfit](const Vector&, double, const Vector&) { return misfit; };
+    Evaluator evaluator(problem, {10});
+    EXPECT_FALSE(evaluator.lagrangian_hessian(problem.start, 1, Vector()));
+    EXPECT_EQ(evaluator.refusal(), Refusal::failure);
+  }
+  problem.lagrangian_hessian = nullptr;
+  Evaluator evaluator(problem, {10});
+  EXPECT_FALSE(evaluator.lagrangian_hessian(problem.start, 1, Vector()));
+  EXPECT_THROW(std::rethrow_exception(evaluator.failure()), std::logic_error);
+}
+
 TEST(Evaluator, RefusesOnceTheBudgetIsSpent) {
   const Problem problem = parabola(1);
   Evaluator evaluator(problem, {2});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/hessian_check.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {
@@ -131,6 +132,53 @@ TEST(Instance, TurnsAProblemAboutItsBestPoint) {
     EXPECT_LT((r.jacobian.transpose() * r.values - d.gradient).norm(), 1e-11);
     EXPECT_NEAR(r.values.squaredNorm() / 2, d.values.objective, 1e-11);
   }
+}
+
+/// Curved in all directions, as are its equation and its inequality.
+Problem bent() {
+  Problem problem = parabola(3);
+  problem.name = "bent";
+  problem.constraints = 2;
+  problem.equalities = 1;
+  problem.evaluate = [](const Vector& x) {
+    return Values{x[0] * x[0] * x[1] + std::exp(x[2]),
+                  Vector{{x[1] * x[2] * x[2], std::sin(x[0] * x[2])}}};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    const double slope = std::cos(x[0] * x[2]);
+    return Derivatives{evaluate(x), Vector{{2 * x[0] * x[1], x[0] * x[0], std::exp(x[2])}},
+                       Matrix{{0, x[2] * x[2], 2 * x[1] * x[2]}, {x[2] * slope, 0, x[0] * slope}}};
+  };
+  problem.lagrangian_hessian = [](const Vector& x, double factor, const Vector& multipliers) {
+    const double a = x[0], b = x[1], c = x[2];
+    const double sine = std::sin(a * c);
+    const double mixed = std::cos(a * c) - a * c * sine;
+    const Matrix of_objective{{2 * b, 2 * a, 0}, {2 * a, 0, 0}, {0, 0, std::exp(c)}};
+    const Matrix of_equation{{0, 0, 0}, {0, 0, 2 * c}, {0, 2 * c, 2 * b}};
+    const Matrix of_inequality{{-c * c * sine, 0, mixed}, {0, 0, 0}, {mixed, 0, -a * a * sine}};
+    return Matrix(factor * of_objective + multipliers[0] * of_equation +
+                  multipliers[1] * of_inequality);
+  };
+  return problem;
+}
+
+TEST(Instance, KeepsTheSecondDerivativesConsistentHoweverItIsMovedReflectedAndTurned) {
+  Random random(1);
+  for (const bool rotates : {false, true}) {
+    Problem problem = bent();
+    problem.rotates = rotates;
+    int compared = 0;
+    for (int number = 0; number <= 10; ++number) {
+      const Problem moved = instance(problem, number);
+      const Vector x = moved.lower + 0.5 * (moved.upper - moved.lower);
+      compared += expect_hessian_of_gradients(moved, x, uniform(random), normal(2, random));
+    }
+    EXPECT_GT(compared, 90);
+  }
+}
+
+TEST(Instance, HasNoSecondDerivativesWhereTheProblemHasNone) {
+  EXPECT_FALSE(instance(parabola(2), 1).lagrangian_hessian);
 }
 
 TEST(Instance, MovesTheBoxAtWillWhereTheProblemIsDefinedOutside) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/hessian_check.h"
+
 namespace ricochet {
 namespace {
 
@@ -49,6 +51,35 @@ TEST(Penalty, HasTheGradientOfItsValues) {
       EXPECT_NEAR(d.gradient[i], slope, 1e-6);
     }
   }
+}
+
+/// The same with constraints that bend, and their second derivatives.
+Problem bent() {
+  Problem problem = constrained();
+  problem.evaluate = [](const Vector& x) {
+    return Values{x[0] * x[0] + x[1], Vector{{1 - x[0] * x[0] * x[1], x[1] * x[1] - 2}}};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), Vector{{2 * x[0], 1.0}},
+                       Matrix{{-2 * x[0] * x[1], -x[0] * x[0]}, {0.0, 2 * x[1]}}};
+  };
+  problem.lagrangian_hessian = [](const Vector& x, double factor, const Vector& multipliers) {
+    const double mixed = -2 * x[0] * multipliers[0];
+    return Matrix{{2 * factor - 2 * x[1] * multipliers[0], mixed}, {mixed, 2 * multipliers[1]}};
+  };
+  return problem;
+}
+
+TEST(Penalty, HasTheSecondDerivativesOfItsGradient) {
+  Problem original = bent();
+  for (const Eigen::Index equalities : {0, 1}) {
+    original.equalities = equalities;
+    const Problem problem = penalised(original, 10);
+    for (const Vector& x : {Vector{{2.0, 1.0}}, Vector{{-1.0, 4.0}}, Vector{{0.5, 0.3}}}) {
+      EXPECT_EQ(expect_hessian_of_gradients(problem, x, 0.7, Vector()), 4);
+    }
+  }
+  EXPECT_FALSE(penalised(constrained(), 10).lagrangian_hessian);
 }
 
 TEST(Penalty, ChargesAnEquationForEitherSign) {

@@ -29,6 +29,7 @@ TEST(Acceptance, FindsOutWhatASolverTakes) {
     return of([has](const Problem& p) { return static_cast<bool>(has(p)); }).needs;
   };
   EXPECT_EQ(needs([](const Problem& p) { return p.differentiate; }), "gradients");
+  EXPECT_EQ(needs([](const Problem& p) { return p.lagrangian_hessian; }), "Hessians");
   EXPECT_EQ(needs([](const Problem& p) { return p.residuals; }), "residuals");
   EXPECT_EQ(needs([](const Problem& p) { return p.smoothed && p.differentiate; }),
             "gradients and a width");

@@ -57,6 +57,57 @@ TEST(Ipopt, SaysNothingEvenWhenItFails) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+/// Sum of 10^(6 i / 9) (x_i - 1)^2, i from 0 to 9, on [-10, 10]^10 from 4: optimum 0 at x_i = 1.
+/// With second derivatives.
+Problem ellipsoid() {
+  Vector weights(10);
+  for (Eigen::Index i = 0; i < 10; ++i) weights[i] = std::pow(10, 6 * static_cast<double>(i) / 9);
+  Problem problem = box_problem("ellipsoid", 10, -10, 10, 4, [weights](const Vector& x) {
+    return weights.dot((x.array() - 1).square().matrix());
+  });
+  differentiate_by(problem, [weights](const Vector& x) -> Vector {
+    return 2 * weights.array() * (x.array() - 1);
+  });
+  curve_by(problem, [weights](const Vector&) -> Matrix { return (2 * weights).asDiagonal(); });
+  return problem;
+}
+
+/// What a solve asked for; it must be solved, and find a point below `good`.
+Ledger ledger_of(const Problem& problem, const Solver& solver, double good) {
+  Evaluator evaluator(problem, {20'000});
+  Random random;
+  EXPECT_EQ(solver.solve(evaluator, problem.start, random).reason, "solved") << solver.name;
+  EXPECT_LT(evaluator.best()->truth.objective, good) << solver.name;
+  return evaluator.ledger();
+}
+
+TEST(IpoptExact, TakesFewerStepsThanWithALimitedMemory) {
+  const Ledger exact = ledger_of(sphere(4, 3), ipopt_exact(), 1e-12);
+  const Ledger limited = ledger_of(sphere(4, 3), ipopt(Settings::own), 1e-12);
+  EXPECT_LT(exact.derivatives, limited.derivatives);
+  EXPECT_GT(exact.hessians, 0);
+  EXPECT_EQ(limited.hessians, 0);
+}
+
+TEST(IpoptExact, DoesNotMindHowUnlikeTheScalesOfAQuadraticAre) {
+  const Ledger ledger = ledger_of(ellipsoid(), ipopt_exact(), 1e-10);
+  EXPECT_LT(ledger.derivatives, 20);
+}
+
+TEST(IpoptExact, KeepsAnEquationAndAnInequality) {
+  const RunRecord record = run(arc(), ipopt_exact(), {300}, 0);
+  EXPECT_EQ(record.exits.front().reason, "solved");
+  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-6);
+}
+
+TEST(IpoptExact, NeedsSecondDerivatives) {
+  EXPECT_TRUE(ipopt_exact().accepts(disc()));
+  Problem problem = disc();
+  problem.lagrangian_hessian = nullptr;
+  EXPECT_FALSE(ipopt_exact().accepts(problem));
+}
+
 TEST(Ipopt, NeedsDerivatives) {
   EXPECT_TRUE(ipopt(Settings::tuned).accepts(disc()));
   Problem problem = disc();

@@ -44,7 +44,7 @@ TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {
       accepting(arc()),
       testing::UnorderedElementsAre(
           "mads", "fireworks", "fireworks-as-printed", "fireworks-authors", "fireworks-corrected",
-          "efwa", "dynfwa", "bbfwa", "lotfwa", "ipopt", "ipopt-tuned", "nlopt-isres",
+          "efwa", "dynfwa", "bbfwa", "lotfwa", "ipopt", "ipopt-tuned", "ipopt-exact", "nlopt-isres",
           "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-slsqp", "nlopt-auglag-bobyqa",
           "nlopt-auglag-sbplx", "nlopt-auglag-lbfgs", "nlopt-auglag-mma", "pagmo-gaco",
           "pagmo-compass-search", "pagmo-constrained-de"));

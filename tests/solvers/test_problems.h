@@ -49,6 +49,20 @@ void differentiate_by(Problem& problem, Gradient gradient) {
   };
 }
 
+/// Gives an unconstrained problem second derivatives.
+template <class Hessian>
+void curve_by(Problem& problem, Hessian hessian) {
+  problem.lagrangian_hessian = [hessian](const Vector& x, double factor,
+                                         const Vector& /*multipliers*/) -> Matrix {
+    return factor * hessian(x);
+  };
+}
+
+/// `diagonal` times the unit matrix of this size, wherever.
+inline auto constant_hessian(Eigen::Index n, double diagonal) {
+  return [n, diagonal](const Vector&) -> Matrix { return diagonal * Matrix::Identity(n, n); };
+}
+
 /// Gives a problem a smoothing width that changes nothing.
 inline Problem with_idle_knob(Problem problem) {
   problem.smoothed = [problem](double) { return problem; };
@@ -69,6 +83,7 @@ inline Problem sphere(Eigen::Index n, double centre) {
   problem.best_known = 0.0;
   differentiate_by(problem,
                    [centre](const Vector& x) -> Vector { return 2 * (x.array() - centre); });
+  curve_by(problem, constant_hessian(n, 2));
   problem.residuals = [centre](const Vector& x) { return distances(x, centre); };
   return with_idle_knob(problem);
 }
@@ -105,6 +120,9 @@ inline Problem disc() {
   problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
     return Derivatives{evaluate(x), Vector::Ones(2), 2 * x.transpose()};
   };
+  problem.lagrangian_hessian = [](const Vector&, double, const Vector& multipliers) -> Matrix {
+    return 2 * multipliers[0] * Matrix::Identity(2, 2);
+  };
   return with_idle_knob(problem);
 }
 
@@ -121,6 +139,9 @@ inline Problem arc() {
   problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
     return Derivatives{evaluate(x), Vector::Ones(2), Matrix{{2 * x[0], 2 * x[1]}, {-1, 0}}};
   };
+  problem.lagrangian_hessian = [](const Vector&, double, const Vector& multipliers) -> Matrix {
+    return 2 * multipliers[0] * Matrix::Identity(2, 2);
+  };
   return with_idle_knob(problem);
 }
 
@@ -128,6 +149,7 @@ inline Problem arc() {
 inline Problem plateau(Eigen::Index n) {
   Problem problem = box_problem("plateau", n, 0, 18, 9, [](const Vector&) { return 7.0; });
   differentiate_by(problem, [](const Vector& x) -> Vector { return Vector::Zero(x.size()); });
+  curve_by(problem, constant_hessian(n, 0));
   problem.residuals = [n](const Vector&) {
     return Residuals{Vector::Constant(1, std::sqrt(14.0)), Matrix::Zero(1, n)};
   };
@@ -142,6 +164,7 @@ inline Problem never_a_number(Eigen::Index n) {
       box_problem("never-a-number", n, 0, 18, 9, [](const Vector&) { return not_a_number; });
   differentiate_by(
       problem, [](const Vector& x) -> Vector { return Vector::Constant(x.size(), not_a_number); });
+  curve_by(problem, constant_hessian(n, not_a_number));
   problem.residuals = [n](const Vector&) {
     return Residuals{Vector::Constant(1, not_a_number), Matrix::Constant(1, n, not_a_number)};
   };
@@ -155,6 +178,7 @@ inline Problem half_a_number() {
     return x.sum() > 60 ? not_a_number : (x.array() - 3).square().sum();
   });
   differentiate_by(problem, [](const Vector& x) -> Vector { return 2 * (x.array() - 3); });
+  curve_by(problem, constant_hessian(2, 2));
   problem.residuals = [](const Vector& x) { return distances(x, x.sum() > 60 ? not_a_number : 3); };
   return with_idle_knob(problem);
 }
@@ -175,6 +199,11 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
   problem.differentiate = [step, differentiate = problem.differentiate](const Vector& x) {
     step();
     return differentiate(x);
+  };
+  problem.lagrangian_hessian = [step, hessian = problem.lagrangian_hessian](
+                                   const Vector& x, double factor, const Vector& multipliers) {
+    step();
+    return hessian(x, factor, multipliers);
   };
   problem.residuals = [step, residuals = problem.residuals](const Vector& x) {
     step();

@@ -8,6 +8,18 @@
 /// Problems shown to solvers as functions of derivatives.h.
 namespace ricochet::carrier_track::inline questions {
 
+namespace detail {
+
+/// `factor` times the second derivatives of f at x, in blocks as large as are fastest for its size.
+template <class Function>
+Matrix curvature(const Function& f, const Vector& x, double factor) {
+  if (factor == 0) return Matrix::Zero(x.size(), x.size());
+  constexpr int room = Function::jet_size == 1 ? 1 : Function::jet_size <= 6 ? 2 : 4;
+  return factor * hessian_of<room>(f, x).hessian;
+}
+
+}  // namespace detail
+
 /// Shows this objective; with its exact derivatives if `derivatives`.
 template <class Function>
 void define(Problem& problem, const Function& objective, bool derivatives) {
@@ -17,6 +29,10 @@ void define(Problem& problem, const Function& objective, bool derivatives) {
   problem.differentiate = [objective, widths](const Vector& x) {
     Gradient g = gradient_of<Function::jet_size>(objective, x, widths);
     return Derivatives{{g.value, {}}, std::move(g.gradient), Matrix(0, x.size()), g.trust};
+  };
+  problem.lagrangian_hessian = [objective](const Vector& x, double objective_factor,
+                                           const Vector& /*multipliers*/) {
+    return detail::curvature(objective, x, objective_factor);
   };
 }
 
@@ -38,6 +54,11 @@ void define(Problem& problem, const Objective& objective, const Constraint& cons
                        std::move(of_objective.gradient),
                        of_constraint.gradient.transpose(),
                        of_constraint.trust};
+  };
+  problem.lagrangian_hessian = [objective, constraint](const Vector& x, double objective_factor,
+                                                       const Vector& multipliers) -> Matrix {
+    return detail::curvature(objective, x, objective_factor) +
+           detail::curvature(constraint, x, multipliers[0]);
   };
 }
 

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "src/core/difference.h"
+#include "src/core/problem.h"
+
+namespace ricochet {
+
+/// Expects the Hessian of the Lagrangian at x to be that of differences of the exact gradient, with
+/// steps of this share of the box and less. Returns how many entries were compared: where the
+/// differences disagree with one another, a kink is near, and there is nothing to compare.
+inline int expect_hessian_of_gradients(const Problem& problem, const Vector& x,
+                                       double objective_factor, const Vector& multipliers,
+                                       double share = 1e-3, double tolerance = 1e-6) {
+  const Matrix hessian = problem.lagrangian_hessian(x, objective_factor, multipliers);
+  EXPECT_EQ(hessian.rows(), x.size()) << problem.name;
+  EXPECT_EQ(hessian.cols(), x.size()) << problem.name;
+  EXPECT_LE((hessian - hessian.transpose()).cwiseAbs().maxCoeff(),
+            1e-12 * (1 + hessian.cwiseAbs().maxCoeff()))
+      << problem.name;
+  int compared = 0;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const auto gradient_at = [&](double coordinate) -> Vector {
+      Vector near = x;
+      near[i] = coordinate;
+      const Derivatives d = problem.differentiate(near);
+      return objective_factor * d.gradient + d.jacobian.transpose() * multipliers;
+    };
+    const auto slopes =
+        differences(gradient_at, x[i], share * (problem.upper[i] - problem.lower[i]));
+    for (std::size_t k = 0; k < slopes.size(); ++k) {
+      const double size = 1e-3 + std::abs(slopes[k].slope);
+      if (!(slopes[k].error < 0.1 * tolerance * size)) continue;
+      const auto j = static_cast<Eigen::Index>(k);
+      EXPECT_NEAR(hessian(i, j), slopes[k].slope, tolerance * size)
+          << problem.name << " " << i << " " << j;
+      ++compared;
+    }
+  }
+  return compared;
+}
+
+}  // namespace ricochet

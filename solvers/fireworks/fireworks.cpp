@@ -100,9 +100,11 @@ bool Show::explode() {
 
 bool Show::add_gaussian_sparks() {
   const auto fireworks = static_cast<std::size_t>(options_.fireworks);
-  const Eigen::Index best =
-      best_of(population_.worths().first(fireworks), options_.selection.ties, random_);
-  const Vector best_point = population_.point(best);
+  Vector best;
+  if (options_.gaussian_spark == GaussianSpark::approaches) {
+    const auto worths = population_.worths().first(fireworks);
+    best = population_.point(best_of(worths, options_.selection.ties, random_));
+  }
   for (int k = 0; k < options_.gaussian_sparks; ++k) {
     const auto i = static_cast<Eigen::Index>(one_of(fireworks, random_));
     spark_ = population_.point(i);
@@ -110,7 +112,7 @@ bool Show::add_gaussian_sparks() {
     if (options_.gaussian_spark == GaussianSpark::multiplies) {
       multiply(spark_, moved, random_);
     } else {
-      approach(spark_, moved, best_point, random_);
+      approach(spark_, moved, best, random_);
     }
     if (!add_spark(i)) return false;
   }

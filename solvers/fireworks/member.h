@@ -8,7 +8,8 @@
 namespace ricochet::fireworks {
 
 /// A solver of the family, which goes on from the start until the evaluator refuses. Takes every
-/// problem with room in its box: points are compared by the rules of feasibility, see better().
+/// problem with room in its box: points are compared by the rules of feasibility, see better(). So
+/// equations are met, too, but then next to nothing moves along them.
 Solver member(std::string name,
               std::function<void(Evaluator&, const Vector& start, Random&)> until_refused);
 

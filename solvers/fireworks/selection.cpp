@@ -48,7 +48,9 @@ Vector sums_on_a_line(const Eigen::Ref<const Matrix>& points) {
     const auto row = static_cast<Eigen::Index>(i);
     order[i] = {points(row, 0), row};
   }
-  std::sort(order.begin(), order.end());
+  // Who is tied has the same sum, in whichever order.
+  std::sort(order.begin(), order.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
   Vector sums = Vector::Zero(points.rows());
   double to_left = 0, to_right = 0;
   for (std::size_t i = 1; i < count; ++i) {

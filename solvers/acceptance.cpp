@@ -57,11 +57,14 @@ std::string needs_of(const Offer& offer) {
 /// The offer of least that the solver takes.
 Offer least_offer(const Solver& solver) {
   for (const bool width : {false, true}) {
-    for (const auto [gradients, residuals] : {std::pair(false, false), std::pair(true, false),
-                                              std::pair(false, true), std::pair(true, true)}) {
+    for (const int kind : {0, 1, 2, 3}) {  // nothing, gradients, Hessians with them, residuals
       for (const Eigen::Index inequalities : {0, 1}) {
         for (const Eigen::Index variables : {2, 1, 3, 4}) {
-          const Offer offer{variables, inequalities, 0, gradients, residuals, width};
+          Offer offer{.variables = variables, .inequalities = inequalities};
+          offer.gradients = kind == 1 || kind == 2;
+          offer.hessians = kind == 2;
+          offer.residuals = kind == 3;
+          offer.width = width;
           if (takes(solver, offer)) return offer;
         }
       }

@@ -9,6 +9,7 @@
 #include "solvers/ipopt.h"
 #include "solvers/nlopt.h"
 #include "solvers/pagmo.h"
+#include "solvers/plateau_search/plateau_search.h"
 #include "solvers/random_search.h"
 #include "solvers/scan.h"
 
@@ -22,6 +23,7 @@ std::vector<Solver> all_solvers() {
       golden_section(),
       fireworks("fireworks", {}),
       fireworks("fireworks-as-printed", {.third_branch = ThirdBranch::as_printed}),
+      plateau_search(),
 #ifdef RICOCHET_HAS_IPOPT
       ipopt(Settings::own),
       ipopt(Settings::tuned),

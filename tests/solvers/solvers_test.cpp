@@ -23,13 +23,13 @@ TEST(AllSolvers, AreThese) {
   std::vector<std::string> names;
   for (const Solver& solver : all_solvers()) names.push_back(solver.name);
   EXPECT_THAT(names, testing::UnorderedElementsAre(
-                         "fireworks", "fireworks-as-printed", "random-search", "scan", "bisection",
-                         "golden-section", "ipopt", "ipopt-tuned", "continuation-ipopt-tuned",
-                         "ceres-lbfgs", "ceres-trust-region", "pagmo-cmaes", "pagmo-cmaes-tuned",
-                         "pagmo-sade", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch",
-                         "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead",
-                         "nlopt-sbplx", "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma",
-                         "nlopt-lbfgs"));
+                         "plateau-search", "fireworks", "fireworks-as-printed", "random-search",
+                         "scan", "bisection", "golden-section", "ipopt", "ipopt-tuned",
+                         "continuation-ipopt-tuned", "ceres-lbfgs", "ceres-trust-region",
+                         "pagmo-cmaes", "pagmo-cmaes-tuned", "pagmo-sade", "nlopt-direct-l",
+                         "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-cobyla",
+                         "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
+                         "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-lbfgs"));
 }
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 
 Archive::Archive(Eigen::Index n, std::size_t size)
     : points_(n, static_cast<Eigen::Index>(size)), truths_(size) {}
@@ -21,4 +21,4 @@ const Truth& Archive::foretold(const Vector& u) const {
   return truths_[static_cast<std::size_t>(nearest)];
 }
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

@@ -5,7 +5,7 @@
 
 #include "src/core/problem.h"
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 
 /// The last points that a search has seen, to foretell what another one is worth.
 class Archive {
@@ -27,4 +27,4 @@ class Archive {
   std::size_t count_ = 0;
 };
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 namespace {
 
 constexpr int most_steps = 100;
@@ -144,4 +144,4 @@ std::optional<double> descend(Sight& sight, Vector& u, std::optional<double> wid
   return Descent(sight, width).from(u);
 }
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

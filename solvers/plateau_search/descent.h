@@ -2,7 +2,7 @@
 
 #include "solvers/plateau_search/sight.h"
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 
 /// The point of the unit cube, u + p, where g'p + p'B p / 2 is least, as far as bounds that were
 /// met on the way are never left again: returns p. B must be positive definite.
@@ -17,4 +17,4 @@ Vector model_step(const Matrix& b, const Vector& g, const Vector& u);
 /// `u` and returns what was shown there, or nothing once the run is over.
 std::optional<double> descend(Sight& sight, Vector& u, std::optional<double> width);
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

@@ -8,7 +8,7 @@
 #include "solvers/plateau_search/archive.h"
 #include "solvers/plateau_search/shape.h"
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 namespace {
 
 constexpr double target = 2.0 / 11;          // share of successes that keeps the step's size
@@ -146,4 +146,4 @@ bool drift(Sight& sight, Seen& at, const DriftLimits& limits, Random& random) {
   return Drift(sight, at, limits.step, random).go(limits.patience);
 }
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

@@ -4,7 +4,7 @@
 
 #include "solvers/plateau_search/sight.h"
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 
 /// How a drift begins and when it has come to nothing.
 struct DriftLimits {
@@ -24,4 +24,4 @@ struct DriftLimits {
 /// Leaves the last point, the best of all, in `at`. False once the run is over.
 bool drift(Sight& sight, Seen& at, const DriftLimits& limits, Random& random);
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

@@ -10,13 +10,15 @@
 namespace ricochet {
 namespace {
 
-using plateau::DriftLimits;
-using plateau::Seen;
-using plateau::Sight;
+using drifting::DriftLimits;
+using drifting::Seen;
+using drifting::Sight;
 
 constexpr int first_points = 5;       // of which a round begins at the best
 constexpr double first_step = 0.3;    // of the box
 constexpr double second_step = 0.05;  // after a descent
+constexpr double return_step = 0.1;   // from the best point
+constexpr double returns = 0.5;       // share of the rounds with constraints that begin there
 constexpr double widths[] = {0.25, 0.1};
 
 /// Steps without a better point that end a drift, for each variable and one more.
@@ -34,6 +36,10 @@ class PlateauSearch {
 
   /// The first round begins at the start. False once the run is over.
   bool round(const Vector* start) {
+    if (start == nullptr && sight_.problem().constraints > 0 && uniform(random_) < returns) {
+      Seen best = sight_.best().value();
+      return drift(sight_, best, {return_step, steps(patience_with_constraints)}, random_);
+    }
     auto at = first(start);
     if (!at || !drift(sight_, *at, limits(), random_)) return false;
     if (!descends_) return true;

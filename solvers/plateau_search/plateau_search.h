@@ -11,7 +11,8 @@ namespace ricochet {
 /// to which a step onto an equal value is a success like one onto a lower one: so its steps grow
 /// until about two in eleven stay as low as they were, and it leaves a plateau however wide that
 /// is. Points are compared by feasibility rules (Deb 2000, doi 10.1016/S0045-7825(99)00389-8): the
-/// less violated, then the lower. No point is asked for twice.
+/// less violated, then the lower. No point is asked for twice. With constraints every other round,
+/// at random, begins at the best point so far instead, with shorter steps.
 ///
 /// Where the problem has derivatives and no constraints, a drift that has come to nothing is
 /// followed by a descent (descent.h) of what is shown, at the smoothing widths 0.25 and 0.1 in

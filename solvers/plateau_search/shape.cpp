@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 namespace {
 
 constexpr double greatest_scale = 1e50;
@@ -39,4 +39,4 @@ void Shape::change(const Vector& v, double times) {
   }
 }
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

@@ -4,7 +4,7 @@
 
 #include "src/core/vector.h"
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 
 /// The covariance C of a search's steps, kept as its Cholesky factor L, C = L L'. Begins as the
 /// identity, and does so again where rounding has left it no covariance. Every change is of rank
@@ -32,4 +32,4 @@ class Shape {
   double scale_ = 1;  // C is so many times what was factored
 };
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

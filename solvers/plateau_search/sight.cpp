@@ -6,7 +6,7 @@
 
 #include "solvers/unit_box.h"
 
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 
 bool tied(const Truth& a, const Truth& b) {
   return !better(a, b) && !better(b, a);
@@ -87,4 +87,4 @@ std::optional<Derivatives> Sight::slopes(const Vector& u, std::optional<double> 
   return derivatives;
 }
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

@@ -8,7 +8,7 @@
 #include "src/core/random.h"
 
 /// What a plateau search sees of its problem.
-namespace ricochet::plateau {
+namespace ricochet::drifting {
 
 /// Neither is better.
 bool tied(const Truth& a, const Truth& b);
@@ -60,4 +60,4 @@ class Sight {
   std::optional<Seen> best_;
 };
 
-}  // namespace ricochet::plateau
+}  // namespace ricochet::drifting

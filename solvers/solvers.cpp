@@ -11,7 +11,6 @@
 #include "solvers/mads/mads.h"
 #include "solvers/nlopt/nlopt.h"
 #include "solvers/pagmo/pagmo.h"
-#include "solvers/plateau_search/plateau_search.h"
 #include "solvers/random_search.h"
 #include "solvers/scan.h"
 
@@ -24,7 +23,6 @@ std::vector<Solver> all_solvers() {
       bisection(),
       golden_section(),
       mads(),
-      plateau_search(),
 #ifdef RICOCHET_HAS_IPOPT
       ipopt(Settings::own),
       ipopt(Settings::tuned),

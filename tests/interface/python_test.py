@@ -226,7 +226,8 @@ class SciPy(unittest.TestCase):
 
     def test_does_what_the_readme_shows(self):
         readme = pathlib.Path(__file__).parents[2].joinpath("README.md").read_text()
-        code = readme.split("```python\n")[1].split("```")[0]
+        blocks = [block.split("```")[0] for block in readme.split("```python\n")[1:]]
+        (code,) = [block for block in blocks if "import ricochet\n" in block]
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
             exec(code, {})

@@ -27,16 +27,16 @@ TEST(AllSolvers, AreThese) {
       testing::UnorderedElementsAre(
           "fireworks", "fireworks-as-printed", "fireworks-authors", "fireworks-corrected", "efwa",
           "dynfwa", "bbfwa", "lotfwa", "random-search", "scan", "bisection", "golden-section",
-          "mads", "plateau-search", "ipopt", "ipopt-tuned", "ipopt-exact",
-          "continuation-ipopt-tuned", "ceres-lbfgs", "ceres-trust-region", "pagmo-cmaes",
-          "pagmo-cmaes-tuned", "pagmo-cmaes-ipop", "pagmo-xnes", "pagmo-de", "pagmo-sade",
-          "pagmo-de1220", "pagmo-gaco", "pagmo-compass-search", "pagmo-constrained-de",
-          "dlib-global-search", "nlopt-direct", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
-          "nlopt-esch", "nlopt-ags", "nlopt-mlsl-bobyqa", "nlopt-mlsl-slsqp", "nlopt-mlsl-lbfgs",
-          "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
-          "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-ccsaq", "nlopt-lbfgs",
-          "nlopt-var2", "nlopt-tnewton", "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx",
-          "nlopt-auglag-lbfgs", "nlopt-auglag-mma"));
+          "mads", "ipopt", "ipopt-tuned", "ipopt-exact", "continuation-ipopt-tuned", "ceres-lbfgs",
+          "ceres-trust-region", "pagmo-cmaes", "pagmo-cmaes-tuned", "pagmo-cmaes-ipop",
+          "pagmo-xnes", "pagmo-de", "pagmo-sade", "pagmo-de1220", "pagmo-gaco",
+          "pagmo-compass-search", "pagmo-constrained-de", "dlib-global-search", "nlopt-direct",
+          "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-ags",
+          "nlopt-mlsl-bobyqa", "nlopt-mlsl-slsqp", "nlopt-mlsl-lbfgs", "nlopt-cobyla",
+          "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx", "nlopt-slsqp",
+          "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-ccsaq", "nlopt-lbfgs", "nlopt-var2",
+          "nlopt-tnewton", "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx", "nlopt-auglag-lbfgs",
+          "nlopt-auglag-mma"));
 }
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {

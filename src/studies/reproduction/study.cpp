@@ -22,7 +22,7 @@ constexpr std::size_t samples_of_a_path = 600;
 /// One or two of every kind: with all solvers the comparison would take as long as all else.
 constexpr const char* compared_solvers =
     "bisection,golden-section,random-search,fireworks,fireworks-as-printed,fireworks-corrected,"
-    "lotfwa,plateau-search,mads,pagmo-cmaes-tuned,pagmo-sade,nlopt-cobyla,nlopt-direct-l,"
+    "lotfwa,mads,pagmo-cmaes-tuned,pagmo-sade,nlopt-cobyla,nlopt-direct-l,"
     "nlopt-crs2,nlopt-slsqp,continuation-nlopt-slsqp,ipopt-tuned,continuation-ipopt-tuned,"
     "ceres-lbfgs";
 

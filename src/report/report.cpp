@@ -14,6 +14,7 @@
 #include "embedded/template_fireworks.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_reproduction.h"
+#include "embedded/template_stress.h"
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
 #include "src/core/error.h"
@@ -23,11 +24,17 @@ namespace ricochet::report {
 namespace {
 
 constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"advice", embedded::template_advice},       {"calibration", embedded::template_calibration},
-    {"contest", embedded::template_contest},     {"dynamics", embedded::template_dynamics},
-    {"family", embedded::template_family},       {"fireworks", embedded::template_fireworks},
-    {"problems", embedded::template_problems},   {"reproduction", embedded::template_reproduction},
-    {"surrogate", embedded::template_surrogate}, {"verification", embedded::template_verification},
+    {"advice", embedded::template_advice},
+    {"calibration", embedded::template_calibration},
+    {"contest", embedded::template_contest},
+    {"dynamics", embedded::template_dynamics},
+    {"family", embedded::template_family},
+    {"fireworks", embedded::template_fireworks},
+    {"problems", embedded::template_problems},
+    {"reproduction", embedded::template_reproduction},
+    {"stress", embedded::template_stress},
+    {"surrogate", embedded::template_surrogate},
+    {"verification", embedded::template_verification},
 };
 
 constexpr const char* data_file = "data.json";

@@ -61,13 +61,14 @@ Json row_of(const RunRecord& record, const IllProblem& ill) {
           {"reasons", reasons_of(record)}};
 }
 
-/// A row a solver, with an entry for each problem; null where it does not take it.
+/// A row a solver, with an entry for each problem; its ending is null where it does not take it.
 Json compute(const std::vector<Solver>& solvers) {
   const std::vector<IllProblem> ills = stress::ill_problems();
   Json rows = Json::array();
   for (const Solver& solver : solvers) {
     rows.push_back({{"solver", solver.name}, {"endings", Json::array()}});
-    for (std::size_t k = 0; k < ills.size(); ++k) rows.back()["endings"].push_back(nullptr);
+    for (std::size_t k = 0; k < ills.size(); ++k)
+      rows.back()["endings"].push_back({{"ending", nullptr}});
   }
   std::map<std::string, int> kinds;
   Progress progress("solvers under stress", static_cast<double>(ills.size()));

@@ -7,6 +7,8 @@
 #include <csignal>
 
 #include "src/core/instance.h"
+#include "src/report/page_template.h"
+#include "src/report/report.h"
 #include "src/studies/stress/ill_problems.h"
 
 namespace ricochet::studies {
@@ -75,9 +77,19 @@ TEST(StressStudy, KeepsARecordOfEveryRunWhateverHappens) {
   EXPECT_EQ(ending(data, 0, "sleeps")["improvements"], 1);
   EXPECT_EQ(ending(data, 0, "budget-1")["kind"], "solved");
   EXPECT_EQ(ending(data, 0, "budget-0")["ending"], "spent 0");
-  EXPECT_TRUE(ending(data, 0, "infeasible").is_null());
+  EXPECT_TRUE(ending(data, 0, "infeasible")["ending"].is_null());
   EXPECT_THAT(ending(data, 1, "cliff")["ending"], StartsWith("crashed"));
   EXPECT_EQ(ending(data, 2, "cliff")["ending"], "ended at 0");
+}
+
+TEST(StressStudy, FillsItsPage) {
+  auto data = stress_study({lucky(), lazy()}).compute(false);
+  data["made"] = {{"version", "1"}, {"compiler", "c"}, {"threads", 2}, {"seconds", 1.5}};
+  const report::DrawnPage drawn = report::drawn(report::page_template("stress"), data);
+  const report::Table& table = drawn.page.sections.at(0).tables.at(0);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.columns.size(), 1 + data["problems"].size());
+  EXPECT_EQ(table.rows[0][1].text, "solved at 1");
 }
 
 TEST(IllProblems, AreAsTheySay) {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "problems/families.h"
+#include "src/cli/named.h"
 #include "src/cli/outside_run.h"
 #include "src/core/error.h"
 #include "src/core/instance.h"
-#include "src/core/near_names.h"
 #include "src/core/one_line.h"
 #include "src/report/json.h"
 
@@ -29,13 +29,8 @@ Question question_of(const EvaluateOptions& options) {
   if (options.scene_file == "-") {
     throw InputError("--scene -: must be a file, because standard input holds the points");
   }
-  std::vector<std::string> known;
-  for (const Question& question : every_question(all_families(options.scene_file))) {
-    if (question.name() == options.question) return question;
-    known.push_back(question.name());
-  }
-  throw InputError(fmt::format("{}: there is no such question; {}", options.question,
-                               what_instead(options.question, known)));
+  return named(every_question(all_families(options.scene_file)), options.question, "question",
+               [](const Question& question) { return question.name(); });
 }
 
 Json description_of(const Question& question, const Form& form, const Problem& problem) {

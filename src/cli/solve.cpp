@@ -13,9 +13,9 @@
 #include "solvers/outside/outside.h"
 #include "solvers/solvers.h"
 #include "src/campaign/runner.h"
+#include "src/cli/named.h"
 #include "src/core/error.h"
 #include "src/core/instance.h"
-#include "src/core/near_names.h"
 #include "src/core/text_file.h"
 #include "src/core/verdict.h"
 #include "src/report/gnuplot.h"
@@ -25,18 +25,6 @@ namespace ricochet::cli {
 namespace {
 
 using report::Json;
-
-/// The one of that name. Throws InputError, with `what` it should be, where there is none.
-template <class List, class NameOf>
-auto named(const List& list, const std::string& wanted, const char* what, NameOf name_of) {
-  std::vector<std::string> known;
-  for (const auto& entry : list) {
-    if (name_of(entry) == wanted) return entry;
-    known.push_back(name_of(entry));
-  }
-  throw InputError(
-      fmt::format("{}: there is no such {}; {}", wanted, what, what_instead(wanted, known)));
-}
 
 Solver solver_of(const std::string& wanted) {
   const std::optional<Solver> brought = outside::outside_solver(wanted);
@@ -58,7 +46,7 @@ Form form_of(const SolveOptions& options, const Question& question, const Solver
   }
   if (options.form.empty()) return accepted.front();
   return named(accepted, options.form,
-               fmt::format("form of {} that {} accepts", question.name(), solver.name).c_str(),
+               fmt::format("form of {} that {} accepts", question.name(), solver.name),
                [&](const Form& form) { return question.name_of(form); });
 }
 

@@ -99,9 +99,10 @@ std::optional<std::size_t> next_job(int descriptor) {
   try {
     while (const auto job = next_job(descriptor)) {
       const auto& [problem, solver, budget, number] = jobs[*job];
-      const RunRecord record = run(*problem, *solver, budget, number, [&](const Improvement& step) {
+      RunRecord record = run(*problem, *solver, budget, number, [&](const Improvement& step) {
         tell(descriptor, Head::Kind::improvement, text_of(step));
       });
+      record.trace.clear();  // told already
       tell(descriptor, Head::Kind::record, text_of(record));
     }
   } catch (...) {
@@ -211,7 +212,10 @@ std::string Worker::kill_and_wait() {
 }
 
 RunRecord Worker::record() {
-  if (record_) return *std::move(record_);
+  if (record_) {
+    record_->trace = std::move(trace_);
+    return *std::move(record_);
+  }
   const Job& job = jobs_[job_];
   RunRecord record = nothing_run(*job.problem, *job.solver, job.budget, job.number);
   record.ledger.charged = job.budget.evaluations;

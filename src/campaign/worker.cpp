@@ -58,6 +58,10 @@ void limit_memory(double megabytes) {
   setrlimit(RLIMIT_AS, &limit);
 }
 
+RunRecord nothing_run_of(const Job& job) {
+  return nothing_run(*job.problem, *job.solver, job.budget, job.number, job.shown);
+}
+
 /// Where nobody reads any more the process has no purpose.
 void write_all(int descriptor, const char* bytes, std::size_t count) {
   while (count > 0) {
@@ -86,6 +90,15 @@ std::optional<std::size_t> next_job(int descriptor) {
   return count == sizeof job ? std::optional(job) : std::nullopt;
 }
 
+RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on_improvement) {
+  const auto made_on = [&](const Problem& problem) {
+    return run(problem, *job.solver, job.budget, job.number, on_improvement, job.shown);
+  };
+  if (job.feature == nullptr) return made_on(*job.problem);
+  const std::uint64_t seed = nothing_run_of(job).seed;
+  return made_on(job.feature->perturbed(*job.problem, seed));
+}
+
 /// The life of the process.
 [[noreturn]] void work(const std::vector<Job>& jobs, const Limits& limits, pid_t parent,
                        int descriptor) {
@@ -98,8 +111,7 @@ std::optional<std::size_t> next_job(int descriptor) {
   dup2(STDERR_FILENO, STDOUT_FILENO);  // where a solver prints, it prints into no result
   try {
     while (const auto job = next_job(descriptor)) {
-      const auto& [problem, solver, budget, number] = jobs[*job];
-      RunRecord record = run(*problem, *solver, budget, number, [&](const Improvement& step) {
+      RunRecord record = make(jobs[*job], [&](const Improvement& step) {
         tell(descriptor, Head::Kind::improvement, text_of(step));
       });
       record.trace.clear();  // told already
@@ -217,7 +229,7 @@ RunRecord Worker::record() {
     return *std::move(record_);
   }
   const Job& job = jobs_[job_];
-  RunRecord record = nothing_run(*job.problem, *job.solver, job.budget, job.number);
+  RunRecord record = nothing_run_of(job);
   record.ledger.charged = job.budget.evaluations;
   record.trace = std::move(trace_);
   record.failure = kill_and_wait();

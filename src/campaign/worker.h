@@ -9,15 +9,18 @@
 #include <vector>
 
 #include "src/core/run.h"
+#include "src/features/feature.h"
 
 namespace ricochet {
 
-/// One run to be made; problem and solver outlive it.
+/// One run to be made; problem, solver and feature outlive it.
 struct Job {
   const Problem* problem;
   const Solver* solver;
   Budget budget;
   int number = 0;
+  std::string shown = {};            ///< how, where that goes into the seed: see seed_of
+  const Feature* feature = nullptr;  ///< that perturbs what the solver sees; null: none
 };
 
 /// What a run may take from the machine, whatever its budget: who takes more is killed.

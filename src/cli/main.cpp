@@ -9,6 +9,7 @@
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_file.h"
+#include "src/cli/campaign.h"
 #include "src/cli/command_line.h"
 #include "src/cli/completion.h"
 #include "src/cli/evaluate.h"
@@ -66,6 +67,9 @@ class Program : public CommandLine {
     add_scene();
     add_solve();
     add_compare();
+    add_plan();
+    add_run();
+    add_stores();
     add_evaluate();
     add_list();
     add_report();
@@ -205,6 +209,69 @@ class Program : public CommandLine {
     add_limits(command, contest_.limits);
   }
 
+  void add_plan() {
+    CLI::App* command = add("plan", "What a campaign runs: new, check FILE, slurm FILE",
+                            "  ricochet plan new > plan.toml\n"
+                            "  ricochet plan check plan.toml\n"
+                            "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
+    command->require_subcommand(1);
+    CLI::App* fresh = command->add_subcommand("new", "Prints a plan to start from");
+    on_call(fresh, [] { return new_plan(); });
+    CLI::App* check = command->add_subcommand("check", "What it would run, and for how long");
+    add_plan_file(check);
+    add_format(check, plan_json_);
+    on_call(check, [this] { return check_plan(run_.plan, plan_json_); });
+    CLI::App* slurm = command->add_subcommand("slurm", "Prints a script for the Slurm manager");
+    add_plan_file(slurm);
+    slurm->add_option("--jobs", slurm_jobs_, "So many, of one core each")->capture_default_str();
+    on_call(slurm, [this] { return slurm_script(run_.plan, slurm_jobs_); });
+  }
+
+  void add_plan_file(CLI::App* command) {
+    command->add_option("plan", run_.plan, "A plan, a TOML file; - reads it")
+        ->type_name("FILE")
+        ->required();
+  }
+
+  void add_run() {
+    CLI::App* command = add("run", "Carries out a plan; every finished run is kept at once",
+                            "  ricochet run plan.toml --out mine\n"
+                            "  ricochet run plan.toml --out mine --resume\n"
+                            "  ricochet run plan.toml --out part-3 --shard 3/8");
+    add_plan_file(command);
+    command->add_option("--out", run_.out, "Folder for its store, runs.sqlite")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    command->add_option("--shard", run_.shard, "Only the I-th of N shares of the runs")
+        ->type_name("I/N")
+        ->capture_default_str();
+    command->add_flag("--resume", run_.resume, "Go on with what is there");
+    command->add_option("--jobs", run_.jobs, "Runs at once; 0: one on every core")
+        ->capture_default_str();
+    on_call(command, [this] { return run_plan(run_); });
+  }
+
+  /// What can be done with a campaign's store.
+  void add_stores() {
+    CLI::App* merge = add("merge", "Joins the stores of a campaign's shards",
+                          "  ricochet merge runs.sqlite part-*/runs.sqlite");
+    merge->add_option("out", store_, "The new store")->type_name("FILE")->required();
+    merge->add_option("parts", store_parts_, "Stores of the same campaign")
+        ->type_name("FILE")
+        ->required();
+    on_call(merge, [this] { return merge_stores(store_parts_, store_); });
+    CLI::App* digest = add("digest", "What a store has in 16 digits, times left out",
+                           "  ricochet digest mine/runs.sqlite");
+    digest->add_option("store", store_, "")->type_name("FILE")->required();
+    on_call(digest, [this] { return print_digest(store_); });
+    CLI::App* again = add("replay", "A run of a store once more: is it the same, to the last bit?",
+                          "  ricochet replay mine/runs.sqlite 17");
+    again->add_option("store", store_, "")->type_name("FILE")->required();
+    again->add_option("run", replayed_, "Its number there")->required();
+    add_format(again, replay_json_);
+    on_call(again, [this] { return replay(store_, replayed_, replay_json_); });
+  }
+
   void add_evaluate() {
     CLI::App* command =
         add("evaluate", "A question for an optimiser outside: points in, values out, as JSON lines",
@@ -310,6 +377,13 @@ class Program : public CommandLine {
 
   SolveOptions solve_;
   studies::ContestOptions contest_;
+  RunOptions run_;
+  bool plan_json_ = false;
+  int slurm_jobs_ = 8;
+  std::string store_;
+  std::vector<std::string> store_parts_;
+  std::int64_t replayed_ = 0;
+  bool replay_json_ = false;
   EvaluateOptions evaluate_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;

@@ -25,6 +25,10 @@ Ledger Evaluator::ledger() {
   return ledger_;
 }
 
+std::int64_t Evaluator::gradient_price() const {
+  return budget_.gradient_price.value_or(problem_.dimension());
+}
+
 bool Evaluator::admits(const Vector& x, std::int64_t price) {
   if (!over()) {
     if (ledger_.charged + price > pause_) refusal_ = Refusal::paused;
@@ -88,6 +92,7 @@ void Evaluator::smooth(double width) {
 
 /// `known`: the values at x, or null where nobody has asked for them.
 void Evaluator::score(const Vector& x, const Values* known) {
+  if (known && std::isnan(known->objective)) return;
   Truth truth;
   if (known && !smoothed_ && !problem_.truth) {
     truth = truth_of(*known, problem_.equalities);
@@ -128,7 +133,7 @@ std::optional<Derivatives> Evaluator::derivatives(const Vector& x, Part part) {
   if (!over() && remembers(x) && derivatives_.has(part)) return derivatives_.told;
   const bool again = remembers(x) && derivatives_.told;
   const bool known = remembers(x) && values_.told && !again;
-  const std::int64_t price = problem_.dimension() + (known ? 0 : 1);
+  const std::int64_t price = gradient_price() + (known ? 0 : 1);
   if (!admits(x, price)) return std::nullopt;
   const bool done = guarded([&] {
     if (!shown().differentiate) throw std::logic_error(problem_.name + " has no derivatives");
@@ -147,7 +152,7 @@ std::optional<Derivatives> Evaluator::derivatives(const Vector& x, Part part) {
 std::optional<Matrix> Evaluator::lagrangian_hessian(const Vector& x, double objective_factor,
                                                     const Vector& multipliers) {
   const Eigen::Index n = problem_.dimension();
-  const std::int64_t price = n * (n + 1) / 2;
+  const std::int64_t price = std::max<std::int64_t>(1, gradient_price() * (n + 1) / 2);
   if (!admits(x, price)) return std::nullopt;
   std::optional<Matrix> hessian;
   const bool done = guarded([&] {
@@ -168,7 +173,7 @@ std::optional<Matrix> Evaluator::lagrangian_hessian(const Vector& x, double obje
 
 std::optional<Residuals> Evaluator::residuals(const Vector& x, Part part) {
   if (!over() && remembers(x) && residuals_.has(part)) return residuals_.told;
-  const std::int64_t price = 1 + problem_.dimension();
+  const std::int64_t price = 1 + gradient_price();
   if (!admits(x, price)) return std::nullopt;
   const bool done = guarded([&] {
     if (!shown().residuals) throw std::logic_error(problem_.name + " has no residuals");

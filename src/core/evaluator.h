@@ -17,6 +17,9 @@ namespace ricochet {
 struct Budget {
   std::int64_t evaluations = 1000;
   double seconds = std::numeric_limits<double>::infinity();
+  /// What a gradient is charged beside the value, in evaluations, >= 0; nothing: n. Jacobians come
+  /// with it, and a Hessian is charged (n + 1) / 2 times as much.
+  std::optional<std::int64_t> gradient_price = {};
 };
 
 /// Why the evaluator refuses.
@@ -44,7 +47,8 @@ struct Ledger {
   std::int64_t values = 0;       ///< calls of evaluate
   std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
   std::int64_t hessians = 0;     ///< calls of lagrangian_hessian
-  /// Evaluations: 1 for values, 1 + n for derivatives or residuals, n (n + 1) / 2 for a Hessian.
+  /// Evaluations: 1 for values, 1 + n for derivatives or residuals, n (n + 1) / 2 for a Hessian,
+  /// unless the budget has another price.
   std::int64_t charged = 0;
   std::int64_t refused = 0;  ///< calls that were refused
   double seconds = 0;        ///< processor time of the run, scoring left out
@@ -61,8 +65,8 @@ struct Improvement {
 /// The only one who counts, times, traces, and refuses when the budget is spent. Remembers the last
 /// point, so that a solver that asks separately for objective, constraints and gradient at one
 /// point pays once; who asks for the same of the same point again pays again. Every point is scored
-/// by its truth off the clock: the trace, never a solver's answer, tells what was reached; a truth
-/// that is not a number is no point reached. Points outside the box are evaluated at their
+/// by its truth off the clock: the trace, never a solver's answer, tells what was reached; where the
+/// truth, or the objective that the solver was told, is no number, no point was reached. Points outside the box are evaluated at their
 /// projection onto it.
 ///
 /// Nothing throws through a solver's frame: an exception of the problem is stored in `failure`, and
@@ -93,7 +97,7 @@ class Evaluator {
   std::optional<Residuals> residuals(const Vector& x, Part part = Part::everything);
 
   /// Problem::lagrangian_hessian at x, or nothing once the run is over; the problem must have it.
-  /// Charged n (n + 1) / 2. With value and gradient, 3, 21, 45 and 153 charged for 1, 5, 8 and 16
+  /// Charged n (n + 1) / 2, as long as a gradient is charged n, and never less than 1. With value and gradient, 3, 21, 45 and 153 charged for 1, 5, 8 and 16
   /// variables, a Hessian of the surrogates took as long as 3 to 4, 25, 28 and 95 values, measured.
   std::optional<Matrix> lagrangian_hessian(const Vector& x, double objective_factor,
                                            const Vector& multipliers);
@@ -138,6 +142,7 @@ class Evaluator {
     Vector x;
   };
 
+  std::int64_t gradient_price() const;
   bool admits(const Vector& x, std::int64_t price);
   bool remembers(const Vector& x) const { return has_point_ && point_ == x; }
   void move_to(const Vector& x);

@@ -53,6 +53,9 @@ void end_tidily_when_interrupted() {
   std::thread([waited_for] {
     int signal = 0;
     sigwait(&waited_for, &signal);
+    // Some, such as timeout(1), signal a program and then its whole group: this is no second wish.
+    const timespec echo{0, 50'000'000};
+    sigtimedwait(&waited_for, nullptr, &echo);
     pthread_sigmask(SIG_UNBLOCK, &waited_for, nullptr);
     end_interrupted(signal);
   }).detach();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +28,10 @@ struct Question {
   double penalty_weight = 1;  ///< > 0: the best point stays best where constraints are penalised
   double scan_step = 1e-3;    ///< of an exhaustive scan of the box, where there is one variable
   double cost = 1;            ///< simulations that an evaluation takes, about
+  /// What a gradient takes beside the value, in evaluations, about, measured; nothing: n.
+  std::optional<std::int64_t> gradient_cost = {};
+  /// What is varied from machine to machine, by name, e.g. "restitution".
+  std::map<std::string, double> factors = {};
 
   const std::string& name() const { return stated.name; }
 

@@ -66,20 +66,20 @@ std::exception_ptr hand_over(const Problem& problem, RunRecord& record) {
 }  // namespace
 
 RunRecord nothing_run(const Problem& problem, const Solver& solver, const Budget& budget,
-                      int number) {
+                      int number, std::string_view shown) {
   RunRecord record;
   record.problem = problem.name;
   record.solver = solver.name;
   record.instance = problem.instance;
   record.run = number;
-  record.seed = seed_of(problem.name, solver.name, problem.instance, number);
+  record.seed = seed_of(problem.name, solver.name, problem.instance, number, shown);
   record.budget = budget;
   return record;
 }
 
 RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number,
-              std::function<void(const Improvement&)> on_improvement) {
-  RunRecord record = nothing_run(problem, solver, budget, number);
+              std::function<void(const Improvement&)> on_improvement, std::string_view shown) {
+  RunRecord record = nothing_run(problem, solver, budget, number, shown);
   Random random(record.seed);
   Random starts(seed_of(problem.name, "start", problem.instance, number));
   Evaluator evaluator(problem, budget, std::move(on_improvement));

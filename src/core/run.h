@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "src/core/evaluator.h"
@@ -41,12 +42,14 @@ struct RunRecord {
 /// on problem, instance and run alone, so that all solvers get the same ones; the solver's
 /// randomness depends on the solver too. An exception ends the run and is recorded, never passed
 /// on.
-/// `on_improvement`, where there is one, is told at once of every point of the trace.
+/// `on_improvement`, where there is one, is told at once of every point of the trace. `shown` goes
+/// into the seed of the solver: see seed_of.
 RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number,
-              std::function<void(const Improvement&)> on_improvement = nullptr);
+              std::function<void(const Improvement&)> on_improvement = nullptr,
+              std::string_view shown = {});
 
 /// The record of a run of which nothing has been done yet.
 RunRecord nothing_run(const Problem& problem, const Solver& solver, const Budget& budget,
-                      int number);
+                      int number, std::string_view shown = {});
 
 }  // namespace ricochet

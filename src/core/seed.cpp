@@ -4,7 +4,8 @@
 
 namespace ricochet {
 
-std::uint64_t seed_of(std::string_view problem, std::string_view solver, int instance, int run) {
+std::uint64_t seed_of(std::string_view problem, std::string_view solver, int instance, int run,
+                      std::string_view shown) {
   // FNV-1a, 64 bit: offset basis and prime of the published algorithm.
   std::uint64_t hash = 14695981039346656037ULL;
   const auto add = [&hash](std::string_view text) {
@@ -17,6 +18,7 @@ std::uint64_t seed_of(std::string_view problem, std::string_view solver, int ins
   add(solver);
   add(std::to_string(instance));
   add(std::to_string(run));
+  if (!shown.empty()) add(shown);
   return hash;
 }
 

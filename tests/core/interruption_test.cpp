@@ -35,6 +35,19 @@ TEST(Interruption, EndsTheProgramTidily) {
   EXPECT_EXIT(interrupt_itself(SIGTERM), testing::ExitedWithCode(143), said);
 }
 
+TEST(Interruption, ThatReachesTheProgramAndItsGroupIsOne) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(
+      {
+        end_tidily_when_interrupted();
+        kill(getpid(), SIGINT);
+        usleep(10'000);
+        kill(getpid(), SIGINT);
+        sleep(10);
+      },
+      testing::ExitedWithCode(130), "^ricochet: interrupted\n$");
+}
+
 TEST(Interruption, ThatIsIgnoredStaysIgnored) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_EXIT(

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "embedded/best_known_text.h"
-#include "problems/carrier_track/scene/toml_table.h"
 #include "src/core/error.h"
+#include "src/core/toml_text.h"
 
 namespace ricochet::carrier_track::inline questions {
 namespace {

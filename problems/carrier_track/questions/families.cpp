@@ -40,12 +40,24 @@ Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
           of_each(machines, [risk](const Machine& m) { return robust_question(m, risk); })};
 }
 
+/// Of the machine that a question is asked of.
+std::map<std::string, double> factors_of(const std::vector<Machine>& machines,
+                                         const std::string& id) {
+  const auto machine = std::find_if(machines.begin(), machines.end(),
+                                    [&](const Machine& m) { return m.id == id; });
+  if (machine == machines.end()) return {};
+  const Scene& scene = machine->scene;
+  return {{"restitution", scene.restitution_lower},
+          {"friction", scene.friction},
+          {"disturbance", scene.disturbance}};
+}
+
 }  // namespace
 
 std::vector<Family> families_of(const std::vector<Machine>& machines) {
   std::vector<Machine> with_clearance;
   std::copy_if(machines.begin(), machines.end(), std::back_inserter(with_clearance), has_clearance);
-  return {
+  std::vector<Family> families = {
       {"count", of_each(machines, count_question)},
       {"top-speed", of_each(machines, top_speed_question)},
       {"profile-count", of_each_size(machines, profile_count_question)},
@@ -55,6 +67,12 @@ std::vector<Family> families_of(const std::vector<Machine>& machines) {
       robust_family(machines, RiskMeasure::worst),
       robust_family(machines, RiskMeasure::cvar),
   };
+  for (Family& family : families) {
+    for (Question& question : family.questions) {
+      question.factors = factors_of(machines, question.machine);
+    }
+  }
+  return families;
 }
 
 std::vector<Family> case_families() {

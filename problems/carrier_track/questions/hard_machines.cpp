@@ -8,8 +8,8 @@
 #include "problems/carrier_track/questions/speed_range.h"
 #include "problems/carrier_track/questions/top_speed.h"
 #include "problems/carrier_track/scene/scene_file.h"
-#include "problems/carrier_track/scene/toml_table.h"
 #include "src/core/error.h"
+#include "src/core/toml_text.h"
 
 namespace ricochet::carrier_track::inline questions {
 namespace {

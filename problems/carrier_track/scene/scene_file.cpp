@@ -17,6 +17,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/toml_table.h"
 #include "src/core/error.h"
+#include "src/core/toml_text.h"
 
 namespace ricochet::carrier_track::inline scene {
 namespace {

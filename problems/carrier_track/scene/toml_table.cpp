@@ -1,69 +1,11 @@
 #include "problems/carrier_track/scene/toml_table.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "src/core/error.h"
 #include "src/core/near_names.h"
 
 namespace ricochet::carrier_track::inline scene {
-namespace {
-
-/// Refuses a key of too many names. It is told by its dots, with something between them that can
-/// be no list of numbers; that it may stand in a text or a remark is no matter.
-void check_depth(const std::string& text, const std::string& origin) {
-  int names = 1;
-  bool named = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '.' && named) {
-      ++names;
-      named = false;
-    } else if (std::string_view(".=,[]{}\n").find(c) != std::string_view::npos) {
-      names = 1;
-      named = false;
-    } else if (c != ' ' && c != '\t') {
-      named = true;
-    }
-    if (names <= deepest_toml) continue;
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(i);
-    throw InputError(fmt::format("{}:{}: a key has more than {} names: must have at most so many",
-                                 origin, 1 + std::count(text.begin(), end, '\n'), deepest_toml));
-  }
-}
-
-}  // namespace
-
-toml::table parse_toml(const std::string& text, const std::string& origin) {
-  if (text.size() > longest_toml) {
-    throw InputError(fmt::format("{}: too long: must have at most {} bytes", origin, longest_toml));
-  }
-  check_depth(text, origin);
-  try {
-    return toml::parse(text, origin);
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not valid TOML: {}", origin, error.source().begin.line,
-                                 error.description()));
-  }
-}
-
-toml::table parse_toml_file(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (std::filesystem::is_directory(path) || !stream) {
-    throw InputError(fmt::format("{}: cannot be read: it must be a TOML file", path.string()));
-  }
-  std::string text(longest_toml + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_toml(text, path.string());
-}
-
-std::string toml_float(double x) {
-  const std::string text = fmt::format("{}", x);
-  return text.find_first_of(".einf") == std::string::npos ? text + ".0" : text;
-}
-
 TomlTable::TomlTable(const toml::table& file, std::string name, std::string origin)
     : name_(std::move(name)), origin_(std::move(origin)), table_(file[name_].as_table()) {}
 

@@ -5,10 +5,10 @@
 
 #include <sstream>
 
-#include "problems/carrier_track/scene/toml_table.h"
 #include "src/core/error.h"
 #include "src/core/seed.h"
 #include "src/core/text_file.h"
+#include "src/core/toml_text.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -80,7 +80,7 @@ FitStore::FitStore(std::filesystem::path file) : file_(std::move(file)) {
                          ": is no file of fits: must be one that ricochet calibrate wrote");
   toml::table root;
   try {
-    root = carrier_track::parse_toml_file(file_);
+    root = parse_toml_file(file_);
   } catch (const InputError&) {
     throw error;
   }

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/scene/toml_table.h"
+#include "src/core/toml_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "src/core/error.h"
 
-namespace ricochet::carrier_track {
+namespace ricochet {
 namespace {
 
 using testing::HasSubstr;
@@ -29,7 +29,7 @@ std::string key_of(int names) {
   return key;
 }
 
-TEST(TomlTable, RefusesAKeyOfTooManyNames) {
+TEST(TomlText, RefusesAKeyOfTooManyNames) {
   EXPECT_EQ(complaint_about("[" + key_of(deepest_toml) + "]"), "accepted");
   EXPECT_EQ(complaint_about(key_of(deepest_toml) + " = 1"), "accepted");
   for (const int names : {deepest_toml + 1, 50'000}) {
@@ -41,7 +41,7 @@ TEST(TomlTable, RefusesAKeyOfTooManyNames) {
   }
 }
 
-TEST(TomlTable, TakesKeysOfManyNamesOneInTheOther) {
+TEST(TomlText, TakesKeysOfManyNamesOneInTheOther) {
   // The deepest that the limits leave: the reader has one of its own for values within values.
   std::string text = "x = ";
   for (int i = 0; i < 250; ++i) text += "{" + key_of(deepest_toml) + " = ";
@@ -50,24 +50,24 @@ TEST(TomlTable, TakesKeysOfManyNamesOneInTheOther) {
   EXPECT_THAT(complaint_about("x = " + std::string(100'000, '[')), HasSubstr("nested"));
 }
 
-TEST(TomlTable, TakesNumbersAndRemarksWithAnyNumberOfDots) {
+TEST(TomlText, TakesNumbersAndRemarksWithAnyNumberOfDots) {
   std::string list = "x = [";
   for (int i = 0; i < 1000; ++i) list += "[0.5, 1.5], ";
   EXPECT_EQ(complaint_about(list + "]"), "accepted");
   EXPECT_EQ(complaint_about("x = 1  # " + std::string(200, '.')), "accepted");
 }
 
-TEST(TomlTable, RefusesATextThatIsTooLong) {
+TEST(TomlText, RefusesATextThatIsTooLong) {
   std::string text = "#" + std::string(longest_toml - 1, 'x');
   EXPECT_EQ(complaint_about(text), "accepted");
   EXPECT_EQ(complaint_about(text + "x"), "file: too long: must have at most 4000000 bytes");
 }
 
-TEST(TomlTable, ReadsNoMoreOfAFileThanItMayHave) {
+TEST(TomlText, ReadsNoMoreOfAFileThanItMayHave) {
   EXPECT_THROW(parse_toml_file("/dev/zero"), InputError);
   EXPECT_THROW(parse_toml_file("/"), InputError);
   EXPECT_TRUE(parse_toml_file("/dev/null").empty());
 }
 
 }  // namespace
-}  // namespace ricochet::carrier_track
+}  // namespace ricochet

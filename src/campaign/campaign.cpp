@@ -1,0 +1,292 @@
+#include "src/campaign/campaign.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "src/campaign/runner.h"
+#include "src/core/error.h"
+#include "src/core/instance.h"
+#include "src/core/near_names.h"
+
+namespace ricochet {
+namespace {
+
+bool fits(const std::string& name, const std::string& pattern) {
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+bool fits_any(const std::string& name, const std::vector<std::string>& patterns) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const std::string& pattern) { return fits(name, pattern); });
+}
+
+/// Refuses a pattern that fits none of the names.
+void check_patterns(const std::vector<std::string>& patterns, const std::vector<std::string>& names,
+                    const std::string& place) {
+  for (const std::string& pattern : patterns) {
+    const bool used = std::any_of(names.begin(), names.end(),
+                                  [&](const std::string& name) { return fits(name, pattern); });
+    if (used) continue;
+    throw InputError(fmt::format("{} {}: nothing fits; {}", place, pattern,
+                                 what_instead(pattern, names)));
+  }
+}
+
+std::vector<Form> forms_of(const Question& question, const PlanPart& part) {
+  std::vector<Form> forms = question.forms();
+  if (question.stated.smoothed) {
+    for (const double width : part.widths) {
+      for (const bool penalised : {false, true}) {
+        const Form form{width, penalised};
+        if (penalised && question.stated.constraints == 0) continue;
+        if (std::find(forms.begin(), forms.end(), form) == forms.end()) forms.push_back(form);
+      }
+    }
+  }
+  std::erase_if(forms, [&](const Form& f) { return !fits_any(question.name_of(f), part.forms); });
+  return forms;
+}
+
+std::optional<std::int64_t> gradient_price_of(const std::string& price, const Question& question) {
+  if (price == "n") return std::nullopt;
+  if (price == "measured") return question.gradient_cost;
+  return std::stoll(price);
+}
+
+struct Chosen {
+  const Question* question;
+  const std::string* family;
+};
+
+std::vector<Chosen> questions_of(const PlanPart& part, const std::vector<Family>& families,
+                                 const std::string& place) {
+  std::vector<Chosen> chosen;
+  std::vector<std::string> names;
+  for (const Family& family : families) {
+    for (const Question& question : family.questions) {
+      if (!question.stated.best_known) continue;
+      names.push_back(question.name());
+      const std::int64_t n = question.stated.dimension();
+      if (!fits_any(question.name(), part.questions)) continue;
+      if (n < part.least_variables || n > part.most_variables) continue;
+      if (part.constrained && *part.constrained != (question.stated.constraints > 0)) continue;
+      chosen.push_back({&question, &family.name});
+    }
+  }
+  check_patterns(part.questions, names, place + ", questions");
+  return chosen;
+}
+
+std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
+                               const std::string& place) {
+  std::vector<std::string> patterns;
+  std::vector<Solver> own;
+  std::vector<std::string> names;
+  for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
+  for (const std::string& text : part.solvers) {
+    if (auto solver = catalogue.own_solver ? catalogue.own_solver(text) : std::nullopt) {
+      if (std::find(names.begin(), names.end(), solver->name) != names.end()) {
+        throw InputError(fmt::format("{}, solvers {}: there is another solver of its name, {}",
+                                     place, text, solver->name));
+      }
+      names.push_back(solver->name);
+      own.push_back(*std::move(solver));
+    } else {
+      patterns.push_back(text);
+    }
+  }
+  check_patterns(patterns, names, place + ", solvers");
+  std::vector<Solver> chosen;
+  for (const Solver& solver : catalogue.solvers) {
+    if (fits_any(solver.name, patterns)) chosen.push_back(solver);
+  }
+  chosen.insert(chosen.end(), own.begin(), own.end());
+  return chosen;
+}
+
+std::vector<const Feature*> features_of(const PlanPart& part, const std::string& place) {
+  std::vector<const Feature*> chosen;
+  std::vector<std::string> names;
+  for (const Feature& feature : all_features()) {
+    names.push_back(feature.name);
+    if (fits_any(feature.name, part.features)) chosen.push_back(&feature);
+  }
+  check_patterns(part.features, names, place + ", features");
+  return chosen;
+}
+
+}  // namespace
+
+Campaign::Campaign(Plan plan, const Catalogue& catalogue) : plan_(std::move(plan)) {
+  for (std::size_t part = 0; part < plan_.parts.size(); ++part) add_part(part, catalogue);
+}
+
+std::size_t Campaign::index_of(const Question& question, const std::string& family) {
+  const auto place = std::find_if(questions_.begin(), questions_.end(), [&](const Question& q) {
+    return q.name() == question.name();
+  });
+  if (place == questions_.end()) {
+    questions_.push_back(question);
+    families_.push_back(family);
+    return questions_.size() - 1;
+  }
+  return static_cast<std::size_t>(place - questions_.begin());
+}
+
+std::size_t Campaign::index_of(const Solver& solver) {
+  const auto place = std::find_if(solvers_.begin(), solvers_.end(),
+                                  [&](const Solver& s) { return s.name == solver.name; });
+  if (place == solvers_.end()) {
+    solvers_.push_back(solver);
+    return solvers_.size() - 1;
+  }
+  return static_cast<std::size_t>(place - solvers_.begin());
+}
+
+void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
+  const PlanPart& part = plan_.parts[part_index];
+  const std::string place = fmt::format("part {}", part_index + 1);
+  const std::vector<Family> of_grid = part.machines.around.empty()
+                                          ? std::vector<Family>()
+                                          : catalogue.families_of(part.machines);
+  const auto chosen =
+      questions_of(part, part.machines.around.empty() ? catalogue.families : of_grid, place);
+  const std::vector<Solver> solvers = solvers_of(part, catalogue, place);
+  const std::vector<const Feature*> features = features_of(part, place);
+  bool any = false;
+  const auto add = [&](const Question& question, const std::string& family, const Form& form,
+                       const Feature& feature, const Solver& solver) {
+    for (const std::string& price : part.gradient_prices) {
+      for (const std::int64_t budget : part.budgets) {
+        const Cell cell{question.name(), question.name_of(form), feature.name,
+                        solver.name,     budget,                 price};
+        const auto [known, fresh] = places_.try_emplace(cell, cells_.size());
+        if (fresh) {
+          Budget spent{budget * question.stated.dimension()};
+          spent.gradient_price = gradient_price_of(price, question);
+          cells_.push_back({cell, index_of(question, family), form, &feature, index_of(solver),
+                            spent, part.instances, part.seeds, {}});
+        }
+        PlannedCell& planned = cells_[known->second];
+        planned.instances = std::max(planned.instances, part.instances);
+        planned.seeds = std::max(planned.seeds, part.seeds);
+        planned.parts.push_back(part_index);
+        any = true;
+      }
+    }
+  };
+  for (const auto& [question, family] : chosen) {
+    for (const Form& form : forms_of(*question, part)) {
+      const Problem problem = question->problem(form);
+      for (const Feature* feature : features) {
+        if (!feature->applies(problem)) continue;
+        const Problem seen = feature->perturbed(problem, 0);
+        for (const Solver& solver : solvers) {
+          if (solver.accepts(seen)) add(*question, *family, form, *feature, solver);
+        }
+      }
+    }
+  }
+  if (!any) {
+    throw InputError(fmt::format("{}: none of its solvers takes any of its questions in a form "
+                                 "and with a feature that it names",
+                                 place));
+  }
+}
+
+std::int64_t Campaign::runs() const {
+  std::int64_t runs = 0;
+  for (const PlannedCell& cell : cells_) runs += std::int64_t{cell.instances} * cell.seeds;
+  return runs;
+}
+
+double Campaign::work() const {
+  double work = 0;
+  for (const PlannedCell& cell : cells_) {
+    work += questions_[cell.question].cost * static_cast<double>(cell.budget.evaluations) *
+            cell.instances * cell.seeds;
+  }
+  return work;
+}
+
+CampaignDescription Campaign::description() const {
+  CampaignDescription description;
+  description.plan = text_of(plan_);
+  for (std::size_t q = 0; q < questions_.size(); ++q) {
+    const Question& question = questions_[q];
+    const Problem& stated = question.stated;
+    description.questions.push_back({question.name(), families_[q], question.machine,
+                                     stated.dimension(), stated.constraints, stated.equalities,
+                                     question.tolerance, *stated.best_known, question.factors});
+  }
+  for (const Solver& solver : solvers_) {
+    description.solvers.push_back({solver.name, solver.version});
+  }
+  return description;
+}
+
+PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
+                         const std::set<RunKey>& done) {
+  struct Place {
+    const PlannedCell* cell;
+    int instance, run;
+    double length;
+  };
+  std::vector<Place> places;
+  for (const PlannedCell& cell : campaign.cells()) {
+    const double length = campaign.questions()[cell.question].cost *
+                          static_cast<double>(cell.budget.evaluations);
+    for (int instance = 1; instance <= cell.instances; ++instance) {
+      for (int run = 0; run < cell.seeds; ++run) places.push_back({&cell, instance, run, length});
+    }
+  }
+  // The longest first: nobody waits for the last one.
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.length > b.length; });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i % static_cast<std::size_t>(shard.count) != static_cast<std::size_t>(shard.index - 1)) {
+      continue;
+    }
+    const auto& [cell, instance_number, run, length] = places[i];
+    RunKey key{cell->cell, instance_number, run};
+    if (done.count(key) > 0) continue;
+    auto& problem = problems_[{cell->question, cell->cell.form, instance_number}];
+    if (!problem) {
+      problem = std::make_unique<Problem>(instance(
+          campaign.questions()[cell->question].problem(cell->form), instance_number));
+    }
+    const Feature* feature = cell->cell.feature == "plain" ? nullptr : cell->feature;
+    const std::string shown =
+        feature == nullptr ? cell->cell.form : cell->cell.form + "/" + feature->name;
+    runs_.push_back({std::move(key),
+                     {problem.get(), &campaign.solvers()[cell->solver], cell->budget, run, shown,
+                      feature},
+                     length});
+  }
+}
+
+void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
+  const PlannedRuns planned(campaign, shard, store.keys());
+  std::vector<Job> jobs;
+  double work = 0;
+  for (const PlannedRun& run : planned.all()) {
+    jobs.push_back(run.job);
+    work += run.length;
+  }
+  const AtInterruption kept([] {}, "finished runs are kept: --resume goes on");
+  Progress progress("running", std::max(work, 1.0));
+  run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
+    {
+      const Uninterrupted whole;
+      store.add(planned.all()[j].key, record);
+    }
+    progress.advance(planned.all()[j].length);
+  });
+}
+
+}  // namespace ricochet

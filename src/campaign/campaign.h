@@ -1,0 +1,107 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/family.h"
+#include "src/campaign/plan.h"
+#include "src/campaign/progress.h"
+#include "src/campaign/store.h"
+#include "src/core/solver.h"
+
+namespace ricochet {
+
+/// What plans choose from.
+struct Catalogue {
+  std::vector<Family> families;
+  std::vector<Solver> solvers;
+  /// A solver of the user's own, a library or a program; nothing where the text names none.
+  std::function<std::optional<Solver>(const std::string&)> own_solver;
+  /// The families of questions asked of a grid of machines.
+  std::function<std::vector<Family>(const MachineGrid&)> families_of;
+};
+
+/// A cell of a campaign, and what it takes to make its runs.
+struct PlannedCell {
+  Cell cell;
+  std::size_t question;  ///< index into Campaign::questions
+  Form form;
+  const Feature* feature;
+  std::size_t solver;  ///< index into Campaign::solvers
+  Budget budget;
+  int instances;
+  int seeds;
+  std::vector<std::size_t> parts;  ///< of the plan, that ask for it
+};
+
+/// One of several programs that share a campaign's runs: the `index`-th of `count`, from 1.
+struct Shard {
+  int index = 1;
+  int count = 1;
+};
+
+/// A plan with all that it takes to carry it out.
+class Campaign {
+ public:
+  /// Throws InputError, naming part and key, for a pattern that nothing fits, and for a part of
+  /// which nothing is left to run. Questions whose best value is not known are never chosen.
+  Campaign(Plan plan, const Catalogue& catalogue);
+
+  const Plan& plan() const { return plan_; }
+  const std::vector<Question>& questions() const { return questions_; }
+  const std::vector<Solver>& solvers() const { return solvers_; }
+  const std::vector<PlannedCell>& cells() const { return cells_; }
+
+  /// The family that a question is of.
+  const std::string& family_of(std::size_t question) const { return families_[question]; }
+
+  std::int64_t runs() const;
+
+  /// Simulations that the runs take at most, about.
+  double work() const;
+
+  /// What its store is made with; `program` and `made` are the caller's to fill.
+  CampaignDescription description() const;
+
+ private:
+  std::size_t index_of(const Question& question, const std::string& family);
+  std::size_t index_of(const Solver& solver);
+  void add_part(std::size_t part, const Catalogue& catalogue);
+
+  Plan plan_;
+  std::vector<Question> questions_;
+  std::vector<std::string> families_;  ///< of the questions
+  std::vector<Solver> solvers_;
+  std::vector<PlannedCell> cells_;
+  std::map<Cell, std::size_t> places_;  ///< of the cells
+};
+
+/// A run of a campaign, ready to be made. It shares its problem with others.
+struct PlannedRun {
+  RunKey key;
+  Job job;
+  double length;  ///< of the run, about
+};
+
+/// The runs of a shard that are not in `done`, the longest first. Shards are disjoint and make up
+/// the whole, whatever is done.
+class PlannedRuns {
+ public:
+  PlannedRuns(const Campaign& campaign, const Shard& shard, const std::set<RunKey>& done);
+
+  const std::vector<PlannedRun>& all() const { return runs_; }
+
+ private:
+  std::map<std::tuple<std::size_t, std::string, int>, std::unique_ptr<Problem>> problems_;
+  std::vector<PlannedRun> runs_;
+};
+
+/// Makes the runs of a shard that the store lacks, in other processes, and adds each as it ends.
+/// What is in the store then does not depend on processes, shards and interruptions, but for times.
+void make_runs(const Campaign& campaign, const Shard& shard, Store& store);
+
+}  // namespace ricochet

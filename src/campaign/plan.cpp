@@ -1,0 +1,297 @@
+#include "src/campaign/plan.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <string_view>
+
+#include "src/core/error.h"
+#include "src/core/near_names.h"
+#include "src/core/toml_text.h"
+
+namespace ricochet {
+namespace {
+
+std::string text_of(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  return text.str();
+}
+
+/// A table of a plan, and where it stands.
+class PlanTable {
+ public:
+  PlanTable(const toml::table& table, std::string place) : table_(table), place_(std::move(place)) {}
+
+  /// Refuses keys that there are none of.
+  void check_keys(const std::vector<std::string>& known) const {
+    for (const auto& [key, node] : table_) {
+      const std::string name(key.str());
+      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      throw InputError(
+          fmt::format("{}: there is no key {}; {}", place_, name, what_instead(name, known)));
+    }
+  }
+
+  void need(std::string_view key) const {
+    if (!table_.contains(key)) throw InputError(fmt::format("{}: {} is missing", place_, key));
+  }
+
+  void read(std::string_view key, std::string& target) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) return;
+    if (!node->is_string()) refuse(key, *node, "a text");
+    target = node->as_string()->get();
+  }
+
+  void read(std::string_view key, double& target) const {
+    const toml::node* node = table_.get(key);
+    if (node != nullptr) target = positive(key, *node);
+  }
+
+  void read(std::string_view key, std::optional<bool>& target) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) return;
+    if (!node->is_boolean()) refuse(key, *node, "true or false");
+    target = node->as_boolean()->get();
+  }
+
+  void read(std::string_view key, int& target) const {
+    const toml::node* node = table_.get(key);
+    if (node != nullptr) target = static_cast<int>(whole(key, *node, 1, 1'000'000));
+  }
+
+  /// One text or a list of some.
+  void read(std::string_view key, std::vector<std::string>& target) const {
+    read_list(key, target, [&](const toml::node& node) {
+      if (!node.is_string() || node.as_string()->get().empty()) refuse(key, node, "texts");
+      return node.as_string()->get();
+    });
+  }
+
+  /// Texts, and whole numbers as such.
+  void read_prices(std::string_view key, std::vector<std::string>& target) const {
+    read_list(key, target, [&](const toml::node& node) -> std::string {
+      if (node.is_integer()) return std::to_string(whole(key, node, 0, 1'000'000'000));
+      if (node.is_string()) {
+        const std::string& price = node.as_string()->get();
+        if (price == "n" || price == "measured") return price;
+      }
+      refuse(key, node, "\"n\", \"measured\" or a whole number >= 0");
+    });
+  }
+
+  void read(std::string_view key, std::vector<double>& target, bool may_be_zero) const {
+    read_list(key, target, [&](const toml::node& node) {
+      return may_be_zero && node.value<double>() == 0 ? 0 : positive(key, node);
+    });
+  }
+
+  void read(std::string_view key, std::vector<std::int64_t>& target) const {
+    read_list(key, target,
+              [&](const toml::node& node) { return whole(key, node, 1, 1'000'000'000'000); });
+    if (!std::is_sorted(target.begin(), target.end(), std::less_equal<>())) {
+      throw InputError(fmt::format("{}: {} = [{}]: must rise", place_, key, fmt::join(target, ", ")));
+    }
+  }
+
+  [[noreturn]] void refuse(std::string_view key, const toml::node& node,
+                           std::string_view allowed) const {
+    throw InputError(fmt::format("{}: {} = {}: must be {}", place_, key, ricochet::text_of(node), allowed));
+  }
+
+ private:
+  double positive(std::string_view key, const toml::node& node) const {
+    const auto number = node.value<double>();
+    if (!number || !std::isfinite(*number) || *number <= 0) {
+      refuse(key, node, "finite numbers > 0");
+    }
+    return *number;
+  }
+
+  std::int64_t whole(std::string_view key, const toml::node& node, std::int64_t least,
+                     std::int64_t most) const {
+    const auto number = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+    if (!number || *number < least || *number > most) {
+      refuse(key, node, fmt::format("a whole number from {} to {}", least, most));
+    }
+    return *number;
+  }
+
+  template <class Entry, class Read>
+  void read_list(std::string_view key, std::vector<Entry>& target, Read read) const {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) return;
+    target.clear();
+    if (const toml::array* list = node->as_array()) {
+      for (const toml::node& entry : *list) target.push_back(read(entry));
+      auto sorted = target;
+      std::sort(sorted.begin(), sorted.end());
+      if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+        refuse(key, *node, "a list without repetitions");
+      }
+    } else {
+      target.push_back(read(*node));
+    }
+  }
+
+  const toml::table& table_;
+  std::string place_;
+};
+
+MachineGrid grid_from(const toml::table& table, const std::string& place) {
+  const PlanTable in(table, place);
+  in.check_keys({"around", "restitution", "friction", "disturbance"});
+  in.need("around");
+  MachineGrid grid;
+  in.read("around", grid.around);
+  in.read("restitution", grid.restitution, true);
+  in.read("friction", grid.friction, true);
+  in.read("disturbance", grid.disturbance, true);
+  return grid;
+}
+
+PlanPart part_from(const toml::table& table, const std::string& place) {
+  const PlanTable in(table, place);
+  in.check_keys({"questions", "machines", "variables", "constrained", "solvers", "forms", "widths",
+                 "features", "gradient_prices", "budgets", "instances", "seeds"});
+  for (const char* key : {"questions", "solvers", "budgets"}) in.need(key);
+  PlanPart part;
+  in.read("questions", part.questions);
+  if (const toml::node* machines = table.get("machines")) {
+    if (!machines->is_table()) in.refuse("machines", *machines, "a table");
+    part.machines = grid_from(*machines->as_table(), place + ", machines");
+  }
+  std::vector<std::int64_t> variables = {part.least_variables, part.most_variables};
+  in.read("variables", variables);
+  if (variables.size() > 2) in.refuse("variables", *table.get("variables"), "[least, most]");
+  part.least_variables = variables.front();
+  part.most_variables = variables.back();
+  in.read("constrained", part.constrained);
+  in.read("solvers", part.solvers);
+  in.read("forms", part.forms);
+  in.read("widths", part.widths, false);
+  in.read("features", part.features);
+  in.read_prices("gradient_prices", part.gradient_prices);
+  in.read("budgets", part.budgets);
+  in.read("instances", part.instances);
+  in.read("seeds", part.seeds);
+  for (const auto& [key, empty] :
+       {std::pair("questions", part.questions.empty()), std::pair("solvers", part.solvers.empty()),
+        std::pair("forms", part.forms.empty()), std::pair("features", part.features.empty()),
+        std::pair("gradient_prices", part.gradient_prices.empty()),
+        std::pair("budgets", part.budgets.empty())}) {
+    if (empty) in.refuse(key, *table.get(key), "a list of one or more");
+  }
+  return part;
+}
+
+Plan plan_of(const toml::table& file, const std::string& origin) {
+  const PlanTable in(file, origin);
+  in.check_keys({"name", "limits", "part"});
+  Plan plan;
+  in.read("name", plan.name);
+  if (const toml::node* limits = file.get("limits")) {
+    if (!limits->is_table()) in.refuse("limits", *limits, "a table");
+    const PlanTable table(*limits->as_table(), origin + ", limits");
+    table.check_keys({"seconds", "megabytes"});
+    table.read("seconds", plan.limits.seconds);
+    table.read("megabytes", plan.limits.megabytes);
+  }
+  in.need("part");
+  const toml::array* parts = file.get("part")->as_array();
+  if (parts == nullptr || !parts->is_array_of_tables() || parts->empty()) {
+    in.refuse("part", *file.get("part"), "one or more tables [[part]]");
+  }
+  for (const toml::node& part : *parts) {
+    plan.parts.push_back(part_from(
+        *part.as_table(),
+        fmt::format("{}:{}, part {}", origin, part.source().begin.line, plan.parts.size() + 1)));
+  }
+  return plan;
+}
+
+std::string quoted(const std::string& text) {
+  return text_of(toml::value<std::string>(text));
+}
+
+template <class List>
+std::string list_of(const List& list) {
+  std::vector<std::string> entries;
+  for (const auto& entry : list) {
+    using Entry = std::decay_t<decltype(entry)>;
+    if constexpr (std::is_same_v<Entry, std::string>) {
+      entries.push_back(quoted(entry));
+    } else if constexpr (std::is_same_v<Entry, double>) {
+      entries.push_back(toml_float(entry));
+    } else {
+      entries.push_back(std::to_string(entry));
+    }
+  }
+  return fmt::format("[{}]", fmt::join(entries, ", "));
+}
+
+std::string text_of(const PlanPart& part) {
+  std::string text = "\n[[part]]\n";
+  const auto line = [&](const char* key, const std::string& value) {
+    text += fmt::format("{} = {}\n", key, value);
+  };
+  const PlanPart usual;
+  line("questions", list_of(part.questions));
+  if (!part.machines.around.empty()) {
+    const MachineGrid& grid = part.machines;
+    std::string inside = "around = " + quoted(grid.around);
+    for (const auto& [key, values] :
+         {std::pair("restitution", &grid.restitution), std::pair("friction", &grid.friction),
+          std::pair("disturbance", &grid.disturbance)}) {
+      if (!values->empty()) inside += fmt::format(", {} = {}", key, list_of(*values));
+    }
+    line("machines", "{ " + inside + " }");
+  }
+  if (part.least_variables != usual.least_variables ||
+      part.most_variables != usual.most_variables) {
+    line("variables", part.least_variables == part.most_variables
+                          ? std::to_string(part.least_variables)
+                          : fmt::format("[{}, {}]", part.least_variables, part.most_variables));
+  }
+  if (part.constrained) line("constrained", *part.constrained ? "true" : "false");
+  line("solvers", list_of(part.solvers));
+  if (part.forms != usual.forms) line("forms", list_of(part.forms));
+  if (!part.widths.empty()) line("widths", list_of(part.widths));
+  if (part.features != usual.features) line("features", list_of(part.features));
+  if (part.gradient_prices != usual.gradient_prices) {
+    std::vector<std::string> prices;
+    for (const std::string& price : part.gradient_prices) {
+      prices.push_back(price == "n" || price == "measured" ? quoted(price) : price);
+    }
+    line("gradient_prices", fmt::format("[{}]", fmt::join(prices, ", ")));
+  }
+  line("budgets", list_of(part.budgets));
+  line("instances", std::to_string(part.instances));
+  if (part.seeds != usual.seeds) line("seeds", std::to_string(part.seeds));
+  return text;
+}
+
+}  // namespace
+
+Plan plan_from(const std::string& text, const std::string& origin) {
+  return plan_of(parse_toml(text, origin), origin);
+}
+
+Plan read_plan(const std::string& file) {
+  return plan_of(parse_toml_file(file == "-" ? "/dev/stdin" : file), file);
+}
+
+std::string text_of(const Plan& plan) {
+  std::string text =
+      fmt::format("name = {}\n\n[limits]\nseconds = {}\nmegabytes = {}\n", quoted(plan.name),
+                  toml_float(plan.limits.seconds), toml_float(plan.limits.megabytes));
+  for (const PlanPart& part : plan.parts) text += text_of(part);
+  return text;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,17 @@
+#include "src/studies/contest/catalogue.h"
+
+#include "problems/carrier_track/questions/machine_grid.h"
+#include "problems/families.h"
+#include "solvers/outside/outside.h"
+#include "solvers/solvers.h"
+
+namespace ricochet::studies {
+
+Catalogue whole_catalogue() {
+  return {all_families(), all_solvers(), outside::outside_solver, [](const MachineGrid& grid) {
+            return carrier_track::grid_families(grid.around, grid.restitution, grid.friction,
+                                                grid.disturbance);
+          }};
+}
+
+}  // namespace ricochet::studies

@@ -2,22 +2,18 @@
 
 #include <string>
 
+#include "src/core/fnv_hash.h"
+
 namespace ricochet {
 
 std::uint64_t seed_of(std::string_view problem, std::string_view solver, int instance, int run) {
-  // FNV-1a, 64 bit: offset basis and prime of the published algorithm.
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&hash](std::string_view text) {
-    for (const char c : text) {
-      hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    }
-    hash = (hash ^ 0xFFU) * 1099511628211ULL;
-  };
-  add(problem);
-  add(solver);
-  add(std::to_string(instance));
-  add(std::to_string(run));
-  return hash;
+  FnvHash hash;
+  for (const std::string_view text : {problem, solver, std::string_view(std::to_string(instance)),
+                                      std::string_view(std::to_string(run))}) {
+    hash.add(text);
+    hash.add("\xFF");
+  }
+  return hash.value();
 }
 
 }  // namespace ricochet

@@ -27,4 +27,7 @@ struct RunKey {
   auto operator<=>(const RunKey&) const = default;
 };
 
+/// In words, for messages.
+std::string name_of(const RunKey& key);
+
 }  // namespace ricochet

@@ -57,17 +57,19 @@ struct StoredRun {
   RunRecord record;
 };
 
-/// The runs of a campaign in one SQLite file. Every run is a transaction of its own, so that
-/// whenever the program or the machine dies, all runs added before are there. Only one process
-/// writes at a time; others may read meanwhile.
+/// The runs of a campaign in one SQLite file, whose tables are described in schema.sql. Every run
+/// is a transaction of its own: whenever the program is killed, all runs added before are there.
+/// Where the machine dies, too, the latest may be missing, and the file is whole. Only one process
+/// writes at a time; others may read meanwhile. A closed store is this one file; beside one that
+/// was killed are others, with its name and -wal, -shm, -lock, and the first belongs to it.
 class Store {
  public:
   /// Makes a new file. Throws InputError where there is one, or where there can be none.
   static Store create(const std::filesystem::path& file, const CampaignDescription& description);
 
   /// Opens a file to read it, or to add runs. Throws InputError for a file that is missing, damaged
-  /// (by SQLite's own integrity and foreign key checks), of another program, or of another version
-  /// of the schema; such a file stays untouched.
+  /// (by SQLite's own integrity and foreign key checks), of another program, of another version of
+  /// the schema, or to which another process adds runs at this moment; such a file stays untouched.
   enum class For { reading, adding };
   static Store open(const std::filesystem::path& file, For purpose);
 
@@ -77,9 +79,12 @@ class Store {
 
   const CampaignDescription& description() const;
 
-  /// Adds a run. Throws InputError where it is there already, OutputError where the disk takes no
-  /// more.
+  /// Adds a run. Throws InputError where it is there already, or of a question or solver that the
+  /// description lacks, OutputError where the disk takes no more; then all is as before.
   void add(const RunKey& key, const RunRecord& record);
+
+  // What reads runs throws InputError where it finds one that differs from what was added: each is
+  // kept with its checksum.
 
   /// The runs that are there.
   std::set<RunKey> keys() const;
@@ -103,7 +108,8 @@ class Store {
 
 /// Joins stores of parts of one campaign into a new file. Throws InputError, naming the file and
 /// what differs, where one is of another campaign, or where two have the same run with different
-/// results; then no file is made.
+/// results; then no file is made. What `made` the first is kept, as are the times of the first of
+/// two equal runs.
 void merge(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out);
 
 }  // namespace ricochet

@@ -1,0 +1,90 @@
+#include "src/campaign/draft_store.h"
+
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include "embedded/schema.h"
+#include "src/campaign/description_rows.h"
+#include "src/core/error.h"
+#include "src/core/text_file.h"
+
+namespace ricochet {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+[[noreturn]] void fail(const fs::path& file, int error) {
+  const std::string message =
+      fmt::format("{}: cannot be made: {}", file.string(), std::generic_category().message(error));
+  if (is_failure_of_the_system(error)) throw OutputError(message);
+  throw InputError(message);
+}
+
+}  // namespace
+
+DraftStore::DraftStore(fs::path file, const CampaignDescription& description)
+    : file_(std::move(file)), interrupted_([this] { discard(); }) {
+  static std::atomic<int> drafts = 0;
+  check_absent();
+  if (::access(folder_of(file_).c_str(), W_OK | X_OK) != 0) fail(file_, errno);
+  {
+    const Uninterrupted made_and_known;
+    do {  // the name may be that of a process which was killed
+      draft_ = folder_of(file_) / fmt::format(".ricochet.{}.{}.store.part", getpid(), drafts++);
+    } while (fs::exists(fs::symlink_status(draft_)));
+  }
+  try {
+    database_ = std::make_unique<SQLite::Database>(draft_.string(),
+                                                   SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    // If this process dies nobody wants the draft, nor a journal to take changes back.
+    database_->exec("PRAGMA journal_mode = MEMORY; PRAGMA foreign_keys = ON");
+    SQLite::Transaction all(*database_);
+    database_->exec(embedded::schema);
+    add_description(*database_, description);
+    all.commit();
+  } catch (const SQLite::Exception& error) {
+    discard();
+    throw OutputError(fmt::format("{}: cannot be made: {}", file_.string(), error.what()));
+  } catch (...) {
+    discard();
+    throw;
+  }
+}
+
+DraftStore::~DraftStore() {
+  discard();
+}
+
+void DraftStore::check_absent() const {
+  std::error_code none;
+  if (fs::exists(fs::symlink_status(file_, none))) fail(file_, EEXIST);
+}
+
+void DraftStore::discard() {
+  if (!draft_.empty()) ::unlink(draft_.c_str());
+}
+
+void DraftStore::place() {
+  database_.reset();
+  const Uninterrupted whole;
+  if (::link(draft_.c_str(), file_.c_str()) != 0) {
+    if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) fail(file_, errno);
+    check_absent();  // a file system without links
+    if (::rename(draft_.c_str(), file_.c_str()) != 0) fail(file_, errno);
+  }
+  discard();
+  draft_.clear();
+}
+
+}  // namespace ricochet

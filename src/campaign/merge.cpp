@@ -1,0 +1,61 @@
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+
+#include "src/campaign/draft_store.h"
+#include "src/campaign/run_rows.h"
+#include "src/campaign/store.h"
+#include "src/campaign/stored_parts.h"
+#include "src/core/error.h"
+#include "src/core/text_file.h"
+
+namespace ricochet {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_same(const fs::path& first, const CampaignDescription& ours, const fs::path& part,
+                const CampaignDescription& theirs) {
+  const std::string differs = difference(parts_of(ours), parts_of(theirs));
+  if (differs.empty()) return;
+  throw InputError(fmt::format("{}: is of another campaign than {}, from which it differs in {}",
+                               part.string(), first.string(), differs));
+}
+
+void add(RunRows& rows, const StoredRun& run, const fs::path& part) {
+  const auto there = rows.find(run.key);
+  if (!there) return rows.add(run.key, run.record);
+  const std::string differs = difference(parts_of(there->record), parts_of(run.record));
+  if (differs.empty()) return;
+  throw InputError(fmt::format("{}: {} differs in {} from what a file before it has", part.string(),
+                               name_of(run.key), differs));
+}
+
+}  // namespace
+
+void merge(const std::vector<fs::path>& parts, const fs::path& out) {
+  if (parts.empty()) throw InputError(fmt::format("{}: there is nothing to merge", out.string()));
+  Store store = Store::open(parts[0], Store::For::reading);
+  const CampaignDescription description = store.description();
+  DraftStore draft(out, description);
+  try {
+    SQLite::Transaction all(draft.database());
+    RunRows rows(draft.database());
+    for (const fs::path& part : parts) {
+      if (part != parts[0]) store = Store::open(part, Store::For::reading);
+      check_same(parts[0], description, part, store.description());
+      store.each([&](const StoredRun& run) {
+        try {
+          add(rows, run, part);
+        } catch (const SQLite::Exception& error) {  // of the draft, not of the part
+          throw OutputError(fmt::format("{}: cannot be written: {}", out.string(), error.what()));
+        }
+      });
+    }
+    all.commit();
+  } catch (const SQLite::Exception& error) {
+    throw OutputError(fmt::format("{}: cannot be written: {}", out.string(), error.what()));
+  }
+  draft.place();
+}
+
+}  // namespace ricochet

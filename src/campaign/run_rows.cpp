@@ -1,0 +1,230 @@
+#include "src/campaign/run_rows.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "src/campaign/stored_parts.h"
+#include "src/core/error.h"
+
+namespace ricochet {
+namespace {
+
+/// All of a run but its number.
+constexpr const char* columns =
+    "cell, instance, run, problem, solver_name, own_instance, own_run, seed, evaluations_allowed, "
+    "seconds_allowed, values_asked, derivatives_asked, hessians_asked, charged, refused, seconds, "
+    "refusal, failure, best_x, handed_x, handed_objective, handed_violation, checksum";
+
+std::string runs_where(const char* condition) {
+  return fmt::format("SELECT {}, number FROM run WHERE {}", columns, condition);
+}
+
+std::optional<std::int64_t> first_number(Use& use) {
+  if (!use.next()) return std::nullopt;
+  return use.integer(0);
+}
+
+}  // namespace
+
+RunRows::RunRows(SQLite::Database& database)
+    : database_(database),
+      number_of_question_(database, "SELECT number FROM question WHERE name = ?"),
+      number_of_solver_(database, "SELECT number FROM solver WHERE name = ?"),
+      number_of_cell_(database,
+                      "SELECT number FROM cell WHERE question = ? AND form = ? AND feature = ? AND "
+                      "solver = ? AND budget = ? AND gradient_price = ?"),
+      number_of_reason_(database, "SELECT number FROM reason WHERE text = ?"),
+      add_cell_(database,
+                "INSERT INTO cell (question, form, feature, solver, budget, gradient_price) "
+                "VALUES (?, ?, ?, ?, ?, ?)"),
+      add_reason_(database, "INSERT INTO reason (text) VALUES (?)"),
+      add_run_(database, fmt::format("INSERT INTO run ({}) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+                                     "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                                     columns)),
+      add_improvement_(database, "INSERT INTO improvement VALUES (?, ?, ?, ?, ?, ?)"),
+      add_exit_(database, "INSERT INTO exit VALUES (?, ?, ?, ?)"),
+      cells_there_(database,
+                   "SELECT question.name, form, feature, solver.name, budget, gradient_price, "
+                   "cell.number FROM cell JOIN question ON question.number = cell.question "
+                   "JOIN solver ON solver.number = cell.solver"),
+      keys_of_cell_(database,
+                    "SELECT instance, run FROM run WHERE cell = ? ORDER BY instance, run"),
+      runs_there_(database, "SELECT count(*) FROM run"),
+      runs_of_cell_(database, runs_where("cell = ? ORDER BY instance, run")),
+      run_of_number_(database, runs_where("number = ?")),
+      run_of_key_(database, runs_where("cell = ? AND instance = ? AND run = ?")),
+      trace_(database,
+             "SELECT evaluations, seconds, objective, violation FROM improvement WHERE run = ? "
+             "ORDER BY step"),
+      exits_(database,
+             "SELECT reason.text, starts FROM exit JOIN reason ON reason.number = exit.reason "
+             "WHERE run = ? ORDER BY step") {}
+
+void RunRows::forget() {
+  cells_.clear();
+  reasons_.clear();
+}
+
+std::optional<std::int64_t> RunRows::known_cell(const Cell& cell) {
+  if (const auto known = cells_.find(cell); known != cells_.end()) return known->second;
+  const auto question = first_number(Use(number_of_question_).with(cell.question));
+  if (!question) throw InputError("the campaign has no question " + cell.question);
+  const auto solver = first_number(Use(number_of_solver_).with(cell.solver));
+  if (!solver) throw InputError("the campaign has no solver " + cell.solver);
+  const auto number = first_number(
+      Use(number_of_cell_)
+          .with(*question, cell.form, cell.feature, *solver, cell.budget, cell.gradient_price));
+  if (number) cells_[cell] = *number;
+  return number;
+}
+
+std::int64_t RunRows::cell(const Cell& cell) {
+  if (const auto known = known_cell(cell)) return *known;
+  const auto question = first_number(Use(number_of_question_).with(cell.question));
+  const auto solver = first_number(Use(number_of_solver_).with(cell.solver));
+  Use(add_cell_)
+      .with(*question, cell.form, cell.feature, *solver, cell.budget, cell.gradient_price)
+      .execute();
+  return cells_[cell] = database_.getLastInsertRowid();
+}
+
+std::int64_t RunRows::reason(const std::string& text) {
+  if (const auto known = reasons_.find(text); known != reasons_.end()) return known->second;
+  if (const auto number = first_number(Use(number_of_reason_).with(text))) {
+    return reasons_[text] = *number;
+  }
+  Use(add_reason_).with(text).execute();
+  return reasons_[text] = database_.getLastInsertRowid();
+}
+
+void RunRows::add(const RunKey& key, const RunRecord& record) {
+  const std::vector<RepeatedExit> exits = repeated(record.exits);
+  const Ledger& ledger = record.ledger;
+  const Vector* best_x = record.trace.empty() ? nullptr : &record.trace.back().x;
+  const HandedOver* over = record.handed_over ? &*record.handed_over : nullptr;
+  Use(add_run_)
+      .with(cell(key.cell), key.instance, key.run, record.problem, record.solver, record.instance,
+            record.run, static_cast<std::int64_t>(record.seed), record.budget.evaluations,
+            record.budget.seconds, ledger.values, ledger.derivatives, ledger.hessians,
+            ledger.charged, ledger.refused, ledger.seconds, static_cast<int>(record.refusal),
+            record.failure, best_x, over != nullptr ? &over->x : nullptr,
+            over != nullptr ? &over->truth.objective : nullptr,
+            over != nullptr ? &over->truth.violation : nullptr,
+            static_cast<std::int64_t>(checksum(key, record, exits)))
+      .execute();
+  const std::int64_t run = database_.getLastInsertRowid();
+  std::int64_t step = 0;
+  for (const Improvement& one : record.trace) {
+    Use(add_improvement_)
+        .with(run, step++, one.evaluations, one.seconds, one.truth.objective, one.truth.violation)
+        .execute();
+  }
+  step = 0;
+  for (const RepeatedExit& exit : exits) {
+    Use(add_exit_).with(run, step++, reason(exit.reason), exit.starts).execute();
+  }
+}
+
+std::map<Cell, std::int64_t> RunRows::cells() {
+  std::map<Cell, std::int64_t> cells;
+  Use row(cells_there_);
+  while (row.next()) {
+    const Cell cell = {row.text(0), row.text(1),    row.text(2),
+                       row.text(3), row.integer(4), row.text(5)};
+    cells[cell] = row.integer(6);
+  }
+  return cells;
+}
+
+std::set<RunKey> RunRows::keys() {
+  std::set<RunKey> keys;
+  for (const auto& [cell, number] : cells()) {
+    Use row(keys_of_cell_);
+    row.with(number);
+    while (row.next()) {
+      const auto instance = static_cast<int>(row.integer(0));
+      keys.insert(keys.end(), {cell, instance, static_cast<int>(row.integer(1))});
+    }
+  }
+  return keys;
+}
+
+std::int64_t RunRows::size() {
+  Use row(runs_there_);
+  return first_number(row).value();
+}
+
+void RunRows::each(const std::function<void(const StoredRun&)>& use) {
+  for (const auto& [cell, number] : cells()) {
+    Use row(runs_of_cell_);
+    row.with(number);
+    while (row.next()) use(read(row, cell));
+  }
+}
+
+std::optional<StoredRun> RunRows::find(std::int64_t number) {
+  Use row(run_of_number_);
+  if (!row.with(number).next()) return std::nullopt;
+  const std::int64_t number_of_cell = row.integer(0);
+  for (const auto& [cell, its_number] : cells()) {
+    if (its_number == number_of_cell) return read(row, cell);
+  }
+  throw Damage(fmt::format("run {} is of no cell", number));
+}
+
+std::optional<StoredRun> RunRows::find(const RunKey& key) {
+  const auto number = known_cell(key.cell);
+  if (!number) return std::nullopt;
+  Use row(run_of_key_);
+  if (!row.with(*number, key.instance, key.run).next()) return std::nullopt;
+  return read(row, key.cell);
+}
+
+StoredRun RunRows::read(const Use& row, const Cell& cell) {
+  const auto small = [&row](int column) { return static_cast<int>(row.integer(column)); };
+  StoredRun stored = {row.integer(23), {cell, small(1), small(2)}, {}};
+  RunRecord& record = stored.record;
+  record.problem = row.text(3);
+  record.solver = row.text(4);
+  record.instance = small(5);
+  record.run = small(6);
+  record.seed = static_cast<std::uint64_t>(row.integer(7));
+  record.budget = {row.integer(8), row.number(9)};
+  record.ledger = {row.integer(10), row.integer(11), row.integer(12),
+                   row.integer(13), row.integer(14), row.number(15)};
+  record.refusal = static_cast<Refusal>(row.integer(16));
+  record.failure = row.text(17);
+  record.trace = trace(stored.number);
+  if (!record.trace.empty()) record.trace.back().x = row.point(18);
+  if (!row.is_null(19)) {
+    record.handed_over = HandedOver{row.point(19), {row.number(20), row.number(21)}};
+  }
+  const std::vector<RepeatedExit> ended = exits(stored.number);
+  // Before the exits are written out: the number of starts may be the damage.
+  if (static_cast<std::uint64_t>(row.integer(22)) != checksum(stored.key, record, ended)) {
+    throw Damage(fmt::format("run {} is not what was added", stored.number));
+  }
+  record.exits = expanded(ended);
+  return stored;
+}
+
+std::vector<Improvement> RunRows::trace(std::int64_t run) {
+  std::vector<Improvement> trace;
+  Use row(trace_);
+  row.with(run);
+  while (row.next()) {
+    trace.push_back({row.integer(0), row.number(1), {row.number(2), row.number(3)}, {}});
+  }
+  return trace;
+}
+
+std::vector<RepeatedExit> RunRows::exits(std::int64_t run) {
+  std::vector<RepeatedExit> exits;
+  Use row(exits_);
+  row.with(run);
+  while (row.next()) exits.push_back({row.text(0), row.integer(1)});
+  return exits;
+}
+
+}  // namespace ricochet

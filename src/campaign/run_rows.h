@@ -1,0 +1,58 @@
+#pragma once
+
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "src/campaign/repeated_exits.h"
+#include "src/campaign/sqlite_values.h"
+#include "src/campaign/store.h"
+
+namespace ricochet {
+
+/// The runs in the tables of schema.sql. The caller opens transactions. Throws Damage where a run
+/// was changed since it was added, and what SQLite throws.
+class RunRows {
+ public:
+  /// The database outlives it.
+  explicit RunRows(SQLite::Database& database);
+
+  /// Throws InputError where question or solver is none of the campaign. After a failure, forget().
+  void add(const RunKey& key, const RunRecord& record);
+
+  /// What was looked up, of which a transaction that is taken back has made some.
+  void forget();
+
+  std::set<RunKey> keys();
+  std::int64_t size();
+  void each(const std::function<void(const StoredRun&)>& use);
+  std::optional<StoredRun> find(std::int64_t number);
+  std::optional<StoredRun> find(const RunKey& key);
+
+ private:
+  std::map<Cell, std::int64_t> cells();
+  std::optional<std::int64_t> known_cell(const Cell& cell);
+  std::int64_t cell(const Cell& cell);
+  std::int64_t reason(const std::string& text);
+  StoredRun read(const Use& row, const Cell& cell);
+  std::vector<Improvement> trace(std::int64_t run);
+  std::vector<RepeatedExit> exits(std::int64_t run);
+
+  SQLite::Database& database_;
+  std::map<Cell, std::int64_t> cells_;
+  std::map<std::string, std::int64_t> reasons_;
+
+  SQLite::Statement number_of_question_, number_of_solver_, number_of_cell_, number_of_reason_;
+  SQLite::Statement add_cell_, add_reason_, add_run_, add_improvement_, add_exit_;
+  SQLite::Statement cells_there_, keys_of_cell_, runs_there_;
+  SQLite::Statement runs_of_cell_, run_of_number_, run_of_key_, trace_, exits_;
+};
+
+}  // namespace ricochet

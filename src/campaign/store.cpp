@@ -1,0 +1,120 @@
+#include "src/campaign/store.h"
+
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <utility>
+
+#include "src/campaign/description_rows.h"
+#include "src/campaign/draft_store.h"
+#include "src/campaign/run_rows.h"
+#include "src/campaign/store_file.h"
+#include "src/campaign/stored_parts.h"
+#include "src/campaign/writer_lock.h"
+#include "src/core/error.h"
+#include "src/core/text_file.h"
+
+namespace ricochet {
+
+namespace fs = std::filesystem;
+
+struct Store::Database {
+  fs::path file;
+  std::unique_ptr<WriterLock> lock;  // nothing where it is only read
+  std::unique_ptr<SQLite::Database> connection;
+  CampaignDescription description;
+  std::unique_ptr<RunRows> rows;
+
+  ~Database() {
+    rows.reset();
+    if (lock && connection) close(std::move(connection));
+  }
+
+  /// All that `work` reads is from one moment.
+  template <class Work>
+  auto reading(const Work& work) const {
+    try {
+      const SQLite::Transaction moment(*connection);
+      return work();
+    } catch (const SQLite::Exception& error) {
+      throw InputError(fmt::format("{}: cannot be read: {}", file.string(), error.what()));
+    } catch (const Damage& error) {
+      throw InputError(fmt::format("{}: is damaged: {}", file.string(), error.what()));
+    }
+  }
+};
+
+Store::Store(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+Store::~Store() = default;
+
+Store Store::create(const fs::path& file, const CampaignDescription& description) {
+  DraftStore(file, description).place();
+  return open(file, For::adding);
+}
+
+Store Store::open(const fs::path& file, For purpose) {
+  auto database = std::make_unique<Database>();
+  database->file = file;
+  if (purpose == For::reading) {
+    database->connection = opened_for_reading(file);
+  } else {
+    check_is_store(file);
+    database->lock = std::make_unique<WriterLock>(file);
+    database->connection = opened_for_adding(file);
+  }
+  database->reading([&] {
+    database->description = description_in(*database->connection);
+    database->rows = std::make_unique<RunRows>(*database->connection);
+  });
+  return Store(std::move(database));
+}
+
+const CampaignDescription& Store::description() const {
+  return database_->description;
+}
+
+void Store::add(const RunKey& key, const RunRecord& record) {
+  RunRows& rows = *database_->rows;
+  try {
+    SQLite::Transaction transaction(*database_->connection, SQLite::TransactionBehavior::IMMEDIATE);
+    rows.add(key, record);
+    transaction.commit();
+  } catch (const SQLite::Exception& error) {
+    rows.forget();
+    const std::string file = database_->file.string();
+    if (error.getExtendedErrorCode() == SQLITE_CONSTRAINT_UNIQUE) {
+      throw InputError(fmt::format("{}: {} is there already", file, name_of(key)));
+    }
+    throw OutputError(fmt::format("{}: cannot be written: {}", file, error.what()));
+  } catch (...) {
+    rows.forget();
+    throw;
+  }
+}
+
+std::set<RunKey> Store::keys() const {
+  return database_->reading([this] { return database_->rows->keys(); });
+}
+
+std::int64_t Store::size() const {
+  return database_->reading([this] { return database_->rows->size(); });
+}
+
+void Store::each(const std::function<void(const StoredRun&)>& use) const {
+  database_->reading([&] { database_->rows->each(use); });
+}
+
+std::optional<StoredRun> Store::find(std::int64_t number) const {
+  return database_->reading([&] { return database_->rows->find(number); });
+}
+
+std::string Store::digest() const {
+  Digest digest(description());
+  each([&digest](const StoredRun& run) { digest.add(run.key, run.record); });
+  return digest.text();
+}
+
+}  // namespace ricochet

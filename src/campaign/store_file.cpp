@@ -1,0 +1,181 @@
+#include "src/campaign/store_file.h"
+
+#include <SQLiteCpp/Statement.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <cerrno>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "embedded/schema.h"
+#include "src/campaign/sqlite_values.h"
+#include "src/core/error.h"
+
+namespace ricochet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int patience = 10'000;  // [ms], with others who have the file locked at this moment
+constexpr const char* first_look = "SELECT count(*) FROM sqlite_schema";
+
+std::unique_ptr<SQLite::Database> opened(const fs::path& file, int flags) {
+  return std::make_unique<SQLite::Database>(file.string(), flags, patience);
+}
+
+/// Opens it as SQLite does what cannot change: with no lock, no recovery and no file beside it.
+std::unique_ptr<SQLite::Database> opened_as_it_is(const fs::path& file) {
+  std::string address = "file:";
+  for (const char c : fs::canonical(file).string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    address +=
+        std::isalnum(byte) != 0 || c == '/' ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return opened(address + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+}
+
+/// Before SQLite opens it: it would wait for who writes to a pipe, and take an empty file for a
+/// database without tables.
+void check_kind(const fs::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0 || ::access(file.c_str(), R_OK) != 0) {
+    throw InputError(fmt::format("{}: cannot be read: {}", file.string(),
+                                 std::generic_category().message(errno)));
+  }
+  if (!S_ISREG(status.st_mode)) throw Damage("it is no file, but a folder, device or pipe");
+  if (status.st_size == 0) throw Damage("it is empty");
+}
+
+std::int64_t pragma(const SQLite::Database& database, const char* name) {
+  SQLite::Statement statement(database, std::string("PRAGMA ") + name);
+  Use row(statement);
+  return row.next() ? row.integer(0) : 0;
+}
+
+/// Types, names and texts of what the schema defines.
+std::set<std::tuple<std::string, std::string, std::string>> tables(
+    const SQLite::Database& database) {
+  std::set<std::tuple<std::string, std::string, std::string>> tables;
+  SQLite::Statement statement(database, "SELECT type, name, coalesce(sql, '') FROM sqlite_schema");
+  Use row(statement);
+  while (row.next()) tables.emplace(row.text(0), row.text(1), row.text(2));
+  return tables;
+}
+
+std::unique_ptr<SQLite::Database> empty_store() {
+  auto store = opened(":memory:", SQLite::OPEN_READWRITE);
+  store->exec(embedded::schema);
+  return store;
+}
+
+void check_identity(const fs::path& file, const SQLite::Database& model) {
+  check_kind(file);
+  const auto as_it_is = opened_as_it_is(file);
+  const SQLite::Database& database = *as_it_is;
+  if (pragma(database, "application_id") != pragma(model, "application_id")) {
+    throw Damage("another program made it");
+  }
+  const std::int64_t version = pragma(database, "user_version");
+  const std::int64_t ours = pragma(model, "user_version");
+  if (version != ours) {
+    throw Damage(
+        fmt::format("its tables are of version {}, this program knows version {}", version, ours));
+  }
+}
+
+void check_whole(const SQLite::Database& database, const SQLite::Database& model) {
+  const auto there = tables(database);
+  for (const auto& table : tables(model)) {
+    if (!there.contains(table)) throw Damage("it lacks the table or view " + std::get<1>(table));
+  }
+  SQLite::Statement integrity(database, "PRAGMA integrity_check(1)");
+  Use finding(integrity);
+  if (!finding.next() || finding.text(0) != "ok") throw Damage("it is damaged");
+  SQLite::Statement references(database, "PRAGMA foreign_key_check");
+  Use astray(references);
+  if (astray.next()) throw Damage("it is damaged: a row of " + astray.text(0) + " is astray");
+}
+
+bool has_pending_changes(const fs::path& file) {
+  std::error_code none;
+  const fs::path log = fs::canonical(file).string() + "-wal";
+  return fs::exists(log, none) && fs::file_size(log, none) > 0;
+}
+
+/// The database as readers see it, once its identity is known.
+std::unique_ptr<SQLite::Database> readable(const fs::path& file) {
+  auto database = opened(file, SQLite::OPEN_READONLY);
+  if (database->tryExec(first_look) == SQLITE_OK) return database;
+  const int error = database->getErrorCode();
+  const int reason = database->getExtendedErrorCode();
+  database.reset();
+  if (reason == SQLITE_READONLY_ROLLBACK || reason == SQLITE_READONLY_RECOVERY) {
+    // It was killed in the moment in which it is given the form in which it is closed.
+    opened(file, SQLite::OPEN_READWRITE)->tryExec(first_look);
+    return opened(file, SQLite::OPEN_READONLY);
+  }
+  // Where nothing can be written a store that was not closed cannot be shared.
+  if ((error == SQLITE_CANTOPEN || error == SQLITE_READONLY) && !has_pending_changes(file)) {
+    return opened_as_it_is(file);
+  }
+  return opened(file, SQLite::OPEN_READONLY);  // whose first use tells the error
+}
+
+std::unique_ptr<SQLite::Database> checked(const fs::path& file) {
+  const auto model = empty_store();
+  check_identity(file, *model);
+  auto database = readable(file);
+  check_whole(*database, *model);
+  return database;
+}
+
+std::unique_ptr<SQLite::Database> writable(const fs::path& file) {
+  auto database = opened(file, SQLite::OPEN_READWRITE);
+  const std::string mode = database->execAndGet("PRAGMA journal_mode = WAL").getString();
+  if (mode != "wal") throw Damage("nothing can be written there");
+  database->exec("PRAGMA synchronous = NORMAL; PRAGMA foreign_keys = ON");
+  return database;
+}
+
+template <class Work>
+auto explained(const fs::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    throw InputError(
+        fmt::format("{}: cannot be opened as a campaign: {}", file.string(), error.what()));
+  } catch (const Damage& error) {
+    throw InputError(
+        fmt::format("{}: cannot be opened as a campaign: {}", file.string(), error.what()));
+  }
+}
+
+}  // namespace
+
+void check_is_store(const fs::path& file) {
+  explained(file, [&] { check_identity(file, *empty_store()); });
+}
+
+std::unique_ptr<SQLite::Database> opened_for_reading(const fs::path& file) {
+  return explained(file, [&] { return checked(file); });
+}
+
+std::unique_ptr<SQLite::Database> opened_for_adding(const fs::path& file) {
+  opened_for_reading(file).reset();
+  return explained(file, [&] { return writable(file); });
+}
+
+void close(std::unique_ptr<SQLite::Database> database) {
+  database->tryExec("PRAGMA busy_timeout = 0; PRAGMA wal_checkpoint(TRUNCATE)");
+  database->tryExec("PRAGMA journal_mode = DELETE");
+}
+
+}  // namespace ricochet

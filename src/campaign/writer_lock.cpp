@@ -1,0 +1,50 @@
+#include "src/campaign/writer_lock.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "src/core/error.h"
+
+namespace ricochet {
+
+WriterLock::WriterLock(const std::filesystem::path& file)
+    : lock_(std::filesystem::canonical(file).string() + "-lock") {
+  for (;;) {
+    descriptor_ =
+        ::open(lock_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      throw InputError(fmt::format("{}: cannot be written to: {}: {}", file.string(),
+                                   lock_.string(), std::generic_category().message(errno)));
+    }
+    // Where a file system has no locks there is none.
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw InputError(fmt::format(
+          "{}: another ricochet adds runs to it: wait until it ends, or give another file",
+          file.string()));
+    }
+    if (is_there()) return;
+    ::close(descriptor_);  // who had it before took it away meanwhile
+  }
+}
+
+WriterLock::~WriterLock() {
+  ::unlink(lock_.c_str());
+  ::flock(descriptor_, LOCK_UN);  // for processes that were forked, too
+  ::close(descriptor_);
+}
+
+bool WriterLock::is_there() const {
+  struct stat ours {};
+  struct stat there {};
+  return ::fstat(descriptor_, &ours) == 0 && ::stat(lock_.c_str(), &there) == 0 &&
+         ours.st_dev == there.st_dev && ours.st_ino == there.st_ino;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+namespace ricochet {
+
+/// That no other process writes to the file as long as this lives: a lock on a file beside it, with
+/// -lock after its name. A lock on the file itself would end SQLite's own when it is given back.
+class WriterLock {
+ public:
+  /// Throws InputError where another has it, or where nothing can be made beside the file.
+  explicit WriterLock(const std::filesystem::path& file);
+  ~WriterLock();
+  WriterLock(const WriterLock&) = delete;
+  WriterLock& operator=(const WriterLock&) = delete;
+
+ private:
+  bool is_there() const;
+
+  std::filesystem::path lock_;
+  int descriptor_;
+};
+
+}  // namespace ricochet

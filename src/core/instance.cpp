@@ -66,20 +66,6 @@ Box box_around_best(const Problem& problem, Random& random) {
   return box;
 }
 
-/// A random orthogonal matrix, of the uniform (Haar) distribution: normal columns, made orthogonal
-/// one after the other, twice for the sake of rounding.
-Matrix random_turn(Eigen::Index n, Random& random) {
-  Matrix turn = normal(n * n, random).reshaped(n, n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    Vector column = turn.col(k);
-    for (int pass = 0; pass < 2; ++pass) {
-      for (Eigen::Index j = 0; j < k; ++j) column -= turn.col(j).dot(column) * turn.col(j);
-    }
-    turn.col(k) = column.normalized();
-  }
-  return turn;
-}
-
 /// The problem with its functions in the frame's coordinates, and all else as it was.
 Problem seen_through(const Frame& frame, const Problem& problem) {
   const auto original = std::make_shared<const Problem>(problem);

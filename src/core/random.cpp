@@ -26,4 +26,17 @@ Vector normal(Eigen::Index size, Random& random) {
   return drawn;
 }
 
+Matrix random_turn(Eigen::Index n, Random& random) {
+  // Normal columns, made orthogonal one after the other, twice for the sake of rounding.
+  Matrix turn = normal(n * n, random).reshaped(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    Vector column = turn.col(k);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (Eigen::Index j = 0; j < k; ++j) column -= turn.col(j).dot(column) * turn.col(j);
+    }
+    turn.col(k) = column.normalized();
+  }
+  return turn;
+}
+
 }  // namespace ricochet

@@ -18,4 +18,7 @@ double uniform(Random& random);
 /// Bray, SIAM Review 6 (1964) 260, doi 10.1137/1006063).
 Vector normal(Eigen::Index size, Random& random);
 
+/// A random orthogonal matrix, of the uniform (Haar) distribution.
+Matrix random_turn(Eigen::Index n, Random& random);
+
 }  // namespace ricochet

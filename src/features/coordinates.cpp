@@ -1,0 +1,193 @@
+#include "src/features/coordinates.h"
+
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "src/core/random.h"
+#include "src/features/draws.h"
+#include "src/features/perturbation.h"
+
+namespace ricochet {
+namespace {
+
+/// A linear map that keeps lengths, from a problem's own coordinates to those that are shown.
+/// Columns are vectors.
+class Turn {
+ public:
+  Turn() = default;
+  virtual ~Turn() = default;
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+  virtual Matrix shown(const Matrix& own) const = 0;
+  virtual Vector own(const Vector& shown) const = 0;
+};
+
+/// Coordinate i that is shown is signs[i] times the problem's own coordinate order[i].
+class SignedOrder : public Turn {
+ public:
+  SignedOrder(std::vector<Eigen::Index> order, Vector signs)
+      : order_(std::move(order)), signs_(std::move(signs)) {}
+
+  Matrix shown(const Matrix& own) const override {
+    Matrix result(own.rows(), own.cols());
+    for (Eigen::Index i = 0; i < own.rows(); ++i) result.row(i) = signs_[i] * own.row(at(i));
+    return result;
+  }
+  Vector own(const Vector& shown) const override {
+    Vector result(shown.size());
+    for (Eigen::Index i = 0; i < shown.size(); ++i) result[at(i)] = signs_[i] * shown[i];
+    return result;
+  }
+
+ private:
+  Eigen::Index at(Eigen::Index i) const { return order_[static_cast<std::size_t>(i)]; }
+
+  std::vector<Eigen::Index> order_;
+  Vector signs_;
+};
+
+class Rotation : public Turn {
+ public:
+  explicit Rotation(Matrix matrix) : matrix_(std::move(matrix)) {}
+
+  Matrix shown(const Matrix& own) const override { return matrix_ * own; }
+  Vector own(const Vector& shown) const override { return matrix_.transpose() * shown; }
+
+ private:
+  Matrix matrix_;
+};
+
+/// Turned about a centre, which stays where it is.
+struct Frame {
+  std::shared_ptr<const Turn> turn;
+  Vector centre;
+
+  Vector own(const Vector& x) const { return centre + turn->own(x - centre); }
+  Vector shown(const Vector& own) const { return centre + turn->shown(own - centre); }
+};
+
+class Turned : public Perturbation {
+ public:
+  explicit Turned(Frame frame) : frame_(std::move(frame)) {}
+
+  Values values(const Problem& shown, const Vector& x) override {
+    return shown.evaluate(frame_.own(x));
+  }
+  Derivatives derivatives(const Problem& shown, const Vector& x) override {
+    Derivatives told = shown.differentiate(frame_.own(x));
+    told.gradient = turned(told.gradient);
+    told.jacobian = turned(told.jacobian.transpose()).transpose();
+    return told;
+  }
+  Residuals residuals(const Problem& shown, const Vector& x) override {
+    Residuals told = shown.residuals(frame_.own(x));
+    told.jacobian = turned(told.jacobian.transpose()).transpose();
+    return told;
+  }
+  Matrix hessian(const Problem& shown, const Vector& x, double objective_factor,
+                 const Vector& multipliers) override {
+    const Matrix own = shown.lagrangian_hessian(frame_.own(x), objective_factor, multipliers);
+    return turned(turned(own).transpose());
+  }
+  Truth truth(const Problem& shown, const Vector& x) override { return shown.truth(frame_.own(x)); }
+
+ private:
+  Matrix turned(const Matrix& own) const { return frame_.turn->shown(own); }
+
+  Frame frame_;
+};
+
+/// All but the box and the names of the variables, which the turn may or may not keep.
+Problem functions_in(const Frame& frame, const Problem& shown) {
+  Problem result = perturbed_by(std::make_shared<Turned>(frame), shown);
+  result.start = frame.shown(shown.start);
+  if (shown.best_point) result.best_point = frame.shown(*shown.best_point);
+  return result;
+}
+
+Problem in_signed_order(const std::vector<Eigen::Index>& order, const Vector& signs,
+                        const Problem& shown) {
+  const Frame frame{std::make_shared<SignedOrder>(order, signs), Vector::Zero(signs.size())};
+  Problem result = functions_in(frame, shown);
+  const Vector a = frame.shown(shown.lower);
+  const Vector b = frame.shown(shown.upper);
+  result.lower = a.cwiseMin(b);
+  result.upper = a.cwiseMax(b);
+  for (std::size_t i = 0; i < shown.variables.size(); ++i) {
+    result.variables[i] = shown.variables[static_cast<std::size_t>(order[i])];
+  }
+  if (shown.smoothed) {
+    result.smoothed = [smoothed = shown.smoothed, order, signs](double width) {
+      return in_signed_order(order, signs, smoothed(width));
+    };
+  }
+  return result;
+}
+
+Problem in_rotation(const Frame& frame, const Problem& shown) {
+  Problem result = functions_in(frame, shown);
+  result.lower = shown.lower.cwiseMin(result.start);
+  result.upper = shown.upper.cwiseMax(result.start);
+  result.variables.clear();
+  if (shown.smoothed) {
+    result.smoothed = [smoothed = shown.smoothed, frame](double width) {
+      return in_rotation(frame, smoothed(width));
+    };
+  }
+  return result;
+}
+
+std::vector<Eigen::Index> as_stated(Eigen::Index n) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  return order;
+}
+
+/// Uniform in 0 to below - 1.
+std::size_t drawn_below(std::size_t below, Draws& draws) {
+  return static_cast<std::size_t>(draws.uniform() * static_cast<double>(below));
+}
+
+}  // namespace
+
+Feature permuted() {
+  return {"permuted", "the variables come in another order, none where it was",
+          [](const Problem& problem) { return problem.dimension() > 1; },
+          [](const Problem& shown, std::uint64_t seed) {
+            Draws draws(key_of(seed, "permuted"));
+            std::vector<Eigen::Index> order = as_stated(shown.dimension());
+            for (std::size_t k = order.size() - 1; k > 0; --k) {
+              std::swap(order[k], order[drawn_below(k, draws)]);
+            }
+            return in_signed_order(order, Vector::Ones(shown.dimension()), shown);
+          }};
+}
+
+Feature reflected() {
+  return {"reflected", "variables, each with probability 1/2 and one at least, change their sign",
+          [](const Problem&) { return true; },
+          [](const Problem& shown, std::uint64_t seed) {
+            Draws draws(key_of(seed, "reflected"));
+            const Eigen::Index n = shown.dimension();
+            Vector signs(n);
+            for (double& sign : signs) sign = draws.uniform() < 0.5 ? -1 : 1;
+            signs[static_cast<Eigen::Index>(drawn_below(static_cast<std::size_t>(n), draws))] = -1;
+            return in_signed_order(as_stated(n), signs, shown);
+          }};
+}
+
+Feature rotated() {
+  return {"rotated", "turned about the best point by a uniformly random orthogonal matrix",
+          [](const Problem& problem) { return problem.rotates && problem.dimension() > 1; },
+          [](const Problem& shown, std::uint64_t seed) {
+            Random random(key_of(seed, "rotated"));
+            const Frame frame{std::make_shared<Rotation>(random_turn(shown.dimension(), random)),
+                              shown.best_point.value()};
+            return in_rotation(frame, shown);
+          }};
+}
+
+}  // namespace ricochet

@@ -32,8 +32,8 @@ void check_patterns(const std::vector<std::string>& patterns, const std::vector<
     const bool used = std::any_of(names.begin(), names.end(),
                                   [&](const std::string& name) { return fits(name, pattern); });
     if (used) continue;
-    throw InputError(fmt::format("{} {}: nothing fits; {}", place, pattern,
-                                 what_instead(pattern, names)));
+    throw InputError(
+        fmt::format("{} {}: nothing fits; {}", place, pattern, what_instead(pattern, names)));
   }
 }
 
@@ -127,9 +127,8 @@ Campaign::Campaign(Plan plan, const Catalogue& catalogue) : plan_(std::move(plan
 }
 
 std::size_t Campaign::index_of(const Question& question, const std::string& family) {
-  const auto place = std::find_if(questions_.begin(), questions_.end(), [&](const Question& q) {
-    return q.name() == question.name();
-  });
+  const auto place = std::find_if(questions_.begin(), questions_.end(),
+                                  [&](const Question& q) { return q.name() == question.name(); });
   if (place == questions_.end()) {
     questions_.push_back(question);
     families_.push_back(family);
@@ -151,9 +150,8 @@ std::size_t Campaign::index_of(const Solver& solver) {
 void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
   const PlanPart& part = plan_.parts[part_index];
   const std::string place = fmt::format("part {}", part_index + 1);
-  const std::vector<Family> of_grid = part.machines.around.empty()
-                                          ? std::vector<Family>()
-                                          : catalogue.families_of(part.machines);
+  const std::vector<Family> of_grid =
+      part.machines.around.empty() ? std::vector<Family>() : catalogue.families_of(part.machines);
   const auto chosen =
       questions_of(part, part.machines.around.empty() ? catalogue.families : of_grid, place);
   const std::vector<Solver> solvers = solvers_of(part, catalogue, place);
@@ -163,14 +161,21 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
                        const Feature& feature, const Solver& solver) {
     for (const std::string& price : part.gradient_prices) {
       for (const std::int64_t budget : part.budgets) {
-        const Cell cell{question.name(), question.name_of(form), feature.name,
-                        solver.name,     budget,                 price};
+        const Cell cell{
+            question.name(), question.name_of(form), feature.name, solver.name, budget, price};
         const auto [known, fresh] = places_.try_emplace(cell, cells_.size());
         if (fresh) {
           Budget spent{budget * question.stated.dimension()};
           spent.gradient_price = gradient_price_of(price, question);
-          cells_.push_back({cell, index_of(question, family), form, &feature, index_of(solver),
-                            spent, part.instances, part.seeds, {}});
+          cells_.push_back({cell,
+                            index_of(question, family),
+                            form,
+                            &feature,
+                            index_of(solver),
+                            spent,
+                            part.instances,
+                            part.seeds,
+                            {}});
         }
         PlannedCell& planned = cells_[known->second];
         planned.instances = std::max(planned.instances, part.instances);
@@ -193,9 +198,10 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
     }
   }
   if (!any) {
-    throw InputError(fmt::format("{}: none of its solvers takes any of its questions in a form "
-                                 "and with a feature that it names",
-                                 place));
+    throw InputError(
+        fmt::format("{}: none of its solvers takes any of its questions in a form "
+                    "and with a feature that it names",
+                    place));
   }
 }
 
@@ -239,8 +245,8 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
   };
   std::vector<Place> places;
   for (const PlannedCell& cell : campaign.cells()) {
-    const double length = campaign.questions()[cell.question].cost *
-                          static_cast<double>(cell.budget.evaluations);
+    const double length =
+        campaign.questions()[cell.question].cost * static_cast<double>(cell.budget.evaluations);
     for (int instance = 1; instance <= cell.instances; ++instance) {
       for (int run = 0; run < cell.seeds; ++run) places.push_back({&cell, instance, run, length});
     }
@@ -257,16 +263,16 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
     if (done.count(key) > 0) continue;
     auto& problem = problems_[{cell->question, cell->cell.form, instance_number}];
     if (!problem) {
-      problem = std::make_unique<Problem>(instance(
-          campaign.questions()[cell->question].problem(cell->form), instance_number));
+      problem = std::make_unique<Problem>(
+          instance(campaign.questions()[cell->question].problem(cell->form), instance_number));
     }
     const Feature* feature = cell->cell.feature == "plain" ? nullptr : cell->feature;
     const std::string shown =
         feature == nullptr ? cell->cell.form : cell->cell.form + "/" + feature->name;
-    runs_.push_back({std::move(key),
-                     {problem.get(), &campaign.solvers()[cell->solver], cell->budget, run, shown,
-                      feature},
-                     length});
+    runs_.push_back(
+        {std::move(key),
+         {problem.get(), &campaign.solvers()[cell->solver], cell->budget, run, shown, feature},
+         length});
   }
 }
 

@@ -53,8 +53,8 @@ double foretold_seconds(const Campaign& campaign) {
   std::vector<double> of_solver(jobs.size());
   run_all(jobs, campaign.plan().limits, [&](std::size_t s, const RunRecord& record) {
     const auto evaluations = static_cast<double>(std::max<std::int64_t>(1, record.ledger.charged));
-    of_solver[s] = std::max(
-        0.0, record.ledger.seconds / evaluations - of_question[shortest[s]->question]);
+    of_solver[s] =
+        std::max(0.0, record.ledger.seconds / evaluations - of_question[shortest[s]->question]);
   });
   double seconds = 0;
   for (const PlannedCell& cell : cells) {

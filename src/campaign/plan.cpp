@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <string_view>
 
 #include "src/core/error.h"
@@ -16,7 +16,7 @@
 namespace ricochet {
 namespace {
 
-std::string text_of(const toml::node& node) {
+std::string shown(const toml::node& node) {
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
   return text.str();
@@ -25,7 +25,8 @@ std::string text_of(const toml::node& node) {
 /// A table of a plan, and where it stands.
 class PlanTable {
  public:
-  PlanTable(const toml::table& table, std::string place) : table_(table), place_(std::move(place)) {}
+  PlanTable(const toml::table& table, std::string place)
+      : table_(table), place_(std::move(place)) {}
 
   /// Refuses keys that there are none of.
   void check_keys(const std::vector<std::string>& known) const {
@@ -95,13 +96,14 @@ class PlanTable {
     read_list(key, target,
               [&](const toml::node& node) { return whole(key, node, 1, 1'000'000'000'000); });
     if (!std::is_sorted(target.begin(), target.end(), std::less_equal<>())) {
-      throw InputError(fmt::format("{}: {} = [{}]: must rise", place_, key, fmt::join(target, ", ")));
+      throw InputError(
+          fmt::format("{}: {} = [{}]: must rise", place_, key, fmt::join(target, ", ")));
     }
   }
 
   [[noreturn]] void refuse(std::string_view key, const toml::node& node,
                            std::string_view allowed) const {
-    throw InputError(fmt::format("{}: {} = {}: must be {}", place_, key, ricochet::text_of(node), allowed));
+    throw InputError(fmt::format("{}: {} = {}: must be {}", place_, key, shown(node), allowed));
   }
 
  private:
@@ -216,7 +218,7 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
 }
 
 std::string quoted(const std::string& text) {
-  return text_of(toml::value<std::string>(text));
+  return shown(toml::value<std::string>(text));
 }
 
 template <class List>

@@ -21,19 +21,19 @@ struct MachineGrid {
 /// A part of a plan: everything that is named, crossed with everything else. Patterns are those of
 /// a shell.
 struct PlanPart {
-  std::vector<std::string> questions;    ///< patterns of names
-  MachineGrid machines;                  ///< that they are asked of, in place of the suite's
-  std::int64_t least_variables = 1;      ///< of questions
+  std::vector<std::string> questions;  ///< patterns of names
+  MachineGrid machines;                ///< that they are asked of, in place of the suite's
+  std::int64_t least_variables = 1;    ///< of questions
   std::int64_t most_variables = 1'000'000;
-  std::optional<bool> constrained;       ///< only questions that are, or that are not
-  std::vector<std::string> solvers;      ///< patterns, or a solver of the user's own
+  std::optional<bool> constrained;   ///< only questions that are, or that are not
+  std::vector<std::string> solvers;  ///< patterns, or a solver of the user's own
   std::vector<std::string> forms = {"*"};
-  std::vector<double> widths = {};       ///< of surrogates, beside the usual one; > 0
-  std::vector<std::string> features = {"plain"};      ///< patterns; see all_features
-  std::vector<std::string> gradient_prices = {"n"};   ///< "n", "measured" or evaluations
-  std::vector<std::int64_t> budgets;     ///< evaluations for each variable, rising
-  int instances = 15;                    ///< 1, 2, ...
-  int seeds = 1;                         ///< runs on every instance
+  std::vector<double> widths = {};                   ///< of surrogates, beside the usual one; > 0
+  std::vector<std::string> features = {"plain"};     ///< patterns; see all_features
+  std::vector<std::string> gradient_prices = {"n"};  ///< "n", "measured" or evaluations
+  std::vector<std::int64_t> budgets;                 ///< evaluations for each variable, rising
+  int instances = 15;                                ///< 1, 2, ...
+  int seeds = 1;                                     ///< runs on every instance
 
   bool operator==(const PlanPart&) const = default;
 };

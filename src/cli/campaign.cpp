@@ -18,6 +18,7 @@
 #include "embedded/slurm_template.h"
 #include "src/campaign/forecast.h"
 #include "src/campaign/runner.h"
+#include "src/campaign/stored_parts.h"
 #include "src/cli/version.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"
@@ -78,8 +79,8 @@ Shard shard_of(const std::string& text) {
     const char* middle = text.data() + slash;
     const auto first = std::from_chars(text.data(), middle, shard.index);
     const auto second = std::from_chars(middle + 1, end, shard.count);
-    const bool read = first.ec == std::errc() && first.ptr == middle &&
-                      second.ec == std::errc() && second.ptr == end;
+    const bool read = first.ec == std::errc() && first.ptr == middle && second.ec == std::errc() &&
+                      second.ptr == end;
     if (read && shard.index >= 1 && shard.index <= shard.count) return shard;
   }
   throw InputError(
@@ -115,7 +116,8 @@ Store store_to_resume(const std::filesystem::path& file, const CampaignDescripti
   const char* what = theirs.plan != description.plan         ? "of another plan"
                      : theirs.program != description.program ? "made by another program"
                                                              : "of other questions or solvers";
-  throw InputError(fmt::format("{}: is {}: --resume goes on with what it began", file.string(), what));
+  throw InputError(
+      fmt::format("{}: is {}: --resume goes on with what it began", file.string(), what));
 }
 
 }  // namespace
@@ -155,8 +157,9 @@ int run_plan(const RunOptions& options) {
   const auto file = std::filesystem::path(options.out) / "runs.sqlite";
   const bool there = std::filesystem::exists(file);
   if (there && !options.resume) {
-    throw InputError(file.string() + ": is there already: --resume goes on with it, and another "
-                                     "--out begins anew");
+    throw InputError(file.string() +
+                     ": is there already: --resume goes on with it, and another "
+                     "--out begins anew");
   }
   const Campaign campaign(read_plan(options.plan), studies::whole_catalogue());
   const CampaignDescription description = description_of(campaign);
@@ -197,23 +200,23 @@ int replay(const std::string& file, std::int64_t number, bool json) {
   RunRecord again;
   run_all({run->job}, campaign.plan().limits,
           [&](std::size_t, RunRecord record) { again = std::move(record); });
-  const bool same = same_but_for_times(again, stored->record);
+  const std::string differs = difference(parts_of(again), parts_of(stored->record));
   const Cell& cell = stored->key.cell;
-  const Json data = {{"run", number},
-                     {"question", cell.question},
-                     {"form", cell.form},
-                     {"feature", cell.feature},
-                     {"solver", cell.solver},
-                     {"budget", cell.budget},
-                     {"gradient_price", cell.gradient_price},
-                     {"instance", stored->key.instance},
-                     {"seed", stored->key.run},
-                     {"failure", again.failure},
-                     {"evaluations", again.ledger.charged},
-                     {"objective", again.trace.empty()
-                                       ? Json()
-                                       : Json(again.trace.back().truth.objective)},
-                     {"same", same}};
+  const Json data = {
+      {"run", number},
+      {"question", cell.question},
+      {"form", cell.form},
+      {"feature", cell.feature},
+      {"solver", cell.solver},
+      {"budget", cell.budget},
+      {"gradient_price", cell.gradient_price},
+      {"instance", stored->key.instance},
+      {"seed", stored->key.run},
+      {"failure", again.failure},
+      {"evaluations", again.ledger.charged},
+      {"objective", again.trace.empty() ? Json() : Json(again.trace.back().truth.objective)},
+      {"differs", differs},
+      {"same", differs.empty()}};
   if (json) {
     fmt::print("{}\n", data.dump(2));
   } else {
@@ -221,9 +224,10 @@ int replay(const std::string& file, std::int64_t number, bool json) {
                cell.solver, cell.question, cell.form, cell.feature, stored->key.instance,
                stored->key.run, again.ledger.charged,
                again.failure.empty() ? "" : "; " + again.failure,
-               same ? "The same, to the last bit." : "NOT the same as stored.");
+               differs.empty() ? "The same, to the last bit."
+                               : "NOT the same as stored: it differs in " + differs + ".");
   }
-  return same ? 0 : 1;
+  return differs.empty() ? 0 : 1;
 }
 
 }  // namespace ricochet::cli

@@ -166,11 +166,16 @@ TEST_F(StoreFile, SaysWhenTheDiskIsFull) {
     Store store = Store::open(file, Store::For::adding);
     const rlimit small = {60'000, before.rlim_max};
     setrlimit(RLIMIT_FSIZE, &small);
+    const auto record = [](int number) {  // of which one table more has something new
+      RunRecord made;
+      made.exits = {{"the reason " + std::to_string(number)}};
+      return made;
+    };
     int added = 1;
-    EXPECT_THROW(for (; added < 1000; ++added) store.add(a_key(added), {}), OutputError);
+    EXPECT_THROW(for (; added < 1000; ++added) store.add(a_key(added), record(added)), OutputError);
     setrlimit(RLIMIT_FSIZE, &before);
     EXPECT_EQ(store.size(), added);
-    store.add(a_key(added), {});
+    store.add(a_key(added), record(added));
     EXPECT_EQ(store.size(), added + 1) << "goes on when there is room again";
   }
   EXPECT_NO_THROW(Store::open(file, Store::For::reading));

@@ -8,11 +8,14 @@ namespace ricochet {
 
 std::uint64_t seed_of(std::string_view problem, std::string_view solver, int instance, int run) {
   FnvHash hash;
-  for (const std::string_view text : {problem, solver, std::string_view(std::to_string(instance)),
-                                      std::string_view(std::to_string(run))}) {
+  const auto add = [&hash](std::string_view text) {
     hash.add(text);
     hash.add("\xFF");
-  }
+  };
+  add(problem);
+  add(solver);
+  add(std::to_string(instance));
+  add(std::to_string(run));
   return hash.value();
 }
 

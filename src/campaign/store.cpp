@@ -31,11 +31,12 @@ struct Store::Database {
     if (lock && connection) close(std::move(connection));
   }
 
-  /// All that `work` reads is from one moment.
+  /// All that `work` reads is from one moment: that of the reading around it, where there is one.
   template <class Work>
   auto reading(const Work& work) const {
     try {
-      const SQLite::Transaction moment(*connection);
+      std::optional<SQLite::Transaction> moment;
+      if (sqlite3_get_autocommit(connection->getHandle()) != 0) moment.emplace(*connection);
       return work();
     } catch (const SQLite::Exception& error) {
       throw InputError(fmt::format("{}: cannot be read: {}", file.string(), error.what()));

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "src/campaign/store.h"
+
+namespace ricochet {
+
+inline bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// Any bits that a number can have, and often those that are lost first.
+inline double any_number(std::mt19937_64& random) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double lost_first[] = {0.0,       -0.0, infinity, -infinity, std::nan(""), -std::nan("7"),
+                               -0x1.p+63, 1e18, 3.0,      5e-324};
+  const std::uint64_t bits = random();
+  return bits % 2 == 0 ? lost_first[random() % std::size(lost_first)] : std::bit_cast<double>(bits);
+}
+
+inline std::int64_t any_integer(std::mt19937_64& random) {
+  return static_cast<std::int64_t>(random() >> (random() % 64));
+}
+
+inline Vector any_point(std::mt19937_64& random) {
+  Vector x(static_cast<Eigen::Index>(random() % 5));
+  for (double& coordinate : x) coordinate = any_number(random);
+  return x;
+}
+
+inline Truth any_truth(std::mt19937_64& random) {
+  const double objective = any_number(random);
+  return {objective, any_number(random)};
+}
+
+inline std::string any_text(std::mt19937_64& random) {
+  std::string text(random() % 6, ' ');
+  for (char& c : text) c = "a'\"\\\n;\0\xFF"[random() % 8];
+  return text;
+}
+
+inline RunRecord any_record(std::mt19937_64& random) {
+  RunRecord record;
+  record.problem = any_text(random);
+  record.solver = any_text(random);
+  record.instance = static_cast<int>(any_integer(random));
+  record.run = static_cast<int>(random());
+  record.seed = random();
+  record.budget = {any_integer(random), any_number(random)};
+  record.ledger = {any_integer(random), any_integer(random), any_integer(random),
+                   any_integer(random), any_integer(random), any_number(random)};
+  record.refusal = static_cast<Refusal>(random() % 6);
+  for (auto left = random() % 20; left > 0; --left) {
+    record.exits.push_back({random() % 3 == 0 ? any_text(random) : "again", any_point(random)});
+  }
+  if (random() % 2 == 0) {
+    record.handed_over = HandedOver{any_point(random), any_truth(random)};
+  }
+  record.failure = any_text(random);
+  for (auto left = random() % 4; left > 0; --left) {
+    record.trace.push_back(
+        {any_integer(random), any_number(random), any_truth(random), any_point(random)});
+  }
+  return record;
+}
+
+inline CampaignDescription a_description() {
+  CampaignDescription description;
+  description.plan = "solvers = [\"fast\"]\n";
+  description.questions = {{"quiet", "speed", "C1", 1, 2, 1, 1e-6, -0.0, {{"friction", 0.25}}},
+                           {"valley", "classic", "", 2, 0, 0, 0, 1e300, {}}};
+  description.solvers = {{"slow", "2.1"}, {"fast", ""}};
+  description.program = {{"version", "0.1.0"}, {"compiler", "GCC 12.2"}};
+  description.made = {{"date", "2026-01-02"}, {"cores", "2"}};
+  return description;
+}
+
+inline RunKey a_key(int number) {
+  return {{number % 2 == 0 ? "valley" : "quiet", "count", "plain",
+           number % 3 == 0 ? "slow" : "fast", number % 5 == 0 ? 1000 : 20, "n"},
+          number % 7,
+          number / 7};
+}
+
+/// Whether `stored` has every bit of the record that a store keeps, times too.
+inline void expect_kept(const RunRecord& stored, const RunRecord& record) {
+  EXPECT_EQ(stored.problem, record.problem);
+  EXPECT_EQ(stored.solver, record.solver);
+  EXPECT_EQ(stored.instance, record.instance);
+  EXPECT_EQ(stored.run, record.run);
+  EXPECT_EQ(stored.seed, record.seed);
+  EXPECT_EQ(stored.budget.evaluations, record.budget.evaluations);
+  EXPECT_TRUE(same_bits(stored.budget.seconds, record.budget.seconds));
+  EXPECT_EQ(stored.ledger.values, record.ledger.values);
+  EXPECT_EQ(stored.ledger.derivatives, record.ledger.derivatives);
+  EXPECT_EQ(stored.ledger.hessians, record.ledger.hessians);
+  EXPECT_EQ(stored.ledger.charged, record.ledger.charged);
+  EXPECT_EQ(stored.ledger.refused, record.ledger.refused);
+  EXPECT_TRUE(same_bits(stored.ledger.seconds, record.ledger.seconds));
+  EXPECT_EQ(stored.refusal, record.refusal);
+  EXPECT_EQ(stored.failure, record.failure);
+  ASSERT_EQ(stored.exits.size(), record.exits.size());
+  for (std::size_t k = 0; k < record.exits.size(); ++k) {
+    EXPECT_EQ(stored.exits[k].reason, record.exits[k].reason);
+    EXPECT_FALSE(stored.exits[k].point.has_value());
+  }
+  const auto expect_point = [](const Vector& x, const Vector& kept) {
+    ASSERT_EQ(x.size(), kept.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) EXPECT_TRUE(same_bits(x[i], kept[i]));
+  };
+  const auto expect_truth = [](const Truth& truth, const Truth& kept) {
+    EXPECT_TRUE(same_bits(truth.objective, kept.objective));
+    EXPECT_TRUE(same_bits(truth.violation, kept.violation));
+  };
+  ASSERT_EQ(stored.handed_over.has_value(), record.handed_over.has_value());
+  if (record.handed_over) {
+    expect_point(stored.handed_over->x, record.handed_over->x);
+    expect_truth(stored.handed_over->truth, record.handed_over->truth);
+  }
+  ASSERT_EQ(stored.trace.size(), record.trace.size());
+  for (std::size_t k = 0; k < record.trace.size(); ++k) {
+    const bool last = k + 1 == record.trace.size();
+    EXPECT_EQ(stored.trace[k].evaluations, record.trace[k].evaluations);
+    EXPECT_TRUE(same_bits(stored.trace[k].seconds, record.trace[k].seconds));
+    expect_truth(stored.trace[k].truth, record.trace[k].truth);
+    expect_point(stored.trace[k].x, last ? record.trace[k].x : Vector());
+  }
+}
+
+}  // namespace ricochet

@@ -89,7 +89,7 @@ TEST(Noise, OfObjectiveAndConstraintIsIndependent) {
     const std::vector<double> a = sample(feature, 0, kinds()[0]);
     const std::vector<double> b = sample(feature, 0, kinds()[1]);
     double together = 0;
-    for (int k = 0; k < size; ++k) together += 1e6 * a[k] * b[k] / size;
+    for (std::size_t k = 0; k < a.size(); ++k) together += 1e6 * a[k] * b[k] / size;
     EXPECT_LT(std::abs(together), 5 / std::sqrt(size));
   }
 }

@@ -21,6 +21,7 @@
 #include "src/cli/solve.h"
 #include "src/cli/threshold.h"
 #include "src/core/folder_lock.h"
+#include "src/features/feature.h"
 #include "src/report/process.h"
 #include "src/report/report.h"
 #include "src/studies/contest/study.h"
@@ -52,6 +53,12 @@ void add_request(CLI::App* command, QuietSpeedRequest& asked) {
                       "Limit: speed [m/s] of the fastest impact");
   command->add_option("--tolerance", asked.tolerance,
                       "How uncertain every constant is [%]: the range of the answer");
+}
+
+std::vector<std::string> features() {
+  std::vector<std::string> names;
+  for (const Feature& feature : all_features()) names.push_back(feature.name);
+  return names;
 }
 
 class Program : public CommandLine {
@@ -164,6 +171,9 @@ class Program : public CommandLine {
         ->required()
         ->type_name("QUESTION");
     command->add_option("--form", solve_.form, "That it is shown; else the first it accepts");
+    command->add_option("--feature", solve_.feature, "That disturbs what it is shown")
+        ->type_name(fmt::format("FEATURE:{{{}}}", fmt::join(features(), ",")))
+        ->capture_default_str();
     command->add_option("--budget", solve_.budget, "Evaluations")->capture_default_str();
     command->add_option("--instance", solve_.instance, "0: as stated; others: in another box")
         ->capture_default_str();

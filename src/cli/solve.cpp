@@ -16,8 +16,10 @@
 #include "src/cli/named.h"
 #include "src/core/error.h"
 #include "src/core/instance.h"
+#include "src/core/seed.h"
 #include "src/core/text_file.h"
 #include "src/core/verdict.h"
+#include "src/features/feature.h"
 #include "src/report/gnuplot.h"
 #include "src/report/json.h"
 
@@ -48,6 +50,19 @@ Form form_of(const SolveOptions& options, const Question& question, const Solver
   return named(accepted, options.form,
                fmt::format("form of {} that {} accepts", question.name(), solver.name),
                [&](const Form& form) { return question.name_of(form); });
+}
+
+/// The problem behind the feature asked for. Its draws are those of problem, instance and run, the
+/// same for every solver.
+Problem featured(const SolveOptions& options, const Problem& problem, const std::string& form) {
+  const Feature feature = named(all_features(), options.feature, "feature",
+                                [](const Feature& known) { return known.name; });
+  if (!feature.applies(problem)) {
+    throw InputError(fmt::format("--feature {}: cannot be had of {}, shown {}: {}", feature.name,
+                                 problem.name, form, feature.summary));
+  }
+  return feature.perturbed(problem,
+                           seed_of(problem.name, feature.name, problem.instance, options.seed));
 }
 
 /// The problem, which says on a terminal whenever a truly better point was evaluated.
@@ -103,7 +118,7 @@ std::string picture_of(const RunRecord& record, const Problem& problem, const st
 }
 
 Json json_of(const RunRecord& record, const Verdict& verdict, const std::string& form,
-             const Problem& problem) {
+             const std::string& feature, const Problem& problem) {
   Json exits = Json::array();
   for (const SolverExit& exit : record.exits) exits.push_back(exit.reason);
   Json point;
@@ -111,6 +126,7 @@ Json json_of(const RunRecord& record, const Verdict& verdict, const std::string&
   return {{"question", record.problem},
           {"solver", record.solver},
           {"form", form},
+          {"feature", feature},
           {"instance", record.instance},
           {"run", record.run},
           {"budget", record.budget.evaluations},
@@ -129,9 +145,9 @@ Json json_of(const RunRecord& record, const Verdict& verdict, const std::string&
 }
 
 void print(const RunRecord& record, const Verdict& verdict, const std::string& form,
-           const Problem& problem) {
-  fmt::print("{} on {}, shown {}, instance {}: {}.\n", record.solver, record.problem, form,
-             record.instance,
+           const std::string& feature, const Problem& problem) {
+  fmt::print("{} on {}, shown {}{}, instance {}: {}.\n", record.solver, record.problem, form,
+             feature == "plain" ? "" : ", " + feature, record.instance,
              verdict.solved
                  ? fmt::format("solved after {} evaluations", *verdict.evaluations_to_solve)
              : verdict.feasible ? "not solved"
@@ -180,7 +196,8 @@ int solve(const SolveOptions& options) {
                                   [](const Question& q) { return q.name(); });
   const Form form = form_of(options, question, solver);
   const std::string form_name = question.name_of(form);
-  const Problem problem = instance(question.problem(form), options.instance);
+  const Problem problem =
+      featured(options, instance(question.problem(form), options.instance), form_name);
   const Problem seen = watched(problem);
   RunRecord record;
   run_all({{&seen, &solver, {options.budget}, options.seed}}, options.limits,
@@ -195,9 +212,9 @@ int solve(const SolveOptions& options) {
   }
   for (TextDraft& draft : drafts) draft.commit();
   if (options.json) {
-    fmt::print("{}\n", json_of(record, verdict, form_name, problem).dump(2));
+    fmt::print("{}\n", json_of(record, verdict, form_name, options.feature, problem).dump(2));
   } else {
-    print(record, verdict, form_name, problem);
+    print(record, verdict, form_name, options.feature, problem);
   }
   return 0;
 }

@@ -9,12 +9,13 @@ namespace ricochet::cli {
 
 struct SolveOptions {
   std::string solver, question;
-  std::string form;            ///< its name; empty: the first that the solver accepts
-  std::int64_t budget = 1000;  ///< evaluations
-  int instance = 0;            ///< 0: the question as stated
-  int seed = 0;                ///< number of the run
-  std::string trace;           ///< CSV file of the improvements
-  std::string plot;            ///< SVG file of the same
+  std::string form;               ///< its name; empty: the first that the solver accepts
+  std::string feature = "plain";  ///< that disturbs what it is shown
+  std::int64_t budget = 1000;     ///< evaluations
+  int instance = 0;               ///< 0: the question as stated
+  int seed = 0;                   ///< number of the run
+  std::string trace;              ///< CSV file of the improvements
+  std::string plot;               ///< SVG file of the same
   bool json = false;
   Limits limits;
 };

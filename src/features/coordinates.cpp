@@ -65,7 +65,11 @@ struct Frame {
   std::shared_ptr<const Turn> turn;
   Vector centre;
 
-  Vector own(const Vector& x) const { return centre + turn->own(x - centre); }
+  Vector own(const Vector& x) const {
+    Vector result = turn->own(x - centre);
+    result += centre;
+    return result;
+  }
   Vector shown(const Vector& own) const { return centre + turn->shown(own - centre); }
 };
 

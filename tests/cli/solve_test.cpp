@@ -38,6 +38,21 @@ TEST(Solve, IsAnotherRunWithAnotherSeedAndTheSameWithTheSame) {
   EXPECT_NE(point("1"), point("2"));
 }
 
+TEST(Solve, DisturbsWhatIsShownAndNotWhatIsJudged) {
+  const std::string command = "solve random-search classic-sphere-5 --budget 50 --format json ";
+  const json plain = json::parse(call(command).out);
+  EXPECT_EQ(plain["feature"], "plain");
+  // Random search asks the same points whatever it is told, unless the run ends.
+  const json noisy = json::parse(call(command + "--feature noisy").out);
+  EXPECT_EQ(noisy["feature"], "noisy");
+  EXPECT_EQ(noisy["objective"], plain["objective"]);
+  EXPECT_EQ(noisy["point"], plain["point"]);
+  const json turned = json::parse(call(command + "--feature reflected").out);
+  EXPECT_NE(turned["point"], plain["point"]);
+  const Outcome words = call("solve random-search classic-sphere-5 --budget 50 --feature noisy");
+  EXPECT_THAT(words.out, HasSubstr("shown as-stated, noisy, instance 0"));
+}
+
 TEST(Solve, WritesTraceAndPicture) {
   const auto folder = fresh_folder();
   const Outcome outcome =
@@ -54,6 +69,9 @@ TEST(Solve, RefusesWhatIsNotThere) {
   expect_refusal("solve scan top-sped-C1", "top-sped-C1: there is no such question");
   expect_refusal("solve bisection top-speed-C1 --form penalised", "there is no such form");
   expect_refusal("solve bisection count-C1", "accepts no form of count-C1");
+  expect_refusal("solve scan count-C1 --feature noise", "noise: there is no such feature");
+  expect_refusal("solve scan count-C1 --feature permuted",
+                 "--feature permuted: cannot be had of count-C1, shown count");
   expect_refusal("solve scan count-C1 --budget 0", "--budget 0");
   expect_refusal("solve scan count-C1 --instance -1", "--instance -1");
 }

@@ -41,6 +41,23 @@ TEST(Random, IsNormal) {
   EXPECT_LT(std::abs(together) / 100, 3.3);
 }
 
+TEST(Random, TurnsUniformly) {
+  // Every column is uniform on the sphere, so that each entry is uniform in -1 to 1 (Archimedes).
+  Random random(2);
+  constexpr int size = 10'000;
+  double mean = 0, square = 0, product = 0;
+  for (int k = 0; k < size; ++k) {
+    const Matrix turn = random_turn(3, random);
+    EXPECT_LT((turn.transpose() * turn - Matrix::Identity(3, 3)).norm(), 1e-14);
+    mean += turn(0, 2) / size;
+    square += turn(0, 2) * turn(0, 2) / size;
+    product += turn(0, 2) * turn(1, 1) / size;
+  }
+  EXPECT_LT(std::abs(mean), 5 * std::sqrt(1.0 / 3 / size));
+  EXPECT_NEAR(square, 1.0 / 3, 5 * std::sqrt(4.0 / 45 / size));
+  EXPECT_LT(std::abs(product), 5 * std::sqrt(1.0 / 3 / size));
+}
+
 TEST(Random, BeginsAlikeWhateverTheSize) {
   Random one(5), other(5);
   EXPECT_EQ(normal(3, one), normal(8, other).head(3));

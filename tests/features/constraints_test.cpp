@@ -52,6 +52,17 @@ TEST(YesOrNoConstraints, HaveNoSlopesAndNoCurvature) {
   }
 }
 
+TEST(YesOrNoConstraints, AllowAnEqualityItsTolerance) {
+  Problem problem = random_problems().front();
+  problem.constraints = 5;
+  problem.equalities = 4;
+  problem.evaluate = [](const Vector&) {
+    return Values{0, Vector{{9e-7, -9e-7, 1.1e-6, -1.1e-6, 9e-7}}};
+  };
+  const Problem told = yes_or_no_constraints().perturbed(problem, 0);
+  EXPECT_EQ(told.evaluate(problem.start).constraints, (Vector{{0.0, 0.0, 1.0, 1.0, 1.0}}));
+}
+
 TEST(YesOrNoConstraints, TakeWhatIsNoNumberForBroken) {
   Problem problem = random_problems().front();
   problem.constraints = 2;

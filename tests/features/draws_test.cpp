@@ -103,7 +103,7 @@ TEST(Draws, ChangeWithEveryBitOfTheKey) {
 TEST(Draws, DifferAtDifferentPointsHoweverManyCoordinatesAreZero) {
   std::set<std::uint64_t> keys;
   std::size_t points = 0;
-  for (const std::uint64_t seed : {0, 1, 2}) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
     for (int k = 0; k < 5 * 5 * 5 * 5; ++k) {
       Vector point(4);
       int rest = k;

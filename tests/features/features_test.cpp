@@ -28,7 +28,7 @@ std::vector<std::uint64_t> told(const Problem& problem, int points) {
   add(problem.start);
   add(problem.lower);
   for (int k = 0; k < points; ++k) {
-    const double place = (k + 0.5) / points;
+    const double place = (k + 0.31) / points;
     const Vector x = problem.lower + place * (problem.upper - problem.lower);
     try {
       const Values values = problem.evaluate(x);
@@ -141,6 +141,7 @@ TEST_P(EveryFeature, HasAnotherDrawForAnotherSeedOrNone) {
 TEST_P(EveryFeature, IsSeenAtEverySmoothingWidth) {
   int seen = 0;
   for (const Problem& problem : problems()) {
+    if (!problem.smoothed) continue;
     const Problem shown = feature().perturbed(problem, 5);
     const Problem smooth = shown.smoothed(0.3);
     EXPECT_EQ(smooth.lower, shown.lower);
@@ -155,7 +156,7 @@ TEST_P(EveryFeature, IsSeenAtEverySmoothingWidth) {
     const int points = feature().name == "throwing" ? 1000 : 20;
     seen += told(smooth, points) != told(problem.smoothed(0.3), points);
   }
-  if (feature().name != "plain" && feature().name != "slow") EXPECT_GT(seen, 0);
+  EXPECT_EQ(seen == 0, feature().name == "plain" || feature().name == "slow");
 }
 
 TEST_P(EveryFeature, SaysWhatItIs) {

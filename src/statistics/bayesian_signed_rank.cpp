@@ -6,15 +6,12 @@
 #include <stdexcept>
 
 #include "src/core/random.h"
+#include "src/statistics/exponential.h"
 
 namespace ricochet {
 namespace {
 
 constexpr int draws = 20000;
-
-double exponential(Random& random) {
-  return -std::log1p(-uniform(random));
-}
 
 /// The differences with the prior's 0, sorted, and where that went. What is infinite becomes so
 /// large that with any finite one it is beyond the rope.
@@ -61,6 +58,7 @@ SignedRankPosterior bayesian_signed_rank(const std::vector<double>& differences,
   const auto below = partners(sorted, [&](double sum) { return sum < -2 * rope; });
   const auto not_above = partners(sorted, [&](double sum) { return sum <= 2 * rope; });
   Random random(seed);
+  const Exponential exponential;
   std::vector<double> weights(sorted.size());
   std::vector<double> sums(sorted.size() + 1);  // of the weights before each
   int negative = 0;

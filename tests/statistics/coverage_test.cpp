@@ -246,7 +246,7 @@ std::vector<Response> drawn_grid(std::size_t units, Grid grid, bool solved, Rand
     const double own = standard_normal(random);
     const double steep = 1 + 0.5 * standard_normal(random);  // the unit's own effect
     for (std::size_t cell = 0; cell < 6; ++cell) {
-      if (grid == Grid::with_gaps && uniform(random) < 0.3) continue;
+      if (grid == Grid::with_gaps && uniform(random) < 0.15) continue;
       if (grid == Grid::one_cell_a_unit && cell != unit % 6) continue;
       const std::size_t i = cell % 3;
       const std::size_t k = cell / 3;

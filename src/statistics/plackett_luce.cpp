@@ -114,8 +114,7 @@ std::vector<double> drawn_weights(const std::vector<double>& chosen,
 std::vector<double> sweep(const Orders& orders, const std::vector<double>& chosen,
                           std::vector<double>& weights, Random& random) {
   static const Exponential exponential;
-  const Exponential& draw = exponential;
-  std::vector<double> rates = drawn_rates(orders, weights, [&] { return draw(random); });
+  std::vector<double> rates = drawn_rates(orders, weights, [&] { return exponential(random); });
   weights = drawn_weights(chosen, rates, random);
   const double scale = gamma(static_cast<double>(weights.size()), random) / sum_of(weights);
   for (double& weight : weights) weight *= scale;

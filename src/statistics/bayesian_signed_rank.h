@@ -18,7 +18,7 @@ struct SignedRankPosterior {
 /// and Zaffalon 2017, Journal of Machine Learning Research 18(77),
 /// https://jmlr.org/papers/v18/16-305.html, section 4.2). For counts, rope = 0.5. An infinite
 /// difference outweighs all finite ones. From 20,000 draws, deterministic in `seed`: with another
-/// one they differ by 0.01 at most. Throws std::invalid_argument for a difference that is no
+/// one they differ by 0.01. Throws std::invalid_argument for a difference that is no
 /// number, or a rope that is negative or infinite.
 SignedRankPosterior bayesian_signed_rank(const std::vector<double>& differences, double rope,
                                          std::uint64_t seed);

@@ -32,7 +32,7 @@ struct FactorialEffect {
 /// each unit left out in turn with all its responses, and the quantile is Student's with one degree
 /// of freedom fewer than units (CV3 of MacKinnon, Nielsen and Webb 2023, doi:10.1002/jae.2969).
 /// Where each unit has every cell once this is Student's interval of the effects within units.
-/// Simulated, 95 % are 93 to 97 % with 8 units or more. Throws std::invalid_argument for responses
+/// Simulated, 95 % are 92 to 98 % with 8 units or more. Throws std::invalid_argument for responses
 /// that do not fit, or from which effects do not follow, even without one of the units: every pair
 /// of levels of two factors must be seen in two of them.
 std::vector<FactorialEffect> factorial_effects(const std::vector<Response>& responses,

@@ -11,12 +11,7 @@ namespace {
 void check(const History& history, const Levels& levels) {
   if (!(levels.lower < levels.upper))
     throw std::invalid_argument("levels: lower < upper is needed");
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const bool fits = i == 0 ? history[i].evaluations >= 1 && !std::isnan(history[i].value)
-                             : history[i].evaluations > history[i - 1].evaluations &&
-                                   history[i].value < history[i - 1].value;
-    if (!fits) throw std::invalid_argument("history: evaluations must rise and values fall");
-  }
+  check_history(history);
 }
 
 double reached(const Levels& levels, double value) {
@@ -25,6 +20,15 @@ double reached(const Levels& levels, double value) {
 }
 
 }  // namespace
+
+void check_history(const History& history) {
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const bool fits = i == 0 ? history[i].evaluations >= 1 && !std::isnan(history[i].value)
+                             : history[i].evaluations > history[i - 1].evaluations &&
+                                   history[i].value < history[i - 1].value;
+    if (!fits) throw std::invalid_argument("history: evaluations must rise and values fall");
+  }
+}
 
 double attainment(const History& history, const Levels& levels, double t) {
   check(history, levels);

@@ -12,6 +12,9 @@ struct BestSoFar {
 /// The improvements of a run: evaluations rise, values fall. None where it found nothing.
 using History = std::vector<BestSoFar>;
 
+/// Throws std::invalid_argument for a history that is not as said.
+void check_history(const History& history);
+
 /// The best and the worst value that count, lower < upper: fixed before the runs, not taken from
 /// them.
 struct Levels {

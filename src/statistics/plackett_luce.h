@@ -21,10 +21,11 @@ struct Strength {
 /// first, as Calvo, Ceberio and Lozano compare algorithms (GECCO 2018 Companion). Sampled by the
 /// Gibbs sampler of Caron and Doucet (2012, doi:10.1080/10618600.2012.638220). Ties are broken at
 /// random, 400 times, and the answer is the mean over these orders, so that it depends on no list's
-/// order and identical solvers are alike. A solver that did not take part in a question is judged
-/// by the others; one that failed did take part, and is last. Deterministic in `seed`; with another
-/// one, probabilities differ by 0.01, or 0.03 where many solvers are tied. Throws
-/// std::invalid_argument for rankings that name a solver twice or one that is not below `solvers`.
+/// order and identical solvers are alike. (200 times where all rankings have a million places.) A
+/// solver that did not take part in a question is judged by the others; one that failed did take
+/// part, and is last. Deterministic in `seed`, whatever the threads; with another one,
+/// probabilities differ by 0.01, or 0.03 where many solvers are tied. Throws std::invalid_argument
+/// for rankings that name a solver twice or one that is not below `solvers`.
 std::vector<Strength> plackett_luce(const std::vector<Ranking>& rankings, std::size_t solvers,
                                     std::uint64_t seed, double confidence = 0.95);
 

@@ -1,11 +1,13 @@
 #include "src/statistics/plackett_luce.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
+#include <cmath>
 #include <stdexcept>
 
 namespace ricochet {
@@ -103,6 +105,32 @@ TEST(PlackettLuce, GivesTheSameForTheSameSeed) {
   const auto c = plackett_luce(rankings, 3, 5);
   EXPECT_EQ(a[0].weight, b[0].weight);
   EXPECT_NE(a[0].weight, c[0].weight);
+}
+
+TEST(PlackettLuce, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const std::vector<Ranking> rankings = repeated({{0, 1}, {2}}, 5);
+  const auto parallel = plackett_luce(rankings, 3, 4);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const auto serial = plackett_luce(rankings, 3, 4);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(parallel[k].weight, serial[k].weight);
+    EXPECT_EQ(parallel[k].weight_interval.upper, serial[k].weight_interval.upper);
+    EXPECT_EQ(parallel[k].probability_of_being_best, serial[k].probability_of_being_best);
+  }
+}
+
+/// So many that there are a tenth of the sweeps, and several draws after each.
+TEST(PlackettLuce, IsABetaDistributionOfTwoSolversAfterManyRankings) {
+  const int times = 30000;
+  const auto strengths =
+      plackett_luce(repeated({{0}, {1}}, times + 150) + repeated({{1}, {0}}, times), 2, 6);
+  const boost::math::beta_distribution<> posterior(times + 151, times + 1);
+  const double deviation = std::sqrt(variance(posterior));
+  EXPECT_NEAR(strengths[0].weight, mean(posterior), 0.15 * deviation);
+  EXPECT_NEAR(strengths[0].weight_interval.lower, quantile(posterior, 0.025), 0.3 * deviation);
+  EXPECT_NEAR(strengths[0].weight_interval.upper, quantile(posterior, 0.975), 0.3 * deviation);
+  EXPECT_NEAR(strengths[0].probability_of_being_best, cdf(complement(posterior, 0.5)),
+              2 * tolerance);
 }
 
 TEST(PlackettLuce, RefusesRankingsThatDoNotFit) {

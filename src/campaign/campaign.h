@@ -10,7 +10,7 @@
 #include "problems/family.h"
 #include "src/campaign/plan.h"
 #include "src/campaign/progress.h"
-#include "src/campaign/store.h"
+#include "src/store/store.h"
 #include "src/core/solver.h"
 
 namespace ricochet {

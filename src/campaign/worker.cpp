@@ -18,6 +18,7 @@
 
 #include "src/campaign/record_text.h"
 #include "src/core/error.h"
+#include "src/core/seed.h"
 
 namespace ricochet {
 namespace {
@@ -95,8 +96,10 @@ RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on
     return run(problem, *job.solver, job.budget, job.number, on_improvement, job.shown);
   };
   if (job.feature == nullptr) return made_on(*job.problem);
-  const std::uint64_t seed = nothing_run_of(job).seed;
-  return made_on(job.feature->perturbed(*job.problem, seed));
+  // The same draws for every solver, so that all meet the same difficulty.
+  const Problem& problem = *job.problem;
+  return made_on(job.feature->perturbed(
+      problem, seed_of(problem.name, job.feature->name, problem.instance, job.number)));
 }
 
 /// The life of the process.

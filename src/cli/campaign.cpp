@@ -18,7 +18,7 @@
 #include "embedded/slurm_template.h"
 #include "src/campaign/forecast.h"
 #include "src/campaign/runner.h"
-#include "src/campaign/stored_parts.h"
+#include "src/store/stored_parts.h"
 #include "src/cli/version.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"

@@ -199,8 +199,10 @@ int solve(const SolveOptions& options) {
   const Problem problem =
       featured(options, instance(question.problem(form), options.instance), form_name);
   const Problem seen = watched(problem);
+  const std::string shown =
+      options.feature == "plain" ? form_name : form_name + "/" + options.feature;
   RunRecord record;
-  run_all({{&seen, &solver, {options.budget}, options.seed}}, options.limits,
+  run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, options.limits,
           [&record](std::size_t, RunRecord made) { record = std::move(made); });
   if (isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\033[K");
   const Verdict verdict = judge(record, problem, question.tolerance);

@@ -40,7 +40,7 @@ std::vector<report::Sample> path_samples(const Scene& scene, const Recording& re
 std::vector<report::Sample> counted_samples(const Scene& scene, const Recording& recording) {
   const double unit = path_axis(scene).unit;
   std::vector<report::Sample> samples;
-  for (const Feature& feature : counted_features(scene, recording)) {
+  for (const auto& feature : counted_features(scene, recording)) {
     samples.push_back({feature.time / unit, feature.position / millimetre});
   }
   return samples;

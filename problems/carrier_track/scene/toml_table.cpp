@@ -1,6 +1,7 @@
 #include "problems/carrier_track/scene/toml_table.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "src/core/error.h"
 #include "src/core/near_names.h"

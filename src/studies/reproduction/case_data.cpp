@@ -60,7 +60,7 @@ Json impacts_of(const CaseStudy& c, double omega, const Recording& recording) {
   const double end_of_start = 0.1 * 2 * std::numbers::pi / omega;
   int start = 0;
   int later = 0;
-  for (const Feature& impact : counted_features(c.scene, recording)) {
+  for (const auto& impact : counted_features(c.scene, recording)) {
     ++(impact.time < end_of_start ? start : later);
   }
   return {{"omega", omega}, {"start", start}, {"later", later}};

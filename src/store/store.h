@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "src/campaign/run_key.h"
+#include "src/store/run_key.h"
 #include "src/core/run.h"
 
 namespace ricochet {

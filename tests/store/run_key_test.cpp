@@ -1,4 +1,4 @@
-#include "src/campaign/run_key.h"
+#include "src/store/run_key.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/campaign/store.h"
+#include "src/store/store.h"
 
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
@@ -6,12 +6,12 @@
 
 #include <utility>
 
-#include "src/campaign/description_rows.h"
-#include "src/campaign/draft_store.h"
-#include "src/campaign/run_rows.h"
-#include "src/campaign/store_file.h"
-#include "src/campaign/stored_parts.h"
-#include "src/campaign/writer_lock.h"
+#include "src/store/description_rows.h"
+#include "src/store/draft_store.h"
+#include "src/store/run_rows.h"
+#include "src/store/store_file.h"
+#include "src/store/stored_parts.h"
+#include "src/store/writer_lock.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
 

@@ -1,10 +1,10 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
-#include "src/campaign/draft_store.h"
-#include "src/campaign/run_rows.h"
-#include "src/campaign/store.h"
-#include "src/campaign/stored_parts.h"
+#include "src/store/draft_store.h"
+#include "src/store/run_rows.h"
+#include "src/store/store.h"
+#include "src/store/stored_parts.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
 

@@ -1,11 +1,11 @@
-#include "src/campaign/description_rows.h"
+#include "src/store/description_rows.h"
 
 #include <cstdint>
 #include <set>
 #include <string>
 
-#include "src/campaign/sqlite_values.h"
-#include "src/campaign/stored_parts.h"
+#include "src/store/sqlite_values.h"
+#include "src/store/stored_parts.h"
 #include "src/core/error.h"
 
 namespace ricochet {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "src/campaign/repeated_exits.h"
-#include "src/campaign/sqlite_values.h"
-#include "src/campaign/store.h"
+#include "src/store/repeated_exits.h"
+#include "src/store/sqlite_values.h"
+#include "src/store/store.h"
 
 namespace ricochet {
 

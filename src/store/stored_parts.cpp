@@ -1,4 +1,4 @@
-#include "src/campaign/stored_parts.h"
+#include "src/store/stored_parts.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "src/campaign/stored_parts.h"
+#include "src/store/stored_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "tests/campaign/stored_runs.h"
+#include "tests/store/stored_runs.h"
 
 namespace ricochet {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/campaign/sqlite_values.h"
+#include "src/store/sqlite_values.h"
 
 #include <bit>
 #include <cmath>

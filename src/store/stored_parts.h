@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "src/campaign/repeated_exits.h"
-#include "src/campaign/store.h"
+#include "src/store/repeated_exits.h"
+#include "src/store/store.h"
 #include "src/core/fnv_hash.h"
 
 namespace ricochet {

@@ -2,7 +2,7 @@
 
 #include <SQLiteCpp/Database.h>
 
-#include "src/campaign/store.h"
+#include "src/store/store.h"
 
 namespace ricochet {
 

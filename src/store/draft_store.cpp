@@ -1,4 +1,4 @@
-#include "src/campaign/draft_store.h"
+#include "src/store/draft_store.h"
 
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "embedded/schema.h"
-#include "src/campaign/description_rows.h"
+#include "src/store/description_rows.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
 

@@ -1,4 +1,4 @@
-#include "src/campaign/store.h"
+#include "src/store/store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@
 
 #include "src/core/error.h"
 #include "src/core/text_file.h"
-#include "tests/campaign/stored_runs.h"
+#include "tests/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet {

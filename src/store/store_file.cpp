@@ -1,4 +1,4 @@
-#include "src/campaign/store_file.h"
+#include "src/store/store_file.h"
 
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "embedded/schema.h"
-#include "src/campaign/sqlite_values.h"
+#include "src/store/sqlite_values.h"
 #include "src/core/error.h"
 
 namespace ricochet {

@@ -1,4 +1,4 @@
-#include "src/campaign/repeated_exits.h"
+#include "src/store/repeated_exits.h"
 
 namespace ricochet {
 

@@ -1,4 +1,4 @@
-#include "src/campaign/writer_lock.h"
+#include "src/store/writer_lock.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

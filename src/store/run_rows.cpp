@@ -1,10 +1,10 @@
-#include "src/campaign/run_rows.h"
+#include "src/store/run_rows.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "src/campaign/stored_parts.h"
+#include "src/store/stored_parts.h"
 #include "src/core/error.h"
 
 namespace ricochet {

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "src/campaign/store.h"
+#include "src/store/store.h"
 
 namespace ricochet {
 

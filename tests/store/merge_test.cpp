@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "src/campaign/store.h"
+#include "src/store/store.h"
 #include "src/core/error.h"
-#include "tests/campaign/stored_runs.h"
+#include "tests/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet {

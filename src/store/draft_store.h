@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "src/campaign/store.h"
+#include "src/store/store.h"
 #include "src/core/interruption.h"
 
 namespace ricochet {

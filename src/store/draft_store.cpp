@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -69,6 +70,14 @@ DraftStore::~DraftStore() {
 void DraftStore::check_absent() const {
   std::error_code none;
   if (fs::exists(fs::symlink_status(file_, none))) fail(file_, EEXIST);
+  // SQLite would take the changes that a store of this name left for changes of the new one.
+  for (const char* ending : {"-wal", "-journal"}) {
+    const std::string left = file_.string() + ending;
+    if (!fs::exists(left, none)) continue;
+    throw InputError(fmt::format(
+        "{}: cannot be made: {} is left of another of this name: remove it, or give another name",
+        file_.string(), left));
+  }
 }
 
 void DraftStore::discard() {

@@ -68,8 +68,9 @@ class Store {
   static Store create(const std::filesystem::path& file, const CampaignDescription& description);
 
   /// Opens a file to read it, or to add runs. Throws InputError for a file that is missing, damaged
-  /// (by SQLite's own integrity and foreign key checks), of another program, of another version of
-  /// the schema, or to which another process adds runs at this moment; such a file stays untouched.
+  /// (by SQLite's own integrity and foreign key checks, which take some seconds for a million
+  /// runs), of another program, or of another version of the schema; for adding also where another
+  /// process does so at this moment. Such a file stays untouched.
   enum class For { reading, adding };
   static Store open(const std::filesystem::path& file, For purpose);
 

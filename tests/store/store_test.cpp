@@ -139,6 +139,9 @@ TEST_F(StoreFile, IsNeverMadeOverAnother) {
   EXPECT_THROW(Store::create(folder_ / "new", twice), InputError);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
       << "nothing is left";
+  fs::rename(file, file.string() + "-wal");  // as of a killed store that was removed
+  EXPECT_THAT([&] { Store::create(file, a_description()); },
+              ThrowsMessage<InputError>(HasSubstr("is left of another")));
 }
 
 TEST_F(StoreFile, IsWrittenByOneWhileOthersRead) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/campaign/campaign.h"
+#include "src/contest/contest.h"
+
+namespace ricochet::contest {
+
+/// All runs of one cell of a campaign, judged, by instance, then run.
+struct StoredStanding {
+  const PlannedCell* cell;
+  std::vector<Outcome> outcomes;
+};
+
+/// Every cell of a campaign with its outcomes. Throws InputError where the store lacks runs.
+std::vector<StoredStanding> stored_standings(const Campaign& campaign, const Store& store);
+
+/// What is compared within a contest: cells that differ in question, solver, form and budget only.
+struct Conditions {
+  std::size_t part = 0;  ///< of the plan
+  std::string feature = "plain";
+  std::string gradient_price = "n";
+  int run = 0;
+};
+
+struct StoredContest {
+  Plan plan;
+  std::vector<Standing> standings;
+};
+
+/// The contest of one part of a campaign under these conditions, as if it had been held.
+StoredContest stored_contest(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+                             const Conditions& conditions);
+
+}  // namespace ricochet::contest

@@ -44,7 +44,8 @@ struct Ledger {
   std::int64_t values = 0;       ///< calls of evaluate
   std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
   std::int64_t hessians = 0;     ///< calls of lagrangian_hessian
-  /// Evaluations: 1 for values, 1 + n for derivatives or residuals, n (n + 1) / 2 for a Hessian.
+  /// Evaluations: 1 for values or residuals alone, 1 + n with their derivatives, n (n + 1) / 2 for a
+  /// Hessian.
   std::int64_t charged = 0;
   std::int64_t refused = 0;  ///< calls that were refused
   double seconds = 0;        ///< processor time of the run, scoring left out
@@ -91,6 +92,9 @@ class Evaluator {
   /// have them. What is known of x otherwise makes them no cheaper: they may be of another
   /// function.
   std::optional<Residuals> residuals(const Vector& x, Part part = Part::everything);
+
+  /// Residuals alone, charged 1; who then asks for residuals(x) is charged n for their derivatives.
+  std::optional<Vector> residual_values(const Vector& x, Part part = Part::objective);
 
   /// Problem::lagrangian_hessian at x, or nothing once the run is over; the problem must have it.
   /// Charged n (n + 1) / 2. With value and gradient, 3, 21, 45 and 153 charged for 1, 5, 8 and 16
@@ -149,6 +153,8 @@ class Evaluator {
   template <class Work>
   bool guarded(Work work);
 
+  bool ask_residuals(const Vector& x, Part part, std::int64_t price);
+
   const Problem& problem_;
   std::optional<Problem> smoothed_;
   std::optional<Shown> best_shown_;
@@ -166,6 +172,7 @@ class Evaluator {
   Memory<Values> values_;
   Memory<Derivatives> derivatives_;
   Memory<Residuals> residuals_;
+  bool paid_jacobian_ = false;  // of the residuals
 };
 
 }  // namespace ricochet

@@ -119,8 +119,8 @@ Json description_of(Evaluator& evaluator, const Vector& start, std::uint32_t see
           {"seed", seed}};
 }
 
-/// The residuals at a point, with their Jacobian if derivatives are wanted, too; nothing once the run
-/// is over.
+/// The residuals at a point, with their Jacobian if derivatives are wanted, too; nothing once the
+/// run is over.
 std::optional<Json> told_residuals(Evaluator& evaluator, const Vector& x, bool derivatives) {
   if (!derivatives) {
     const auto values = evaluator.residual_values(x);
@@ -199,9 +199,11 @@ Claims greeting_of(LineProgram& program) {
   const Message greeting(program, *line);
   greeting.allow({"name", "version", "takes_constraints", "needs_derivatives", "needs_residuals",
                   "stochastic"});
-  return {greeting.text("name"), greeting.text("version"),
+  return {greeting.text("name"),
+          greeting.text("version"),
           greeting.get("takes_constraints", 0, &Json::is_number_integer, "whole number"),
-          greeting.flag("needs_derivatives"), greeting.flag("needs_residuals"),
+          greeting.flag("needs_derivatives"),
+          greeting.flag("needs_residuals"),
           greeting.flag("stochastic")};
 }
 

@@ -41,8 +41,11 @@ const ricochet_solver& exported_by(const std::string& path) {
 
 Claims claims_of(const ricochet_solver& exported, const std::string& path) {
   return {exported.name != nullptr ? exported.name : std::filesystem::path(path).stem().string(),
-          exported.version != nullptr ? exported.version : "", exported.takes_constraints,
-          exported.needs_derivatives != 0, exported.needs_residuals != 0, exported.stochastic != 0};
+          exported.version != nullptr ? exported.version : "",
+          exported.takes_constraints,
+          exported.needs_derivatives != 0,
+          exported.needs_residuals != 0,
+          exported.stochastic != 0};
 }
 
 /// Nothing that is thrown on refers to the library.

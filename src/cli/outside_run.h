@@ -12,7 +12,7 @@ namespace ricochet::cli {
 
 /// What there is to say of a point.
 struct Answer {
-  Derivatives told;  ///< the values alone where no derivatives were asked for
+  Derivatives told;     ///< the values alone where no derivatives were asked for
   Residuals residuals;  ///< where they were asked for, their Jacobian only with derivatives
   Truth truth;          ///< what the suite judges by
 
@@ -20,8 +20,8 @@ struct Answer {
   std::vector<double> numbers() const;
 };
 
-/// With keys for the derivatives and residuals where they were asked for. JSON has no number for what is infinite
-/// or no number at all: these are null.
+/// With keys for the derivatives and residuals where they were asked for. JSON has no number for
+/// what is infinite or no number at all: these are null.
 report::Json json_of(const Answer& answer, const AskedPoint& asked);
 
 /// The run of an optimiser outside, which ends when that wants it to.

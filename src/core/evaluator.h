@@ -44,8 +44,8 @@ struct Ledger {
   std::int64_t values = 0;       ///< calls of evaluate
   std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
   std::int64_t hessians = 0;     ///< calls of lagrangian_hessian
-  /// Evaluations: 1 for values or residuals alone, 1 + n with their derivatives, n (n + 1) / 2 for a
-  /// Hessian.
+  /// Evaluations: 1 for values or residuals alone, 1 + n with their derivatives, n (n + 1) / 2 for
+  /// a Hessian.
   std::int64_t charged = 0;
   std::int64_t refused = 0;  ///< calls that were refused
   double seconds = 0;        ///< processor time of the run, scoring left out

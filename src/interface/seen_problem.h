@@ -50,7 +50,7 @@ class SeenProblem : public ricochet_problem {
 
   Evaluator& evaluator_;
   Random& random_;
-  Vector point_;  // asked for last: kept, so that no call allocates another
+  Vector point_;            // asked for last: kept, so that no call allocates another
   std::int32_t count_ = 0;  // of the residuals, once it is known
   std::exception_ptr failure_;
 };

@@ -15,14 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of what the library exports, in its order.
-const outside::Claims claims[] = {
-    {.name = "tao-blmvm", .needs_derivatives = true},
-    {.name = "tao-bqnls", .needs_derivatives = true},
-    {.name = "tao-bncg", .needs_derivatives = true},
-    {.name = "tao-pounders", .needs_residuals = true},
-    {.name = "tao-brgn", .needs_residuals = true},
+/// What the library exports, in its order.
+struct Exported {
+  const char* name;
+  bool needs_derivatives, needs_residuals;
 };
+
+constexpr Exported all[] = {{"tao-blmvm", true, false},
+                            {"tao-bqnls", true, false},
+                            {"tao-bncg", true, false},
+                            {"tao-pounders", false, true},
+                            {"tao-brgn", false, true}};
 
 /// Where it is installed, seen from the program, or else where it was built; empty where it is not.
 std::string library_path() {
@@ -53,9 +56,10 @@ std::vector<Solver> tao_solvers() {
   // second.
   if (path.empty() || !fs::exists(RICOCHET_PETSC_FILE)) return {};
   std::vector<Solver> solvers;
-  for (std::size_t k = 0; k < std::size(claims); ++k) {
-    Solver solver = outside::solver_as_claimed(claims[k], path);
-    solver.version = "PETSc " RICOCHET_PETSC_VERSION;
+  for (std::size_t k = 0; k < std::size(all); ++k) {
+    const auto& [name, derivatives, residuals] = all[k];
+    Solver solver = outside::solver_as_claimed(
+        {name, "PETSc " RICOCHET_PETSC_VERSION, 0, derivatives, residuals, false}, path);
     solver.solve = [k, path](Evaluator& evaluator, const Vector& start, Random& random) {
       static const ricochet_solver* const exported = loaded(path);
       return outside::solve_by(exported[k], path, evaluator, start, random);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <vector>
@@ -21,8 +22,9 @@ constexpr PetscErrorCode give_up = PETSC_ERR_USER;
 /// A problem over the unit cube, u = (x - lower) / (upper - lower).
 struct Asked {
   ricochet_problem* problem;
-  std::vector<double> width, x, best_x, rows;
+  std::vector<double> width, x, best_x, rows, first;
   double best = std::numeric_limits<double>::infinity();
+  Vec last[2] = {};         // of residuals_at, when it gave up
   bool over = false;        // the run is
   bool not_finite = false;  // what was told last
 
@@ -82,6 +84,19 @@ PetscErrorCode slope_at(Tao, Vec u, PetscReal* objective, Vec gradient, void* co
   return self.end(refused, *objective);
 }
 
+/// At self.x. What was asked for at the start, before TAO did, is told once more.
+PetscErrorCode tell_residuals(Asked& self, PetscScalar* values, std::size_t count) {
+  if (!self.first.empty()) {
+    std::copy(self.first.begin(), self.first.end(), values);
+    self.first.clear();
+    return 0;
+  }
+  const int32_t refused = self.problem->residuals(self.problem, self.x.data(), values, nullptr);
+  double sum = 0;
+  for (std::size_t i = 0; i < count && refused == 0; ++i) sum += values[i] * values[i];
+  return self.end(refused, sum);
+}
+
 PetscErrorCode residuals_at(Tao, Vec u, Vec residuals, void* context) {
   Asked& self = asked(context);
   PetscCall(move_to(self, u));
@@ -89,11 +104,14 @@ PetscErrorCode residuals_at(Tao, Vec u, Vec residuals, void* context) {
   PetscInt count = 0;
   PetscCall(VecGetLocalSize(residuals, &count));
   PetscCall(VecGetArray(residuals, &values));
-  const int32_t refused = self.problem->residuals(self.problem, self.x.data(), values, nullptr);
-  double sum = 0;
-  for (PetscInt i = 0; i < count; ++i) sum += values[i] * values[i];
+  const PetscErrorCode error = tell_residuals(self, values, static_cast<std::size_t>(count));
   PetscCall(VecRestoreArray(residuals, &values));
-  return self.end(refused, sum);
+  if (error != 0) {
+    self.last[0] = u;
+    self.last[1] = residuals;
+    for (Vec each : self.last) PetscObjectReference(reinterpret_cast<PetscObject>(each));
+  }
+  return error;
 }
 
 PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) {
@@ -122,6 +140,17 @@ PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) 
   return finite ? 0 : give_up;
 }
 
+/// Destroys a vector whoever holds it: POUNDERS forgets the two that it has just made if its
+/// function gives up.
+void destroy(Vec vec) {
+  PetscInt holders = 0;
+  PetscObjectGetReference(reinterpret_cast<PetscObject>(vec), &holders);
+  for (; holders > 0; --holders) {
+    Vec held = vec;
+    VecDestroy(&held);
+  }
+}
+
 /// One start, and all that it holds of PETSc's.
 class Search {
  public:
@@ -130,6 +159,9 @@ class Search {
     TaoDestroy(&tao_);
     for (Vec* each : {&u_, &lower_, &upper_, &residuals_}) VecDestroy(each);
     MatDestroy(&jacobian_);
+    for (Vec each : asked_.last) {
+      if (each != nullptr) destroy(each);
+    }
   }
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
@@ -153,7 +185,10 @@ class Search {
     PetscCall(TaoSetSolution(tao_, u_));
     PetscCall(TaoSetVariableBounds(tao_, lower_, upper_));
     PetscCall(TaoSetMaximumIterations(tao_, std::numeric_limits<PetscInt>::max()));
-    return TaoSetMaximumFunctionEvaluations(tao_, std::numeric_limits<PetscInt>::max());
+    // POUNDERS makes room for all at once; no run comes near a million.
+    const std::int64_t left = asked_.problem->remaining(asked_.problem);
+    const auto most = static_cast<PetscInt>(std::clamp<std::int64_t>(left, 0, 1'000'000));
+    return TaoSetMaximumFunctionEvaluations(tao_, most + 1);
   }
 
   PetscErrorCode show_slopes() {
@@ -165,6 +200,10 @@ class Search {
     const PetscInt count = asked_.problem->residual_count(asked_.problem, asked_.x.data());
     asked_.over = count == 0;
     if (asked_.over) return give_up;
+    // POUNDERS loses memory if its first call fails.
+    std::vector<double> first(static_cast<std::size_t>(count));
+    PetscCall(tell_residuals(asked_, first.data(), first.size()));
+    asked_.first = first;
     PetscCall(VecCreateSeq(PETSC_COMM_SELF, count, &residuals_));
     PetscCall(TaoSetResidualRoutine(tao_, residuals_, residuals_at, &asked_));
     const auto n = static_cast<PetscInt>(asked_.size());

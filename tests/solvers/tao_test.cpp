@@ -104,8 +104,8 @@ TEST(Tao, LeavesSignalsAndEnvironmentAsTheyWere) {
   EXPECT_EQ(std::getenv("OMPI_MCA_ess"), nullptr);
 }
 
+/// In each of them it is initialised anew, if this test has a process of its own.
 TEST(Tao, WorksInSeveralForkedProcessesAtOnceAndPrintsNothing) {
-  const RunRecord expected = run(sphere(3, 3), tao("tao-bqnls"), {100}, 1);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   std::vector<pid_t> children;
@@ -113,7 +113,7 @@ TEST(Tao, WorksInSeveralForkedProcessesAtOnceAndPrintsNothing) {
     const pid_t child = fork();
     if (child == 0) {
       const RunRecord record = run(sphere(3, 3), tao("tao-bqnls"), {100}, 1);
-      _exit(record.failure.empty() && record.exits == expected.exits ? 0 : 1);
+      _exit(record.failure.empty() && record.trace.back().truth.objective < 1e-12 ? 0 : 1);
     }
     children.push_back(child);
   }
@@ -143,7 +143,7 @@ TEST(Tao, KeepsNothingOfAThousandRuns) {
     const auto use = [&](int times) {
       for (int k = 0; k < times; ++k) {
         const Problem problem = k % 2 == 0 ? sphere(5, 3) : half_a_number();
-        Evaluator evaluator(problem, {k % 3 == 0 ? 25 : 60});
+        Evaluator evaluator(problem, {k % 3 == 0 ? 4 : 60});
         Random random;
         solver.solve(evaluator, problem.start, random);
       }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <set>
 #include <vector>
 
 #include "solvers/tao/session.h"
@@ -24,7 +25,7 @@ struct Asked {
   ricochet_problem* problem;
   std::vector<double> width, x, best_x, rows, first;
   double best = std::numeric_limits<double>::infinity();
-  Vec last[2] = {};         // of residuals_at, when it gave up
+  std::set<Vec> seen;       // those of residuals_at
   bool over = false;        // the run is
   bool not_finite = false;  // what was told last
 
@@ -106,10 +107,10 @@ PetscErrorCode residuals_at(Tao, Vec u, Vec residuals, void* context) {
   PetscCall(VecGetArray(residuals, &values));
   const PetscErrorCode error = tell_residuals(self, values, static_cast<std::size_t>(count));
   PetscCall(VecRestoreArray(residuals, &values));
-  if (error != 0) {
-    self.last[0] = u;
-    self.last[1] = residuals;
-    for (Vec each : self.last) PetscObjectReference(reinterpret_cast<PetscObject>(each));
+  for (Vec each : {u, residuals}) {
+    if (self.seen.insert(each).second) {
+      PetscObjectReference(reinterpret_cast<PetscObject>(each));
+    }
   }
   return error;
 }
@@ -140,8 +141,8 @@ PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) 
   return finite ? 0 : give_up;
 }
 
-/// Destroys a vector whoever holds it: POUNDERS forgets the two that it has just made if its
-/// function gives up.
+/// Destroys a vector whoever holds it: POUNDERS forgets those that it has just made if its function
+/// gives up.
 void destroy(Vec vec) {
   PetscInt holders = 0;
   PetscObjectGetReference(reinterpret_cast<PetscObject>(vec), &holders);
@@ -159,9 +160,7 @@ class Search {
     TaoDestroy(&tao_);
     for (Vec* each : {&u_, &lower_, &upper_, &residuals_}) VecDestroy(each);
     MatDestroy(&jacobian_);
-    for (Vec each : asked_.last) {
-      if (each != nullptr) destroy(each);
-    }
+    for (Vec each : asked_.seen) destroy(each);
   }
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;

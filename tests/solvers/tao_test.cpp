@@ -126,7 +126,6 @@ TEST(Tao, WorksInSeveralForkedProcessesAtOnceAndPrintsNothing) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-#ifdef RICOCHET_HAS_IPOPT
 TEST(Tao, TakesTurnsWithIpoptInOneProcess) {
   const Solver other = ipopt(Settings::own);
   const RunRecord alone = run(sphere(3, 3), other, {200}, 1);
@@ -136,7 +135,6 @@ TEST(Tao, TakesTurnsWithIpoptInOneProcess) {
     EXPECT_EQ(run(sphere(3, 3), tao("tao-blmvm"), {200}, 1).exits, first.exits);
   }
 }
-#endif
 
 /// But for the 4 kB that POUNDERS itself loses where the budget ends among its first points.
 TEST(Tao, KeepsNothingOfAThousandRuns) {

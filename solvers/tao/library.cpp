@@ -234,7 +234,10 @@ const char* search(Asked& asked, TaoType type, PetscErrorCode (Search::*show)())
   if (error == 0) error = (search.*show)();
   if (error == 0) error = search.solve();
   if (asked.not_finite) return "a number is not finite";
-  return error == 0 ? search.reason() : "gave up";
+  if (error == 0) return search.reason();
+  const char* message = nullptr;
+  PetscErrorMessage(error, &message, nullptr);
+  return message != nullptr ? message : "PETSc failed";
 }
 
 template <auto show>

@@ -45,16 +45,16 @@ typedef struct ricochet_problem {
   int32_t (*derivatives)(struct ricochet_problem* problem, const double* x, double* objective,
                          double* constraints, double* gradient, double* jacobian);
 
-  /** How many residuals there are, told by those at x. Costs one evaluation, which whoever then asks
-   * for the residuals at x has paid; nothing once it is known. Returns 0 once the run is over. Only
-   * where has_residuals. */
+  /** How many residuals there are, told by those at x. Costs one evaluation, which whoever then
+   * asks for the residuals at x has paid; nothing once it is known. Returns 0 once the run is over.
+   * Only where has_residuals. */
   int32_t (*residual_count)(struct ricochet_problem* problem, const double* x);
 
-  /** The residuals at x (residual_count), of whose squares the objective is half the sum, or that of
-   * a smooth stand-in for it; and their Jacobian (residual_count x dimension), which may be NULL.
-   * Costs one evaluation, with the Jacobian 1 + dimension, or dimension where the residuals at x
-   * were just asked for; what else is known of x makes them no cheaper. Returns as values() does.
-   * Only where has_residuals. */
+  /** The residuals at x (residual_count), of whose squares the objective is half the sum, or that
+   * of a smooth stand-in for it; and their Jacobian (residual_count x dimension), which may be
+   * NULL. Costs one evaluation, with the Jacobian 1 + dimension, or dimension where the residuals
+   * at x were just asked for; what else is known of x makes them no cheaper. Returns as values()
+   * does. Only where has_residuals. */
   int32_t (*residuals)(struct ricochet_problem* problem, const double* x, double* residuals,
                        double* jacobian);
 

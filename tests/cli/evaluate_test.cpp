@@ -77,8 +77,8 @@ TEST(Evaluate, TellsDerivativesOfAllPointsOrOfSome) {
 
 TEST(Evaluate, TellsResidualsOfALeastSquaresProblem) {
   const std::string point = R"({"x": [1, 1, 1, 1, 1, 1, 1, 1, 1], "residuals": true)";
-  const Dialogue dialogue =
-      asked("least-squares-01-linear-full-rank-9x45", point + "}\n" + point + R"(, "derivatives": true})" + "\n");
+  const Dialogue dialogue = asked("least-squares-01-linear-full-rank-9x45",
+                                  point + "}\n" + point + R"(, "derivatives": true})" + "\n");
   const json& values = dialogue.answers.at(0)["residuals"];
   double sum = 0;
   for (const json& value : values) sum += value.get<double>() * value.get<double>();

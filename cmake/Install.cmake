@@ -4,7 +4,7 @@
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/ricochet)
 
-set(libraries options dual_numbers core carrier_track classic problems solvers interface)
+set(libraries options dual_numbers core carrier_track classic problems seen_problem solvers interface)
 foreach(library ${libraries})
   set_target_properties(ricochet_${library} PROPERTIES EXPORT_NAME ${library})
   list(APPEND library_targets ricochet_${library})

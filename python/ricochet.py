@@ -10,7 +10,7 @@ A question is a minimisation problem within a box: an objective, and constraints
 `ricochet evaluate NAME --describe`; constraints and objectives have the units that `source` there
 names. Points outside the box are evaluated at their projection onto it.
 
-The C library libricochet.so.1 is looked for where the environment variable RICOCHET_LIBRARY says,
+The C library libricochet.so.2 is looked for where the environment variable RICOCHET_LIBRARY says,
 else beside this file, else where the system keeps its libraries. Needs NumPy.
 """
 
@@ -23,7 +23,7 @@ import numpy
 
 __all__ = ["Error", "RunOver", "Truth", "Question", "question", "questions"]
 
-_ABI = 1
+_ABI = 2
 _UNLIMITED = 2**63 - 1
 
 
@@ -54,6 +54,7 @@ _Problem._fields_ = [
     ("constraints", ctypes.c_int32),
     ("equalities", ctypes.c_int32),
     ("has_derivatives", ctypes.c_int32),
+    ("has_residuals", ctypes.c_int32),
     ("name", ctypes.c_char_p),
     ("lower", ctypes.POINTER(ctypes.c_double)),
     ("upper", ctypes.POINTER(ctypes.c_double)),
@@ -63,6 +64,8 @@ _Problem._fields_ = [
         "derivatives",
         ctypes.CFUNCTYPE(ctypes.c_int32, _handle, _vector, _vector, _vector, _vector, _vector),
     ),
+    ("residual_count", ctypes.CFUNCTYPE(ctypes.c_int32, _handle, _vector)),
+    ("residuals", ctypes.CFUNCTYPE(ctypes.c_int32, _handle, _vector, _vector, _vector)),
     ("remaining", ctypes.CFUNCTYPE(ctypes.c_int64, _handle)),
     ("uniform", ctypes.CFUNCTYPE(ctypes.c_double, _handle)),
 ]
@@ -70,8 +73,8 @@ _Problem._fields_ = [
 
 def _load():
     named = os.environ.get("RICOCHET_LIBRARY")
-    beside = pathlib.Path(__file__).resolve().with_name("libricochet.so.1")
-    path = named or (str(beside) if beside.exists() else "libricochet.so.1")
+    beside = pathlib.Path(__file__).resolve().with_name("libricochet.so.2")
+    path = named or (str(beside) if beside.exists() else "libricochet.so.2")
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
@@ -140,6 +143,7 @@ class Question:
     name: str.
     dimension, constraints, equalities: how many; the equalities are the first constraints.
     has_derivatives: whether `derivatives`, `gradient` and `jacobian` may be called.
+    has_residuals: whether `residuals` and `residual_jacobian` may be called.
     lower, upper, start: arrays of shape (dimension,), in the units of the variables.
 
     The counting is that of the suite: a point costs 1 evaluation, with derivatives 1 + dimension;
@@ -168,11 +172,14 @@ class Question:
         self.constraints = shown.constraints
         self.equalities = shown.equalities
         self.has_derivatives = bool(shown.has_derivatives)
+        self.has_residuals = bool(shown.has_residuals)
         self.lower = _array(shown.lower, shown.dimension)
         self.upper = _array(shown.upper, shown.dimension)
         self.start = _array(shown.start, shown.dimension)
         self._ask_values = shown.values
         self._ask_derivatives = shown.derivatives
+        self._ask_residual_count = shown.residual_count
+        self._ask_residuals = shown.residuals
         self._prepare()
 
     def _prepare(self):
@@ -210,6 +217,15 @@ class Question:
         self._take(x)
         if self._ask_derivatives(self._problem, self._at_x, *addresses):
             self._refused()
+
+    def _count_residuals(self, x):
+        if not self.has_residuals:
+            raise Error(f"{self.name} has no residuals in this form")
+        self._take(x)
+        count = self._ask_residual_count(self._problem, self._at_x)
+        if not count:
+            self._refused()
+        return count
 
     def _refused(self):
         raise (RunOver if self.remaining == 0 else Error)(_last_error())
@@ -260,6 +276,22 @@ class Question:
             self._told_gradient.copy(),
             self._told_jacobian.copy(),
         )
+
+    def residuals(self, x):
+        """The residuals at x, of whose squares the objective, or a smooth stand-in for it, is half
+        the sum: of shape (residuals,). Costs 1 evaluation."""
+        told = numpy.empty(self._count_residuals(x))
+        if self._ask_residuals(self._problem, self._at_x, told.ctypes.data, None):
+            self._refused()
+        return told
+
+    def residual_jacobian(self, x):
+        """The Jacobian of the residuals at x, of shape (residuals, dimension). Costs 1 + dimension
+        evaluations, or dimension where the residuals at x were just asked for."""
+        told = numpy.empty((self._count_residuals(x), self.dimension))
+        if self._ask_residuals(self._problem, self._at_x, None, told.ctypes.data):
+            self._refused()
+        return told
 
     def judge(self, x):
         """What the suite judges x by: a Truth. Costs no evaluation."""

@@ -13,6 +13,7 @@
 #include "solvers/pagmo/pagmo.h"
 #include "solvers/random_search.h"
 #include "solvers/scan.h"
+#include "solvers/tao/tao.h"
 
 namespace ricochet {
 
@@ -54,6 +55,9 @@ std::vector<Solver> all_solvers() {
     if (solver.name == "nlopt-slsqp") solvers.push_back(continuation(solver));
     solvers.push_back(std::move(solver));
   }
+#ifdef RICOCHET_HAS_TAO
+  for (Solver& solver : tao_solvers()) solvers.push_back(std::move(solver));
+#endif
   return solvers;
 }
 
@@ -80,6 +84,13 @@ std::vector<MissingSolver> missing_solvers() {
       {"pagmo-gaco", "pagmo"},
       {"pagmo-compass-search", "pagmo"},
       {"pagmo-constrained-de", "pagmo"},
+#endif
+#ifndef RICOCHET_HAS_TAO
+      {"tao-blmvm", "TAO"},
+      {"tao-bqnls", "TAO"},
+      {"tao-bncg", "TAO"},
+      {"tao-pounders", "TAO"},
+      {"tao-brgn", "TAO"},
 #endif
 #ifndef RICOCHET_HAS_DLIB
       {"dlib-global-search", "dlib"},

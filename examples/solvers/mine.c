@@ -23,4 +23,4 @@ static const char* solve(ricochet_problem* problem, double* point) {
   return "steps too short";
 }
 
-const ricochet_solver ricochet_plugin = {RICOCHET_ABI, "mine", "1.0", 0, 0, 1, solve};
+const ricochet_solver ricochet_plugin = {RICOCHET_ABI, "mine", "1.0", 0, 0, 0, 1, solve};

@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /** The version of this interface: rises whenever a structure below changes. */
-#define RICOCHET_ABI 1
+#define RICOCHET_ABI 2
 
 /** A minimisation problem within a box: objective, and constraints of which the equalities come
  * first and must be 0, the others <= 0. */
@@ -27,6 +27,7 @@ typedef struct ricochet_problem {
   int32_t constraints; /**< equalities and others */
   int32_t equalities;
   int32_t has_derivatives;
+  int32_t has_residuals;
   const char* name;
   const double* lower; /**< dimension */
   const double* upper; /**< dimension */
@@ -44,6 +45,19 @@ typedef struct ricochet_problem {
   int32_t (*derivatives)(struct ricochet_problem* problem, const double* x, double* objective,
                          double* constraints, double* gradient, double* jacobian);
 
+  /** How many residuals there are, told by those at x. Costs one evaluation, which whoever then
+   * asks for the residuals at x has paid; nothing once it is known. Returns 0 once the run is over.
+   * Only where has_residuals. */
+  int32_t (*residual_count)(struct ricochet_problem* problem, const double* x);
+
+  /** The residuals at x (residual_count), of whose squares the objective is half the sum, or that
+   * of a smooth stand-in for it; and their Jacobian (residual_count x dimension), which may be
+   * NULL. Costs one evaluation, with the Jacobian 1 + dimension, or dimension where the residuals
+   * at x were just asked for; what else is known of x makes them no cheaper. Returns as values()
+   * does. Only where has_residuals. */
+  int32_t (*residuals)(struct ricochet_problem* problem, const double* x, double* residuals,
+                       double* jacobian);
+
   /** Evaluations left. */
   int64_t (*remaining)(struct ricochet_problem* problem);
 
@@ -54,7 +68,7 @@ typedef struct ricochet_problem {
 
 /** What a shared library exports, under the name ricochet_plugin, to be a solver:
  *
- *     const ricochet_solver ricochet_plugin = {RICOCHET_ABI, "mine", "1.0", 0, 0, 0, solve};
+ *     const ricochet_solver ricochet_plugin = {RICOCHET_ABI, "mine", "1.0", 0, 0, 0, 0, solve};
  */
 typedef struct ricochet_solver {
   int32_t abi; /**< RICOCHET_ABI */
@@ -62,6 +76,7 @@ typedef struct ricochet_solver {
   const char* version;
   int32_t takes_constraints; /**< 0: none; 1: inequalities; 2: equalities, too */
   int32_t needs_derivatives;
+  int32_t needs_residuals;
   int32_t stochastic;
 
   /** Minimises from problem->start until it is done or values() returns 1; ricochet starts it

@@ -36,11 +36,12 @@ Solver solver_as_claimed(const Claims& claims, const std::string& source) {
   solver.name = name;
   solver.version = one_line(claims.version);
   solver.stochastic = claims.stochastic;
-  solver.accepts = [takes = claims.takes_constraints,
-                    needs = claims.needs_derivatives](const Problem& problem) {
+  solver.accepts = [takes = claims.takes_constraints, derivatives = claims.needs_derivatives,
+                    residuals = claims.needs_residuals](const Problem& problem) {
     const bool can =
         takes == 2 || (takes == 1 && problem.equalities == 0) || problem.constraints == 0;
-    return can && has_room(problem) && (!needs || problem.differentiate);
+    return can && has_room(problem) && (!derivatives || problem.differentiate) &&
+           (!residuals || problem.residuals);
   };
   return solver;
 }

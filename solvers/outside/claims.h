@@ -11,6 +11,7 @@ struct Claims {
   std::string name, version;
   int takes_constraints = 0;  ///< 0: none; 1: inequalities; 2: equalities, too
   bool needs_derivatives = false;
+  bool needs_residuals = false;
   bool stochastic = false;
 };
 

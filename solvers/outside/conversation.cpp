@@ -114,8 +114,23 @@ Json description_of(Evaluator& evaluator, const Vector& start, std::uint32_t see
           {"constraints", problem.constraints},
           {"equalities", problem.equalities},
           {"derivatives", static_cast<bool>(problem.differentiate)},
+          {"residuals", static_cast<bool>(problem.residuals)},
           {"budget", evaluator.remaining()},
           {"seed", seed}};
+}
+
+/// The residuals at a point, with their Jacobian if derivatives are wanted, too; nothing once the
+/// run is over.
+std::optional<Json> told_residuals(Evaluator& evaluator, const Vector& x, bool derivatives) {
+  if (!derivatives) {
+    const auto values = evaluator.residual_values(x);
+    if (!values) return std::nullopt;
+    return Json{{"residuals", list_of(*values)}};
+  }
+  const auto known = evaluator.residuals(x);
+  if (!known) return std::nullopt;
+  return Json{{"residuals", list_of(known->values)},
+              {"residual_jacobian", rows_of(known->jacobian)}};
 }
 
 /// What is told of a point; nothing once the run is over.
@@ -136,20 +151,28 @@ std::optional<Json> told(Evaluator& evaluator, const Vector& x, bool derivatives
 /// The answer to what is asked: of a batch, what is told of each point in turn, key by key; nothing
 /// once the run is over.
 std::optional<Json> answer(Evaluator& evaluator, const Message& message) {
-  message.allow({"ask", "derivatives"});
+  message.allow({"ask", "derivatives", "residuals"});
   const Eigen::Index dimension = evaluator.problem().dimension();
   const Json& asked = message["ask"];
   const bool derivatives = message.flag("derivatives");
-  if (derivatives && !evaluator.problem().differentiate) {
+  const bool residuals = message.flag("residuals");
+  if (residuals && !evaluator.problem().residuals) {
+    message.refuse("wants residuals, but the problem has none");
+  }
+  if (derivatives && !residuals && !evaluator.problem().differentiate) {
     message.refuse("wants derivatives, but the problem has none");
   }
+  const auto told_of = [&](const Json& list) {
+    const Vector x = message.point("ask", list, dimension);
+    return residuals ? told_residuals(evaluator, x, derivatives) : told(evaluator, x, derivatives);
+  };
   std::optional<Json> result;
   if (!asked.is_array() || asked.empty() || !asked[0].is_array()) {
-    result = told(evaluator, message.point("ask", asked, dimension), derivatives);
+    result = told_of(asked);
   } else {
     result = Json::object();
     for (const Json& each : asked) {
-      std::optional<Json> one = told(evaluator, message.point("ask", each, dimension), derivatives);
+      std::optional<Json> one = told_of(each);
       if (!one) return std::nullopt;
       for (auto& [key, value] : one->items()) (*result)[key].push_back(std::move(value));
     }
@@ -174,10 +197,14 @@ Claims greeting_of(LineProgram& program) {
   const auto line = program.line(Patience{patience, "it was started"});
   if (!line) throw std::runtime_error(program.how_it_ended() + ", and has not said what it is");
   const Message greeting(program, *line);
-  greeting.allow({"name", "version", "takes_constraints", "needs_derivatives", "stochastic"});
-  return {greeting.text("name"), greeting.text("version"),
+  greeting.allow({"name", "version", "takes_constraints", "needs_derivatives", "needs_residuals",
+                  "stochastic"});
+  return {greeting.text("name"),
+          greeting.text("version"),
           greeting.get("takes_constraints", 0, &Json::is_number_integer, "whole number"),
-          greeting.flag("needs_derivatives"), greeting.flag("stochastic")};
+          greeting.flag("needs_derivatives"),
+          greeting.flag("needs_residuals"),
+          greeting.flag("stochastic")};
 }
 
 std::optional<SolverExit> converse(LineProgram& program, Evaluator& evaluator, const Vector& start,

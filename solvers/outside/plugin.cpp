@@ -41,8 +41,11 @@ const ricochet_solver& exported_by(const std::string& path) {
 
 Claims claims_of(const ricochet_solver& exported, const std::string& path) {
   return {exported.name != nullptr ? exported.name : std::filesystem::path(path).stem().string(),
-          exported.version != nullptr ? exported.version : "", exported.takes_constraints,
-          exported.needs_derivatives != 0, exported.stochastic != 0};
+          exported.version != nullptr ? exported.version : "",
+          exported.takes_constraints,
+          exported.needs_derivatives != 0,
+          exported.needs_residuals != 0,
+          exported.stochastic != 0};
 }
 
 /// Nothing that is thrown on refers to the library.
@@ -62,19 +65,23 @@ const char* solved(const ricochet_solver& exported, ricochet_problem* problem, V
 Solver plugin(const std::string& path) {
   const ricochet_solver& exported = exported_by(path);
   Solver solver = solver_as_claimed(claims_of(exported, path), path);
-  solver.solve = [&exported, path](Evaluator& evaluator, const Vector& start,
-                                   Random& random) -> SolverExit {
-    interface::SeenProblem problem(evaluator, random);
-    problem.start = start.data();
-    Vector point = start;
-    const char* said = solved(exported, &problem, point, path);
-    if (problem.failure()) std::rethrow_exception(problem.failure());
-    SolverExit exit{said != nullptr ? one_line(said) : "done"};
-    if (evaluator.over()) exit.reason = stopped_by_evaluator;
-    if (point != start) exit.point = point;
-    return exit;
+  solver.solve = [&exported, path](Evaluator& evaluator, const Vector& start, Random& random) {
+    return solve_by(exported, path, evaluator, start, random);
   };
   return solver;
+}
+
+SolverExit solve_by(const ricochet_solver& exported, const std::string& path, Evaluator& evaluator,
+                    const Vector& start, Random& random) {
+  interface::SeenProblem problem(evaluator, random);
+  problem.start = start.data();
+  Vector point = start;
+  const char* said = solved(exported, &problem, point, path);
+  if (problem.failure()) std::rethrow_exception(problem.failure());
+  SolverExit exit{said != nullptr ? one_line(said) : "done"};
+  if (evaluator.over()) exit.reason = stopped_by_evaluator;
+  if (point != start) exit.point = point;
+  return exit;
 }
 
 }  // namespace ricochet::outside

@@ -51,15 +51,18 @@ AskedPoint parse_asked_point(const std::string& line, const Problem& problem, bo
   AskedPoint asked{vector_of(json["x"], problem.dimension()), derivatives};
   for (const auto& [key, value] : json.items()) {
     if (key == "x") continue;
-    if (key != "derivatives") {
+    if (key != "derivatives" && key != "residuals") {
       throw InputError(fmt::format("{} is not expected; {}", one_line(key),
-                                   what_instead(key, {"x", "derivatives"})));
+                                   what_instead(key, {"x", "derivatives", "residuals"})));
     }
-    if (!value.is_boolean()) throw InputError("derivatives must be true or false");
-    asked.derivatives = value.get<bool>();
+    if (!value.is_boolean()) throw InputError(key + " must be true or false");
+    (key == "derivatives" ? asked.derivatives : asked.residuals) = value.get<bool>();
   }
   if (asked.derivatives && !problem.differentiate) {
     throw InputError("there are no derivatives in this form");
+  }
+  if (asked.residuals && !problem.residuals) {
+    throw InputError("there are no residuals in this form");
   }
   return asked;
 }

@@ -7,10 +7,11 @@
 namespace ricochet::cli {
 
 /// What a line of JSON asks for: `[1, 2]`, `{"x": [1, 2]}` or
-/// `{"x": [1, 2], "derivatives": true}`.
+/// `{"x": [1, 2], "derivatives": true, "residuals": true}`.
 struct AskedPoint {
   Vector x;
-  bool derivatives;
+  bool derivatives;        ///< of what is asked for, the residuals included
+  bool residuals = false;  ///< beside objective and constraints
 };
 
 /// The point of a line, of the problem's dimension; `derivatives` holds where the line says nothing

@@ -45,6 +45,7 @@ Json description_of(const Question& question, const Form& form, const Problem& p
       {"constraints", problem.constraints},
       {"equalities", problem.equalities},
       {"derivatives", static_cast<bool>(problem.differentiate)},
+      {"residuals", static_cast<bool>(problem.residuals)},
       {"variables", report::list_of(problem.variables,
                                     [](const Variable& variable) {
                                       return Json{{"name", variable.name}, {"unit", variable.unit}};
@@ -95,7 +96,7 @@ class Service {
     }
     const AskedPoint asked = parse_asked_point(line, run_.problem(), derivatives_);
     const Answer answer = run_.answer(asked);
-    Json json = json_of(answer, asked.derivatives);
+    Json json = json_of(answer, asked);
     json["evaluations"] = run_.evaluations();
     if (again_) {
       json["same_again"] = same_bits(answer.numbers(), again_->answer(asked).numbers());

@@ -27,15 +27,21 @@ std::vector<double> Answer::numbers() const {
   append(told.values.constraints, all);
   append(told.gradient, all);
   append(told.jacobian, all);
+  append(residuals.values, all);
+  append(residuals.jacobian, all);
   return all;
 }
 
-Json json_of(const Answer& answer, bool derivatives) {
+Json json_of(const Answer& answer, const AskedPoint& asked) {
   Json json = {{"objective", answer.told.values.objective},
                {"constraints", answer.told.values.constraints}};
-  if (derivatives) {
+  if (asked.derivatives) {
     json["gradient"] = answer.told.gradient;
     json["jacobian"] = rows_of(answer.told.jacobian);
+  }
+  if (asked.residuals) json["residuals"] = answer.residuals.values;
+  if (asked.residuals && asked.derivatives) {
+    json["residual_jacobian"] = rows_of(answer.residuals.jacobian);
   }
   json["truth"] = {{"objective", answer.truth.objective}, {"violation", answer.truth.violation}};
   return json;
@@ -54,6 +60,11 @@ Answer OutsideRun::answer(const AskedPoint& asked) {
     if (auto told = evaluator_->derivatives(asked.x)) answer.told = std::move(*told);
   } else {
     if (auto told = evaluator_->values(asked.x)) answer.told.values = std::move(*told);
+  }
+  if (asked.residuals && asked.derivatives) {
+    if (auto told = evaluator_->residuals(asked.x)) answer.residuals = std::move(*told);
+  } else if (asked.residuals) {
+    if (auto told = evaluator_->residual_values(asked.x)) answer.residuals.values = *told;
   }
   if (const std::exception_ptr failure = evaluator_->failure()) {
     before_ = evaluations();

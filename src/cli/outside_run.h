@@ -12,16 +12,17 @@ namespace ricochet::cli {
 
 /// What there is to say of a point.
 struct Answer {
-  Derivatives told;  ///< the values alone where no derivatives were asked for
-  Truth truth;       ///< what the suite judges by
+  Derivatives told;     ///< the values alone where no derivatives were asked for
+  Residuals residuals;  ///< where they were asked for, their Jacobian only with derivatives
+  Truth truth;          ///< what the suite judges by
 
   /// All its numbers, one after the other.
   std::vector<double> numbers() const;
 };
 
-/// With keys for the derivatives where they were asked for. JSON has no number for what is infinite
-/// or no number at all: these are null.
-report::Json json_of(const Answer& answer, bool derivatives);
+/// With keys for the derivatives and residuals where they were asked for. JSON has no number for
+/// what is infinite or no number at all: these are null.
+report::Json json_of(const Answer& answer, const AskedPoint& asked);
 
 /// The run of an optimiser outside, which ends when that wants it to.
 class OutsideRun {

@@ -171,11 +171,9 @@ std::optional<Matrix> Evaluator::lagrangian_hessian(const Vector& x, double obje
   return done ? hessian : std::nullopt;
 }
 
-std::optional<Residuals> Evaluator::residuals(const Vector& x, Part part) {
-  if (!over() && remembers(x) && residuals_.has(part)) return residuals_.told;
-  const std::int64_t price = 1 + gradient_price();
-  if (!admits(x, price)) return std::nullopt;
-  const bool done = guarded([&] {
+bool Evaluator::ask_residuals(const Vector& x, Part part, std::int64_t price) {
+  if (!admits(x, price)) return false;
+  return guarded([&] {
     if (!shown().residuals) throw std::logic_error(problem_.name + " has no residuals");
     move_to(x);
     residuals_ = {shown().residuals(inside_), static_cast<unsigned>(part)};
@@ -188,7 +186,27 @@ std::optional<Residuals> Evaluator::residuals(const Vector& x, Part part) {
     ledger_.charged += price;
     score(inside_, values_.told ? &*values_.told : nullptr);
   });
-  return done ? residuals_.told : std::nullopt;
+}
+
+std::optional<Vector> Evaluator::residual_values(const Vector& x, Part part) {
+  if (!over() && remembers(x) && residuals_.has(part)) return residuals_.told->values;
+  if (!ask_residuals(x, part, 1)) return std::nullopt;
+  paid_jacobian_ = false;
+  return residuals_.told->values;
+}
+
+std::optional<Residuals> Evaluator::residuals(const Vector& x, Part part) {
+  const bool told = !over() && remembers(x) && residuals_.told;
+  if (told && paid_jacobian_ && residuals_.has(part)) return residuals_.told;
+  if (told && !paid_jacobian_) {
+    if (!admits(x, gradient_price())) return std::nullopt;
+    ledger_.charged += gradient_price();
+    residuals_.asked |= static_cast<unsigned>(part);
+  } else if (!ask_residuals(x, part, 1 + gradient_price())) {
+    return std::nullopt;
+  }
+  paid_jacobian_ = true;
+  return residuals_.told;
 }
 
 }  // namespace ricochet

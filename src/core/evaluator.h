@@ -47,8 +47,8 @@ struct Ledger {
   std::int64_t values = 0;       ///< calls of evaluate
   std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
   std::int64_t hessians = 0;     ///< calls of lagrangian_hessian
-  /// Evaluations: 1 for values, 1 + n for derivatives or residuals, n (n + 1) / 2 for a Hessian,
-  /// unless the budget has another price.
+  /// Evaluations: 1 for values or residuals alone, 1 + n with their derivatives, n (n + 1) / 2 for
+  /// a Hessian, unless the budget has another price of gradients.
   std::int64_t charged = 0;
   std::int64_t refused = 0;  ///< calls that were refused
   double seconds = 0;        ///< processor time of the run, scoring left out
@@ -96,9 +96,13 @@ class Evaluator {
   /// function.
   std::optional<Residuals> residuals(const Vector& x, Part part = Part::everything);
 
+  /// Residuals alone, charged 1; who then asks for residuals(x) is charged n for their derivatives.
+  std::optional<Vector> residual_values(const Vector& x, Part part = Part::objective);
+
   /// Problem::lagrangian_hessian at x, or nothing once the run is over; the problem must have it.
-  /// Charged n (n + 1) / 2, as long as a gradient is charged n, and never less than 1. With value and gradient, 3, 21, 45 and 153 charged for 1, 5, 8 and 16
-  /// variables, a Hessian of the surrogates took as long as 3 to 4, 25, 28 and 95 values, measured.
+  /// Charged n (n + 1) / 2, as long as a gradient is charged n, and never less than 1. With value
+  /// and gradient, 3, 21, 45 and 153 charged for 1, 5, 8 and 16 variables, a Hessian of the
+  /// surrogates took as long as 3 to 4, 25, 28 and 95 values, measured.
   std::optional<Matrix> lagrangian_hessian(const Vector& x, double objective_factor,
                                            const Vector& multipliers);
 
@@ -154,6 +158,8 @@ class Evaluator {
   template <class Work>
   bool guarded(Work work);
 
+  bool ask_residuals(const Vector& x, Part part, std::int64_t price);
+
   const Problem& problem_;
   std::optional<Problem> smoothed_;
   std::optional<Shown> best_shown_;
@@ -171,6 +177,7 @@ class Evaluator {
   Memory<Values> values_;
   Memory<Derivatives> derivatives_;
   Memory<Residuals> residuals_;
+  bool paid_jacobian_ = false;  // of the residuals
 };
 
 }  // namespace ricochet

@@ -14,6 +14,8 @@ OpenedProblem::OpenedProblem(Problem asked, std::int64_t budget, std::uint64_t s
       budget_(budget) {
   values = values_or_reason;
   derivatives = derivatives_or_reason;
+  residual_count = residual_count_or_reason;
+  residuals = residuals_or_reason;
 }
 
 Truth OpenedProblem::judge(const double* x) const {
@@ -36,6 +38,19 @@ std::int32_t OpenedProblem::derivatives_or_reason(ricochet_problem* problem, con
                                                   double* objective, double* constraints,
                                                   double* gradient, double* jacobian) {
   const std::int32_t over = derivatives_at(problem, x, objective, constraints, gradient, jacobian);
+  if (over) keep_error(static_cast<OpenedProblem*>(problem)->reason());
+  return over;
+}
+
+std::int32_t OpenedProblem::residual_count_or_reason(ricochet_problem* problem, const double* x) {
+  const std::int32_t count = count_residuals_at(problem, x);
+  if (count == 0) keep_error(static_cast<OpenedProblem*>(problem)->reason());
+  return count;
+}
+
+std::int32_t OpenedProblem::residuals_or_reason(ricochet_problem* problem, const double* x,
+                                                double* residuals, double* jacobian) {
+  const std::int32_t over = residuals_at(problem, x, residuals, jacobian);
   if (over) keep_error(static_cast<OpenedProblem*>(problem)->reason());
   return over;
 }

@@ -35,6 +35,9 @@ class OpenedProblem : private OpenedRun, public SeenProblem {
   static std::int32_t derivatives_or_reason(ricochet_problem* problem, const double* x,
                                             double* objective, double* constraints,
                                             double* gradient, double* jacobian);
+  static std::int32_t residual_count_or_reason(ricochet_problem* problem, const double* x);
+  static std::int32_t residuals_or_reason(ricochet_problem* problem, const double* x,
+                                          double* residuals, double* jacobian);
 
   /// Why the last call was refused.
   std::exception_ptr reason() const;

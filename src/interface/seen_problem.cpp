@@ -47,12 +47,15 @@ SeenProblem::SeenProblem(Evaluator& evaluator, Random& random)
   constraints = static_cast<std::int32_t>(problem.constraints);
   equalities = static_cast<std::int32_t>(problem.equalities);
   has_derivatives = problem.differentiate ? 1 : 0;
+  has_residuals = problem.residuals ? 1 : 0;
   name = problem.name.c_str();
   lower = problem.lower.data();
   upper = problem.upper.data();
   start = problem.start.data();
   values = values_at;
   derivatives = derivatives_at;
+  residual_count = count_residuals_at;
+  residuals = residuals_at;
   remaining = evaluations_left;
   uniform = next_uniform;
 }
@@ -92,6 +95,36 @@ std::int32_t SeenProblem::derivatives_at(ricochet_problem* problem, const double
   write(told->values.objective, objective);
   write(told->values.constraints, constraints);
   write(told->gradient, gradient);
+  write_rows(told->jacobian, jacobian);
+  return 0;
+}
+
+std::int32_t SeenProblem::count_residuals_at(ricochet_problem* problem, const double* x) {
+  SeenProblem& self = seen(problem);
+  if (self.count_ > 0) return self.count_;
+  const auto told = self.told(
+      x, [&](const Vector& at) { return self.evaluator_.residual_values(at, Part::nothing); });
+  if (told) self.keep_count(told->size());
+  return self.count_;
+}
+
+std::int32_t SeenProblem::residuals_at(ricochet_problem* problem, const double* x,
+                                       double* residuals, double* jacobian) {
+  SeenProblem& self = seen(problem);
+  if (!jacobian) {
+    const auto told =
+        self.told(x, [&](const Vector& at) { return self.evaluator_.residual_values(at); });
+    if (!told) return 1;
+    self.keep_count(told->size());
+    write(*told, residuals);
+    return 0;
+  }
+  const Part part = residuals ? Part::everything : Part::jacobian;
+  const auto told =
+      self.told(x, [&](const Vector& at) { return self.evaluator_.residuals(at, part); });
+  if (!told) return 1;
+  self.keep_count(told->values.size());
+  write(told->values, residuals);
   write_rows(told->jacobian, jacobian);
   return 0;
 }

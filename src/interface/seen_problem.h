@@ -16,7 +16,7 @@ namespace ricochet::interface {
 /// of one point in two calls pays once.
 ///
 /// Nothing is thrown through its functions. Where one cannot do what it is asked, because the run
-/// is over or because no memory is left, values() and derivatives() return 1 and write nothing.
+/// is over or because no memory is left, they return 1, residual_count() 0, and write nothing.
 class SeenProblem : public ricochet_problem {
  public:
   SeenProblem(Evaluator& evaluator, Random& random);
@@ -34,6 +34,9 @@ class SeenProblem : public ricochet_problem {
                                 double* constraints);
   static std::int32_t derivatives_at(ricochet_problem* problem, const double* x, double* objective,
                                      double* constraints, double* gradient, double* jacobian);
+  static std::int32_t count_residuals_at(ricochet_problem* problem, const double* x);
+  static std::int32_t residuals_at(ricochet_problem* problem, const double* x, double* residuals,
+                                   double* jacobian);
 
  private:
   static std::int64_t evaluations_left(ricochet_problem* problem);
@@ -43,9 +46,12 @@ class SeenProblem : public ricochet_problem {
   template <class Ask>
   auto told(const double* x, Ask ask) -> decltype(ask(Vector()));
 
+  void keep_count(Eigen::Index count) { count_ = static_cast<std::int32_t>(count); }
+
   Evaluator& evaluator_;
   Random& random_;
-  Vector point_;  // asked for last: kept, so that no call allocates another
+  Vector point_;            // asked for last: kept, so that no call allocates another
+  std::int32_t count_ = 0;  // of the residuals, once it is known
   std::exception_ptr failure_;
 };
 

@@ -75,6 +75,22 @@ TEST(Evaluate, TellsDerivativesOfAllPointsOrOfSome) {
   EXPECT_FALSE(other.answers.at(1).contains("jacobian"));
 }
 
+TEST(Evaluate, TellsResidualsOfALeastSquaresProblem) {
+  const std::string point = R"({"x": [1, 1, 1, 1, 1, 1, 1, 1, 1], "residuals": true)";
+  const Dialogue dialogue = asked("least-squares-01-linear-full-rank-9x45",
+                                  point + "}\n" + point + R"(, "derivatives": true})" + "\n");
+  const json& values = dialogue.answers.at(0)["residuals"];
+  double sum = 0;
+  for (const json& value : values) sum += value.get<double>() * value.get<double>();
+  EXPECT_EQ(values.size(), 45U);
+  EXPECT_NEAR(sum, 2 * dialogue.answers.at(0)["objective"].get<double>(), 1e-12 * sum);
+  EXPECT_EQ(dialogue.answers.at(0)["evaluations"], 2);
+  EXPECT_FALSE(dialogue.answers.at(0).contains("residual_jacobian"));
+  EXPECT_EQ(dialogue.answers.at(1)["residual_jacobian"].size(), 45U);
+  EXPECT_THAT(error_of(R"({"x": [1, 1, 1, 1], "residuals": true})"),
+              HasSubstr("there are no residuals in this form"));
+}
+
 TEST(Evaluate, AnswersAsTheReadmeShows) {
   const Dialogue dialogue = asked("hs-71", "{\"x\": [1, 5, 5, 1], \"derivatives\": true}\n");
   EXPECT_THAT(read(RICOCHET_SOURCE "/README.md"), HasSubstr(dialogue.outcome.out));

@@ -81,6 +81,25 @@ TEST(Evaluator, ChargesOnePlusNForResidualsAndRemembersThem) {
   EXPECT_EQ(evaluator.ledger().charged, 1 + 4 + 4 + 4) << "who asks again pays again";
 }
 
+TEST(Evaluator, ChargesOneForResidualsAloneAndNForTheirDerivatives) {
+  const Problem problem = parabola(3);
+  Evaluator evaluator(problem, {10});
+  const Vector x = Vector::Constant(3, 0.5), y = Vector::Constant(3, 0.25);
+  EXPECT_EQ(*evaluator.residual_values(x, Part::nothing), problem.residuals(x).values);
+  EXPECT_EQ(*evaluator.residual_values(x), problem.residuals(x).values);
+  EXPECT_EQ(evaluator.ledger().charged, 1) << "paid for what is asked next";
+  EXPECT_EQ(evaluator.residuals(x)->jacobian, problem.residuals(x).jacobian);
+  EXPECT_EQ(evaluator.ledger().charged, 4);
+  EXPECT_EQ(evaluator.ledger().derivatives, 1);
+  ASSERT_TRUE(evaluator.residual_values(x));
+  EXPECT_EQ(evaluator.ledger().charged, 5) << "who asks again pays again";
+  ASSERT_TRUE(evaluator.residuals(y));
+  EXPECT_EQ(evaluator.ledger().charged, 9);
+  ASSERT_TRUE(evaluator.residual_values(x));
+  EXPECT_FALSE(evaluator.residuals(x)) << "three more are not left";
+  EXPECT_EQ(evaluator.ledger().charged, 10);
+}
+
 TEST(Evaluator, ScoresResidualsByTheTruthAndNotByTheirSquares) {
   Problem problem = parabola(1);
   problem.residuals = [](const Vector& x) {

@@ -29,8 +29,9 @@ needs_scipy = unittest.skipUnless(scipy, "this Python has no SciPy (Debian: pyth
 
 
 def evaluated(name, points, *options):
-    """What `ricochet evaluate` answers."""
-    text = "".join(json.dumps(list(x)) + "\n" for x in points)
+    """What `ricochet evaluate` answers to points, or to objects with all keys."""
+    asked = [x if isinstance(x, dict) else list(x) for x in points]
+    text = "".join(json.dumps(each) + "\n" for each in asked)
     done = subprocess.run(
         [os.environ["RICOCHET_PROGRAM"], "evaluate", name, *options],
         input=text, capture_output=True, text=True, check=True,
@@ -80,6 +81,21 @@ class Values(unittest.TestCase):
                     self.assertEqual(jacobian.tolist(), answer["jacobian"])
                     self.assertEqual(q.gradient(x).tolist(), gradient.tolist())
                     self.assertEqual(q.jacobian(x).tolist(), jacobian.tolist())
+
+    def test_have_the_residuals_of_the_program_bit_for_bit(self):
+        name = "least-squares-01-linear-full-rank-9x45"
+        q = ricochet.question(name)
+        points = some_points(q, 5)
+        asked = [{"x": list(x), "residuals": True, "derivatives": True} for x in points]
+        for x, answer in zip(points, evaluated(name, asked)):
+            before = q.remaining
+            residuals = q.residuals(x)
+            self.assertEqual(before - q.remaining, 1)
+            self.assertEqual(residuals.tolist(), answer["residuals"])
+            self.assertEqual(q.residual_jacobian(x).tolist(), answer["residual_jacobian"])
+            self.assertEqual(before - q.remaining, 1 + q.dimension)
+        with self.assertRaisesRegex(ricochet.Error, "hs-71 has no residuals"):
+            ricochet.question("hs-71").residuals([1, 2, 3, 4])
 
     def test_are_new_arrays_each_time(self):
         q = ricochet.question("hs-71")

@@ -100,6 +100,40 @@ TEST(SeenProblem, ChargesOnceWhoAsksForPartsOfOnePoint) {
   EXPECT_EQ(sight.charged(), 4) << "asked for the second time";
 }
 
+/// x^2 + y^2 as half the sum of the squares of three residuals.
+Problem squares() {
+  Problem problem = product();
+  problem.constraints = problem.equalities = 0;
+  problem.residuals = [](const Vector& x) {
+    return Residuals{Vector{{x[0] + x[1], x[0] - x[1], 0}},
+                     Matrix{{1.0, 1.0}, {1.0, -1.0}, {0.0, 0.0}}};
+  };
+  return problem;
+}
+
+TEST(SeenProblem, TellsResidualsAndTheirJacobianRowByRow) {
+  Sight sight(squares(), 6);
+  ricochet_problem* const seen = &sight.seen;
+  EXPECT_EQ(seen->has_residuals, 1);
+  EXPECT_EQ(Sight(product()).seen.has_residuals, 0);
+  const std::array<double, 2> x = {0.25, 2}, y = {1, 1};
+  std::array<double, 3> residuals{};
+  std::array<double, 6> jacobian{};
+  EXPECT_EQ(seen->residual_count(seen, x.data()), 3);
+  ASSERT_EQ(seen->residuals(seen, x.data(), residuals.data(), nullptr), 0);
+  EXPECT_EQ(sight.charged(), 1);
+  EXPECT_EQ(residuals, (std::array<double, 3>{2.25, -1.75, 0}));
+  ASSERT_EQ(seen->residuals(seen, x.data(), nullptr, jacobian.data()), 0);
+  EXPECT_EQ(sight.charged(), 3);
+  EXPECT_EQ(jacobian, (std::array<double, 6>{1, 1, 1, -1, 0, 0}));
+  ASSERT_EQ(seen->residuals(seen, y.data(), residuals.data(), jacobian.data()), 0);
+  EXPECT_EQ(sight.charged(), 6);
+  EXPECT_EQ(residuals[0], 2);
+  EXPECT_EQ(seen->residuals(seen, x.data(), residuals.data(), nullptr), 1) << "all is spent";
+  EXPECT_EQ(residuals[0], 2);
+  EXPECT_EQ(seen->residual_count(seen, x.data()), 3) << "it is known";
+}
+
 TEST(SeenProblem, RefusesOnceTheBudgetIsSpentAndWritesNothing) {
   Sight sight(product(), 2);
   ricochet_problem* const seen = &sight.seen;

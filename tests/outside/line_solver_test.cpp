@@ -90,13 +90,38 @@ say '{"done": "all asked", "point": [1, 2]}')",
   EXPECT_THAT(
       heard,
       testing::MatchesRegex(
-          R"x(\{"ricochet":1,"name":"arc","dimension":2,"lower":\[-2.0,-2.0\],"upper":\[2.0,2.0\],"start":\[1.5,1.5\],"constraints":2,"equalities":1,"derivatives":true,"budget":20,"seed":[0-9]+\}
+          R"x(\{"ricochet":1,"name":"arc","dimension":2,"lower":\[-2.0,-2.0\],"upper":\[2.0,2.0\],"start":\[1.5,1.5\],"constraints":2,"equalities":1,"derivatives":true,"residuals":false,"budget":20,"seed":[0-9]+\}
 \{"objective":3.0,"constraints":\[4.0,-1.5\],"remaining":19\}
 \{"objective":3.0,"constraints":\[4.0,-1.5\],"gradient":\[1.0,1.0\],"jacobian":\[\[2.0,4.0\],\[-1.0,0.0\]\],"remaining":17\}
 \{"objective":\[0.0,4.0\],"constraints":\[\[-1.0,-0.5\],\[7.0,-2.5\]\],"remaining":15\}
 \{"stop":true\}
 \{"stop":true\}
 )x"));
+}
+
+TEST(LineSolver, AsksForResiduals) {
+  const std::string command = speaker(R"(
+hear
+for line in '{"ask": [[1, 3], [4, 3]], "residuals": true}' \
+            '{"ask": [4, 3], "residuals": true, "derivatives": true}'; do
+  say "$line"; hear; say "$heard" >> $HERE/heard
+done
+say '{"done": "all asked"}')",
+                                      R"({"name": "mine", "needs_residuals": true})");
+  const Solver solver = line_solver(command);
+  EXPECT_FALSE(solver.accepts(limited(7)));
+  Problem problem = sphere(2, 3);
+  EXPECT_TRUE(solver.accepts(problem));
+  problem.residuals = [](const Vector& x) {
+    return Residuals{x.array() - 3, 2 * Matrix::Identity(2, 2)};
+  };
+  Evaluator evaluator(problem, {4});
+  Random random;
+  solver.solve(evaluator, problem.start, random);
+  EXPECT_EQ(read(folder_of(command) / "heard"),
+            R"({"residuals":[[-2.0,0.0],[1.0,0.0]],"remaining":2}
+{"residuals":[1.0,0.0],"residual_jacobian":[[2.0,0.0],[0.0,2.0]],"remaining":0}
+)");
 }
 
 TEST(LineSolver, SpendsItsBudgetAndNoMore) {

@@ -119,7 +119,7 @@ TEST(Plugin, IsRefusedWhereItIsNone) {
   std::ofstream(text) << std::string(10000, 'x');
   refused(text.string(), "invalid ELF header");
   refused(library("without_a_solver"), "exports no ricochet_plugin");
-  refused(library("of_another_interface"), "is made for interface 2, this is 1; compile it again");
+  refused(library("of_another_interface"), "is made for interface 3, this is 2; compile it again");
   refused(library("without_solve"), "solve is NULL");
 }
 

@@ -233,8 +233,9 @@ TEST_P(SolverContract, RunsOnTheCarrierTrack) {
     }
   }
   // They want two variables, or residuals.
-  const std::set<std::string> others = {"nlopt-bobyqa", "nlopt-mlsl-bobyqa", "nlopt-auglag-bobyqa",
-                                        "ceres-trust-region"};
+  const std::set<std::string> others = {"nlopt-bobyqa",        "nlopt-mlsl-bobyqa",
+                                        "nlopt-auglag-bobyqa", "ceres-trust-region",
+                                        "tao-pounders",        "tao-brgn"};
   EXPECT_EQ(runs == 0, others.contains(solver().name));
 }
 

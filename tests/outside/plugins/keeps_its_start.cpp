@@ -8,6 +8,7 @@ const ricochet_solver ricochet_plugin = {
     0,
     0,
     0,
+    0,
     [](ricochet_problem* problem, double* point) -> const char* {
       problem->values(problem, point, nullptr, nullptr);
       problem->values(problem, problem->upper, nullptr, nullptr);

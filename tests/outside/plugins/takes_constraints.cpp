@@ -9,6 +9,7 @@ const ricochet_solver ricochet_plugin = {
     1,
     1,
     0,
+    0,
     [](ricochet_problem* problem, double* point) -> const char* {
       double objective = 0, constraint = 1, gradient[2], jacobian[2];
       for (int i = 0; i < 2; ++i) point[i] = problem->start[i];

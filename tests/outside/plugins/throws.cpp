@@ -9,6 +9,7 @@ const ricochet_solver ricochet_plugin = {
     2,
     0,
     0,
+    0,
     [](ricochet_problem* problem, double* point) -> const char* {
       problem->values(problem, point, nullptr, nullptr);
       throw std::runtime_error("lost its way");

@@ -1,0 +1,274 @@
+/// What TAO's solvers are to the C interface: a shared library of its own, because PETSc's MPI and
+/// the stand-in for it that sequential Ipopt brings must not see each other.
+
+#include <petsctao.h>
+#include <ricochet/ricochet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <set>
+#include <vector>
+
+#include "solvers/tao/session.h"
+
+namespace ricochet::tao {
+namespace {
+
+/// What a function of ours returns to make TAO give up at once.
+constexpr PetscErrorCode give_up = PETSC_ERR_USER;
+
+/// A problem over the unit cube, u = (x - lower) / (upper - lower).
+struct Asked {
+  ricochet_problem* problem;
+  std::vector<double> width, x, best_x, rows, first;
+  double best = std::numeric_limits<double>::infinity();
+  std::set<Vec> seen;       // those of residuals_at
+  bool over = false;        // the run is
+  bool not_finite = false;  // what was told last
+
+  explicit Asked(ricochet_problem* asked)
+      : problem(asked), width(size()), x(asked->start, asked->start + size()) {
+    for (std::size_t i = 0; i < size(); ++i) width[i] = asked->upper[i] - asked->lower[i];
+  }
+
+  std::size_t size() const { return static_cast<std::size_t>(problem->dimension); }
+
+  void move_to(const double* u) {
+    for (std::size_t i = 0; i < size(); ++i) x[i] = problem->lower[i] + width[i] * u[i];
+  }
+
+  /// What TAO is told of a call that returned `refused`, and told of such an objective.
+  PetscErrorCode end(int32_t refused, double objective) {
+    over = refused != 0;
+    not_finite = !over && !std::isfinite(objective);
+    if (over || not_finite) return give_up;
+    if (objective < best) {
+      best = objective;
+      best_x = x;
+    }
+    return 0;
+  }
+};
+
+Asked& asked(void* context) {
+  return *static_cast<Asked*>(context);
+}
+
+PetscErrorCode move_to(Asked& self, Vec u) {
+  const PetscScalar* at = nullptr;
+  PetscCall(VecGetArrayRead(u, &at));
+  self.move_to(at);
+  return VecRestoreArrayRead(u, &at);
+}
+
+PetscErrorCode objective_at(Tao, Vec u, PetscReal* objective, void* context) {
+  Asked& self = asked(context);
+  PetscCall(move_to(self, u));
+  const int32_t refused = self.problem->values(self.problem, self.x.data(), objective, nullptr);
+  return self.end(refused, *objective);
+}
+
+PetscErrorCode slope_at(Tao, Vec u, PetscReal* objective, Vec gradient, void* context) {
+  Asked& self = asked(context);
+  PetscCall(move_to(self, u));
+  PetscScalar* slope = nullptr;
+  PetscCall(VecGetArray(gradient, &slope));
+  const int32_t refused =
+      self.problem->derivatives(self.problem, self.x.data(), objective, nullptr, slope, nullptr);
+  double sum = refused != 0 ? 0 : *objective;
+  for (std::size_t i = 0; i < self.size(); ++i) sum += std::abs(slope[i] *= self.width[i]);
+  PetscCall(VecRestoreArray(gradient, &slope));
+  if (refused == 0 && !std::isfinite(sum)) return self.end(0, sum);
+  return self.end(refused, *objective);
+}
+
+/// At self.x. What was asked for at the start, before TAO did, is told once more.
+PetscErrorCode tell_residuals(Asked& self, PetscScalar* values, std::size_t count) {
+  if (!self.first.empty()) {
+    std::copy(self.first.begin(), self.first.end(), values);
+    self.first.clear();
+    return 0;
+  }
+  const int32_t refused = self.problem->residuals(self.problem, self.x.data(), values, nullptr);
+  double sum = 0;
+  for (std::size_t i = 0; i < count && refused == 0; ++i) sum += values[i] * values[i];
+  return self.end(refused, sum);
+}
+
+PetscErrorCode residuals_at(Tao, Vec u, Vec residuals, void* context) {
+  Asked& self = asked(context);
+  PetscCall(move_to(self, u));
+  PetscScalar* values = nullptr;
+  PetscInt count = 0;
+  PetscCall(VecGetLocalSize(residuals, &count));
+  PetscCall(VecGetArray(residuals, &values));
+  const PetscErrorCode error = tell_residuals(self, values, static_cast<std::size_t>(count));
+  PetscCall(VecRestoreArray(residuals, &values));
+  for (Vec each : {u, residuals}) {
+    if (self.seen.insert(each).second) {
+      PetscObjectReference(reinterpret_cast<PetscObject>(each));
+    }
+  }
+  return error;
+}
+
+PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) {
+  Asked& self = asked(context);
+  PetscCall(move_to(self, u));
+  PetscInt count = 0, n = 0;
+  PetscCall(MatGetSize(jacobian, &count, &n));
+  self.rows.resize(static_cast<std::size_t>(count) * self.size());
+  self.over = self.problem->residuals(self.problem, self.x.data(), nullptr, self.rows.data()) != 0;
+  if (self.over) return give_up;
+  PetscScalar* columns = nullptr;
+  PetscCall(MatDenseGetArrayWrite(jacobian, &columns));
+  bool finite = true;
+  for (PetscInt j = 0; j < n; ++j) {
+    for (PetscInt i = 0; i < count; ++i) {
+      const double slope =
+          self.rows[static_cast<std::size_t>(i * n + j)] * self.width[static_cast<std::size_t>(j)];
+      columns[j * count + i] = slope;
+      finite = finite && std::isfinite(slope);
+    }
+  }
+  PetscCall(MatDenseRestoreArrayWrite(jacobian, &columns));
+  PetscCall(MatAssemblyBegin(jacobian, MAT_FINAL_ASSEMBLY));
+  PetscCall(MatAssemblyEnd(jacobian, MAT_FINAL_ASSEMBLY));
+  self.not_finite = !finite;
+  return finite ? 0 : give_up;
+}
+
+/// Destroys a vector whoever holds it: POUNDERS forgets those that it has just made if its function
+/// gives up.
+void destroy(Vec vec) {
+  PetscInt holders = 0;
+  PetscObjectGetReference(reinterpret_cast<PetscObject>(vec), &holders);
+  for (; holders > 0; --holders) {
+    Vec held = vec;
+    VecDestroy(&held);
+  }
+}
+
+/// One start, and all that it holds of PETSc's.
+class Search {
+ public:
+  explicit Search(Asked& asked) : asked_(asked) {}
+  ~Search() {
+    TaoDestroy(&tao_);
+    for (Vec* each : {&u_, &lower_, &upper_, &residuals_}) VecDestroy(each);
+    MatDestroy(&jacobian_);
+    for (Vec each : asked_.seen) destroy(each);
+  }
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
+  PetscErrorCode prepare(TaoType type) {
+    const auto n = static_cast<PetscInt>(asked_.size());
+    PetscCall(VecCreateSeq(PETSC_COMM_SELF, n, &u_));
+    PetscCall(VecDuplicate(u_, &lower_));
+    PetscCall(VecDuplicate(u_, &upper_));
+    PetscCall(VecSet(upper_, 1.0));
+    PetscScalar* at = nullptr;
+    PetscCall(VecGetArray(u_, &at));
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const double from = asked_.problem->start[i] - asked_.problem->lower[i];
+      at[i] = asked_.width[i] > 0 ? std::clamp(from / asked_.width[i], 0.0, 1.0) : 0.0;
+    }
+    asked_.move_to(at);
+    PetscCall(VecRestoreArray(u_, &at));
+    PetscCall(TaoCreate(PETSC_COMM_SELF, &tao_));
+    PetscCall(TaoSetType(tao_, type));
+    PetscCall(TaoSetSolution(tao_, u_));
+    PetscCall(TaoSetVariableBounds(tao_, lower_, upper_));
+    PetscCall(TaoSetMaximumIterations(tao_, std::numeric_limits<PetscInt>::max()));
+    // POUNDERS makes room for all at once; no run comes near a million.
+    const std::int64_t left = asked_.problem->remaining(asked_.problem);
+    const auto most = static_cast<PetscInt>(std::clamp<std::int64_t>(left, 0, 1'000'000));
+    return TaoSetMaximumFunctionEvaluations(tao_, most + 1);
+  }
+
+  PetscErrorCode show_slopes() {
+    PetscCall(TaoSetObjective(tao_, objective_at, &asked_));
+    return TaoSetObjectiveAndGradient(tao_, nullptr, slope_at, &asked_);
+  }
+
+  PetscErrorCode show_residuals() {
+    const PetscInt count = asked_.problem->residual_count(asked_.problem, asked_.x.data());
+    asked_.over = count == 0;
+    if (asked_.over) return give_up;
+    // POUNDERS loses memory if its first call fails.
+    std::vector<double> first(static_cast<std::size_t>(count));
+    PetscCall(tell_residuals(asked_, first.data(), first.size()));
+    asked_.first = first;
+    PetscCall(VecCreateSeq(PETSC_COMM_SELF, count, &residuals_));
+    PetscCall(TaoSetResidualRoutine(tao_, residuals_, residuals_at, &asked_));
+    const auto n = static_cast<PetscInt>(asked_.size());
+    PetscCall(MatCreateSeqDense(PETSC_COMM_SELF, count, n, nullptr, &jacobian_));
+    return TaoSetJacobianResidualRoutine(tao_, jacobian_, jacobian_, residual_slopes_at, &asked_);
+  }
+
+  PetscErrorCode solve() { return TaoSolve(tao_); }
+
+  const char* reason() const {
+    TaoConvergedReason reason = TAO_CONTINUE_ITERATING;
+    TaoGetConvergedReason(tao_, &reason);
+    return TaoConvergedReasons[reason];
+  }
+
+ private:
+  Asked& asked_;
+  Tao tao_ = nullptr;
+  Vec u_ = nullptr, lower_ = nullptr, upper_ = nullptr, residuals_ = nullptr;
+  Mat jacobian_ = nullptr;
+};
+
+const char* search(Asked& asked, TaoType type, PetscErrorCode (Search::*show)()) {
+  static std::mutex one_at_a_time;  // PETSc knows no threads
+  const std::lock_guard lock(one_at_a_time);
+  if (!initialised()) return "PETSc could not be initialised";
+  Search search(asked);
+  PetscErrorCode error = search.prepare(type);
+  if (error == 0) error = (search.*show)();
+  if (error == 0) error = search.solve();
+  if (asked.not_finite) return "a number is not finite";
+  if (error == 0) return search.reason();
+  const char* message = nullptr;
+  PetscErrorMessage(error, &message, nullptr);
+  return message != nullptr ? message : "PETSc failed";
+}
+
+template <auto show>
+const char* solve(TaoType type, ricochet_problem* problem, double* point) {
+  Asked asked(problem);
+  const char* const reason = search(asked, type, show);
+  std::copy(asked.best_x.begin(), asked.best_x.end(), point);
+  return reason;
+}
+
+}  // namespace
+}  // namespace ricochet::tao
+
+using namespace ricochet::tao;
+
+#define EXPORTED extern "C" __attribute__((visibility("default")))
+#define BY_SLOPES(type)                                               \
+  {                                                                   \
+    RICOCHET_ABI, "tao-" type, "", 0, 1, 0, 0,                        \
+        [](ricochet_problem* problem, double* point) -> const char* { \
+          return solve<&Search::show_slopes>(type, problem, point);   \
+        }                                                             \
+  }
+#define BY_RESIDUALS(type)                                             \
+  {                                                                    \
+    RICOCHET_ABI, "tao-" type, "", 0, 0, 1, 0,                         \
+        [](ricochet_problem* problem, double* point) -> const char* {  \
+          return solve<&Search::show_residuals>(type, problem, point); \
+        }                                                              \
+  }
+
+EXPORTED const ricochet_solver ricochet_tao_solvers[] = {
+    BY_SLOPES("blmvm"), BY_SLOPES("bqnls"), BY_SLOPES("bncg"), BY_RESIDUALS("pounders"),
+    BY_RESIDUALS("brgn")};

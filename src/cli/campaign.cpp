@@ -14,16 +14,19 @@
 #include <fstream>
 #include <optional>
 
+#include "embedded/default_plan.h"
+#include "embedded/full_plan.h"
 #include "embedded/plan_template.h"
+#include "embedded/quick_plan.h"
 #include "embedded/slurm_template.h"
 #include "src/campaign/forecast.h"
 #include "src/campaign/runner.h"
-#include "src/store/stored_parts.h"
 #include "src/cli/version.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"
 #include "src/report/filled_text.h"
 #include "src/report/json.h"
+#include "src/store/stored_parts.h"
 #include "src/studies/contest/catalogue.h"
 
 namespace ricochet::cli {
@@ -107,6 +110,14 @@ CampaignDescription description_of(const Campaign& campaign) {
   return description;
 }
 
+/// A file, or one of the plans that come along.
+Plan plan_named(const std::string& name) {
+  if (name == "quick") return plan_from(embedded::quick_plan, name);
+  if (name == "default") return plan_from(embedded::default_plan, name);
+  if (name == "full") return plan_from(embedded::full_plan, name);
+  return read_plan(name);
+}
+
 /// The store to go on with: of this campaign, made by this program.
 Store store_to_resume(const std::filesystem::path& file, const CampaignDescription& description) {
   Store store = Store::open(file, Store::For::adding);
@@ -116,8 +127,27 @@ Store store_to_resume(const std::filesystem::path& file, const CampaignDescripti
   const char* what = theirs.plan != description.plan         ? "of another plan"
                      : theirs.program != description.program ? "made by another program"
                                                              : "of other questions or solvers";
-  throw InputError(
-      fmt::format("{}: is {}: --resume goes on with what it began", file.string(), what));
+  throw InputError(fmt::format("{}: is {}: another --out begins anew", file.string(), what));
+}
+
+/// Makes the runs that the folder's store lacks.
+Store carried_out(const Campaign& campaign, const Shard& shard, const std::string& out,
+                  bool resume) {
+  const FolderLock alone(out);
+  const auto file = std::filesystem::path(out) / "runs.sqlite";
+  const bool there = std::filesystem::exists(file);
+  if (there && !resume) {
+    throw InputError(file.string() +
+                     ": is there already: --resume goes on with it, and another "
+                     "--out begins anew");
+  }
+  const CampaignDescription description = description_of(campaign);
+  Store store = there ? store_to_resume(file, description) : Store::create(file, description);
+  const std::int64_t before = store.size();
+  if (before < campaign.runs() / shard.count) fmt::print(stderr, "{}", in_words(size_of(campaign)));
+  if (before > 0) fmt::print(stderr, "{} runs are there already\n", before);
+  make_runs(campaign, shard, store);
+  return store;
 }
 
 }  // namespace
@@ -128,7 +158,7 @@ int new_plan() {
 }
 
 int check_plan(const std::string& plan, bool json) {
-  const Campaign campaign(read_plan(plan), studies::whole_catalogue());
+  const Campaign campaign(plan_named(plan), studies::whole_catalogue());
   const Json size = size_of(campaign);
   fmt::print("{}", json ? size.dump(2) + "\n" : in_words(size));
   return 0;
@@ -138,7 +168,7 @@ int slurm_script(const std::string& plan, int jobs) {
   if (jobs < 1 || jobs > 10'000) {
     throw InputError(fmt::format("--jobs {}: must be from 1 to 10000", jobs));
   }
-  const Campaign campaign(read_plan(plan), studies::whole_catalogue());
+  const Campaign campaign(plan_named(plan), studies::whole_catalogue());
   const double hours = foretold_seconds(campaign) / jobs / 3600;
   const Json data = {
       {"plan", plan}, {"jobs", jobs}, {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
@@ -153,21 +183,23 @@ int run_plan(const RunOptions& options) {
     limited.emplace(tbb::global_control::max_allowed_parallelism, options.jobs);
   }
   const Shard shard = shard_of(options.shard);
-  const FolderLock alone(options.out);
-  const auto file = std::filesystem::path(options.out) / "runs.sqlite";
-  const bool there = std::filesystem::exists(file);
-  if (there && !options.resume) {
-    throw InputError(file.string() +
-                     ": is there already: --resume goes on with it, and another "
-                     "--out begins anew");
+  const Campaign campaign(plan_named(options.plan), studies::whole_catalogue());
+  const Store store = carried_out(campaign, shard, options.out, options.resume);
+  if (store.size() == campaign.runs()) {
+    const auto study = studies::contest_study(campaign, store, false);
+    fmt::print("{}", studies::run(study, false, options.out).epilogue);
   }
-  const Campaign campaign(read_plan(options.plan), studies::whole_catalogue());
-  const CampaignDescription description = description_of(campaign);
-  Store store = there ? store_to_resume(file, description) : Store::create(file, description);
-  fmt::print(stderr, "{}", in_words(size_of(campaign)));
-  if (there) fmt::print(stderr, "{} runs are there already\n", store.size());
-  make_runs(campaign, shard, store);
-  fmt::print("{} runs: {}\ndigest {}\n", store.size(), file.string(), store.digest());
+  fmt::print("{} runs: {}\ndigest {}\n", store.size(),
+             (std::filesystem::path(options.out) / "runs.sqlite").string(), store.digest());
+  return 0;
+}
+
+int compare(const studies::ContestOptions& options, bool quick, const std::string& out) {
+  const Catalogue catalogue = studies::whole_catalogue();
+  const Campaign campaign(studies::contest_plan(options, quick, catalogue), catalogue);
+  const Store store = carried_out(campaign, {}, out, true);
+  const auto study = studies::contest_study(campaign, store, true);
+  fmt::print("{}", studies::run(study, quick, out).epilogue);
   return 0;
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "src/studies/contest/study.h"
+
 namespace ricochet::cli {
 
 /// Prints a plan to start from.
@@ -17,15 +19,19 @@ int check_plan(const std::string& plan, bool json);
 int slurm_script(const std::string& plan, int jobs);
 
 struct RunOptions {
-  std::string plan;                          ///< TOML file
-  std::string out = "reports/campaign";      ///< folder of its store, runs.sqlite
+  std::string plan = "default";          ///< TOML file, or the name of one that comes along
+  std::string out = "reports/campaign";  ///< folder of its store, runs.sqlite
   std::string shard = "1/1";
   bool resume = false;
   int jobs = 0;  ///< runs at once; 0: one on every core
 };
 
-/// Carries out a plan, or goes on with it.
+/// Carries out a plan, or goes on with it; a whole campaign ends with its report.
 int run_plan(const RunOptions& options);
+
+/// What solvers do on questions, as a campaign of its own, which goes on by itself where it was
+/// interrupted.
+int compare(const studies::ContestOptions& options, bool quick, const std::string& out);
 
 /// Joins the stores of a campaign's parts into a new one.
 int merge_stores(const std::vector<std::string>& parts, const std::string& out);

@@ -194,12 +194,14 @@ class Program : public CommandLine {
   }
 
   void add_compare() {
-    CLI::App* command = add_study(
-        "compare", "Solvers against each other: who solves what, in which form, at what cost",
-        [this] { return studies::contest_study(contest_); },
-        "  ricochet compare --quick\n"
-        "  ricochet compare --questions 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
-        "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'");
+    CLI::App* command =
+        add("compare", "Solvers against each other: who solves what, in which form, at what cost",
+            "  ricochet compare --quick\n"
+            "  ricochet compare --questions 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
+            "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'");
+    StudyOptions& options =
+        add_study_options(command, {"contest", "Fewer instances and evaluations", nullptr});
+    on_call(command, [this, &options] { return compare(contest_, options.quick, options.out); });
     command->add_option("--questions", contest_.questions,
                         "Patterns, with commas between; else the standing contest's");
     command->add_option("--solvers", contest_.solvers, "Patterns")->capture_default_str();
@@ -238,8 +240,10 @@ class Program : public CommandLine {
   }
 
   void add_plan_file(CLI::App* command) {
-    command->add_option("plan", run_.plan, "A plan, a TOML file; - reads it")
-        ->type_name("FILE")
+    command
+        ->add_option("plan", run_.plan,
+                     "A plan, a TOML file, - reads it; or quick, default, full, which come along")
+        ->type_name("PLAN")
         ->required();
   }
 

@@ -19,7 +19,7 @@ struct Shown {
   std::vector<Problem> instances;
 };
 
-std::vector<Shown> all_shown(const Plan& plan) {
+std::vector<Shown> all_shown(const ContestPlan& plan) {
   std::vector<Shown> all;
   for (std::size_t q = 0; q < plan.questions.size(); ++q) {
     const Question& question = plan.questions[q];
@@ -45,7 +45,7 @@ struct Entry {
   const Shown* shown;
 };
 
-std::vector<Entry> entries_of(const Plan& plan, const std::vector<Shown>& all) {
+std::vector<Entry> entries_of(const ContestPlan& plan, const std::vector<Shown>& all) {
   std::vector<Entry> entries;
   for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
     while (end < all.size() && all[end].question == all[first].question) ++end;
@@ -72,7 +72,7 @@ struct Place {
   double length;  ///< of the run, about
 };
 
-std::vector<Place> places_of(const Plan& plan, std::vector<Entry>& entries) {
+std::vector<Place> places_of(const ContestPlan& plan, std::vector<Entry>& entries) {
   std::vector<Place> places;
   for (Entry& entry : entries) {
     const double cost = plan.questions[entry.shown->question].cost;
@@ -106,7 +106,7 @@ std::vector<Form> forms_of(const Question& question, const std::vector<double>& 
   return forms;
 }
 
-std::vector<Standing> hold(const Plan& plan) {
+std::vector<Standing> hold(const ContestPlan& plan) {
   const std::vector<Shown> shown = all_shown(plan);
   std::vector<Entry> entries = entries_of(plan, shown);
   const std::vector<Place> places = places_of(plan, entries);

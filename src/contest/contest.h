@@ -15,7 +15,7 @@
 /// is a factor of its own: who takes part is a solver with a form.
 namespace ricochet::contest {
 
-struct Plan {
+struct ContestPlan {
   std::vector<Question> questions;  ///< whose best values are known
   std::vector<Solver> solvers;
   std::vector<double> widths;         ///< of surrogates, beside the usual one
@@ -48,6 +48,6 @@ std::vector<Form> forms_of(const Question& question, const std::vector<double>& 
 /// standings by question, then
 /// solver, form and budget. The same every time, but for the times. Throws std::invalid_argument
 /// for a question whose best value is not known.
-std::vector<Standing> hold(const Plan& plan);
+std::vector<Standing> hold(const ContestPlan& plan);
 
 }  // namespace ricochet::contest

@@ -57,7 +57,7 @@ using ByQuestion = std::map<std::size_t, const Standing*>;
 
 /// Ranks the competitors, of which these are the ratings, on every instance of every question.
 void place(std::vector<Rating>& ratings, const std::vector<const ByQuestion*>& competitors,
-           const Plan& plan, const std::vector<std::size_t>& questions, std::size_t budget) {
+           const ContestPlan& plan, const std::vector<std::size_t>& questions, std::size_t budget) {
   std::vector<Ranking> rankings;
   std::vector<double> sums(ratings.size());
   std::vector<int> taken(ratings.size());
@@ -96,7 +96,7 @@ std::vector<double> targets_of(const Question& question) {
   return targets;
 }
 
-std::vector<Rating> rate(const Plan& plan, const std::vector<Standing>& standings,
+std::vector<Rating> rate(const ContestPlan& plan, const std::vector<Standing>& standings,
                          const std::vector<std::size_t>& questions, std::size_t budget) {
   using Name = std::pair<std::string, std::string>;
   // By competitor, then by question.

@@ -40,7 +40,7 @@ std::vector<double> targets_of(const Question& question);
 /// Rates all that took part with budget `budget` of the plan on these questions (indices): the one
 /// that is best with the highest probability first, equals by their mean rank. On every instance
 /// the competitors are ranked by the best regret and then by what it cost.
-std::vector<Rating> rate(const Plan& plan, const std::vector<Standing>& standings,
+std::vector<Rating> rate(const ContestPlan& plan, const std::vector<Standing>& standings,
                          const std::vector<std::size_t>& questions, std::size_t budget);
 
 }  // namespace ricochet::contest

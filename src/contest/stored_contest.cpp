@@ -17,8 +17,8 @@ std::vector<StoredStanding> stored_standings(const Campaign& campaign, const Sto
   for (const PlannedCell& planned : campaign.cells()) {
     places[planned.cell] = all.size();
     all.push_back({&planned, {}});
-    all.back().outcomes.reserve(
-        static_cast<std::size_t>(planned.instances) * static_cast<std::size_t>(planned.seeds));
+    all.back().outcomes.reserve(static_cast<std::size_t>(planned.instances) *
+                                static_cast<std::size_t>(planned.seeds));
   }
   store.each([&](const StoredRun& run) {
     const auto place = places.find(run.key.cell);
@@ -51,20 +51,24 @@ StoredContest stored_contest(const Campaign& campaign, const std::vector<StoredS
   std::vector<bool> takes_part(campaign.solvers().size());
   for (const StoredStanding& stored : standings) {
     const PlannedCell& cell = *stored.cell;
-    const bool asked = std::find(cell.parts.begin(), cell.parts.end(), conditions.part) !=
-                           cell.parts.end() &&
-                       cell.cell.feature == conditions.feature &&
-                       cell.cell.gradient_price == conditions.gradient_price &&
-                       conditions.run < cell.seeds;
+    const bool asked =
+        std::find(cell.parts.begin(), cell.parts.end(), conditions.part) != cell.parts.end() &&
+        cell.cell.feature == conditions.feature &&
+        cell.cell.gradient_price == conditions.gradient_price && conditions.run < cell.seeds;
     if (!asked) continue;
     const auto [question, fresh] =
         questions.try_emplace(cell.question, contest.plan.questions.size());
-    if (fresh) contest.plan.questions.push_back(campaign.questions()[cell.question]);
+    if (fresh) {
+      contest.plan.questions.push_back(campaign.questions()[cell.question]);
+      contest.families.push_back(campaign.family_of(cell.question));
+    }
     takes_part[cell.solver] = true;
-    const auto budget =
-        std::find(part.budgets.begin(), part.budgets.end(), cell.cell.budget);
-    Standing standing{question->second, cell.cell.solver, cell.form,
-                      static_cast<std::size_t>(budget - part.budgets.begin()), {}};
+    const auto budget = std::find(part.budgets.begin(), part.budgets.end(), cell.cell.budget);
+    Standing standing{question->second,
+                      cell.cell.solver,
+                      cell.form,
+                      static_cast<std::size_t>(budget - part.budgets.begin()),
+                      {}};
     for (int i = 0; i < part.instances; ++i) {
       standing.outcomes.push_back(
           stored.outcomes[static_cast<std::size_t>(i * cell.seeds + conditions.run)]);

@@ -26,7 +26,8 @@ struct Conditions {
 };
 
 struct StoredContest {
-  Plan plan;
+  ContestPlan plan;
+  std::vector<std::string> families;  ///< of the plan's questions
   std::vector<Standing> standings;
 };
 

@@ -8,8 +8,8 @@
 namespace ricochet::contest {
 namespace {
 
-Plan patient_plan() {
-  Plan plan;
+ContestPlan patient_plan() {
+  ContestPlan plan;
   plan.questions = {valley_question()};
   plan.solvers = {patient("quick", 3), patient("slow", 30), patient("steep", 5, true)};
   plan.instances = 4;
@@ -18,7 +18,7 @@ Plan patient_plan() {
 }
 
 TEST(Contest, PutsEverySolverToEveryFormThatItAccepts) {
-  const Plan plan = patient_plan();
+  const ContestPlan plan = patient_plan();
   const auto standings = hold(plan);
   ASSERT_EQ(standings.size(), 2U * (2 + 2 + 1)) << "two budgets, two forms but for the last";
   EXPECT_EQ(plan.questions[0].name_of(standings[0].form), "count");
@@ -64,7 +64,7 @@ TEST(Contest, IsTheSameOnOneThread) {
 }
 
 TEST(Contest, RefusesAQuestionWhoseBestValueIsNotKnown) {
-  Plan plan = patient_plan();
+  ContestPlan plan = patient_plan();
   plan.questions[0].stated.best_known.reset();
   EXPECT_THROW(hold(plan), std::invalid_argument);
 }

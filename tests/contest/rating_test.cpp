@@ -17,7 +17,7 @@ TEST(Rating, TakesWholeLevelsForTheTargetsOfACount) {
 }
 
 TEST(Rating, PutsTheQuickBeforeTheSlowAndTheSlowBeforeTheHopeless) {
-  Plan plan;
+  ContestPlan plan;
   plan.questions = {valley_question()};
   plan.solvers = {patient("hopeless", 1000), patient("slow", 20), patient("quick", 3)};
   plan.instances = 6;
@@ -41,7 +41,7 @@ TEST(Rating, PutsTheQuickBeforeTheSlowAndTheSlowBeforeTheHopeless) {
 }
 
 TEST(Rating, GivesTwinsTheSameChance) {
-  Plan plan;
+  ContestPlan plan;
   plan.questions = {valley_question()};
   plan.solvers = {patient("a", 3), patient("b", 3)};
   plan.instances = 10;

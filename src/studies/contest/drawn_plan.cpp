@@ -17,7 +17,7 @@ constexpr int most_draws = 5;
 
 }  // namespace
 
-Plan drawn_plan(const Plan& plan) {
+ContestPlan drawn_plan(const ContestPlan& plan) {
   using namespace carrier_track;
   std::vector<Machine> machines;
   for (const Machine& machine : all_machines()) {
@@ -29,7 +29,7 @@ Plan drawn_plan(const Plan& plan) {
       machines.push_back(drawn_machine(machine, draw));
     }
   }
-  Plan drawn = plan;
+  ContestPlan drawn = plan;
   drawn.questions.resize(machines.size());
   tbb::parallel_for(std::size_t{0}, machines.size(), [&](std::size_t k) {
     drawn.questions[k] = with_scanned_best(top_speed_question(machines[k]));

@@ -10,7 +10,7 @@ namespace ricochet::studies::contest {
 
 using report::Json;
 
-Json failure_data(const Plan& plan, const std::vector<Standing>& standings) {
+Json failure_data(const ContestPlan& plan, const std::vector<Standing>& standings) {
   Json rows = Json::array();
   for (const Standing& standing : standings) {
     const Question& question = plan.questions[standing.question];

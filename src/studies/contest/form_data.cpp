@@ -8,7 +8,7 @@
 namespace ricochet::studies::contest {
 using report::Json;
 
-Json form_data(const Plan& plan, const std::vector<Standing>& standings,
+Json form_data(const ContestPlan& plan, const std::vector<Standing>& standings,
                const std::vector<Group>& groups) {
   Json rows = Json::array();
   for (const Group& group : groups) {
@@ -25,7 +25,7 @@ Json form_data(const Plan& plan, const std::vector<Standing>& standings,
   return rows;
 }
 
-Json ceiling_data(const Plan& plan) {
+Json ceiling_data(const ContestPlan& plan) {
   Json rows = Json::array();
   for (const Question& question : plan.questions) {
     for (const Form& form : forms_of(question, plan.widths)) {

@@ -31,7 +31,7 @@ Json estimate_data(const Estimate& estimate) {
   return data;
 }
 
-Json standing_data(const Plan& plan, const Standing& standing) {
+Json standing_data(const ContestPlan& plan, const Standing& standing) {
   const Result result = result_of(standing.outcomes);
   Json exits = Json::array();
   for (const auto& [reason, times] : result.exits) {
@@ -71,7 +71,8 @@ Json rating_data(const Rating& rating) {
 
 /// A row for each competitor with the share of runs that it solves of every question with the
 /// largest budget; null where it does not take the question in this form.
-Json share_rows(const Plan& plan, const std::vector<Standing>& standings, const Group& group) {
+Json share_rows(const ContestPlan& plan, const std::vector<Standing>& standings,
+                const Group& group) {
   std::map<std::string, Json> rows;
   for (const Standing& standing : standings) {
     const auto place = std::find(group.questions.begin(), group.questions.end(), standing.question);
@@ -91,7 +92,7 @@ Json share_rows(const Plan& plan, const std::vector<Standing>& standings, const 
 
 }  // namespace
 
-std::vector<Group> groups_of(const Plan& plan, const std::vector<Family>& families) {
+std::vector<Group> groups_of(const ContestPlan& plan, const std::vector<Family>& families) {
   std::vector<Group> groups;
   for (const Family& family : families) {
     Group group{family.name, {}};
@@ -105,7 +106,22 @@ std::vector<Group> groups_of(const Plan& plan, const std::vector<Family>& famili
   return groups;
 }
 
-Json group_data(const Plan& plan, const std::vector<Standing>& standings,
+std::vector<Group> groups_of(const StoredContest& contest) {
+  std::vector<Group> groups;
+  for (std::size_t q = 0; q < contest.families.size(); ++q) {
+    const auto known = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return group.family == contest.families[q];
+    });
+    if (known == groups.end()) {
+      groups.push_back({contest.families[q], {q}});
+    } else {
+      known->questions.push_back(q);
+    }
+  }
+  return groups;
+}
+
+Json group_data(const ContestPlan& plan, const std::vector<Standing>& standings,
                 const std::vector<Group>& groups) {
   // A chart can tell so many lines apart.
   constexpr std::size_t drawn = 6;

@@ -5,6 +5,7 @@
 
 #include "problems/family.h"
 #include "src/contest/rating.h"
+#include "src/contest/stored_contest.h"
 #include "src/report/json.h"
 
 namespace ricochet::studies::contest {
@@ -18,11 +19,14 @@ struct Group {
 };
 
 /// The families of the plan's questions, in its order.
-std::vector<Group> groups_of(const Plan& plan, const std::vector<Family>& families);
+std::vector<Group> groups_of(const ContestPlan& plan, const std::vector<Family>& families);
+
+/// The same of a stored contest.
+std::vector<Group> groups_of(const StoredContest& contest);
 
 /// What the plan's runs say: of each group the ratings for each budget, its questions, and, where
 /// they are few, all the standings on them.
-report::Json group_data(const Plan& plan, const std::vector<Standing>& standings,
+report::Json group_data(const ContestPlan& plan, const std::vector<Standing>& standings,
                         const std::vector<Group>& groups);
 
 }  // namespace ricochet::studies::contest

@@ -34,7 +34,7 @@ void add_places(Json& rows, const char* key, const char* place) {
 
 }  // namespace
 
-Json history_data(const Plan& plan, const std::vector<Standing>& standings,
+Json history_data(const ContestPlan& plan, const std::vector<Standing>& standings,
                   const std::vector<Group>& groups) {
   const Json old = Json::parse(embedded::old_contest);
   Json all = Json::array();

@@ -80,23 +80,24 @@ Json compared(const std::string& family, const std::string& what, const Order& a
 
 }  // namespace
 
-Json order_data(const Plan& plan, const std::vector<Standing>& standings,
-                const std::vector<Standing>& again, const Plan& drawn,
+Json order_data(const ContestPlan& plan, const std::vector<Standing>& standings,
+                const std::vector<Standing>& again, const ContestPlan& drawn,
                 const std::vector<Group>& groups) {
   const std::size_t last = plan.budgets.size() - 1;
-  Plan halved = plan;
+  ContestPlan halved = plan;
   halved.instances = plan.instances / 2;
   Json rows = Json::array();
   const auto add = [&rows](Json row) {
     if (!row.is_null()) rows.push_back(std::move(row));
   };
   for (const Group& group : groups) {
-    const auto of = [&](const Plan& p, const std::vector<Standing>& all, std::size_t budget) {
-      return rate(p, all, group.questions, budget);
-    };
+    const auto of = [&](const ContestPlan& p, const std::vector<Standing>& all,
+                        std::size_t budget) { return rate(p, all, group.questions, budget); };
     const std::vector<Rating> first = of(plan, standings, 0);
     const std::vector<Rating> most = of(plan, standings, last);
-    add(compared(group.family, "other seeds", order_of(first), order_of(of(plan, again, 0))));
+    if (!again.empty()) {
+      add(compared(group.family, "other seeds", order_of(first), order_of(of(plan, again, 0))));
+    }
     if (halved.instances > 0) {
       add(compared(group.family, "the other half of the instances",
                    order_of(of(halved, half(standings, 0), last)),

@@ -8,8 +8,8 @@ namespace ricochet::studies::contest {
 /// either half of the instances, in another form, with the largest budget in place of the smallest.
 /// `again` are the standings of the same plan with another run's seeds and its smallest budget. Top
 /// speeds also with other machines: `drawn` is the plan of them.
-report::Json order_data(const Plan& plan, const std::vector<Standing>& standings,
-                        const std::vector<Standing>& again, const Plan& drawn,
+report::Json order_data(const ContestPlan& plan, const std::vector<Standing>& standings,
+                        const std::vector<Standing>& again, const ContestPlan& drawn,
                         const std::vector<Group>& groups);
 
 }  // namespace ricochet::studies::contest

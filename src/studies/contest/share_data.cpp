@@ -14,7 +14,7 @@ report::Json share_data(const Share& share) {
 }
 
 std::map<std::string, std::map<std::string, Share>> shares_by_form(
-    const Plan& plan, const std::vector<Standing>& standings, const Group& group) {
+    const ContestPlan& plan, const std::vector<Standing>& standings, const Group& group) {
   std::map<std::string, std::map<std::string, Share>> shares;
   const auto& mine = group.questions;
   for (const Standing& s : standings) {

@@ -6,20 +6,24 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include "problems/families.h"
-#include "solvers/outside/outside.h"
-#include "solvers/solvers.h"
 #include "src/contest/chosen.h"
+#include "src/contest/stored_contest.h"
 #include "src/core/error.h"
 #include "src/core/near_names.h"
 #include "src/studies/contest/drawn_plan.h"
+#include "src/studies/contest/factor_data.h"
 #include "src/studies/contest/failure_data.h"
+#include "src/studies/contest/feature_data.h"
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/contest/history_data.h"
 #include "src/studies/contest/order_data.h"
+#include "src/studies/contest/price_data.h"
 #include "src/studies/contest/twin_data.h"
 
 namespace ricochet::studies {
@@ -73,98 +77,36 @@ Json exits_of(const std::vector<Standing>& standings) {
   return rows;
 }
 
-/// The solvers that the patterns fit, and those that were added.
-std::vector<Solver> solvers_of(const ContestOptions& options) {
-  std::vector<Solver> all = all_solvers();
+std::vector<std::string> split(const std::string& patterns) {
+  std::vector<std::string> list;
+  std::istringstream text(patterns);
+  for (std::string pattern; std::getline(text, pattern, ',');) {
+    if (!pattern.empty()) list.push_back(pattern);
+  }
+  return list;
+}
+
+/// Patterns of solvers, and those that were added.
+std::vector<std::string> solvers_of(const ContestOptions& options, const Catalogue& catalogue) {
+  chosen_solvers(catalogue.solvers, options.solvers, "--solvers");
   std::vector<std::string> names;
-  for (const Solver& solver : all) names.push_back(solver.name);
-  std::vector<std::string> added;
+  for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
+  std::vector<std::string> solvers = split(options.solvers);
   for (const std::string& text : options.added_solvers) {
-    const std::optional<Solver> brought = outside::outside_solver(text);
-    const std::string& name = brought ? brought->name : text;
-    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
-    if (brought && is_known) {
-      throw InputError(
-          fmt::format("--solver {}: there is another solver of its name, {}", text, name));
-    }
-    if (!brought && !is_known) {
+    const bool is_known = std::find(names.begin(), names.end(), text) != names.end();
+    if (!is_known && !catalogue.own_solver(text)) {
       throw InputError(
           fmt::format("--solver {}: there is no such solver; {}", text, what_instead(text, names)));
     }
-    if (brought) {
-      all.push_back(*brought);
-      names.push_back(name);
+    if (std::find(solvers.begin(), solvers.end(), text) != solvers.end()) {
+      throw InputError(fmt::format("--solver {0}: there is another solver of its name, {0}", text));
     }
-    added.push_back(name);
+    solvers.push_back(text);
   }
-  std::vector<Solver> chosen = chosen_solvers(all, options.solvers, "--solvers");
-  for (const Solver& solver : all) {
-    const auto has_its_name = [&](const Solver& other) { return other.name == solver.name; };
-    if (std::find(added.begin(), added.end(), solver.name) == added.end()) continue;
-    if (std::none_of(chosen.begin(), chosen.end(), has_its_name)) chosen.push_back(solver);
-  }
-  return chosen;
+  return solvers;
 }
 
-/// The contests: of one variable, where a thousand evaluations are cheap, and of several.
-std::vector<Plan> plans_of(const ContestOptions& options, bool quick,
-                           const std::vector<Family>& families) {
-  Plan plan;
-  plan.questions = chosen_questions(
-      every_question(families), options.questions.empty() ? standing_questions : options.questions,
-      "--questions");
-  plan.solvers = solvers_of(options);
-  plan.widths = options.widths;
-  plan.limits = options.limits;
-  plan.wants = [forms = options.forms](const Question& question, const Form& form) {
-    return fits(question.name_of(form), forms);
-  };
-  plan.instances = quick ? std::min(options.instances, 5) : options.instances;
-  Plan several = plan;
-  const auto is_one = [](const Question& q) { return q.stated.dimension() == 1; };
-  std::erase_if(plan.questions, [&](const Question& q) { return !is_one(q); });
-  std::erase_if(several.questions, is_one);
-  using Budgets = std::vector<std::int64_t>;
-  plan.budgets = quick ? Budgets{20, 100} : Budgets{100, 1000};
-  several.budgets = quick ? Budgets{20, 50} : Budgets{20, 200};
-  std::vector<Plan> plans;
-  for (Plan& each : {std::ref(plan), std::ref(several)}) {
-    if (!options.budgets.empty()) each.budgets = options.budgets;
-    if (!each.questions.empty()) plans.push_back(each);
-  }
-  return plans;
-}
-
-/// What came of one contest: lists, but for the number of standings.
-Json results_of(const Plan& plan, const std::vector<Family>& families) {
-  const auto standings = hold(plan);
-  const std::vector<Group> groups = groups_of(plan, families);
-  Plan repeated = plan;
-  repeated.run = 1;
-  repeated.budgets = {plan.budgets.front()};
-  const auto again = hold(repeated);
-  const Json group_rows = group_data(plan, standings, groups);
-  const Json twins = twin_data(plan);
-  return {{"plans",
-           {{{"variables", plan.questions.front().stated.dimension() == 1 ? "one" : "several"},
-             {"questions", plan.questions.size()},
-             {"several", plan.questions.front().stated.dimension() > 1},
-             {"least", plan.budgets.front()},
-             {"most", plan.budgets.back()},
-             {"twins", twins["questions"]},
-             {"standings", standings.size()}}}},
-          {"leaders", leaders_of(group_rows)},
-          {"groups", group_rows},
-          {"forms", form_data(plan, standings, groups)},
-          {"ceilings", ceiling_data(plan)},
-          {"orders", order_data(plan, standings, again, drawn_plan(plan), groups)},
-          {"history", history_data(plan, standings, groups)},
-          {"twins", twins["rows"]},
-          {"exits", exits_of(standings)},
-          {"failures", failure_data(plan, standings)}};
-}
-
-Json compute(const ContestOptions& options, bool quick) {
+void check(const ContestOptions& options) {
   if (options.instances < 1) {
     throw InputError(fmt::format("--instances {}: must be >= 1", options.instances));
   }
@@ -173,35 +115,155 @@ Json compute(const ContestOptions& options, bool quick) {
       throw InputError(fmt::format("--budget {}: must be >= 1, and rise", options.budgets[b]));
     }
   }
-  check(options.limits);
+  ricochet::check(options.limits);
   for (const double width : options.widths) {
     if (width > 0 && std::isfinite(width)) continue;
     throw InputError(fmt::format("--widths {}: must be finite and > 0", width));
   }
-  const std::vector<Family> families = all_families();
-  const std::vector<Plan> plans = plans_of(options, quick, families);
+}
+
+/// What was asked with other seeds, too: the seeds of the second run of a part.
+std::size_t repetition_of(const Campaign& campaign, std::size_t part) {
+  const auto& parts = campaign.plan().parts;
+  for (std::size_t other = 0; other < parts.size(); ++other) {
+    const bool same = parts[other].questions == parts[part].questions &&
+                      parts[other].solvers == parts[part].solvers &&
+                      parts[other].least_variables == parts[part].least_variables &&
+                      parts[other].most_variables == parts[part].most_variables &&
+                      parts[other].instances == parts[part].instances;
+    if (same && parts[other].seeds > 1) return other;
+  }
+  return parts.size();
+}
+
+/// What came of one part: lists. `wider`: what a contest asks beside its own runs, of machines
+/// drawn around the cases and of boxes with the best point elsewhere.
+Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& stored,
+                std::size_t part, bool wider) {
+  const StoredContest contest = stored_contest(campaign, stored, {.part = part});
+  const ContestPlan& plan = contest.plan;
+  const std::vector<Group> groups = groups_of(contest);
+  std::vector<Standing> again;
+  if (const std::size_t other = repetition_of(campaign, part);
+      other < campaign.plan().parts.size()) {
+    again = stored_contest(campaign, stored, {.part = other, .run = 1}).standings;
+  }
+  Json group_rows = group_data(plan, contest.standings, groups);
+  const Json twins = wider ? twin_data(plan) : Json{{"questions", 0}, {"rows", Json::array()}};
+  std::int64_t least = plan.questions.front().stated.dimension();
+  std::int64_t most = least;
+  for (const Question& question : plan.questions) {
+    least = std::min<std::int64_t>(least, question.stated.dimension());
+    most = std::max<std::int64_t>(most, question.stated.dimension());
+  }
+  return {{"plans",
+           {{{"variables",
+              least == most ? std::to_string(least) : fmt::format("{} to {}", least, most)},
+             {"questions", plan.questions.size()},
+             {"several", most > 1},
+             {"least", plan.budgets.front()},
+             {"most", plan.budgets.back()},
+             {"instances", plan.instances},
+             {"twins", twins["questions"]},
+             {"standings", contest.standings.size()}}}},
+          {"leaders", leaders_of(group_rows)},
+          {"groups", group_rows},
+          {"forms", form_data(plan, contest.standings, groups)},
+          {"ceilings", ceiling_data(plan)},
+          {"orders", order_data(plan, contest.standings, again,
+                                wider ? drawn_plan(plan) : ContestPlan{}, groups)},
+          {"history", history_data(plan, contest.standings, groups)},
+          {"twins", twins["rows"]},
+          {"exits", exits_of(contest.standings)},
+          {"failures", failure_data(plan, contest.standings)}};
+}
+
+/// Whether a part asks only for what another one asks for with more seeds or budgets.
+bool repeats_another(const Campaign& campaign, std::size_t part) {
+  for (std::size_t first = 0; first < part; ++first) {
+    if (repetition_of(campaign, first) == part) return true;
+  }
+  return false;
+}
+
+/// Families of two parts have names of their own.
+void tell_apart(Json& groups) {
+  std::map<std::string, int> seen;
+  for (Json& group : groups) {
+    const std::string family = group["family"];
+    if (++seen[family] > 1) group["family"] = fmt::format("{}, {}", family, seen[family]);
+  }
+}
+
+Json compute(const Campaign& campaign, const Store& store, bool wider) {
+  const std::vector<StoredStanding> stored = stored_standings(campaign, store);
   Json data;
-  for (const Plan& plan : plans) {
-    Json results = results_of(plan, families);
+  for (std::size_t part = 0; part < campaign.plan().parts.size(); ++part) {
+    if (repeats_another(campaign, part)) continue;
+    Json results = results_of(campaign, stored, part, wider);
     for (auto& [key, rows] : results.items()) {
       if (data[key].is_null()) data[key] = Json::array();
       for (Json& row : rows) data[key].push_back(std::move(row));
     }
   }
+  tell_apart(data["groups"]);
+  data.update(feature_data(campaign, stored));
+  data.update(factor_data(campaign, stored));
+  data["prices"] = price_data(campaign, stored);
   Json solvers = Json::array();
-  for (const Solver& solver : plans.front().solvers) {
+  for (const Solver& solver : campaign.solvers()) {
     solvers.push_back({{"name", solver.name}, {"version", solver.version}});
   }
-  data["instances"] = plans.front().instances;
+  data["campaign"] = campaign.plan().name;
+  data["runs"] = campaign.runs();
+  data["digest"] = store.digest();
   data["solvers"] = std::move(solvers);
   return data;
 }
 
 }  // namespace
 
-Study contest_study(const ContestOptions& options) {
+Plan contest_plan(const ContestOptions& options, bool quick, const Catalogue& catalogue) {
+  check(options);
+  Plan plan;
+  plan.name = quick ? "compare --quick" : "compare";
+  plan.limits = options.limits;
+  PlanPart one;
+  const std::string patterns = options.questions.empty() ? standing_questions : options.questions;
+  one.questions = split(patterns);
+  one.solvers = solvers_of(options, catalogue);
+  one.forms = split(options.forms);
+  one.widths = options.widths;
+  one.instances = quick ? std::min(options.instances, 5) : options.instances;
+  one.most_variables = 1;
+  PlanPart several = one;
+  several.least_variables = 2;
+  several.most_variables = PlanPart().most_variables;
+  using Budgets = std::vector<std::int64_t>;
+  one.budgets = quick ? Budgets{20, 100} : Budgets{100, 1000};
+  several.budgets = quick ? Budgets{20, 50} : Budgets{20, 200};
+  const std::vector<Question> chosen =
+      chosen_questions(every_question(catalogue.families), patterns, "--questions");
+  for (PlanPart& part : {std::ref(one), std::ref(several)}) {
+    if (!options.budgets.empty()) part.budgets = options.budgets;
+    const bool any = std::any_of(chosen.begin(), chosen.end(), [&](const Question& question) {
+      const std::int64_t n = question.stated.dimension();
+      return part.least_variables <= n && n <= part.most_variables;
+    });
+    if (!any) continue;
+    plan.parts.push_back(part);
+    // The same with other seeds: would the order be another?
+    PlanPart again = part;
+    again.budgets = {part.budgets.front()};
+    again.seeds = 2;
+    plan.parts.push_back(again);
+  }
+  return plan;
+}
+
+Study contest_study(const Campaign& campaign, const Store& store, bool wider) {
   return {"contest", "Fewer instances and evaluations",
-          [options](bool quick) { return compute(options, quick); }};
+          [&campaign, &store, wider](bool) { return compute(campaign, store, wider); }};
 }
 
 }  // namespace ricochet::studies

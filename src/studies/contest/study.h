@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/campaign/worker.h"
+#include "src/campaign/campaign.h"
 #include "src/studies/study.h"
 
 namespace ricochet::studies {
@@ -24,9 +24,13 @@ struct ContestOptions {
   Limits limits;  ///< of every run
 };
 
-/// Solvers compared on questions: who solves what, in which form, how surely, at what cost; and
-/// whether the order would be another with other instances, seeds and budgets. Throws InputError
-/// for patterns that nothing fits.
-Study contest_study(const ContestOptions& options);
+/// What these options ask for as a plan. Throws InputError for patterns that nothing fits.
+Plan contest_plan(const ContestOptions& options, bool quick, const Catalogue& catalogue);
+
+/// What a campaign says once all its runs are made: who solves what, in which form, how surely, at
+/// what cost; what features, prices and machines do to it; and whether the order would be another
+/// with other instances, seeds and budgets. `wider` makes further runs, which are not kept: with
+/// machines drawn around the cases, and with the best point elsewhere in the box. Both outlive it.
+Study contest_study(const Campaign& campaign, const Store& store, bool wider);
 
 }  // namespace ricochet::studies

@@ -20,8 +20,8 @@ constexpr const char* names[] = {"lower", "middle", "upper"};
 
 }  // namespace
 
-Json twin_data(const Plan& asked) {
-  Plan plan = asked;
+Json twin_data(const ContestPlan& asked) {
+  ContestPlan plan = asked;
   plan.budgets = {asked.budgets.front()};
   plan.widths.clear();
   // Those that are shown what is judged: a surrogate leans by itself.

@@ -47,9 +47,9 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
 }
 
 /// What solvers are compared on.
-contest::Plan contest_of(const StudyPlan& plan, std::vector<Solver> solvers,
-                         const std::vector<Family>& families) {
-  contest::Plan contest;
+contest::ContestPlan contest_of(const StudyPlan& plan, std::vector<Solver> solvers,
+                                const std::vector<Family>& families) {
+  contest::ContestPlan contest;
   contest.questions = contest::chosen_questions(every_question(families), plan.compared,
                                                 "the questions to compare on");
   contest.solvers = std::move(solvers);

@@ -55,7 +55,7 @@ struct Results {
   std::vector<CaseStudy> cases;
   CountGrid grid;
   std::vector<Trend> trends;
-  contest::Plan contest;
+  contest::ContestPlan contest;
   std::vector<contest::Group> groups;  ///< of the contest's questions, by family
   std::vector<contest::Standing> standings;
 };

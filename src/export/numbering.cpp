@@ -12,11 +12,11 @@ std::string free_name(std::string_view text, std::set<std::string>& taken) {
   constexpr std::size_t longest = 90;
   constexpr std::string_view allowed =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._+";
-  std::string name(text.substr(0, longest));
-  for (char& c : name) {
-    if (allowed.find(c) == std::string_view::npos) c = '_';
+  // A file whose name begins with a dot is hidden, one with a dash looks like an option.
+  std::string name(text.empty() || text[0] == '.' || text[0] == '-' ? 1 : 0, '_');
+  for (const char c : text.substr(0, longest)) {
+    name += allowed.find(c) == std::string_view::npos ? '_' : c;
   }
-  if (name.empty() || name[0] == '.' || name[0] == '-') name.insert(0, "_");
   std::string free = name;
   for (int more = 2; !taken.insert(free).second; ++more) free = fmt::format("{}_{}", name, more);
   return free;

@@ -13,6 +13,7 @@
 #include "src/cli/command_line.h"
 #include "src/cli/completion.h"
 #include "src/cli/evaluate.h"
+#include "src/cli/export.h"
 #include "src/cli/list.h"
 #include "src/cli/machine.h"
 #include "src/cli/manual.h"
@@ -21,6 +22,7 @@
 #include "src/cli/solve.h"
 #include "src/cli/threshold.h"
 #include "src/core/folder_lock.h"
+#include "src/export/formats.h"
 #include "src/features/feature.h"
 #include "src/report/process.h"
 #include "src/report/report.h"
@@ -284,6 +286,30 @@ class Program : public CommandLine {
     again->add_option("run", replayed_, "Its number there")->required();
     add_format(again, replay_json_);
     on_call(again, [this] { return replay(store_, replayed_, replay_json_); });
+    add_export();
+  }
+
+  void add_export() {
+    std::string examples =
+        "  ricochet export mine/runs.sqlite --format csv --out tables\n"
+        "  ricochet export mine/runs.sqlite --format iohanalyzer --out for-iohanalyzer\n"
+        "Formats:\n";
+    std::vector<std::string> names;
+    for (const exports::Format& format : exports::all_formats()) {
+      names.push_back(format.name);
+      examples += fmt::format("  {:11}  {}\n", format.name, format.about);
+    }
+    CLI::App* command = add(
+        "export", "What a store has, for other tools: tables, IOHanalyzer, COCO",
+        examples + "Parquet is none of them: no library here writes it. DuckDB makes it of CSV.");
+    command->add_option("store", export_.store, "")->type_name("FILE")->required();
+    command->add_option("--format", export_.format, "One of them")
+        ->type_name(fmt::format("FORMAT:{{{}}}", fmt::join(names, ",")))
+        ->required();
+    command->add_option("--out", export_.out, "Folder, new or empty")
+        ->type_name("FOLDER")
+        ->required();
+    on_call(command, [this] { return export_store(export_); });
   }
 
   void add_evaluate() {
@@ -398,6 +424,7 @@ class Program : public CommandLine {
   std::vector<std::string> store_parts_;
   std::int64_t replayed_ = 0;
   bool replay_json_ = false;
+  ExportOptions export_;
   EvaluateOptions evaluate_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;

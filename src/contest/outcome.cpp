@@ -2,20 +2,23 @@
 
 namespace ricochet::contest {
 
-Outcome outcome_of(const RunRecord& record, const Problem& problem, double tolerance) {
+Outcome outcome_of(const RunRecord& record, double best_known, double tolerance) {
   Outcome outcome;
   outcome.instance = record.instance;
-  outcome.verdict = judge(record, problem, tolerance);
+  outcome.verdict = judge(record, best_known, tolerance);
   outcome.evaluations = record.ledger.charged;
   outcome.seconds = record.ledger.seconds;
   outcome.failure = record.failure;
   for (const Improvement& step : record.trace) {
     if (step.truth.violation > 0) continue;
-    outcome.steps.push_back(
-        {step.evaluations, step.seconds, step.truth.objective - problem.best_known.value()});
+    outcome.steps.push_back({step.evaluations, step.seconds, step.truth.objective - best_known});
   }
   for (const SolverExit& exit : record.exits) outcome.exits.push_back(exit.reason);
   return outcome;
+}
+
+Outcome outcome_of(const RunRecord& record, const Problem& problem, double tolerance) {
+  return outcome_of(record, problem.best_known.value(), tolerance);
 }
 
 }  // namespace ricochet::contest

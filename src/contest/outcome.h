@@ -26,6 +26,7 @@ struct Outcome {
 };
 
 /// Judges a record. The problem's best value must be known.
+Outcome outcome_of(const RunRecord& record, double best_known, double tolerance);
 Outcome outcome_of(const RunRecord& record, const Problem& problem, double tolerance);
 
 }  // namespace ricochet::contest

@@ -22,7 +22,9 @@ struct Verdict {
   bool handed_over_solved = false;
 };
 
-/// `tolerance` >= 0 is the regret that still counts as solved.
+/// `tolerance` >= 0 is the regret that still counts as solved. Without a best known value nothing
+/// is solved, and nothing has a regret.
+Verdict judge(const RunRecord& record, const std::optional<double>& best_known, double tolerance);
 Verdict judge(const RunRecord& record, const Problem& problem, double tolerance);
 
 }  // namespace ricochet

@@ -1,0 +1,23 @@
+#include "src/cli/export.h"
+
+#include <fmt/format.h>
+
+#include "src/cli/named.h"
+#include "src/export/formats.h"
+#include "src/export/output_folder.h"
+#include "src/store/store.h"
+
+namespace ricochet::cli {
+
+int export_store(const ExportOptions& options) {
+  const exports::Format format = named(exports::all_formats(), options.format, "format",
+                                       [](const exports::Format& known) { return known.name; });
+  const Store store = Store::open(options.store, Store::For::reading);
+  exports::OutputFolder out(options.out);
+  format.write(store, out.draft());
+  out.commit();
+  fmt::print("{} runs: {}\n", store.size(), options.out);
+  return 0;
+}
+
+}  // namespace ricochet::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace ricochet::cli {
+
+struct ExportOptions {
+  std::string store;  ///< SQLite file
+  std::string format;
+  std::string out;  ///< folder, empty or missing
+};
+
+/// Writes what a campaign's store holds for other tools.
+int export_store(const ExportOptions& options);
+
+}  // namespace ricochet::cli

@@ -1,0 +1,156 @@
+#include "src/export/coco.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/export/best_so_far.h"
+#include "src/export/judged_runs.h"
+#include "src/export/numbering.h"
+#include "src/export/output_file.h"
+#include "src/export/running_times.h"
+
+namespace ricochet::exports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* readme =
+    "A campaign of ricochet for the post-processing of COCO, https://github.com/numbbo/coco:\n"
+    "python -m cocopp FOLDER FOLDER ...\n"
+    "\n"
+    "Every folder is one algorithm: a solver, in the form it is shown, with a feature that "
+    "disturbs\n"
+    "it, a gradient's price, and a budget in evaluations for each variable, as runs of another\n"
+    "budget are other runs. Every question is one function of its own number of variables;\n"
+    "running_times.csv says which is which.\n"
+    "\n"
+    "The files pose as those of COCO's suite bbob-mixint, of which cocopp opens 5 and 6 variables\n"
+    "and functions 1 to 24 only. Questions of 5 and 6 variables have the first numbers; all "
+    "others\n"
+    "are here too, and take a cocopp that was told of them. Its names of functions are not ours.\n"
+    "\n"
+    "Values are regrets, the true objective less the best known (fopt), of feasible points only.\n"
+    "Until one is found they are 1e30. Evaluations are as charged, gradients at their price; "
+    "those\n"
+    "of constraints come with them and are not counted again. Coordinates are known of the best\n"
+    "point, else nan. cocopp's targets do not know the questions' tolerances: solved or not is in\n"
+    "running_times.csv, with expected running times until then, runs that did not get there "
+    "charged\n"
+    "in full, runs that are alike counted once, intervals of 95 %. Runs on the same instance have\n"
+    "other seeds. A run that ended before its first evaluation was charged stands here with one.\n";
+
+/// The next count at which every run has a row in .tdat: 1, 2, 5, 10, 20, ...
+std::int64_t after(std::int64_t count) {
+  std::int64_t power = 1;
+  while (count / power >= 10) power *= 10;
+  const std::int64_t digit = count / power;
+  return power * (digit == 1 ? 2 : digit == 2 ? 5 : 10);
+}
+
+/// Files of one algorithm on one question.
+class Case {
+ public:
+  Case(const JudgedRun& first, Numbering& numbering, const fs::path& folder)
+      : root_(folder / numbering.algorithm(first.stored.key.cell)),
+        id_(numbering.function_id(first.question.name)),
+        variables_(first.question.variables),
+        algorithm_(numbering.algorithm(first.stored.key.cell)),
+        stem_(fmt::format("data_f{0}/bbobexp_f{0}_DIM{1}", id_, variables_)),
+        improvements_(made(root_ / (stem_ + ".dat"))),
+        counts_(root_ / (stem_ + ".tdat")) {}
+
+  void add(const JudgedRun& run) {
+    const double fopt = run.question.best_known;
+    const std::string header = header_of(fopt);
+    improvements_.write(header);
+    counts_.write(header);
+    const auto steps = best_so_far(run.outcome);
+    const auto& trace = run.stored.record.trace;
+    std::int64_t count = 1;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const bool is_best = steps[k].regret == steps.back().regret && !trace.empty() &&
+                           trace.back().truth.violation <= 0;
+      const std::string values =
+          values_of(steps[k].regret, fopt, is_best ? &trace.back().x : nullptr);
+      improvements_.write(fmt::format("{} {}", steps[k].evaluations, values));
+      const bool last = k + 1 == steps.size();
+      for (; !last && count < steps[k + 1].evaluations; count = after(count)) {
+        counts_.write(fmt::format("{} {}", count, values));
+      }
+      if (last) counts_.write(fmt::format("{} {}", steps[k].evaluations, values));
+    }
+    summary_ += fmt::format(", {}:{}|{:.1e}", run.stored.key.instance, steps.back().evaluations,
+                            steps.back().regret);
+  }
+
+  void close() {
+    improvements_.close();
+    counts_.close();
+    write_file(root_ / fmt::format("bbobexp_f{}.info", id_),
+               fmt::format("suite = 'bbob-mixint', funcId = {}, DIM = {}, Precision = 1.000e-08, "
+                           "algId = '{}', coco_version = '2.8.0', logger = 'bbob', "
+                           "data_format = 'bbob-new2'\n% of ricochet\n{}.dat{}\n",
+                           id_, variables_, algorithm_, stem_, summary_));
+  }
+
+ private:
+  static fs::path made(const fs::path& file) {
+    fs::create_directories(file.parent_path());
+    return file;
+  }
+
+  std::string header_of(double fopt) const {
+    std::string header = fmt::format(
+        "% f evaluations | g evaluations | best noise-free fitness - Fopt ({:.12e}) + sum g_i+ | "
+        "measured fitness | best measured fitness or single-digit g-values",
+        fopt);
+    for (std::int64_t k = 1; k <= variables_; ++k) header += fmt::format(" | x{}", k);
+    return header + "\n";
+  }
+
+  /// All of a row but its evaluations. Readers leave out rows without every coordinate.
+  std::string values_of(double regret, double fopt, const Vector* x) const {
+    const double fitness = regret == nothing_feasible ? regret : fopt + regret;
+    std::string values = fmt::format("0 {0:+} {1:+} {1:+}", regret, fitness);
+    for (std::int64_t k = 0; k < variables_; ++k) {
+      values += x != nullptr && k < x->size() ? fmt::format(" {:+}", (*x)[k]) : " nan";
+    }
+    return values + "\n";
+  }
+
+  fs::path root_;
+  int id_;
+  std::int64_t variables_;
+  std::string algorithm_, stem_;
+  OutputFile improvements_, counts_;
+  std::string summary_;  ///< of the runs
+};
+
+}  // namespace
+
+void write_coco(const Store& store, const fs::path& folder) {
+  Numbering numbering(store.description());
+  RunningTimes times(folder / "running_times.csv");
+  std::optional<Case> now;
+  each_judged(
+      store,
+      [&](const JudgedRun& run) {
+        if (!now) now.emplace(run, numbering, folder);
+        now->add(run);
+      },
+      [&](const JudgedCell& cell) {
+        now->close();
+        now.reset();
+        times.add(cell, numbering);
+      });
+  times.close();
+  write_file(folder / "README.txt", readme);
+}
+
+}  // namespace ricochet::exports

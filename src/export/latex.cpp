@@ -1,0 +1,104 @@
+#include "src/export/latex.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/core/one_line.h"
+#include "src/export/output_file.h"
+#include "src/export/summary_row.h"
+
+namespace ricochet::exports {
+namespace {
+
+/// The text as it is read, whatever LaTeX makes of its characters.
+std::string escaped(std::string_view text) {
+  std::string tex;
+  for (const char c : one_line(text)) {
+    switch (c) {
+      case '\\':
+        tex += "\\textbackslash{}";
+        break;
+      case '~':
+        tex += "\\textasciitilde{}";
+        break;
+      case '^':
+        tex += "\\textasciicircum{}";
+        break;
+      case '<':
+        tex += "\\textless{}";
+        break;
+      case '>':
+        tex += "\\textgreater{}";
+        break;
+      case '|':
+        tex += "\\textbar{}";
+        break;
+      case '"':
+        tex += "\\textquotedbl{}";
+        break;
+      case '\'':
+        tex += "\\textquotesingle{}";
+        break;
+      case '`':
+        tex += "\\textasciigrave{}";
+        break;
+      case '-':
+        tex += "-{}";
+        break;  // two of them are no dash
+      case '#':
+      case '$':
+      case '%':
+      case '&':
+      case '_':
+      case '{':
+      case '}':
+        tex += '\\';
+        [[fallthrough]];
+      default:
+        tex += c;
+    }
+  }
+  return tex;
+}
+
+/// The cells in a row, the last one bold where runs failed.
+std::string line(const std::vector<std::string>& names, const std::vector<std::string>& figures,
+                 bool failed) {
+  std::vector<std::string> cells;
+  for (const std::string& name : names) cells.push_back(escaped(name));
+  for (const std::string& figure : figures) {
+    cells.push_back(figure == "-" ? "--" : escaped(figure));
+  }
+  if (failed) cells.back() = "\\textbf{" + cells.back() + "}";
+  // A bracket after \\ would be taken for its argument.
+  return fmt::format("{} \\\\ \\relax\n", fmt::join(cells, " & "));
+}
+
+}  // namespace
+
+void write_latex(const Store& store, const std::filesystem::path& folder) {
+  OutputFile file(folder / "table.tex");
+  const std::string header = line(summary_names(), summary_figures(), false);
+  file.write(
+      "% To be read by \\input. Needs \\usepackage{longtable}, \\usepackage{booktabs} and\n"
+      "% \\usepackage{textcomp}, \\usepackage[T1]{fontenc}, and as wide a page.\n"
+      "\\begin{longtable}{" +
+      std::string(summary_names().size() - 1, 'l') +
+      std::string(summary_figures().size() + 1, 'r') + "}\n\\caption{" + escaped(summary_legend()) +
+      "}\\\\\n\\toprule\n" + header + "\\midrule\n\\endfirsthead\n\\toprule\n" + header +
+      "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n");
+  each_judged(
+      store, [](const JudgedRun&) {},
+      [&](const JudgedCell& cell) {
+        const SummaryRow row = summary_row(cell);
+        file.write(line(row.names, row.figures, row.failed > 0));
+      });
+  file.write("\\end{longtable}\n");
+  file.close();
+}
+
+}  // namespace ricochet::exports

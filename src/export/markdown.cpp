@@ -1,0 +1,42 @@
+#include "src/export/markdown.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
+
+#include "src/core/one_line.h"
+#include "src/export/output_file.h"
+#include "src/export/summary_row.h"
+#include "src/report/text.h"
+
+namespace ricochet::exports {
+namespace {
+
+std::string line(const std::vector<std::string>& names, const std::vector<std::string>& figures,
+                 bool failed) {
+  std::vector<std::string> cells;
+  for (const std::string& name : names) cells.push_back(report::escape_markdown(one_line(name)));
+  cells.insert(cells.end(), figures.begin(), figures.end());
+  if (failed) cells.back() = "**" + cells.back() + "**";
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+}  // namespace
+
+void write_markdown(const Store& store, const std::filesystem::path& folder) {
+  OutputFile file(folder / "table.md");
+  file.write(summary_legend() + "\n\n" + line(summary_names(), summary_figures(), false));
+  file.write(line(std::vector<std::string>(summary_names().size(), ":---"),
+                  std::vector<std::string>(summary_figures().size(), "---:"), false));
+  each_judged(
+      store, [](const JudgedRun&) {},
+      [&](const JudgedCell& cell) {
+        const SummaryRow row = summary_row(cell);
+        file.write(line(row.names, row.figures, row.failed > 0));
+      });
+  file.close();
+}
+
+}  // namespace ricochet::exports

@@ -1,0 +1,68 @@
+#include "src/export/output_folder.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "src/core/error.h"
+#include "src/core/text_file.h"
+
+namespace ricochet::exports {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path usable(fs::path folder) {
+  std::error_code error;
+  if (fs::exists(folder, error)) {
+    const bool empty = fs::is_directory(folder, error) && fs::is_empty(folder, error);
+    if (!empty || error) {
+      throw InputError(
+          fmt::format("--out {}: must be a folder that is new or empty", folder.string()));
+    }
+  }
+  return folder;
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path folder)
+    : folder_(usable(std::move(folder))),
+      made_(folder_),
+      draft_(folder_ / fmt::format(".ricochet.{}.part", getpid())),
+      interrupted_([this] { discard(); }) {
+  std::error_code error;
+  fs::create_directory(draft_, error);
+  if (!error) return;
+  throw OutputError(fmt::format("{}: cannot be made: {}", draft_.string(), error.message()));
+}
+
+OutputFolder::~OutputFolder() {
+  discard();
+}
+
+void OutputFolder::discard() const {
+  std::error_code ignored;
+  if (!draft_.empty()) fs::remove_all(draft_, ignored);
+}
+
+void OutputFolder::commit() {
+  const Uninterrupted whole;
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(draft_)) entries.push_back(entry.path());
+  std::error_code error;
+  for (const fs::path& entry : entries) {
+    fs::rename(entry, folder_ / entry.filename(), error);
+    if (error) {
+      throw OutputError(
+          fmt::format("{}: cannot be moved to its place: {}", entry.string(), error.message()));
+    }
+  }
+  fs::remove(draft_, error);
+  draft_.clear();
+}
+
+}  // namespace ricochet::exports

@@ -1,0 +1,55 @@
+#include "src/export/summary_row.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace ricochet::exports {
+namespace {
+
+std::string count(double value) {
+  if (std::isinf(value)) return "inf";
+  return value < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.0f}", 100 * share);
+}
+
+template <class Text>
+std::string interval(const Interval& interval, Text text) {
+  return fmt::format("{} to {}", text(interval.lower), text(interval.upper));
+}
+
+}  // namespace
+
+std::vector<std::string> summary_names() {
+  return {"question", "solver", "form", "feature", "price", "budget"};
+}
+
+std::vector<std::string> summary_figures() {
+  return {"runs", "solved %", "95 % interval", "running time", "95 % interval", "failed"};
+}
+
+std::string summary_legend() {
+  return "Budgets are evaluations for each variable; price: evaluations that a gradient is "
+         "charged, "
+         "n: the number of variables. Solved: share of the runs that found a feasible point within "
+         "the question's tolerance of its best known value, runs that are alike counted once, with "
+         "Wilson's interval. Running time: expected evaluations until then, runs that did not get "
+         "there charged in full. Failed: runs that ended in an exception or were killed.";
+}
+
+SummaryRow summary_row(const JudgedCell& judged) {
+  const contest::Result result = contest::result_of(judged.outcomes);
+  const Cell& cell = judged.cell;
+  const auto& time = result.running_time;
+  return {{cell.question, cell.solver, cell.form, cell.feature, cell.gradient_price,
+           std::to_string(cell.budget)},
+          {std::to_string(result.runs), percent(result.found.share),
+           interval(result.found.interval, percent), time ? count(time->value) : "-",
+           time ? interval(time->interval, count) : "-", std::to_string(result.failed)},
+          result.failed};
+}
+
+}  // namespace ricochet::exports

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
@@ -63,6 +64,13 @@ struct Chosen {
   const std::string* family;
 };
 
+bool asks_for(const PlanPart& part, const Question& question) {
+  const std::int64_t n = question.stated.dimension();
+  return fits_any(question.name(), part.questions) && n >= part.least_variables &&
+         n <= part.most_variables &&
+         (!part.constrained || *part.constrained == (question.stated.constraints > 0));
+}
+
 std::vector<Chosen> questions_of(const PlanPart& part, const std::vector<Family>& families,
                                  const std::string& place) {
   std::vector<Chosen> chosen;
@@ -71,15 +79,29 @@ std::vector<Chosen> questions_of(const PlanPart& part, const std::vector<Family>
     for (const Question& question : family.questions) {
       if (!question.stated.best_known) continue;
       names.push_back(question.name());
-      const std::int64_t n = question.stated.dimension();
-      if (!fits_any(question.name(), part.questions)) continue;
-      if (n < part.least_variables || n > part.most_variables) continue;
-      if (part.constrained && *part.constrained != (question.stated.constraints > 0)) continue;
-      chosen.push_back({&question, &family.name});
+      if (asks_for(part, question)) chosen.push_back({&question, &family.name});
     }
   }
   check_patterns(part.questions, names, place + ", questions");
   return chosen;
+}
+
+/// The families asked of the part's grid of machines. Best values are sought where they are asked
+/// for.
+std::vector<Family> families_of_grid(const PlanPart& part, const Catalogue& catalogue) {
+  if (part.machines.around.empty()) return {};
+  std::vector<Family> families = catalogue.families_of(part.machines);
+  std::vector<Question*> sought;
+  for (Family& family : families) {
+    for (Question& question : family.questions) {
+      const bool can_be = question.stated.dimension() == 1 && !question.stated.best_known;
+      if (can_be && asks_for(part, question)) sought.push_back(&question);
+    }
+  }
+  tbb::parallel_for(std::size_t{0}, sought.size(), [&](std::size_t k) {
+    *sought[k] = catalogue.with_best(std::move(*sought[k]));
+  });
+  return families;
 }
 
 std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
@@ -127,24 +149,18 @@ Campaign::Campaign(Plan plan, const Catalogue& catalogue) : plan_(std::move(plan
 }
 
 std::size_t Campaign::index_of(const Question& question, const std::string& family) {
-  const auto place = std::find_if(questions_.begin(), questions_.end(),
-                                  [&](const Question& q) { return q.name() == question.name(); });
-  if (place == questions_.end()) {
+  const auto [place, fresh] = question_places_.try_emplace(question.name(), questions_.size());
+  if (fresh) {
     questions_.push_back(question);
     families_.push_back(family);
-    return questions_.size() - 1;
   }
-  return static_cast<std::size_t>(place - questions_.begin());
+  return place->second;
 }
 
 std::size_t Campaign::index_of(const Solver& solver) {
-  const auto place = std::find_if(solvers_.begin(), solvers_.end(),
-                                  [&](const Solver& s) { return s.name == solver.name; });
-  if (place == solvers_.end()) {
-    solvers_.push_back(solver);
-    return solvers_.size() - 1;
-  }
-  return static_cast<std::size_t>(place - solvers_.begin());
+  const auto [place, fresh] = solver_places_.try_emplace(solver.name, solvers_.size());
+  if (fresh) solvers_.push_back(solver);
+  return place->second;
 }
 
 void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {

@@ -10,8 +10,8 @@
 #include "problems/family.h"
 #include "src/campaign/plan.h"
 #include "src/campaign/progress.h"
-#include "src/store/store.h"
 #include "src/core/solver.h"
+#include "src/store/store.h"
 
 namespace ricochet {
 
@@ -21,8 +21,10 @@ struct Catalogue {
   std::vector<Solver> solvers;
   /// A solver of the user's own, a library or a program; nothing where the text names none.
   std::function<std::optional<Solver>(const std::string&)> own_solver;
-  /// The families of questions asked of a grid of machines.
+  /// The families of questions asked of a grid of machines, whose best values are not known.
   std::function<std::vector<Family>(const MachineGrid&)> families_of;
+  /// A question of one variable with the best value that a search finds, if any.
+  std::function<Question(Question)> with_best;
 };
 
 /// A cell of a campaign, and what it takes to make its runs.
@@ -78,6 +80,7 @@ class Campaign {
   std::vector<Solver> solvers_;
   std::vector<PlannedCell> cells_;
   std::map<Cell, std::size_t> places_;  ///< of the cells
+  std::map<std::string, std::size_t> question_places_, solver_places_;
 };
 
 /// A run of a campaign, ready to be made. It shares its problem with others.

@@ -7,7 +7,6 @@
 
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/questions/families.h"
-#include "problems/carrier_track/questions/scanned_best.h"
 #include "problems/carrier_track/scene/scene_check.h"
 
 namespace ricochet::carrier_track::inline questions {
@@ -39,19 +38,7 @@ std::vector<Family> grid_families(const std::string& around, const std::vector<d
     machines[k] = machine_of(scenes[k].second, scenes[k].first);
     machines[k].id = scenes[k].first;
   });
-  std::vector<Family> families = families_of(machines);
-  std::vector<Question*> scanned;
-  for (Family& family : families) {
-    for (Question& question : family.questions) {
-      if (question.stated.dimension() == 1 && !question.stated.best_known) {
-        scanned.push_back(&question);
-      }
-    }
-  }
-  tbb::parallel_for(std::size_t{0}, scanned.size(), [&](std::size_t k) {
-    *scanned[k] = with_scanned_best(std::move(*scanned[k]));
-  });
-  return families;
+  return families_of(machines);
 }
 
 }  // namespace ricochet::carrier_track::inline questions

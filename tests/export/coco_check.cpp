@@ -94,7 +94,10 @@ void read_runs(const fs::path& root, const std::string& line, CocoCase& read,
   for (std::sregex_iterator it(told.begin(), told.end(), entry), end; it != end; ++it) {
     const std::size_t k = read.runs.size();
     length += static_cast<std::size_t>(it->length());
-    if (k >= improvements.size() || k >= counts.size()) break;
+    if (k >= improvements.size() || k >= counts.size()) {
+      complaints.push_back("not as many runs as in the rows");
+      break;
+    }
     const auto evaluations = std::atoll((*it)[2].str().c_str());
     const double regret = std::strtod((*it)[3].str().c_str(), nullptr);
     for (const Block* block : {&improvements[k], &counts[k]}) {

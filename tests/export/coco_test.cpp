@@ -138,7 +138,7 @@ TEST_F(Coco, IsCheckedForEveryRule) {
       {"_DIM1.dat", "_DIM2.dat", "no path"},
       {"1:200|0.0e+00", "1:200 0.0e+00", "no list of runs"},
       {", 1:200|0.0e+00", "", "no path"},
-      {"1:200|0.0e+00", "1:200|0.0e+00, 2:200|0.0e+00", "no list of runs"},
+      {"1:200|0.0e+00", "1:200|0.0e+00, 2:200|0.0e+00", "not as many runs"},
       {"1:200|0.0e+00\n", "1:200|0.0e+00\nmore\n", "no three lines"}};
   for (const auto& broken : in_info) {
     EXPECT_THAT(complaints(replaced(info, broken[0], broken[1]), rows, rows),

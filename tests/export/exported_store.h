@@ -91,11 +91,12 @@ inline RunRecord any_run(const StoredQuestion& question, std::int64_t budget,
   return record;
 }
 
-/// A store of 360 runs: 2 budgets, 3 instances, 2 runs on each.
+/// A store of 288 runs: every solver on every question, plain and noisy, with 2 budgets, on 3
+/// instances twice.
 class ExportedStore : public TemporaryFolder {
  protected:
   const CampaignDescription description = hard_description();
-  Store store = Store::create(folder_ / "runs.sqlite", description);
+  Store store = Store::create(made(folder_) / "runs.sqlite", description);
   std::map<RunKey, RunRecord> records;
   const std::filesystem::path out = folder_ / "out";
 
@@ -114,6 +115,11 @@ class ExportedStore : public TemporaryFolder {
         }
       }
     }
+  }
+
+  static std::filesystem::path made(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    return folder;
   }
 
   void add(const RunKey& key, const RunRecord& record) {

@@ -46,9 +46,13 @@ std::string escaped(std::string_view text) {
       case '`':
         tex += "\\textasciigrave{}";
         break;
-      case '-':
-        tex += "-{}";
-        break;  // two of them are no dash
+      case '-':  // two of them would be a dash
+        tex += tex.ends_with('-') ? "{}-" : "-";
+        break;
+      case '[':  // after the end of a row these two would belong to it
+      case '*':
+        tex += {'{', c, '}'};
+        break;
       case '#':
       case '$':
       case '%':
@@ -74,8 +78,7 @@ std::string line(const std::vector<std::string>& names, const std::vector<std::s
     cells.push_back(figure == "-" ? "--" : escaped(figure));
   }
   if (failed) cells.back() = "\\textbf{" + cells.back() + "}";
-  // A bracket after \\ would be taken for its argument.
-  return fmt::format("{} \\\\ \\relax\n", fmt::join(cells, " & "));
+  return fmt::format("{} \\\\\n", fmt::join(cells, " & "));
 }
 
 }  // namespace

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A folder with runs.sqlite, of 8 runs.
+fs::path small_campaign() {
+  const fs::path folder = fresh_folder();
+  const fs::path plan = write(folder, "plan.toml",
+                              "name = \"small\"\n[[part]]\nquestions = [\"hs-71\"]\n"
+                              "solvers = [\"random-search\", \"nlopt-cobyla\"]\n"
+                              "forms = [\"as-stated\", \"penalised\"]\n"
+                              "budgets = [5, 20]\ninstances = 2\n");
+  const Outcome made = call(fmt::format("run {} --out {}", plan.string(), folder.string()));
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  return folder;
+}
+
+/// Has Python read every file, and print how many runs and improvements there are.
+constexpr const char* reader = R"(
+import csv, json, sys
+folder = sys.argv[1]
+runs = list(csv.DictReader(open(folder + '/csv/runs.csv', newline='')))
+lines = [json.loads(line) for line in open(folder + '/json/runs.jsonl')]
+steps = list(csv.DictReader(open(folder + '/csv/improvements.csv', newline='')))
+assert json.load(open(folder + '/json/campaign.json'))['questions'][0]['name'] == 'hs-71'
+assert len(steps) == sum(len(run['improvements']) for run in lines) > 0
+for row, run in zip(runs, lines):
+    assert row['number'] == str(run['number']) and row['solver'] == run['key']['solver']
+    assert float(row['seconds']) == run['ledger']['seconds']
+    assert (row['solved'] == '1') == run['verdict']['solved']
+    assert row['regret'] == '' or float(row['regret']) == run['verdict']['regret']
+print(len(runs), len(lines))
+)";
+
+TEST(Export, WritesEveryFormatThatOthersRead) {
+  const fs::path folder = small_campaign();
+  std::size_t runs = 0;
+  for (const std::string format : {"csv", "json", "latex", "markdown", "iohanalyzer", "coco"}) {
+    const Outcome outcome = call(
+        fmt::format("export {0}/runs.sqlite --format {1} --out {0}/{1}", folder.string(), format));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(" runs: ")) << format;
+    runs = std::stoul(outcome.out);
+  }
+  EXPECT_GT(runs, 0U);
+  EXPECT_TRUE(fs::exists(folder / "latex" / "table.tex"));
+  EXPECT_TRUE(fs::exists(folder / "markdown" / "table.md"));
+  EXPECT_TRUE(fs::exists(folder / "coco" / "README.txt"));
+  if (std::string(RICOCHET_PYTHON).ends_with("NOTFOUND")) return;
+  const fs::path script = write(folder, "read.py", reader);
+  const int status = std::system(fmt::format("{} {} {} >{}/said 2>&1", RICOCHET_PYTHON,
+                                             script.string(), folder.string(), folder.string())
+                                     .c_str());
+  EXPECT_EQ(status, 0) << read(folder / "said");
+  EXPECT_EQ(read(folder / "said"), fmt::format("{0} {0}\n", runs));
+}
+
+TEST(Export, RefusesWhatItCannotDo) {
+  const fs::path folder = small_campaign();
+  const std::string store = (folder / "runs.sqlite").string();
+  const std::string fresh = (folder / "fresh").string();
+  expect_refusal("export " + store + " --format cvs --out " + fresh, "csv");
+  expect_refusal("export " + store + " --format csv --out " + folder.string(),
+                 "must be a folder that is new or empty");
+  expect_refusal("export " + store + ".none --format csv --out " + fresh, ".none");
+  EXPECT_FALSE(fs::exists(fresh)) << "nothing was left there";
+}
+
+}  // namespace
+}  // namespace ricochet::cli

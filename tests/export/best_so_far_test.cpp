@@ -1,0 +1,45 @@
+#include "src/export/best_so_far.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ricochet::exports {
+namespace {
+
+/// Evaluations and regrets of the rows.
+std::vector<std::pair<std::int64_t, double>> rows(const std::vector<contest::Step>& steps,
+                                                  std::int64_t evaluations) {
+  contest::Outcome outcome;
+  outcome.steps = steps;
+  outcome.evaluations = evaluations;
+  outcome.seconds = 7;
+  std::vector<std::pair<std::int64_t, double>> all;
+  for (const auto& row : best_so_far(outcome)) all.emplace_back(row.evaluations, row.regret);
+  return all;
+}
+
+using Rows = std::vector<std::pair<std::int64_t, double>>;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(BestSoFar, BeginsAtTheFirstEvaluationAndEndsAtTheLast) {
+  EXPECT_EQ(rows({{1, 0.1, 3}, {4, 0.2, 0.5}}, 9), (Rows{{1, 3}, {4, 0.5}, {9, 0.5}}));
+  EXPECT_EQ(rows({{4, 0.2, 0.5}}, 9), (Rows{{1, 1e30}, {4, 0.5}, {9, 0.5}}));
+  EXPECT_EQ(rows({{4, 0.2, 0.5}}, 4), (Rows{{1, 1e30}, {4, 0.5}}));
+}
+
+TEST(BestSoFar, IsOneRowOfARunOfOneEvaluationOrNone) {
+  EXPECT_EQ(rows({{1, 0.1, 3}}, 1), (Rows{{1, 3}}));
+  EXPECT_EQ(rows({}, 1), (Rows{{1, 1e30}}));
+  EXPECT_EQ(rows({}, 0), (Rows{{1, 1e30}}));
+}
+
+TEST(BestSoFar, HasNoRegretTwiceAndNoneThatIsNoNumber) {
+  EXPECT_EQ(rows({{2, 0, 3}, {3, 0, 3}, {3, 0, 2}, {3, 0, 1}}, 3),
+            (Rows{{1, 1e30}, {2, 3}, {3, 1}}));
+  EXPECT_EQ(rows({{2, 0, infinity}, {3, 0, -infinity}, {4, 0, std::nan("")}, {5, 0, 1e31}}, 6),
+            (Rows{{1, 1e30}, {6, 1e30}}));
+}
+
+}  // namespace
+}  // namespace ricochet::exports

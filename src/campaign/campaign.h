@@ -10,8 +10,8 @@
 #include "problems/family.h"
 #include "src/campaign/plan.h"
 #include "src/campaign/progress.h"
-#include "src/store/store.h"
 #include "src/core/solver.h"
+#include "src/store/store.h"
 
 namespace ricochet {
 
@@ -77,7 +77,8 @@ class Campaign {
   std::vector<std::string> families_;  ///< of the questions
   std::vector<Solver> solvers_;
   std::vector<PlannedCell> cells_;
-  std::map<Cell, std::size_t> places_;  ///< of the cells
+  std::map<Cell, std::size_t> places_;            ///< of the cells
+  std::map<std::string, std::string> own_texts_;  ///< of the plan, for solvers of the user's own
 };
 
 /// A run of a campaign, ready to be made. It shares its problem with others.

@@ -17,14 +17,15 @@ int check_plan(const std::string& plan, bool json);
 int slurm_script(const std::string& plan, int jobs);
 
 struct RunOptions {
-  std::string plan;                          ///< TOML file
-  std::string out = "reports/campaign";      ///< folder of its store, runs.sqlite
+  std::string plan;                      ///< TOML file
+  std::string out = "reports/campaign";  ///< folder of its store, runs.sqlite
   std::string shard = "1/1";
   bool resume = false;
-  int jobs = 0;  ///< runs at once; 0: one on every core
+  int jobs = 0;       ///< runs at once; 0: one on every core, and under MPI one
+  std::string serve;  ///< under MPI, what this process does: "store" or "runs"; see service.h
 };
 
-/// Carries out a plan, or goes on with it.
+/// Carries out a plan, or goes on with it; as one of the ranks where mpirun has started several.
 int run_plan(const RunOptions& options);
 
 /// Joins the stores of a campaign's parts into a new one.

@@ -1,0 +1,42 @@
+#include "src/mpi/worker_rank.h"
+
+#include <cstdint>
+#include <memory>
+
+#include "src/mpi/child.h"
+#include "src/mpi/message.h"
+
+namespace ricochet::mpi {
+namespace {
+
+std::string given_runs() {
+  while (true) {
+    if (auto message = received()) return std::move(message->bytes);
+    rest();
+  }
+}
+
+}  // namespace
+
+void make_given_runs(const std::vector<std::string>& arguments) {
+  std::vector<std::string> serving = arguments;
+  serving.insert(serving.end(), {"--serve", "runs"});
+  std::unique_ptr<Child> runner;
+  while (true) {
+    send(0, request, "");
+    const std::string places = given_runs();
+    if (places.empty()) return;
+    if (!runner) runner = std::make_unique<Child>(serving);
+    runner->tell(places);
+    for (std::size_t left = places.size() / sizeof(std::uint64_t); left > 0; --left) {
+      const auto record = runner->hear();
+      if (!record) {
+        send(0, gone, "");
+        return;
+      }
+      send(0, result, *record);
+    }
+  }
+}
+
+}  // namespace ricochet::mpi

@@ -48,9 +48,7 @@ bool is_of(const RunRecord& record, const Job& job) {
 bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int in, int out) {
   const PlannedRuns planned(campaign, shard, {});
   std::set<RunKey> done = store.keys();
-  // A run that ends its process is made once more; and what is heavily loaded takes its time.
   std::string opening;
-  append(opening, 2 * campaign.plan().limits.seconds + 60);
   double work = 0;
   for (Place place = 0; place < planned.all().size(); ++place) {
     const PlannedRun& run = planned.all()[place];

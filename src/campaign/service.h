@@ -8,9 +8,9 @@ namespace ricochet {
 /// are told. All know the same plan, so that a run is told by its place among those of the shard,
 /// 8 bytes. Messages are frames, see frame.h; what moves them to and fro is no matter here.
 
-/// Says how long [s] nobody needs be silent (8 bytes) and which runs the store lacks, then adds the
-/// records that come, each behind its place, until an empty message. Returns whether that came.
-/// Throws InputError for a record of another run than its place says.
+/// Says which runs the store lacks, then adds the records that come, each behind its place, until
+/// an empty message. Returns whether that came. Throws InputError for a record of another run than
+/// its place says.
 bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int in, int out);
 
 /// Makes the runs of every message, which is a list of places, and tells every record behind its

@@ -1,6 +1,7 @@
 #include "src/mpi/child.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,6 +47,11 @@ Child::~Child() {
 
 bool Child::tell(const std::string& message) {
   return write_frame(to_, message);
+}
+
+bool Child::waits_for_news(std::chrono::milliseconds most) {
+  pollfd news{from_, POLLIN, 0};
+  return poll(&news, 1, static_cast<int>(most.count())) > 0;
 }
 
 std::optional<std::string> Child::hear() {

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ class Child {
 
   /// Returns whether it still listens.
   bool tell(const std::string& message);
+
+  /// Waits, but no longer than that, until there is something to hear, or it has ended.
+  bool waits_for_news(std::chrono::milliseconds most);
 
   /// Nothing where it has ended.
   std::optional<std::string> hear();

@@ -10,7 +10,11 @@
 namespace ricochet::mpi {
 
 /// What a rank tells rank 0, which answers a request with runs; no runs: there are no more.
-enum Tag : int { request, result, gone, runs };
+enum Tag : int { request, result, gone, alive, runs };
+
+/// A rank says so often that it is alive, and is taken for dead after such a silence.
+inline constexpr std::chrono::seconds heartbeat(5);
+inline constexpr std::chrono::seconds longest_silence(30);
 
 struct Message {
   int rank;

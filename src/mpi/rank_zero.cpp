@@ -32,14 +32,10 @@ class Office {
   Office(Child& store, int ranks) : store_(store), ranks_(static_cast<std::size_t>(ranks)) {
     ranks_[0].lost = true;  // it makes none
     const auto opening = store_.hear();
-    if (!opening || opening->size() < sizeof(double)) return;
-    double seconds = 0;
-    std::memcpy(&seconds, opening->data(), sizeof seconds);
-    patience_ = std::chrono::duration<double>(std::min(seconds, 1e9));
-    waiting_.resize((opening->size() - sizeof seconds) / sizeof(Place));
+    if (!opening) return;
+    waiting_.resize(opening->size() / sizeof(Place));
     for (std::size_t k = 0; k < waiting_.size(); ++k) {
-      std::memcpy(&waiting_[k], opening->data() + sizeof seconds + k * sizeof(Place),
-                  sizeof(Place));
+      std::memcpy(&waiting_[k], opening->data() + k * sizeof(Place), sizeof(Place));
     }
     open_ = true;
   }
@@ -77,9 +73,9 @@ class Office {
     rank.heard = Clock::now();
     if (message.tag == request) {
       rank.waits = true;
-    } else if (message.tag == gone) {
-      lose(message.rank, "has ended");
-    } else if (message.bytes.size() >= sizeof(Place)) {
+    } else if (message.tag == gone && !rank.lost) {
+      lose(message.rank, "has lost its process");
+    } else if (message.tag == result) {
       Place place = 0;
       std::memcpy(&place, message.bytes.data(), sizeof place);
       rank.given.erase(place);
@@ -89,7 +85,7 @@ class Office {
 
   void lose(int number, const char* why) {
     Rank& rank = ranks_[static_cast<std::size_t>(number)];
-    std::fprintf(stderr, "ricochet: rank %d %s: others make its runs\n", number, why);
+    std::fprintf(stderr, "ricochet: rank %d %s\n", number, why);
     waiting_.insert(waiting_.begin(), rank.given.begin(), rank.given.end());
     rank.given.clear();
     rank.lost = lost_ = true;
@@ -97,7 +93,7 @@ class Office {
 
   void look_for_silence() {
     for (std::size_t k = 1; k < ranks_.size(); ++k) {
-      const bool silent = !ranks_[k].given.empty() && Clock::now() - ranks_[k].heard > patience_;
+      const bool silent = Clock::now() - ranks_[k].heard > longest_silence;
       if (silent && !ranks_[k].lost) lose(static_cast<int>(k), "is silent");
     }
   }
@@ -121,14 +117,11 @@ class Office {
 
   /// Tells every rank that there are no more runs, as soon as it asks.
   void dismiss() {
-    const auto end = Clock::now() + patience_;
-    const auto stays = [](const Rank& rank) { return !rank.lost; };
-    while (std::any_of(ranks_.begin(), ranks_.end(), stays) && Clock::now() < end) {
+    while (any_left()) {
       if (const auto message = received()) {
-        Rank& rank = ranks_[static_cast<std::size_t>(message->rank)];
-        if (message->tag == request) rank.waits = true;
-        if (message->tag == gone) rank.lost = true;
+        take(*message);
       } else {
+        look_for_silence();
         rest();
       }
       for (std::size_t k = 1; k < ranks_.size(); ++k) {
@@ -137,13 +130,11 @@ class Office {
         ranks_[k].lost = true;
       }
     }
-    if (std::any_of(ranks_.begin(), ranks_.end(), stays)) lost_ = true;
   }
 
   Child& store_;
   std::vector<Rank> ranks_;
   std::deque<Place> waiting_;
-  std::chrono::duration<double> patience_{60};
   bool open_ = false;  // the store takes runs
   bool lost_ = false;
 };

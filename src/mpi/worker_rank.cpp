@@ -9,11 +9,23 @@
 namespace ricochet::mpi {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 std::string given_runs() {
+  auto told = Clock::now();
   while (true) {
     if (auto message = received()) return std::move(message->bytes);
     rest();
+    if (Clock::now() - told < heartbeat) continue;
+    send(0, alive, "");
+    told = Clock::now();
   }
+}
+
+/// Nothing where the runner has ended.
+std::optional<std::string> record_of(Child& runner) {
+  while (!runner.waits_for_news(heartbeat)) send(0, alive, "");
+  return runner.hear();
 }
 
 }  // namespace
@@ -29,7 +41,7 @@ void make_given_runs(const std::vector<std::string>& arguments) {
     if (!runner) runner = std::make_unique<Child>(serving);
     runner->tell(places);
     for (std::size_t left = places.size() / sizeof(std::uint64_t); left > 0; --left) {
-      const auto record = runner->hear();
+      const auto record = record_of(*runner);
       if (!record) {
         send(0, gone, "");
         return;

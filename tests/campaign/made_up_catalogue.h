@@ -56,7 +56,8 @@ inline Catalogue made_up_catalogue() {
   open.stated.best_known.reset();
   catalogue.families = {
       {"bowl", {bowl("bowl-1", 1), bowl("bowl-2", 2), bowl("bowl-8", 8), open}},
-      {"cup", {bowl("cup-2", 2, true), smooth_bowl("cup-smooth", true), smooth_bowl("cup-s", false)}}};
+      {"cup",
+       {bowl("cup-2", 2, true), smooth_bowl("cup-smooth", true), smooth_bowl("cup-s", false)}}};
   catalogue.solvers = {chance("chance-a"), chance("chance-b"), chance("luck")};
   catalogue.own_solver = [](const std::string& text) -> std::optional<Solver> {
     if (text.find('/') == std::string::npos) return std::nullopt;

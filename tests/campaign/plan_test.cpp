@@ -25,7 +25,8 @@ std::int64_t whole(Random& random, std::int64_t least, std::int64_t most) {
 std::string any_text(Random& random) {
   std::string text = "x";
   for (auto left = random() % 6; left > 0; --left) {
-    text += std::vector<std::string>{"*", "\"", "\\", "'", "\n", "\t", "é", "[a-c]", "?"}[random() % 9];
+    text +=
+        std::vector<std::string>{"*", "\"", "\\", "'", "\n", "\t", "é", "[a-c]", "?"}[random() % 9];
   }
   return text;
 }
@@ -59,7 +60,9 @@ PlanPart any_part(Random& random) {
   if (yes()) part.features = any_list(random, 1, text);
   if (yes()) {
     part.gradient_prices = any_list(random, 1, [&]() -> std::string {
-      return random() % 3 == 0 ? "n" : random() % 2 == 0 ? "measured" : std::to_string(random() % 99);
+      return random() % 3 == 0   ? "n"
+             : random() % 2 == 0 ? "measured"
+                                 : std::to_string(random() % 99);
     });
   }
   part.budgets = any_list(random, 1, [&] { return whole(random, 1, 1'000'000'000'000); });
@@ -87,8 +90,7 @@ TEST(Plan, IsReadBackFromItsText) {
 }
 
 TEST(Plan, HasWhatItsDocumentationSaysWhereNothingIsNamed) {
-  const Plan plan =
-      plan_from("[[part]]\nquestions = \"a\"\nsolvers = \"b\"\nbudgets = 7", "least");
+  const Plan plan = plan_from("[[part]]\nquestions = \"a\"\nsolvers = \"b\"\nbudgets = 7", "least");
   PlanPart part;
   part.questions = {"a"};
   part.solvers = {"b"};
@@ -143,8 +145,8 @@ TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
            {"machines = 1", place, "machines = 1", "a table"},
            {"machines = {}", place + ", machines", "around", "is missing"},
            {"machines = {around = 1}", place + ", machines", "around = 1", "a text"},
-           {"machines = {around = \"C1\", friction = [-1]}", place + ", machines",
-            "friction = -1", "finite numbers >= 0"},
+           {"machines = {around = \"C1\", friction = [-1]}", place + ", machines", "friction = -1",
+            "finite numbers >= 0"},
            {"machines = {around = \"C1\", frictoin = 1}", place + ", machines", "frictoin",
             "friction"},
            {"seed = 1", place, "there is no key seed", "seeds"}}) {

@@ -217,8 +217,15 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
   return plan;
 }
 
+/// A text as TOML has it on one line. What toml++ prints is not always read back.
 std::string quoted(const std::string& text) {
-  return shown(toml::value<std::string>(text));
+  std::string basic = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') basic += '\\';
+    basic += code < 0x20 || code == 0x7F ? fmt::format("\\u{:04X}", code) : std::string(1, c);
+  }
+  return basic + '"';
 }
 
 template <class List>

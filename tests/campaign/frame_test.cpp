@@ -31,7 +31,7 @@ TEST(Frame, IsReadAsItWasWrittenWhateverItsLength) {
 }
 
 TEST(Frame, IsNoneWhereItEndsWithinOrIsTooLong) {
-  for (const std::string bytes : {std::string("\5\0\0", 3), std::string("\5\0\0\0\0\0\0\0abcd", 12),
+  for (const std::string& bytes : {std::string("\5\0\0", 3), std::string("\5\0\0\0\0\0\0\0abcd", 12),
                                   std::string(8, '\xFF')}) {
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);

@@ -118,12 +118,11 @@ CampaignDescription description_of(const Campaign& campaign) {
   return description;
 }
 
-/// The store to go on with: of this campaign, made by this program.
+/// The store to go on with: of this campaign, made by this program. Another one stays as it is.
 Store store_to_resume(const std::filesystem::path& file, const CampaignDescription& description) {
-  Store store = Store::open(file, Store::For::adding);
-  CampaignDescription theirs = store.description();
+  CampaignDescription theirs = Store::open(file, Store::For::reading).description();
   theirs.made = description.made;
-  if (theirs == description) return store;
+  if (theirs == description) return Store::open(file, Store::For::adding);
   const char* what = theirs.plan != description.plan         ? "of another plan"
                      : theirs.program != description.program ? "made by another program"
                                                              : "of other questions or solvers";

@@ -104,7 +104,9 @@ std::vector<Family> families_of_grid(const PlanPart& part, const Catalogue& cata
   return families;
 }
 
+/// `own_texts`: by name, how the solvers of the user's own are called in the plan.
 std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
+                               std::map<std::string, std::string>& own_texts,
                                const std::string& place) {
   std::vector<std::string> patterns;
   std::vector<Solver> own;
@@ -112,7 +114,8 @@ std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
   for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
   for (const std::string& text : part.solvers) {
     if (auto solver = catalogue.own_solver ? catalogue.own_solver(text) : std::nullopt) {
-      if (std::find(names.begin(), names.end(), solver->name) != names.end()) {
+      const std::string& known = own_texts.try_emplace(solver->name, text).first->second;
+      if (known != text || std::find(names.begin(), names.end(), solver->name) != names.end()) {
         throw InputError(fmt::format("{}, solvers {}: there is another solver of its name, {}",
                                      place, text, solver->name));
       }
@@ -170,7 +173,7 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
       part.machines.around.empty() ? std::vector<Family>() : catalogue.families_of(part.machines);
   const auto chosen =
       questions_of(part, part.machines.around.empty() ? catalogue.families : of_grid, place);
-  const std::vector<Solver> solvers = solvers_of(part, catalogue, place);
+  const std::vector<Solver> solvers = solvers_of(part, catalogue, own_texts_, place);
   const std::vector<const Feature*> features = features_of(part, place);
   bool any = false;
   const auto add = [&](const Question& question, const std::string& family, const Form& form,

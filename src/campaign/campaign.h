@@ -81,6 +81,7 @@ class Campaign {
   std::vector<PlannedCell> cells_;
   std::map<Cell, std::size_t> places_;  ///< of the cells
   std::map<std::string, std::size_t> question_places_, solver_places_;
+  std::map<std::string, std::string> own_texts_;  ///< of the plan, for solvers of the user's own
 };
 
 /// A run of a campaign, ready to be made. It shares its problem with others.

@@ -51,7 +51,7 @@ class PlanTable {
 
   void read(std::string_view key, double& target) const {
     const toml::node* node = table_.get(key);
-    if (node != nullptr) target = positive(key, *node);
+    if (node != nullptr) target = finite(key, *node);
   }
 
   void read(std::string_view key, std::optional<bool>& target) const {
@@ -87,9 +87,7 @@ class PlanTable {
   }
 
   void read(std::string_view key, std::vector<double>& target, bool may_be_zero) const {
-    read_list(key, target, [&](const toml::node& node) {
-      return may_be_zero && node.value<double>() == 0 ? 0 : positive(key, node);
-    });
+    read_list(key, target, [&](const toml::node& node) { return finite(key, node, may_be_zero); });
   }
 
   void read(std::string_view key, std::vector<std::int64_t>& target) const {
@@ -107,12 +105,12 @@ class PlanTable {
   }
 
  private:
-  double positive(std::string_view key, const toml::node& node) const {
-    const auto number = node.value<double>();
-    if (!number || !std::isfinite(*number) || *number <= 0) {
-      refuse(key, node, "finite numbers > 0");
+  double finite(std::string_view key, const toml::node& node, bool may_be_zero = false) const {
+    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!number || !std::isfinite(*number) || *number < 0 || (*number == 0 && !may_be_zero)) {
+      refuse(key, node, may_be_zero ? "finite numbers >= 0" : "finite numbers > 0");
     }
-    return *number;
+    return *number + 0.0;  // no -0
   }
 
   std::int64_t whole(std::string_view key, const toml::node& node, std::int64_t least,
@@ -170,7 +168,9 @@ PlanPart part_from(const toml::table& table, const std::string& place) {
   }
   std::vector<std::int64_t> variables = {part.least_variables, part.most_variables};
   in.read("variables", variables);
-  if (variables.size() > 2) in.refuse("variables", *table.get("variables"), "[least, most]");
+  if (variables.empty() || variables.size() > 2) {
+    in.refuse("variables", *table.get("variables"), "a number, or [least, most]");
+  }
   part.least_variables = variables.front();
   part.most_variables = variables.back();
   in.read("constrained", part.constrained);
@@ -217,8 +217,15 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
   return plan;
 }
 
+/// A text as TOML has it on one line. What toml++ prints is not always read back.
 std::string quoted(const std::string& text) {
-  return shown(toml::value<std::string>(text));
+  std::string basic = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') basic += '\\';
+    basic += code < 0x20 || code == 0x7F ? fmt::format("\\u{:04X}", code) : std::string(1, c);
+  }
+  return basic + '"';
 }
 
 template <class List>

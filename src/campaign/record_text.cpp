@@ -82,6 +82,7 @@ std::string text_of(const RunRecord& record) {
                {"exits", list_of(record.exits)},
                {"failure", record.failure},
                {"trace", list_of(record.trace)}};
+  if (const auto& price = record.budget.gradient_price) json["gradient_price"] = *price;
   if (const auto& over = record.handed_over) {
     json["handed_over"] = {json_of(over->x), json_of(over->truth)};
   }
@@ -98,6 +99,7 @@ RunRecord record_from(const std::string& text) {
   record.run = json.at("run");
   record.seed = json.at("seed");
   record.budget = {json.at("evaluations"), json.at("seconds")};
+  if (json.contains("gradient_price")) record.budget.gradient_price = json["gradient_price"];
   record.ledger = {ledger.at(0), ledger.at(1), ledger.at(2),
                    ledger.at(3), ledger.at(4), ledger.at(5)};
   record.refusal = static_cast<Refusal>(json.at("refusal").get<int>());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace ricochet {
@@ -34,13 +35,19 @@ class Queue {
     return job;
   }
 
-  /// What went wrong after other runs in the same process may be their fault: once more, alone.
-  void put_back(std::size_t job) { again_.push_back(job); }
+  /// What went wrong after other runs in the same process may be their fault, and what somebody
+  /// else has killed was not at fault: once more, alone. Returns false where it was so before.
+  bool put_back(std::size_t job) {
+    if (!had_another_try_.insert(job).second) return false;
+    again_.push_back(job);
+    return true;
+  }
 
  private:
   std::size_t jobs_;
   std::size_t next_ = 0;
   std::vector<std::size_t> again_;
+  std::set<std::size_t> had_another_try_;
 };
 
 /// Waits for news of any of them. Returns whether there are some, for each.
@@ -87,9 +94,8 @@ void run_all(const std::vector<Job>& jobs, const Limits& limits,
       const bool goes_on = !news[w] || worker.listen();
       if (goes_on && Clock::now() < worker.deadline()) continue;
       RunRecord record = worker.record();
-      if (!worker.alive() && worker.runs() > 1) {
-        queue.put_back(worker.job());
-      } else {
+      const bool blameless = !worker.alive() && (worker.runs() > 1 || worker.killed_from_outside());
+      if (!blameless || !queue.put_back(worker.job())) {
         done(worker.job(), std::move(record));
       }
       workers[w] = queue.empty() ? nullptr : at_work(std::move(workers[w]), queue, jobs, limits);

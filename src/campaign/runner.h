@@ -11,7 +11,8 @@ namespace ricochet {
 /// Makes all runs, the first ones first, in other processes, one on every core. Hands a record to
 /// `done`, with the index of its job, as soon as its run has ended; records do not depend on how
 /// the runs were spread, but for the times in them. A run that ends its process is made once more
-/// in a fresh one, unless it was the first there, so that no run pays for what others left behind.
+/// in a fresh one, unless it was the first there, so that no run pays for what others left behind;
+/// and so is one whose process somebody else has killed.
 /// Throws what `done` throws, and std::system_error where there can be no process; then none is
 /// left.
 void run_all(const std::vector<Job>& jobs, const Limits& limits,

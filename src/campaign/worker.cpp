@@ -223,6 +223,7 @@ std::string Worker::kill_and_wait() {
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
+  killed_from_outside_ = !late && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
   return late ? fmt::format("killed: it took more than {} s", limits_.seconds) : in_words(status);
 }
 

@@ -66,6 +66,9 @@ class Worker {
 
   bool alive() const { return process_ >= 0; }
 
+  /// Whether somebody else has killed the process, as one who wants its memory does.
+  bool killed_from_outside() const { return killed_from_outside_; }
+
   /// Runs that it has begun.
   int runs() const { return runs_; }
 
@@ -81,6 +84,7 @@ class Worker {
   int descriptor_ = -1;
   std::size_t job_ = 0;
   int runs_ = 0;
+  bool killed_from_outside_ = false;
   std::chrono::steady_clock::time_point deadline_;
   std::string unread_;  // of a message that has not wholly come
   std::vector<Improvement> trace_;

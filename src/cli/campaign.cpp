@@ -1,14 +1,17 @@
 #include "src/cli/campaign.h"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/utsname.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -20,7 +23,10 @@
 #include "embedded/quick_plan.h"
 #include "embedded/slurm_template.h"
 #include "src/campaign/forecast.h"
+#include "src/campaign/frame.h"
 #include "src/campaign/runner.h"
+#include "src/campaign/service.h"
+#include "src/cli/other_program.h"
 #include "src/cli/version.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"
@@ -54,24 +60,29 @@ Json size_of(const Campaign& campaign) {
     evaluations += static_cast<double>(cell.budget.evaluations) * cell.instances * cell.seeds;
     ++features[cell.cell.feature];
   }
-  return {{"name", campaign.plan().name},
-          {"questions", campaign.questions().size()},
-          {"solvers", campaign.solvers().size()},
-          {"features", features.size()},
-          {"cells", campaign.cells().size()},
-          {"runs", campaign.runs()},
-          {"evaluations", evaluations},
-          {"simulations", campaign.work()},
-          {"seconds", foretold_seconds(campaign)},
-          {"cores", cores()}};
+  return {{"name", campaign.plan().name},         {"questions", campaign.questions().size()},
+          {"solvers", campaign.solvers().size()}, {"features", features.size()},
+          {"cells", campaign.cells().size()},     {"runs", campaign.runs()},
+          {"evaluations", evaluations},           {"simulations", campaign.work()}};
 }
 
 std::string in_words(const Json& size) {
-  const double seconds = size["seconds"].get<double>() / size["cores"].get<double>();
-  return fmt::format(
-      "{} runs of {} solvers on {} questions, at most {:.3g} evaluations; about {} on {} cores\n",
-      size["runs"].get<std::int64_t>(), size["solvers"].get<int>(), size["questions"].get<int>(),
-      size["evaluations"].get<double>(), duration(seconds), size["cores"].get<int>());
+  return fmt::format("{} runs of {} solvers on {} questions, at most {:.3g} evaluations",
+                     size["runs"].get<std::int64_t>(), size["solvers"].get<int>(),
+                     size["questions"].get<int>(), size["evaluations"].get<double>());
+}
+
+/// A word of a shell, whatever it has in it.
+std::string in_shell_quotes(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
 }
 
 Shard shard_of(const std::string& text) {
@@ -118,25 +129,23 @@ Plan plan_named(const std::string& name) {
   return read_plan(name);
 }
 
-/// The store to go on with: of this campaign, made by this program.
+/// The store to go on with: of this campaign, made by this program. Another one stays as it is.
 Store store_to_resume(const std::filesystem::path& file, const CampaignDescription& description) {
-  Store store = Store::open(file, Store::For::adding);
-  CampaignDescription theirs = store.description();
+  CampaignDescription theirs = Store::open(file, Store::For::reading).description();
   theirs.made = description.made;
-  if (theirs == description) return store;
+  if (theirs == description) return Store::open(file, Store::For::adding);
   const char* what = theirs.plan != description.plan         ? "of another plan"
                      : theirs.program != description.program ? "made by another program"
                                                              : "of other questions or solvers";
   throw InputError(fmt::format("{}: is {}: another --out begins anew", file.string(), what));
 }
 
-/// Makes the runs that the folder's store lacks.
-Store carried_out(const Campaign& campaign, const Shard& shard, const std::string& out,
-                  bool resume) {
-  const FolderLock alone(out);
-  const auto file = std::filesystem::path(out) / "runs.sqlite";
+/// Makes the runs that the folder's store lacks, or has the other ranks make them.
+Store carried_out(const Campaign& campaign, const Shard& shard, const RunOptions& options) {
+  const FolderLock alone(options.out);
+  const auto file = std::filesystem::path(options.out) / "runs.sqlite";
   const bool there = std::filesystem::exists(file);
-  if (there && !resume) {
+  if (there && !options.resume) {
     throw InputError(file.string() +
                      ": is there already: --resume goes on with it, and another "
                      "--out begins anew");
@@ -144,10 +153,48 @@ Store carried_out(const Campaign& campaign, const Shard& shard, const std::strin
   const CampaignDescription description = description_of(campaign);
   Store store = there ? store_to_resume(file, description) : Store::create(file, description);
   const std::int64_t before = store.size();
-  if (before < campaign.runs() / shard.count) fmt::print(stderr, "{}", in_words(size_of(campaign)));
+  fmt::print(stderr, "{}\n", in_words(size_of(campaign)));
   if (before > 0) fmt::print(stderr, "{} runs are there already\n", before);
-  make_runs(campaign, shard, store);
+  if (options.serve.empty()) {
+    if (before == 0) {
+      fmt::print(stderr, "about {} on {} cores\n",
+                 duration(foretold_seconds(campaign) / shard.count / cores()), cores());
+    }
+    make_runs(campaign, shard, store);
+  } else if (!serve_store(campaign, shard, store, STDIN_FILENO, frames_out)) {
+    throw std::runtime_error("not all runs were made; finished ones are kept: --resume goes on");
+  }
   return store;
+}
+
+/// Whether mpirun has started this process as one of several; by what Open MPI, and MPICH and its
+/// kin, tell it.
+bool started_with_other_ranks() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const char* ranks = std::getenv(name);
+    if (ranks != nullptr && std::atoi(ranks) > 1) return true;
+  }
+  return false;
+}
+
+/// Becomes the program that moves runs between ranks.
+[[noreturn]] void hand_over_to_mpi(const RunOptions& options) {
+  const OtherCommand mpi{"run", "ricochet-mpi", ""};
+  if (options.plan == "-") throw InputError("under mpirun the plan must be a file");
+  if (!std::filesystem::exists(path_of(mpi))) {
+    throw InputError(
+        "ricochet is built without MPI: -D RICOCHET_WITH_MPI=ON builds it with, and --shard needs "
+        "none");
+  }
+  std::vector<std::string> arguments = {options.plan,
+                                        "--out",
+                                        options.out,
+                                        "--shard",
+                                        options.shard,
+                                        "--jobs",
+                                        std::to_string(std::max(1, options.jobs))};
+  if (options.resume) arguments.emplace_back("--resume");
+  hand_over(mpi, arguments);
 }
 
 }  // namespace
@@ -159,8 +206,15 @@ int new_plan() {
 
 int check_plan(const std::string& plan, bool json) {
   const Campaign campaign(plan_named(plan), studies::whole_catalogue());
-  const Json size = size_of(campaign);
-  fmt::print("{}", json ? size.dump(2) + "\n" : in_words(size));
+  Json size = size_of(campaign);
+  const double seconds = foretold_seconds(campaign);
+  size["seconds"] = seconds;
+  size["cores"] = cores();
+  if (json) {
+    fmt::print("{}\n", size.dump(2));
+  } else {
+    fmt::print("{}; about {} on {} cores\n", in_words(size), duration(seconds / cores()), cores());
+  }
   return 0;
 }
 
@@ -168,23 +222,32 @@ int slurm_script(const std::string& plan, int jobs) {
   if (jobs < 1 || jobs > 10'000) {
     throw InputError(fmt::format("--jobs {}: must be from 1 to 10000", jobs));
   }
+  if (plan == "-") throw InputError("the jobs read the plan: it must be a file");
   const Campaign campaign(plan_named(plan), studies::whole_catalogue());
   const double hours = foretold_seconds(campaign) / jobs / 3600;
-  const Json data = {
-      {"plan", plan}, {"jobs", jobs}, {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
+  const Json data = {{"plan", in_shell_quotes(plan)},
+                     {"jobs", jobs},
+                     {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
   fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
   return 0;
 }
 
 int run_plan(const RunOptions& options) {
   if (options.jobs < 0) throw InputError(fmt::format("--jobs {}: must be >= 0", options.jobs));
+  const Shard shard = shard_of(options.shard);
+  if (options.serve.empty() && started_with_other_ranks()) hand_over_to_mpi(options);
   std::optional<tbb::global_control> limited;
   if (options.jobs > 0) {
     limited.emplace(tbb::global_control::max_allowed_parallelism, options.jobs);
   }
-  const Shard shard = shard_of(options.shard);
+  if (options.serve == "runs") {
+    const Campaign campaign(plan_named(options.plan), studies::whole_catalogue());
+    fcntl(frames_out, F_SETFD, FD_CLOEXEC);  // what runs start has no business with it
+    serve_runs(campaign, shard, STDIN_FILENO, frames_out);
+    return 0;
+  }
   const Campaign campaign(plan_named(options.plan), studies::whole_catalogue());
-  const Store store = carried_out(campaign, shard, options.out, options.resume);
+  const Store store = carried_out(campaign, shard, options);
   if (store.size() == campaign.runs()) {
     const auto study = studies::contest_study(campaign, store, false);
     fmt::print("{}", studies::run(study, false, options.out).epilogue);
@@ -197,7 +260,10 @@ int run_plan(const RunOptions& options) {
 int compare(const studies::ContestOptions& options, bool quick, const std::string& out) {
   const Catalogue catalogue = studies::whole_catalogue();
   const Campaign campaign(studies::contest_plan(options, quick, catalogue), catalogue);
-  const Store store = carried_out(campaign, {}, out, true);
+  RunOptions here;
+  here.out = out;
+  here.resume = true;
+  const Store store = carried_out(campaign, {}, here);
   const auto study = studies::contest_study(campaign, store, true);
   fmt::print("{}", studies::run(study, quick, out).epilogue);
   return 0;

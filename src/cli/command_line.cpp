@@ -88,6 +88,7 @@ Json description_of(const std::vector<const CLI::App*>& parts) {
 
 void append_options(const CLI::App& command, Json& options) {
   for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty()) continue;  // hidden
     const Json described = description_of(*option);
     if (std::find(options.begin(), options.end(), described) == options.end()) {
       options.push_back(described);

@@ -253,7 +253,8 @@ class Program : public CommandLine {
     CLI::App* command = add("run", "Carries out a plan; every finished run is kept at once",
                             "  ricochet run plan.toml --out mine\n"
                             "  ricochet run plan.toml --out mine --resume\n"
-                            "  ricochet run plan.toml --out part-3 --shard 3/8");
+                            "  ricochet run plan.toml --out part-3 --shard 3/8\n"
+                            "  mpirun -n 64 ricochet run plan.toml --out mine");
     add_plan_file(command);
     command->add_option("--out", run_.out, "Folder for its store, runs.sqlite")
         ->type_name("FOLDER")
@@ -264,6 +265,9 @@ class Program : public CommandLine {
     command->add_flag("--resume", run_.resume, "Go on with what is there");
     command->add_option("--jobs", run_.jobs, "Runs at once; 0: one on every core")
         ->capture_default_str();
+    command->add_option("--serve", run_.serve, "What this process does under MPI")
+        ->check(CLI::IsMember({"store", "runs"}))
+        ->group("");  // hidden
     on_call(command, [this] { return run_plan(run_); });
   }
 

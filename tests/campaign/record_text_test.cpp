@@ -59,6 +59,7 @@ TEST(RecordText, KeepsAllOfARecord) {
   record.failure = "torn";
   record.trace = {{1, 0.1, {2, 0}, Vector::Constant(1, 3)}, {2, 0.2, {1, 0}, Vector::Zero(1)}};
   for (const bool handed_over : {false, true}) {
+    if (handed_over) record.budget.gradient_price = 0;
     if (handed_over) record.handed_over = HandedOver{Vector::Ones(3), {7, 8}};
     const RunRecord again = record_from(text_of(record));
     EXPECT_EQ(again.problem, record.problem);
@@ -68,6 +69,7 @@ TEST(RecordText, KeepsAllOfARecord) {
     EXPECT_EQ(again.seed, record.seed);
     EXPECT_EQ(again.budget.evaluations, 100);
     EXPECT_EQ(again.budget.seconds, record.budget.seconds);
+    EXPECT_EQ(again.budget.gradient_price, record.budget.gradient_price);
     EXPECT_EQ(again.ledger.values, 1);
     EXPECT_EQ(again.ledger.derivatives, 2);
     EXPECT_EQ(again.ledger.hessians, 6);

@@ -1,8 +1,13 @@
 #include "src/campaign/runner.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
+#include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "src/core/instance.h"
@@ -85,6 +90,35 @@ TEST(Runner, FinishesTheOtherRunsWhenOneFails) {
   EXPECT_EQ(records[3].failure, "torn");
   EXPECT_EQ(records[0].failure, "");
   EXPECT_EQ(records[5].ledger.charged, 100);
+}
+
+TEST(Runner, MakesARunAgainWhoseProcessSomebodyHasKilled) {
+  Jobs jobs(2);
+  const std::filesystem::path mark =
+      std::filesystem::path(testing::TempDir()) / fmt::format("ricochet_killed_{}", getpid());
+  jobs.solvers[0].solve = [mark](Evaluator& evaluator, const Vector& start, Random&) {
+    if (!std::filesystem::exists(mark)) {
+      std::ofstream(mark) << "once";
+      raise(SIGKILL);
+    }
+    evaluator.objective(start);
+    return SolverExit{"survived"};
+  };
+  const auto records = run_on(jobs.jobs, 1);
+  std::filesystem::remove(mark);
+  for (const RunRecord& record : records) EXPECT_EQ(record.failure, "");
+}
+
+TEST(Runner, GivesUpARunThatIsKilledAgain) {
+  Jobs jobs(2);
+  jobs.solvers[0].solve = [](Evaluator&, const Vector&, Random&) -> SolverExit {
+    raise(SIGKILL);
+    return {"never"};
+  };
+  const auto records = run_on(jobs.jobs, 2);
+  for (const RunRecord& record : records) {
+    EXPECT_EQ(record.failure, record.solver == "one" ? "crashed: Killed" : "");
+  }
 }
 
 }  // namespace

@@ -56,6 +56,48 @@ TEST(Evaluator, ChargesWhoAsksForTheSameAgain) {
   EXPECT_EQ(evaluator.ledger().charged, 3 + 2 + 3);
 }
 
+TEST(Evaluator, ChargesAGradientThePriceOfTheBudget) {
+  Problem problem = parabola(4);
+  problem.lagrangian_hessian = [](const Vector&, double factor, const Vector&) {
+    return Matrix(2 * factor * Matrix::Identity(4, 4));
+  };
+  struct Price {
+    std::optional<std::int64_t> of_gradient;
+    std::int64_t charged, of_hessian;
+  };
+  for (const auto& [price, charged, of_hessian] :
+       {Price{{}, 4, 10}, Price{0, 0, 1}, Price{1, 1, 2}, Price{3, 3, 7}, Price{10, 10, 25}}) {
+    Budget budget{1000};
+    budget.gradient_price = price;
+    Evaluator evaluator(problem, budget);
+    ASSERT_TRUE(evaluator.derivatives(Vector::Constant(4, 0.5)));
+    EXPECT_EQ(evaluator.ledger().charged, 1 + charged);
+    ASSERT_TRUE(evaluator.values(Vector::Constant(4, 0.25)));
+    ASSERT_TRUE(evaluator.derivatives(Vector::Constant(4, 0.25)));
+    EXPECT_EQ(evaluator.ledger().charged, 2 + 2 * charged) << "the value was paid";
+    ASSERT_TRUE(evaluator.residuals(Vector::Constant(4, 0.75)));
+    EXPECT_EQ(evaluator.ledger().charged, 3 + 3 * charged);
+    ASSERT_TRUE(evaluator.lagrangian_hessian(Vector::Constant(4, 0.75), 1, Vector()));
+    EXPECT_EQ(evaluator.ledger().charged, 3 + 3 * charged + of_hessian);
+  }
+}
+
+TEST(Evaluator, EndsWhoAsksForGradientsThatCostNothing) {
+  const Problem problem = parabola(2);
+  Budget budget{10};
+  budget.gradient_price = 0;
+  for (const bool move : {false, true}) {
+    Evaluator evaluator(problem, budget);
+    Vector x = Vector::Constant(2, 0.5);
+    int asked = 0;
+    while (asked < 1000 && evaluator.derivatives(x)) {
+      if (move) x[0] += 0.001;
+      ++asked;
+    }
+    EXPECT_EQ(asked, 10);
+  }
+}
+
 TEST(Evaluator, EndsASolverThatAsksForOnePointForEver) {
   const Problem problem = parabola(2);
   Evaluator evaluator(problem, {100});
@@ -289,6 +331,21 @@ TEST(Evaluator, NeverTracesATruthThatIsNotANumber) {
   evaluator.objective(Vector::Constant(1, 0.9));
   ASSERT_EQ(evaluator.trace().size(), 1U);
   EXPECT_EQ(evaluator.trace()[0].truth.objective, 3.0);
+}
+
+TEST(Evaluator, TakesNoPointForReachedOfWhichASolverWasToldNoNumber) {
+  Problem problem = parabola(1);
+  problem.truth = [](const Vector&) { return Truth{3.0, 0.0}; };
+  problem.evaluate = [](const Vector& x) {
+    return Values{x[0] < 0.5 ? std::numeric_limits<double>::quiet_NaN() : 7.0, {}};
+  };
+  Evaluator evaluator(problem, {10});
+  evaluator.objective(Vector::Constant(1, 0.1));
+  EXPECT_TRUE(evaluator.trace().empty());
+  EXPECT_EQ(evaluator.ledger().charged, 1) << "it is paid all the same";
+  evaluator.objective(Vector::Constant(1, 0.9));
+  ASSERT_EQ(evaluator.trace().size(), 1U);
+  EXPECT_EQ(evaluator.trace()[0].evaluations, 2);
 }
 
 /// parabola(1), whose smoothed form has its best point at 0.25 + width.

@@ -19,5 +19,12 @@ TEST(Seed, TellsWhereANameEnds) {
   EXPECT_NE(seed_of("a", "b", 12, 3), seed_of("a", "b", 1, 23));
 }
 
+TEST(Seed, TellsApartWhatIsShownInDifferentWays) {
+  EXPECT_EQ(seed_of("a", "b", 1, 2, ""), seed_of("a", "b", 1, 2)) << "as it ever was";
+  EXPECT_NE(seed_of("a", "b", 1, 2, "count"), seed_of("a", "b", 1, 2));
+  EXPECT_NE(seed_of("a", "b", 1, 2, "count"), seed_of("a", "b", 1, 2, "surrogate"));
+  EXPECT_NE(seed_of("a", "b", 1, 2, "3"), seed_of("a", "b", 1, 23));
+}
+
 }  // namespace
 }  // namespace ricochet

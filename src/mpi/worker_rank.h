@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ricochet::mpi {
+
+/// Makes the runs that rank 0 gives, by a child, until there are no more.
+void make_given_runs(const std::vector<std::string>& arguments);
+
+}  // namespace ricochet::mpi

@@ -1,0 +1,60 @@
+#include "src/campaign/forecast.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "src/core/stopwatch.h"
+#include "tests/campaign/made_up_catalogue.h"
+
+namespace ricochet {
+namespace {
+
+/// Processor time [s] that is burnt.
+void burn(double seconds) {
+  Stopwatch stopwatch;
+  while (stopwatch.read() < seconds) {
+  }
+}
+
+double foretold(double simulation, double solver, const std::string& rest) {
+  Catalogue catalogue = made_up_catalogue();
+  Problem& problem = catalogue.families[0].questions[0].stated;
+  problem.evaluate = [evaluate = problem.evaluate, simulation](const Vector& x) {
+    burn(simulation);
+    return evaluate(x);
+  };
+  catalogue.solvers[0].solve = [solver](Evaluator& evaluator, const Vector& start, Random&) {
+    while (evaluator.objective(start)) burn(solver);
+    return SolverExit{"spent"};
+  };
+  return foretold_seconds(Campaign(
+      plan_from("[[part]]\nquestions = \"bowl-1\"\nsolvers = \"chance-a\"\n" + rest, "test"),
+      catalogue));
+}
+
+TEST(Forecast, IsTheTimeOfSimulationsAndOfTheSolver) {
+  // Half a millisecond and a quarter for each of 10 runs of 20 and of 2000 evaluations.
+  const double seconds = foretold(5e-4, 2.5e-4, "budgets = [20, 2000]\ninstances = 5\nseeds = 2");
+  EXPECT_GT(seconds, 10 * 2020 * 7.0e-4);
+  EXPECT_LT(seconds, 10 * 2020 * 1.2e-3);
+}
+
+TEST(Forecast, HasItsShareForEveryRun) {
+  const double one = foretold(0, 0, "budgets = 2\ninstances = 1000");
+  EXPECT_GT(one, 0.9);
+  EXPECT_LT(one, 5);
+}
+
+TEST(Forecast, OutlivesAQuestionThatThrows) {
+  Catalogue catalogue = made_up_catalogue();
+  Question& question = catalogue.families[0].questions[0];
+  question.stated.evaluate = [](const Vector&) -> Values { throw std::runtime_error("ill"); };
+  const Campaign campaign(
+      plan_from("[[part]]\nquestions = \"bowl-1\"\nsolvers = \"chance-a\"\nbudgets = 5", "test"),
+      catalogue);
+  EXPECT_GT(foretold_seconds(campaign), 0);
+}
+
+}  // namespace
+}  // namespace ricochet

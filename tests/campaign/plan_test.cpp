@@ -1,0 +1,195 @@
+#include "src/campaign/plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "src/core/error.h"
+
+namespace ricochet {
+namespace {
+
+using testing::HasSubstr;
+
+using Random = std::mt19937_64;
+
+std::int64_t whole(Random& random, std::int64_t least, std::int64_t most) {
+  return least + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most - least + 1));
+}
+
+/// Texts with what a writer of TOML must escape.
+std::string any_text(Random& random) {
+  std::string text = "x";
+  for (auto left = random() % 6; left > 0; --left) {
+    text +=
+        std::vector<std::string>{"*", "\"", "\\", "'", "\n", "\t", "é", "[a-c]", "?"}[random() % 9];
+  }
+  return text;
+}
+
+template <class Draw>
+auto any_list(Random& random, std::size_t least, const Draw& draw) {
+  std::vector<decltype(draw())> list;
+  for (std::size_t left = least + random() % 4; left > 0; --left) {
+    const auto entry = draw();
+    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
+  }
+  return list;
+}
+
+PlanPart any_part(Random& random) {
+  const auto text = [&] { return any_text(random); };
+  const auto level = [&] { return random() % 5 == 0 ? 0 : static_cast<double>(random()) * 1e-19; };
+  const auto yes = [&] { return random() % 2 == 0; };
+  PlanPart part;
+  part.questions = any_list(random, 1, text);
+  if (yes()) {
+    part.machines = {any_text(random), any_list(random, 0, level), any_list(random, 0, level),
+                     any_list(random, 0, level)};
+  }
+  if (yes()) part.least_variables = whole(random, 1, 100);
+  part.most_variables = yes() ? part.least_variables : whole(random, 100, 1'000'000'000'000);
+  if (yes()) part.constrained = yes();
+  part.solvers = any_list(random, 1, text);
+  if (yes()) part.forms = any_list(random, 1, text);
+  if (yes()) part.widths = any_list(random, 0, [&] { return level() + 1e-9; });
+  if (yes()) part.features = any_list(random, 1, text);
+  if (yes()) {
+    part.gradient_prices = any_list(random, 1, [&]() -> std::string {
+      return random() % 3 == 0   ? "n"
+             : random() % 2 == 0 ? "measured"
+                                 : std::to_string(random() % 99);
+    });
+  }
+  part.budgets = any_list(random, 1, [&] { return whole(random, 1, 1'000'000'000'000); });
+  std::sort(part.budgets.begin(), part.budgets.end());
+  if (yes()) part.instances = static_cast<int>(whole(random, 1, 1'000'000));
+  if (yes()) part.seeds = static_cast<int>(whole(random, 1, 1'000'000));
+  return part;
+}
+
+TEST(Plan, IsReadBackFromItsText) {
+  Random random(1);
+  for (int k = 0; k < 1000; ++k) {
+    Plan plan;
+    plan.name = any_text(random);
+    plan.limits = {static_cast<double>(random()) * 1e-15 + 1e-9, 1 + static_cast<double>(random())};
+    for (auto left = 1 + random() % 3; left > 0; --left) plan.parts.push_back(any_part(random));
+    const std::string text = text_of(plan);
+    const Plan again = plan_from(text, "again");
+    EXPECT_EQ(again.name, plan.name);
+    EXPECT_EQ(again.limits.seconds, plan.limits.seconds);
+    EXPECT_EQ(again.limits.megabytes, plan.limits.megabytes);
+    EXPECT_EQ(again.parts, plan.parts) << text;
+    EXPECT_EQ(text_of(again), text);
+  }
+}
+
+TEST(Plan, HasWhatItsDocumentationSaysWhereNothingIsNamed) {
+  const Plan plan = plan_from("[[part]]\nquestions = \"a\"\nsolvers = \"b\"\nbudgets = 7", "least");
+  PlanPart part;
+  part.questions = {"a"};
+  part.solvers = {"b"};
+  part.budgets = {7};
+  EXPECT_EQ(plan.parts, std::vector{part});
+  EXPECT_EQ(plan.limits.seconds, Limits().seconds);
+  EXPECT_EQ(plan.limits.megabytes, Limits().megabytes);
+}
+
+/// What is said of a text, which must be refused.
+std::string complaint(const std::string& text) {
+  try {
+    static_cast<void>(plan_from(text, "my.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing, though it is wrong: " + text;
+}
+
+const std::string least = "[[part]]\nquestions = [\"a\"]\nsolvers = [\"b\"]\nbudgets = [7]\n";
+
+TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
+  const std::string place = "my.toml:1, part 1";
+  struct Wrong {
+    std::string line, place, value, allowed;
+  };
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {"instances = 0", place, "instances = 0", "a whole number from 1 to 1000000"},
+           {"instances = 1.5", place, "instances = 1.5", "a whole number from 1 to 1000000"},
+           {"instances = [1]", place, "instances = ", "a whole number from 1 to 1000000"},
+           {"seeds = 1000001", place, "seeds = 1000001", "a whole number from 1 to 1000000"},
+           {"seeds = \"1\"", place, "seeds = ", "a whole number from 1 to 1000000"},
+           {"variables = []", place, "variables = []", "a number, or [least, most]"},
+           {"variables = [1, 2, 3]", place, "variables = ", "a number, or [least, most]"},
+           {"variables = [3, 2]", place, "variables = [3, 2]", "must rise"},
+           {"variables = 0", place, "variables = 0", "a whole number from 1"},
+           {"constrained = 1", place, "constrained = 1", "true or false"},
+           {"forms = []", place, "forms = []", "a list of one or more"},
+           {"forms = [1]", place, "forms = 1", "texts"},
+           {"forms = [\"\"]", place, "forms = ", "texts"},
+           {"features = []", place, "features = []", "a list of one or more"},
+           {"features = [\"a\", \"a\"]", place, "features = ", "without repetitions"},
+           {"widths = [0.0]", place, "widths = 0.0", "finite numbers > 0"},
+           {"widths = [-1]", place, "widths = -1", "finite numbers > 0"},
+           {"widths = [nan]", place, "widths = nan", "finite numbers > 0"},
+           {"widths = [inf]", place, "widths = inf", "finite numbers > 0"},
+           {"widths = [true]", place, "widths = true", "finite numbers > 0"},
+           {"gradient_prices = [-1]", place, "gradient_prices = -1", "from 0 to 1000000000"},
+           {"gradient_prices = [\"m\"]", place, "gradient_prices = ", "\"n\", \"measured\""},
+           {"gradient_prices = [1.5]", place, "gradient_prices = 1.5", "a whole number >= 0"},
+           {"gradient_prices = []", place, "gradient_prices = []", "a list of one or more"},
+           {"machines = 1", place, "machines = 1", "a table"},
+           {"machines = {}", place + ", machines", "around", "is missing"},
+           {"machines = {around = 1}", place + ", machines", "around = 1", "a text"},
+           {"machines = {around = \"C1\", friction = [-1]}", place + ", machines", "friction = -1",
+            "finite numbers >= 0"},
+           {"machines = {around = \"C1\", frictoin = 1}", place + ", machines", "frictoin",
+            "friction"},
+           {"seed = 1", place, "there is no key seed", "seeds"}}) {
+    const std::string said = complaint(least + wrong.line);
+    EXPECT_THAT(said, testing::StartsWith(wrong.place + ": ")) << wrong.line;
+    EXPECT_THAT(said, HasSubstr(wrong.value)) << wrong.line;
+    EXPECT_THAT(said, HasSubstr(wrong.allowed)) << wrong.line;
+  }
+}
+
+TEST(Plan, RefusesBudgetsThatDoNotRise) {
+  const std::string frame = "[[part]]\nquestions = \"a\"\nsolvers = \"b\"\nbudgets = ";
+  EXPECT_THAT(complaint(frame + "[7, 5]"), HasSubstr("budgets = [7, 5]: must rise"));
+  EXPECT_THAT(complaint(frame + "[5, 5]"), HasSubstr("without repetitions"));
+  EXPECT_THAT(complaint(frame + "[]"), HasSubstr("a list of one or more"));
+  EXPECT_THAT(complaint(frame + "0"), HasSubstr("a whole number from 1 to 1000000000000"));
+  EXPECT_THAT(complaint(frame + "2e3"), HasSubstr("a whole number"));
+}
+
+TEST(Plan, RefusesWhatIsMissingOrNoPlan) {
+  EXPECT_THAT(complaint(""), HasSubstr("my.toml: part is missing"));
+  EXPECT_THAT(complaint("part = 1"), HasSubstr("one or more tables [[part]]"));
+  EXPECT_THAT(complaint("part = []"), HasSubstr("one or more tables [[part]]"));
+  EXPECT_THAT(complaint("[part]"), HasSubstr("one or more tables [[part]]"));
+  EXPECT_THAT(complaint("name = 1\n" + least), HasSubstr("my.toml: name = 1: must be a text"));
+  EXPECT_THAT(complaint("names = 1\n" + least), HasSubstr("there is no key names"));
+  EXPECT_THAT(complaint("limits = 1\n" + least), HasSubstr("limits = 1: must be a table"));
+  EXPECT_THAT(complaint("limits = {seconds = 0}\n" + least),
+              HasSubstr("my.toml, limits: seconds = 0: must be finite numbers > 0"));
+  EXPECT_THAT(complaint("limits = {minutes = 1}\n" + least), HasSubstr("there is no key minutes"));
+  EXPECT_THAT(complaint(least + "[[part]]\nsolvers = \"b\"\nbudgets = 7"),
+              HasSubstr("my.toml:5, part 2: questions is missing"));
+  for (const std::string key : {"questions", "solvers", "budgets"}) {
+    std::string text = least;
+    text.replace(text.find(key), key.size(), "# " + key);
+    EXPECT_THAT(complaint(text), HasSubstr(key + " is missing"));
+  }
+  EXPECT_THAT(complaint("[[part"), HasSubstr("my.toml"));
+}
+
+TEST(Plan, OfAFileThatIsMissingIsRefused) {
+  EXPECT_THROW(read_plan("/nothing/there.toml"), InputError);
+}
+
+}  // namespace
+}  // namespace ricochet

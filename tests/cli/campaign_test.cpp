@@ -1,0 +1,257 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "src/core/folder_lock.h"
+#include "tests/cli/tool.h"
+
+namespace ricochet::cli {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+using Json = nlohmann::json;
+
+/// Some hundred runs, of a solver that repeats itself and of two that draw; half a second.
+constexpr auto small_plan = R"(name = "small"
+[limits]
+seconds = 20
+[[part]]
+questions = ["count-C4", "hs-71"]
+solvers = ["random-search", "nlopt-cobyla", "nlopt-slsqp"]
+features = ["plain", "noisy"]
+gradient_prices = ["n", "measured"]
+budgets = [20, 100]
+instances = 3
+)";
+
+class CampaignCommands : public testing::Test {
+ protected:
+  /// The call's outcome, which must be a success.
+  static std::string out_of(const std::string& arguments) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
+    return outcome.out;
+  }
+
+  std::string run(const std::string& out, const std::string& rest = "") const {
+    return out_of(command(out, rest));
+  }
+
+  std::string command(const std::string& out, const std::string& rest = "") const {
+    return fmt::format("run {} --out {} {}", plan_, (folder_ / out).string(), rest);
+  }
+
+  std::string store(const std::string& out) const {
+    return (folder_ / out / "runs.sqlite").string();
+  }
+
+  std::string digest(const std::string& out) const { return out_of("digest " + store(out)); }
+
+  std::filesystem::path folder_ = fresh_folder();
+  std::string plan_ = write(folder_, "plan.toml", small_plan).string();
+};
+
+TEST_F(CampaignCommands, PrintAPlanThatCanBeRead) {
+  const auto plan = write(folder_, "new.toml", out_of("plan new"));
+  const Json size = Json::parse(out_of("plan check --format json " + plan.string()));
+  EXPECT_GT(size["runs"], 100);
+  EXPECT_GT(size["seconds"], 0);
+}
+
+TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
+  const Json size = Json::parse(out_of("plan check --format json " + plan_));
+  const std::string runs = std::to_string(size["runs"].get<int>());
+  EXPECT_THAT(out_of("plan check " + plan_), HasSubstr(runs + " runs of 3 solvers on 2 questions"));
+  EXPECT_THAT(run("one"), HasSubstr(runs + " runs: " + store("one")));
+  EXPECT_EQ(size["cells"].get<int>() * 3, size["runs"].get<int>()) << "instances";
+}
+
+TEST_F(CampaignCommands, GiveTheSameDigestHoweverTheRunsAreMade) {
+  const std::string said = run("one", "--jobs 1");
+  const std::string whole = digest("one");
+  EXPECT_THAT(said, EndsWith("digest " + whole));
+  EXPECT_EQ(whole.size(), 17U);
+  run("two", "--jobs 2");
+  EXPECT_EQ(digest("two"), whole);
+  run("first", "--shard 1/2");
+  run("second", "--shard 2/2");
+  EXPECT_NE(digest("first"), whole);
+  EXPECT_THAT(out_of(fmt::format("merge {}/runs.sqlite {} {}", folder_.string(), store("second"),
+                                 store("first"))),
+              EndsWith("digest " + whole));
+  EXPECT_EQ(out_of(fmt::format("digest {}/runs.sqlite", folder_.string())), whole);
+  run("first", "--shard 2/2 --resume");
+  EXPECT_EQ(digest("first"), whole);
+}
+
+TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
+  run("whole");
+  for (const std::string signal : {"INT", "KILL"}) {
+    int interruptions = 0;
+    for (int k = 1; k <= 20 && interruptions < 3; ++k) {
+      const std::string call = fmt::format("timeout --signal={} {} {} {}", signal, 0.1 * k,
+                                           RICOCHET_PROGRAM, command(signal, "--resume --quiet"));
+      const int status = std::system((call + " >/dev/null 2>&1").c_str());
+      if (status == 0) break;
+      if (std::filesystem::exists(store(signal))) ++interruptions;
+    }
+    EXPECT_GT(interruptions, 0) << signal;
+    run(signal, "--resume");
+    EXPECT_EQ(digest(signal), digest("whole")) << signal;
+  }
+}
+
+TEST_F(CampaignCommands, SayHowToGoOn) {
+  const auto plan = write(folder_, "long.toml",
+                          "[[part]]\nquestions = \"count-C4\"\nsolvers = \"random-search\"\n"
+                          "budgets = 1000\ninstances = 10000");
+  const Outcome outcome = call_interrupted(
+      "INT", fmt::format("run {} --out {} --quiet", plan.string(), (folder_ / "long").string()), 2);
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err,
+              EndsWith("ricochet: interrupted; finished runs are kept: --resume goes on\n"));
+}
+
+TEST_F(CampaignCommands, MakeARunAgainToTheLastBit) {
+  run("one");
+  for (const int number : {1, 17, 50}) {
+    const Json again =
+        Json::parse(out_of(fmt::format("replay {} {} --format json", store("one"), number)));
+    EXPECT_EQ(again["same"], true) << again;
+    EXPECT_EQ(again["run"], number);
+  }
+  EXPECT_THAT(out_of("replay " + store("one") + " 3"), EndsWith("The same, to the last bit.\n"));
+  expect_refusal("replay " + store("one") + " 0", "there is no run 0");
+  expect_refusal("replay " + store("one") + " 100000", "there is no run 100000");
+}
+
+TEST_F(CampaignCommands, RefuseAStoreThatIsThereUnlessToldToGoOn) {
+  run("one");
+  const std::string before = read(store("one"));
+  expect_refusal(command("one"), "is there already: --resume goes on");
+  EXPECT_TRUE(read(store("one")) == before) << "it has changed";
+}
+
+TEST_F(CampaignCommands, LeaveAStoreOfAnotherPlanAsItIs) {
+  run("one");
+  const std::string before = read(store("one"));
+  const auto other = write(folder_, "other.toml", std::string(small_plan) + "seeds = 2\n");
+  expect_refusal(
+      fmt::format("run {} --out {} --resume", other.string(), (folder_ / "one").string()),
+      "is of another plan: --resume goes on with what it began");
+  EXPECT_TRUE(read(store("one")) == before) << "it has changed";
+  run("other", "--shard 1/2");
+  expect_refusal(
+      fmt::format("merge {0}/all.sqlite {0}/one/runs.sqlite {0}/missing.sqlite", folder_.string()),
+      "missing.sqlite");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "all.sqlite"));
+}
+
+TEST_F(CampaignCommands, LeaveWhatIsNoStoreOrDamagedAsItIs) {
+  run("one");
+  std::string damaged = read(store("one"));
+  for (std::size_t k = damaged.size() / 3; k < damaged.size() / 2; ++k) damaged[k] ^= 0x55;
+  for (const std::string& text : {std::string("my diary\n"), std::string(), damaged}) {
+    std::filesystem::create_directories(folder_ / "foreign");
+    write(folder_ / "foreign", "runs.sqlite", text);
+    expect_refusal(command("foreign", "--resume"), "runs.sqlite");
+    expect_refusal("digest " + store("foreign"), "runs.sqlite");
+    expect_refusal("replay " + store("foreign") + " 1", "runs.sqlite");
+    EXPECT_TRUE(read(store("foreign")) == text) << "it has changed";
+  }
+}
+
+TEST_F(CampaignCommands, RefuseAShardThatIsNone) {
+  for (const std::string shard : {"0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/2x"}) {
+    expect_refusal(command("none", "--shard " + shard), "must be I/N");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
+  }
+}
+
+TEST_F(CampaignCommands, RefuseABadPlanAndLeaveNoTrace) {
+  const auto bad = write(folder_, "bad.toml", std::string(small_plan) + "instance = 3\n");
+  for (const std::string& start : std::vector<std::string>{
+           "plan check ", "plan slurm ", "run --out " + (folder_ / "none").string() + " "}) {
+    expect_refusal(start + bad.string(), "there is no key instance; did you mean instances?");
+    expect_refusal(start + (folder_ / "missing.toml").string(), "missing.toml");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
+  }
+  expect_refusal(command("none", "--jobs -1"), "--jobs -1: must be >= 0");
+  expect_refusal("plan slurm --jobs 0 " + plan_, "--jobs 0: must be from 1 to 10000");
+}
+
+TEST_F(CampaignCommands, SayThatAnotherOneIsAtWork) {
+  const FolderLock first(folder_ / "one");
+  expect_refusal(command("one", "--resume"), "another ricochet is at work there");
+}
+
+/// The script, with a loop in Slurm's place.
+TEST_F(CampaignCommands, PrintAScriptForSlurmWhoseLastJobJoinsAll) {
+  run("one");
+  const auto plan = write(folder_, "it's & <mine>.toml", small_plan);
+  const auto script = write(folder_, "campaign.sh",
+                            out_of(fmt::format("plan slurm --jobs 3 \"{}\"", plan.string())));
+  EXPECT_THAT(read(script), HasSubstr("#SBATCH --array=1-3\n"));
+  EXPECT_THAT(read(script), HasSubstr("#SBATCH --time=1:00:00\n"));
+  const std::string jobs = fmt::format(
+      "cd {} && for i in 2 3 1 2; do RICOCHET={} SLURM_ARRAY_TASK_ID=$i bash campaign.sh || exit "
+      "1; "
+      "done >out 2>err",
+      folder_.string(), RICOCHET_PROGRAM);
+  ASSERT_EQ(std::system(jobs.c_str()), 0) << read(folder_ / "err");
+  EXPECT_EQ(out_of("digest " + (folder_ / "campaign" / "runs.sqlite").string()), digest("one"));
+}
+
+/// mpirun, where there is one and the program for it; else empty.
+std::string mpirun() {
+  const bool there = std::filesystem::exists(RICOCHET_PROGRAM "-mpi") &&
+                     std::system("mpirun --version >/dev/null 2>&1") == 0;
+  return there ? "mpirun --allow-run-as-root --oversubscribe" : "";
+}
+
+TEST_F(CampaignCommands, GiveTheSameDigestOverTheRanksOfMpi) {
+  if (mpirun().empty()) GTEST_SKIP() << "there is no MPI";
+  run("one");
+  for (const int ranks : {2, 4}) {
+    const std::string out = fmt::format("ranks-{}", ranks);
+    const std::string call = fmt::format("{} -n {} {} {} >{}/log 2>&1", mpirun(), ranks,
+                                         RICOCHET_PROGRAM, command(out), folder_.string());
+    ASSERT_EQ(std::system(call.c_str()), 0) << read(folder_ / "log");
+    EXPECT_THAT(read(folder_ / "log"), HasSubstr("digest " + digest("one")));
+    EXPECT_EQ(digest(out), digest("one"));
+  }
+}
+
+TEST_F(CampaignCommands, LoseNothingButItsRunsWithARankThatIsKilled) {
+  if (mpirun().empty()) GTEST_SKIP() << "there is no MPI";
+  run("one");
+  // The oldest rank but one is killed as soon as there are runs.
+  const std::string call = fmt::format(
+      "{} -n 3 {} {} >{}/log 2>&1 & it=$!; while [ ! -e {} ] && kill -0 $it; do sleep 0.05; done; "
+      "sleep 0.3; kill -9 $(pgrep -P $it | sed -n 2p); wait $it",
+      mpirun(), RICOCHET_PROGRAM, command("ranks"), folder_.string(), store("ranks"));
+  static_cast<void>(std::system(("(" + call + ") >/dev/null 2>&1").c_str()));
+  for (int k = 0;
+       k < 50 && call_interrupted("KILL", command("ranks", "--resume"), 60).exit_code == 2; ++k) {
+    static_cast<void>(std::system("sleep 0.1"));  // the process of the store still ends
+  }
+  EXPECT_EQ(digest("ranks"), digest("one"));
+}
+
+TEST_F(CampaignCommands, LoseNothingWhereverTheyAreKilled) {
+  const std::string kills = fmt::format("{}/tests/hostile/kills {} 5 >{}/log 2>&1", RICOCHET_SOURCE,
+                                        RICOCHET_PROGRAM, folder_.string());
+  EXPECT_EQ(std::system(kills.c_str()), 0) << read(folder_ / "log");
+}
+
+}  // namespace
+}  // namespace ricochet::cli

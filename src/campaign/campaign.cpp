@@ -169,8 +169,7 @@ std::size_t Campaign::index_of(const Solver& solver) {
 void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
   const PlanPart& part = plan_.parts[part_index];
   const std::string place = fmt::format("part {}", part_index + 1);
-  const std::vector<Family> of_grid =
-      part.machines.around.empty() ? std::vector<Family>() : catalogue.families_of(part.machines);
+  const std::vector<Family> of_grid = families_of_grid(part, catalogue);
   const auto chosen =
       questions_of(part, part.machines.around.empty() ? catalogue.families : of_grid, place);
   const std::vector<Solver> solvers = solvers_of(part, catalogue, own_texts_, place);

@@ -31,8 +31,9 @@ TEST(Frame, IsReadAsItWasWrittenWhateverItsLength) {
 }
 
 TEST(Frame, IsNoneWhereItEndsWithinOrIsTooLong) {
-  for (const std::string& bytes : {std::string("\5\0\0", 3), std::string("\5\0\0\0\0\0\0\0abcd", 12),
-                                  std::string(8, '\xFF')}) {
+  for (const std::string& bytes :
+       {std::string("\5\0\0", 3), std::string("\5\0\0\0\0\0\0\0abcd", 12),
+        std::string(8, '\xFF')}) {
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
     ASSERT_EQ(write(ends[1], bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));

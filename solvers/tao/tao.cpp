@@ -2,8 +2,12 @@
 
 #include <dlfcn.h>
 #include <ricochet/ricochet.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 
@@ -45,6 +49,15 @@ const ricochet_solver* loaded(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
   const void* exported = library != nullptr ? dlsym(library, "ricochet_tao_solvers") : nullptr;
   if (exported == nullptr) throw std::runtime_error(dlerror());
+  // What PETSc brings along flushes at the program's end a std::cout that, loaded so, is none. This
+  // comes before it, as it is registered later, and leaves nothing else undone.
+  on_exit(
+      [](int status, void* /*nothing*/) {
+        std::cout.flush();
+        std::fflush(nullptr);
+        _exit(status);
+      },
+      nullptr);
   return static_cast<const ricochet_solver*>(exported);
 }
 

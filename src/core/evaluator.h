@@ -65,9 +65,9 @@ struct Improvement {
 /// The only one who counts, times, traces, and refuses when the budget is spent. Remembers the last
 /// point, so that a solver that asks separately for objective, constraints and gradient at one
 /// point pays once; who asks for the same of the same point again pays again. Every point is scored
-/// by its truth off the clock: the trace, never a solver's answer, tells what was reached; where the
-/// truth, or the objective that the solver was told, is no number, no point was reached. Points outside the box are evaluated at their
-/// projection onto it.
+/// by its truth off the clock: the trace, never a solver's answer, tells what was reached; where
+/// the truth, or the objective that the solver was told, is no number, no point was reached. Points
+/// outside the box are evaluated at their projection onto it.
 ///
 /// Nothing throws through a solver's frame: an exception of the problem is stored in `failure`, and
 /// from then on every call is refused.

@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
+#include "src/core/error.h"
 #include "src/store/sqlite_values.h"
 #include "src/store/stored_parts.h"
-#include "src/core/error.h"
 
 namespace ricochet {
 namespace {

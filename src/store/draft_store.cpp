@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "embedded/schema.h"
-#include "src/store/description_rows.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
+#include "src/store/description_rows.h"
 
 namespace ricochet {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "src/store/store.h"
 #include "src/core/interruption.h"
+#include "src/store/store.h"
 
 namespace ricochet {
 

@@ -1,12 +1,12 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
+#include "src/core/error.h"
+#include "src/core/text_file.h"
 #include "src/store/draft_store.h"
 #include "src/store/run_rows.h"
 #include "src/store/store.h"
 #include "src/store/stored_parts.h"
-#include "src/core/error.h"
-#include "src/core/text_file.h"
 
 namespace ricochet {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "src/store/stored_parts.h"
 #include "src/core/error.h"
+#include "src/store/stored_parts.h"
 
 namespace ricochet {
 namespace {

@@ -6,14 +6,14 @@
 
 #include <utility>
 
+#include "src/core/error.h"
+#include "src/core/text_file.h"
 #include "src/store/description_rows.h"
 #include "src/store/draft_store.h"
 #include "src/store/run_rows.h"
 #include "src/store/store_file.h"
 #include "src/store/stored_parts.h"
 #include "src/store/writer_lock.h"
-#include "src/core/error.h"
-#include "src/core/text_file.h"
 
 namespace ricochet {
 

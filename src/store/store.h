@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "src/store/run_key.h"
 #include "src/core/run.h"
+#include "src/store/run_key.h"
 
 namespace ricochet {
 

@@ -16,8 +16,8 @@
 #include <utility>
 
 #include "embedded/schema.h"
-#include "src/store/sqlite_values.h"
 #include "src/core/error.h"
+#include "src/store/sqlite_values.h"
 
 namespace ricochet {
 namespace {

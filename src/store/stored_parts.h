@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "src/core/fnv_hash.h"
 #include "src/store/repeated_exits.h"
 #include "src/store/store.h"
-#include "src/core/fnv_hash.h"
 
 namespace ricochet {
 

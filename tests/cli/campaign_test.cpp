@@ -147,7 +147,7 @@ TEST_F(CampaignCommands, LeaveAStoreOfAnotherPlanAsItIs) {
   const auto other = write(folder_, "other.toml", std::string(small_plan) + "seeds = 2\n");
   expect_refusal(
       fmt::format("run {} --out {} --resume", other.string(), (folder_ / "one").string()),
-      "is of another plan: --resume goes on with what it began");
+      "is of another plan: another --out begins anew");
   EXPECT_TRUE(read(store("one")) == before) << "it has changed";
   run("other", "--shard 1/2");
   expect_refusal(

@@ -21,8 +21,8 @@
 
 #include "src/core/error.h"
 #include "src/core/text_file.h"
-#include "tests/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/store/stored_runs.h"
 
 namespace ricochet {
 namespace {

@@ -43,8 +43,8 @@ Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
 /// Of the machine that a question is asked of.
 std::map<std::string, double> factors_of(const std::vector<Machine>& machines,
                                          const std::string& id) {
-  const auto machine = std::find_if(machines.begin(), machines.end(),
-                                    [&](const Machine& m) { return m.id == id; });
+  const auto machine =
+      std::find_if(machines.begin(), machines.end(), [&](const Machine& m) { return m.id == id; });
   if (machine == machines.end()) return {};
   const Scene& scene = machine->scene;
   return {{"restitution", scene.restitution_lower},

@@ -141,7 +141,6 @@ void add_effects(Json& rows, const std::string& family, const ByCompetitor::valu
 
 void add_turns(Json& rows, const std::string& family, const ByCompetitor& competitors,
                const std::map<std::string, std::vector<double>>& factors) {
-  std::string leader_of_all;
   for (const auto& [name, levels] : factors) {
     for (const double level : levels) {
       ByCompetitor here;

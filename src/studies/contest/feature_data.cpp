@@ -125,7 +125,8 @@ Json atlas_of(const Campaign& campaign, const std::vector<StoredStanding>& stand
   }
   Json rows = Json::array();
   for (const auto& [key, fate] : fates) {
-    const auto& [machine, feature] = key;
+    const std::string& machine = key.first;
+    const std::string& feature = key.second;
     const auto factor = [&](const char* name) {
       const auto found = factors[machine].find(name);
       return found == factors[machine].end() ? Json() : Json(found->second);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -93,14 +94,18 @@ std::vector<std::string> solvers_of(const ContestOptions& options, const Catalog
   for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
   std::vector<std::string> solvers = split(options.solvers);
   for (const std::string& text : options.added_solvers) {
-    const bool is_known = std::find(names.begin(), names.end(), text) != names.end();
-    if (!is_known && !catalogue.own_solver(text)) {
+    const std::optional<Solver> own = catalogue.own_solver(text);
+    const std::string& name = own ? own->name : text;
+    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
+    if (own && is_known) {
+      throw InputError(
+          fmt::format("--solver {}: there is another solver of its name, {}", text, name));
+    }
+    if (!own && !is_known) {
       throw InputError(
           fmt::format("--solver {}: there is no such solver; {}", text, what_instead(text, names)));
     }
-    if (std::find(solvers.begin(), solvers.end(), text) != solvers.end()) {
-      throw InputError(fmt::format("--solver {0}: there is another solver of its name, {0}", text));
-    }
+    if (own) names.push_back(name);
     solvers.push_back(text);
   }
   return solvers;

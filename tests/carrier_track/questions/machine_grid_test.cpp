@@ -11,6 +11,7 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/questions/count.h"
 #include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/questions/scanned_best.h"
 #include "src/core/error.h"
 
 namespace ricochet::carrier_track {
@@ -26,7 +27,7 @@ const Question* found(const std::vector<Family>& families, const std::string& na
 }
 
 /// All of one grid in one test: to scan for best values takes a second or two.
-TEST(MachineGrid, AsksOfEveryCombinationWhatItSaysAndKnowsTheBest) {
+TEST(MachineGrid, AsksOfEveryCombinationWhatItSays) {
   const auto families = grid_families("C4", {0.25, 0.75}, {}, {0.5});
   const double friction = find_case("C4").friction;
   const std::string id = fmt::format("C4-r0.75-f{}-d0.5", friction);
@@ -34,9 +35,7 @@ TEST(MachineGrid, AsksOfEveryCombinationWhatItSaysAndKnowsTheBest) {
   for (const Family& family : families) {
     for (const Question& question : family.questions) {
       machines.insert(question.machine);
-      if (question.stated.best_known) {
-        EXPECT_EQ(question.stated.dimension(), 1) << question.name();
-      }
+      EXPECT_FALSE(question.stated.best_known) << question.name();
     }
   }
   EXPECT_EQ(machines, (std::set{id, fmt::format("C4-r0.25-f{}-d0.5", friction)}));
@@ -50,12 +49,14 @@ TEST(MachineGrid, AsksOfEveryCombinationWhatItSaysAndKnowsTheBest) {
   EXPECT_EQ(count->factors.at("disturbance"), 0.5);
   const Scene scene = scene_of({"mine", 0.75, friction, 0.5, {}}, default_reading().scene);
   const Question same = count_question(machine_of(scene, "mine"));
-  for (const Question* question : {count, top_speed}) {
+  for (const Question* asked : {count, top_speed}) {
+    const Question scanned = with_scanned_best(*asked);
+    const Question* question = &scanned;
     ASSERT_TRUE(question->stated.best_known);
     for (double speed = 0.015; speed < 18; speed += 0.013) {
       const Vector x = Vector::Constant(1, speed);
       const Values values = question->stated.evaluate(x);
-      if (question == count) {
+      if (asked == count) {
         EXPECT_EQ(values.objective, same.stated.evaluate(x).objective);
       }
       const bool feasible = values.constraints.size() == 0 || values.constraints.maxCoeff() <= 0;

@@ -33,7 +33,9 @@ class SignedOrder : public Turn {
 
   Matrix shown(const Matrix& own) const override {
     Matrix result(own.rows(), own.cols());
-    for (Eigen::Index i = 0; i < own.rows(); ++i) result.row(i) = signs_[i] * own.row(at(i));
+    for (Eigen::Index j = 0; j < own.cols(); ++j) {  // there may be none
+      for (Eigen::Index i = 0; i < own.rows(); ++i) result(i, j) = signs_[i] * own(at(i), j);
+    }
     return result;
   }
   Vector own(const Vector& shown) const override {

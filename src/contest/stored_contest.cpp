@@ -38,6 +38,15 @@ std::vector<StoredStanding> stored_standings(const Campaign& campaign, const Sto
   return all;
 }
 
+std::map<std::size_t, std::int64_t> largest_budgets(const std::vector<StoredStanding>& standings) {
+  std::map<std::size_t, std::int64_t> largest;
+  for (const StoredStanding& s : standings) {
+    auto& budget = largest[s.cell->question];
+    budget = std::max(budget, s.cell->cell.budget);
+  }
+  return largest;
+}
+
 StoredContest stored_contest(const Campaign& campaign, const std::vector<StoredStanding>& standings,
                              const Conditions& conditions) {
   const PlanPart& part = campaign.plan().parts[conditions.part];

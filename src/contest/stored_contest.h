@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct StoredStanding {
 
 /// Every cell of a campaign with its outcomes. Throws InputError where the store lacks runs.
 std::vector<StoredStanding> stored_standings(const Campaign& campaign, const Store& store);
+
+/// By question, an index of the campaign's, the largest budget that it is put to anybody with.
+std::map<std::size_t, std::int64_t> largest_budgets(const std::vector<StoredStanding>& standings);
 
 /// What is compared within a contest: cells that differ in question, solver, form and budget only.
 struct Conditions {

@@ -169,17 +169,13 @@ void add_turns(Json& rows, const std::string& family, const ByCompetitor& compet
 }  // namespace
 
 Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
-  std::map<std::size_t, std::int64_t> largest;
-  for (const StoredStanding& s : standings) {
-    auto& budget = largest[s.cell->question];
-    budget = std::max(budget, s.cell->cell.budget);
-  }
+  const auto largest = largest_budgets(standings);
   std::map<std::string, ByCompetitor> families;
   for (const StoredStanding& s : standings) {
     const Cell& cell = s.cell->cell;
     const Question& question = campaign.questions()[s.cell->question];
     const bool counts = !question.factors.empty() && cell.feature == "plain" &&
-                        cell.gradient_price == "n" && cell.budget == largest[s.cell->question];
+                        cell.gradient_price == "n" && cell.budget == largest.at(s.cell->question);
     if (!counts) continue;
     families[campaign.family_of(s.cell->question)][{cell.solver, cell.form}].push_back(
         result_of(question, s.outcomes));

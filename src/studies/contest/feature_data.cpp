@@ -30,16 +30,6 @@ std::string kind_of_failure(const Outcome& outcome, std::int64_t budget) {
   return outcome.evaluations < budget ? "gave up early" : "budget spent";
 }
 
-/// Of every question the largest budget that it is put to anybody with.
-std::map<std::size_t, std::int64_t> largest_budgets(const std::vector<StoredStanding>& standings) {
-  std::map<std::size_t, std::int64_t> largest;
-  for (const StoredStanding& s : standings) {
-    auto& budget = largest[s.cell->question];
-    budget = std::max(budget, s.cell->cell.budget);
-  }
-  return largest;
-}
-
 /// The cells of one solver in one form under one feature: shares solved, question by question.
 using Shares = std::vector<double>;
 using ByFeature = std::map<std::string, Shares>;

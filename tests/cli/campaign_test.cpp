@@ -66,6 +66,23 @@ TEST_F(CampaignCommands, PrintAPlanThatCanBeRead) {
   EXPECT_GT(size["seconds"], 0);
 }
 
+TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
+  std::string parts;
+  for (const int variables : {2, 4, 4}) {
+    parts += fmt::format(
+        "[[part]]\nquestions = \"profile-count-{}-C1\"\nsolvers = [\"random-search\", \"bbfwa\"]\n"
+        "budgets = [{}]\ninstances = 1\n",
+        variables, parts.size() + 10);
+  }
+  write(folder_, "plan.toml", parts);
+  run("one");
+  const std::string page = read(folder_ / "one" / "index.html");
+  for (const char* name : {"2", "4"}) {
+    EXPECT_THAT(page, HasSubstr(fmt::format("id=\"profile-count-of-{}-variables\"", name)));
+  }
+  EXPECT_THAT(page, HasSubstr("profile-count of 4 variables, 2</h2>"));
+}
+
 TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
   const Json size = Json::parse(out_of("plan check --format json " + plan_));
   const std::string runs = std::to_string(size["runs"].get<int>());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include "src/contest/result.h"
 
@@ -92,6 +93,14 @@ Json share_rows(const ContestPlan& plan, const std::vector<Standing>& standings,
 
 }  // namespace
 
+std::string id_of(const std::string& family) {
+  std::string id;
+  for (const char letter : family) {
+    if (letter != ',') id += letter == ' ' ? '-' : letter;
+  }
+  return id;
+}
+
 std::vector<Group> groups_of(const ContestPlan& plan, const std::vector<Family>& families) {
   std::vector<Group> groups;
   for (const Family& family : families) {
@@ -159,6 +168,7 @@ Json group_data(const ContestPlan& plan, const std::vector<Standing>& standings,
     }
     const Json last = budgets.back();
     all.push_back({{"family", group.family},
+                   {"id", id_of(group.family)},
                    {"ratings", last["ratings"]},  // with the largest budget
                    {"drawn", last["first"]},
                    {"budgets", std::move(budgets)},

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -191,12 +192,25 @@ bool repeats_another(const Campaign& campaign, std::size_t part) {
   return false;
 }
 
-/// Families of two parts have names of their own.
+/// "2" or "2 to 8"
+std::string variables_of(const Json& group) {
+  std::set<Eigen::Index> counts;
+  for (const Json& question : group["questions"])
+    counts.insert(question["variables"].get<Eigen::Index>());
+  return counts.size() == 1 ? fmt::to_string(*counts.begin())
+                            : fmt::format("{} to {}", *counts.begin(), *counts.rbegin());
+}
+
+/// A family that several parts ask of has a name of its own in each.
 void tell_apart(Json& groups) {
-  std::map<std::string, int> seen;
+  std::map<std::string, int> parts, named;
+  for (const Json& group : groups) ++parts[group["family"]];
   for (Json& group : groups) {
-    const std::string family = group["family"];
-    if (++seen[family] > 1) group["family"] = fmt::format("{}, {}", family, seen[family]);
+    std::string name = group["family"];
+    if (parts[name] > 1) name += fmt::format(" of {} variables", variables_of(group));
+    if (++named[name] > 1) name += fmt::format(", {}", named[name]);
+    group["family"] = name;
+    group["id"] = id_of(name);
   }
 }
 

@@ -129,14 +129,21 @@ Plan plan_named(const std::string& name) {
   return read_plan(name);
 }
 
-/// The store to go on with: of this campaign, made by this program. Another one stays as it is.
-Store store_to_resume(const std::filesystem::path& file, const CampaignDescription& description) {
-  CampaignDescription theirs = Store::open(file, Store::For::reading).description();
+/// The store to go on with: of this campaign, made by this program; by any where no run is missing,
+/// for its report alone. Another one stays as it is.
+Store store_to_resume(const std::filesystem::path& file, const Campaign& campaign,
+                      const CampaignDescription& description) {
+  Store found = Store::open(file, Store::For::reading);
+  CampaignDescription theirs = found.description();
   theirs.made = description.made;
   if (theirs == description) return Store::open(file, Store::For::adding);
-  const char* what = theirs.plan != description.plan         ? "of another plan"
-                     : theirs.program != description.program ? "made by another program"
-                                                             : "of other questions or solvers";
+  const bool whole = found.size() == static_cast<std::int64_t>(campaign.runs());
+  const bool same_program =
+      std::exchange(theirs.program, description.program) == description.program;
+  if (whole && theirs == description) return found;
+  const char* what = theirs.plan != description.plan ? "of another plan"
+                     : !same_program                 ? "made by another program"
+                                                     : "of other questions or solvers";
   throw InputError(fmt::format("{}: is {}: another --out begins anew", file.string(), what));
 }
 
@@ -151,7 +158,8 @@ Store carried_out(const Campaign& campaign, const Shard& shard, const RunOptions
                      "--out begins anew");
   }
   const CampaignDescription description = description_of(campaign);
-  Store store = there ? store_to_resume(file, description) : Store::create(file, description);
+  Store store =
+      there ? store_to_resume(file, campaign, description) : Store::create(file, description);
   const std::int64_t before = store.size();
   fmt::print(stderr, "{}\n", in_words(size_of(campaign)));
   if (before > 0) fmt::print(stderr, "{} runs are there already\n", before);

@@ -55,15 +55,47 @@ double mean_solved(const std::vector<Result>& results) {
   return sum / static_cast<double>(results.size());
 }
 
+/// Levels by the factor's name.
+using Factors = std::map<std::string, std::vector<double>>;
+
+/// The families that a part asks of machines, with its largest budget and nothing disturbed.
+std::map<std::string, ByCompetitor> families_of(const Campaign& campaign,
+                                                const std::vector<StoredStanding>& standings,
+                                                std::size_t part) {
+  const auto& budgets = campaign.plan().parts[part].budgets;
+  const std::int64_t largest = *std::max_element(budgets.begin(), budgets.end());
+  std::map<std::string, ByCompetitor> families;
+  for (const StoredStanding& s : standings) {
+    const Cell& cell = s.cell->cell;
+    const Question& question = campaign.questions()[s.cell->question];
+    const auto& parts = s.cell->parts;
+    const bool counts = std::find(parts.begin(), parts.end(), part) != parts.end() &&
+                        !question.factors.empty() && cell.feature == "plain" &&
+                        cell.gradient_price == "n" && cell.budget == largest;
+    if (!counts) continue;
+    families[campaign.family_of(s.cell->question)][{cell.solver, cell.form}].push_back(
+        result_of(question, s.outcomes));
+  }
+  return families;
+}
+
+std::size_t machines_of(const ByCompetitor& competitors) {
+  std::set<std::string> machines;
+  for (const auto& [competitor, results] : competitors) {
+    for (const Result& result : results) machines.insert(result.question->machine);
+  }
+  return machines.size();
+}
+
 /// The factors of a family's machines that have several levels, with their levels.
-std::map<std::string, std::vector<double>> factors_of(const ByCompetitor& competitors) {
+Factors factors_of(const ByCompetitor& competitors) {
   std::map<std::string, std::set<double>> found;
   for (const auto& [competitor, results] : competitors) {
     for (const Result& result : results) {
       for (const auto& [name, value] : result.question->factors) found[name].insert(value);
     }
   }
-  std::map<std::string, std::vector<double>> factors;
+  Factors factors;
   for (const auto& [name, levels] : found) {
     if (levels.size() > 1) factors[name] = {levels.begin(), levels.end()};
   }
@@ -92,8 +124,9 @@ constexpr Measure measures[] = {{"share solved", &Result::solved},
                                 {"log10 of evaluations", &Result::cost},
                                 {"targets reached", &Result::accuracy}};
 
-void add_effects(Json& rows, const std::string& family, const ByCompetitor::value_type& competitor,
-                 const std::map<std::string, std::vector<double>>& factors) {
+/// Adds the effects that are sure, and the mean; how many are not is added to `unsure`.
+void add_effects(Json& rows, std::size_t& unsure, const std::string& family,
+                 const ByCompetitor::value_type& competitor, const Factors& factors) {
   std::vector<std::string> names;
   std::vector<std::size_t> sizes;
   for (const auto& [name, levels] : factors) {
@@ -119,12 +152,16 @@ void add_effects(Json& rows, const std::string& family, const ByCompetitor::valu
       return;  // too few machines to tell
     }
     for (const FactorialEffect& effect : effects) {
+      const bool sure = effect.interval.lower > 0 || effect.interval.upper < 0;
+      if (!sure && !effect.factors.empty()) {
+        ++unsure;
+        continue;
+      }
       std::string of;
       for (std::size_t f = 0; f < effect.factors.size(); ++f) {
         const std::string& name = names[effect.factors[f]];
         of += fmt::format("{}{} {}", f == 0 ? "" : ", ", name, factors.at(name)[effect.levels[f]]);
       }
-      const bool sure = effect.interval.lower > 0 || effect.interval.upper < 0;
       rows.push_back(
           {{"family", family},
            {"competitor", contest::competitor(competitor.first.first, competitor.first.second)},
@@ -133,14 +170,13 @@ void add_effects(Json& rows, const std::string& family, const ByCompetitor::valu
            {"order", effect.factors.size()},
            {"effect", effect.effect},
            {"lower", effect.interval.lower},
-           {"upper", effect.interval.upper},
-           {"sure", sure && !effect.factors.empty()}});
+           {"upper", effect.interval.upper}});
     }
   }
 }
 
 void add_turns(Json& rows, const std::string& family, const ByCompetitor& competitors,
-               const std::map<std::string, std::vector<double>>& factors) {
+               const Factors& factors) {
   for (const auto& [name, levels] : factors) {
     for (const double level : levels) {
       ByCompetitor here;
@@ -169,29 +205,32 @@ void add_turns(Json& rows, const std::string& family, const ByCompetitor& compet
 }  // namespace
 
 Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
-  const auto largest = largest_budgets(standings);
-  std::map<std::string, ByCompetitor> families;
-  for (const StoredStanding& s : standings) {
-    const Cell& cell = s.cell->cell;
-    const Question& question = campaign.questions()[s.cell->question];
-    const bool counts = !question.factors.empty() && cell.feature == "plain" &&
-                        cell.gradient_price == "n" && cell.budget == largest.at(s.cell->question);
-    if (!counts) continue;
-    families[campaign.family_of(s.cell->question)][{cell.solver, cell.form}].push_back(
-        result_of(question, s.outcomes));
+  // A family that several parts ask of several machines is taken from the part with the most.
+  std::map<std::pair<std::string, Factors>, ByCompetitor> families;
+  for (std::size_t part = 0; part < campaign.plan().parts.size(); ++part) {
+    for (const auto& [family, competitors] : families_of(campaign, standings, part)) {
+      const Factors factors = factors_of(competitors);
+      const std::size_t machines = machines_of(competitors);
+      // With no more machines than factors none can tell which of them it was.
+      if (factors.empty() || machines <= factors.size()) continue;
+      Factors names;
+      for (const auto& factor : factors) names[factor.first];
+      ByCompetitor& known = families[{family, names}];
+      if (machines > machines_of(known)) known = competitors;
+    }
   }
   Json effects = Json::array();
   Json turns = Json::array();
-  for (const auto& [family, competitors] : families) {
-    const auto factors = factors_of(competitors);
-    if (factors.empty()) continue;
+  std::size_t unsure = 0;
+  for (const auto& [key, competitors] : families) {
+    const Factors factors = factors_of(competitors);
     const auto order = best_first(competitors);
     for (std::size_t k = 0; k < std::min(shown_competitors, order.size()); ++k) {
-      add_effects(effects, family, *order[k], factors);
+      add_effects(effects, unsure, key.first, *order[k], factors);
     }
-    add_turns(turns, family, competitors, factors);
+    add_turns(turns, key.first, competitors, factors);
   }
-  return {{"effects", std::move(effects)}, {"turns", std::move(turns)}};
+  return {{"effects", std::move(effects)}, {"unsure_effects", unsure}, {"turns", std::move(turns)}};
 }
 
 }  // namespace ricochet::studies::contest

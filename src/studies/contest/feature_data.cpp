@@ -74,6 +74,25 @@ Json harm_json(const Harm& harm) {
           {"after", harm.after}};
 }
 
+/// What a feature was tried on, and the same with nothing disturbed, so that the two differ in the
+/// feature alone.
+std::vector<StoredStanding> disturbed(const std::vector<StoredStanding>& all) {
+  const auto place = [](const Cell& cell) {
+    return std::tie(cell.question, cell.form, cell.solver, cell.budget);
+  };
+  std::set<std::tuple<std::string, std::string, std::string, std::int64_t>> tried;
+  for (const StoredStanding& s : all) {
+    if (s.cell->cell.feature != "plain") tried.insert(place(s.cell->cell));
+  }
+  std::vector<StoredStanding> standings;
+  for (const StoredStanding& s : all) {
+    if (s.cell->cell.gradient_price == "n" && tried.contains(place(s.cell->cell))) {
+      standings.push_back(s);
+    }
+  }
+  return standings;
+}
+
 /// What became of all runs on one machine under one feature.
 struct Fate {
   int runs = 0, solved = 0;
@@ -144,14 +163,15 @@ Json atlas_of(const Campaign& campaign, const std::vector<StoredStanding>& stand
 
 }  // namespace
 
-Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
+Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& all) {
+  const std::vector<StoredStanding> standings = disturbed(all);
   const auto largest = largest_budgets(standings);
   std::set<std::string> there;
   Table table;
   for (const StoredStanding& s : standings) {
     const Cell& cell = s.cell->cell;
     there.insert(cell.feature);
-    if (cell.budget != largest.at(s.cell->question) || cell.gradient_price != "n") continue;
+    if (cell.budget != largest.at(s.cell->question)) continue;
     double solved = 0;
     for (const Outcome& outcome : s.outcomes) solved += outcome.verdict.solved ? 1 : 0;
     table[{campaign.family_of(s.cell->question), cell.solver}][cell.form][cell.feature].push_back(

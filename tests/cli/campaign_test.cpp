@@ -92,6 +92,18 @@ TEST_F(CampaignCommands, GiveTheSameDigestHoweverTheRunsAreMade) {
   EXPECT_EQ(digest("first"), whole);
 }
 
+TEST_F(CampaignCommands, ReportOnAFamilyThatTwoPartsAskFor) {
+  const auto plan = write(folder_, "two.toml",
+                          "[[part]]\nquestions = \"count-C4\"\nsolvers = \"random-search\"\n"
+                          "budgets = 5\ninstances = 2\n"
+                          "[[part]]\nquestions = \"count-C1\"\nsolvers = \"random-search\"\n"
+                          "budgets = 7\ninstances = 2\n");
+  const std::string said =
+      out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "two").string()));
+  EXPECT_THAT(said, HasSubstr("count, 5 evaluations"));
+  EXPECT_THAT(said, HasSubstr("count-part-2, 7 evaluations"));
+}
+
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
   run("whole");
   for (const std::string signal : {"INT", "KILL"}) {

@@ -145,13 +145,14 @@ class PlanTable {
 
 MachineGrid grid_from(const toml::table& table, const std::string& place) {
   const PlanTable in(table, place);
-  in.check_keys({"around", "restitution", "friction", "disturbance"});
+  in.check_keys({"around", "restitution", "friction", "disturbance", "fidelity"});
   in.need("around");
   MachineGrid grid;
   in.read("around", grid.around);
   in.read("restitution", grid.restitution, true);
   in.read("friction", grid.friction, true);
   in.read("disturbance", grid.disturbance, true);
+  in.read("fidelity", grid.fidelity);
   return grid;
 }
 
@@ -259,6 +260,7 @@ std::string text_of(const PlanPart& part) {
           std::pair("disturbance", &grid.disturbance)}) {
       if (!values->empty()) inside += fmt::format(", {} = {}", key, list_of(*values));
     }
+    if (!grid.fidelity.empty()) inside += ", fidelity = " + list_of(grid.fidelity);
     line("machines", "{ " + inside + " }");
   }
   if (part.least_variables != usual.least_variables ||

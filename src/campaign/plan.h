@@ -14,6 +14,7 @@ namespace ricochet {
 struct MachineGrid {
   std::string around;  ///< id of a case, e.g. "C1"; empty: there is no grid
   std::vector<double> restitution, friction, disturbance;
+  std::vector<std::string> fidelity;  ///< levels of the simulation, by name
 
   bool operator==(const MachineGrid&) const = default;
 };

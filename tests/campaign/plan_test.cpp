@@ -49,7 +49,7 @@ PlanPart any_part(Random& random) {
   part.questions = any_list(random, 1, text);
   if (yes()) {
     part.machines = {any_text(random), any_list(random, 0, level), any_list(random, 0, level),
-                     any_list(random, 0, level)};
+                     any_list(random, 0, level), any_list(random, 0, text)};
   }
   if (yes()) part.least_variables = whole(random, 1, 100);
   part.most_variables = yes() ? part.least_variables : whole(random, 100, 1'000'000'000'000);

@@ -77,10 +77,9 @@ TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
   write(folder_, "plan.toml", parts);
   run("one");
   const std::string page = read(folder_ / "one" / "index.html");
-  for (const char* name : {"2", "4"}) {
-    EXPECT_THAT(page, HasSubstr(fmt::format("id=\"profile-count-of-{}-variables\"", name)));
+  for (const char* id : {"profile-count", "profile-count-part-2", "profile-count-part-3"}) {
+    EXPECT_THAT(page, HasSubstr(fmt::format("id=\"{}\"", id)));
   }
-  EXPECT_THAT(page, HasSubstr("profile-count of 4 variables, 2</h2>"));
 }
 
 TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
@@ -107,6 +106,18 @@ TEST_F(CampaignCommands, GiveTheSameDigestHoweverTheRunsAreMade) {
   EXPECT_EQ(out_of(fmt::format("digest {}/runs.sqlite", folder_.string())), whole);
   run("first", "--shard 2/2 --resume");
   EXPECT_EQ(digest("first"), whole);
+}
+
+TEST_F(CampaignCommands, ReportOnAFamilyThatTwoPartsAskFor) {
+  const auto plan = write(folder_, "two.toml",
+                          "[[part]]\nquestions = \"count-C4\"\nsolvers = \"random-search\"\n"
+                          "budgets = 5\ninstances = 2\n"
+                          "[[part]]\nquestions = \"count-C1\"\nsolvers = \"random-search\"\n"
+                          "budgets = 7\ninstances = 2\n");
+  const std::string said =
+      out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "two").string()));
+  EXPECT_THAT(said, HasSubstr("count, 5 evaluations"));
+  EXPECT_THAT(said, HasSubstr("count-part-2, 7 evaluations"));
 }
 
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {

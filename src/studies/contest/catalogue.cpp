@@ -13,8 +13,8 @@ namespace ricochet::studies {
 Catalogue whole_catalogue() {
   return {all_families(), all_solvers(), outside::outside_solver,
           [](const MachineGrid& grid) {
-            return carrier_track::grid_families(grid.around, grid.restitution, grid.friction,
-                                                grid.disturbance);
+            return carrier_track::grid_families(
+                grid.around, {grid.restitution, grid.friction, grid.disturbance, grid.fidelity});
           },
           [](Question question) { return carrier_track::with_scanned_best(std::move(question)); }};
 }

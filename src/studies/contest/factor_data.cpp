@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "problems/carrier_track/scene/enum_names.h"
 #include "src/contest/rating.h"
 #include "src/statistics/factorial_effects.h"
 
@@ -57,27 +58,6 @@ double mean_solved(const std::vector<Result>& results) {
 
 /// Levels by the factor's name.
 using Factors = std::map<std::string, std::vector<double>>;
-
-/// The families that a part asks of machines, with its largest budget and nothing disturbed.
-std::map<std::string, ByCompetitor> families_of(const Campaign& campaign,
-                                                const std::vector<StoredStanding>& standings,
-                                                std::size_t part) {
-  const auto& budgets = campaign.plan().parts[part].budgets;
-  const std::int64_t largest = *std::max_element(budgets.begin(), budgets.end());
-  std::map<std::string, ByCompetitor> families;
-  for (const StoredStanding& s : standings) {
-    const Cell& cell = s.cell->cell;
-    const Question& question = campaign.questions()[s.cell->question];
-    const auto& parts = s.cell->parts;
-    const bool counts = std::find(parts.begin(), parts.end(), part) != parts.end() &&
-                        !question.factors.empty() && cell.feature == "plain" &&
-                        cell.gradient_price == "n" && cell.budget == largest;
-    if (!counts) continue;
-    families[campaign.family_of(s.cell->question)][{cell.solver, cell.form}].push_back(
-        result_of(question, s.outcomes));
-  }
-  return families;
-}
 
 std::size_t machines_of(const ByCompetitor& competitors) {
   std::set<std::string> machines;
@@ -160,7 +140,8 @@ void add_effects(Json& rows, std::size_t& unsure, const std::string& family,
       std::string of;
       for (std::size_t f = 0; f < effect.factors.size(); ++f) {
         const std::string& name = names[effect.factors[f]];
-        of += fmt::format("{}{} {}", f == 0 ? "" : ", ", name, factors.at(name)[effect.levels[f]]);
+        of += fmt::format("{}{} {}", f == 0 ? "" : ", ", name,
+                          level_name(name, factors.at(name)[effect.levels[f]]));
       }
       rows.push_back(
           {{"family", family},
@@ -190,45 +171,67 @@ void add_turns(Json& rows, const std::string& family, const ByCompetitor& compet
       const auto name_of = [](const ByCompetitor::value_type* c) {
         return competitor(c->first.first, c->first.second);
       };
-      rows.push_back({{"family", family},
-                      {"factor", name},
-                      {"level", level},
-                      {"leader", name_of(order.front())},
-                      {"share", mean_solved(order.front()->second)},
-                      {"overall", name_of(overall.front())},
-                      {"share_of_overall", mean_solved(here.at(overall.front()->first))},
-                      {"same", order.front()->first == overall.front()->first}});
+      // Who is best over all machines may not take those of this level.
+      const auto again = here.find(overall.front()->first);
+      rows.push_back(
+          {{"family", family},
+           {"factor", name},
+           {"level", level},
+           {"level_name", level_name(name, level)},
+           {"leader", name_of(order.front())},
+           {"share", mean_solved(order.front()->second)},
+           {"overall", name_of(overall.front())},
+           {"share_of_overall", again == here.end() ? Json() : Json(mean_solved(again->second))},
+           {"same", order.front()->first == overall.front()->first}});
     }
   }
 }
 
+/// By family, what each competitor did on the questions of a part that are asked of machines.
+std::map<std::string, ByCompetitor> competitors_of(const Campaign& campaign,
+                                                   const std::vector<StoredStanding>& standings,
+                                                   const ReportedPart& part) {
+  const std::int64_t budget = campaign.plan().parts[part.part].budgets.back();
+  std::map<std::string, ByCompetitor> families;
+  for (const StoredStanding& s : standings) {
+    const Cell& cell = s.cell->cell;
+    const Question& question = campaign.questions()[s.cell->question];
+    const auto& asked = s.cell->parts;
+    const bool counts = std::find(asked.begin(), asked.end(), part.part) != asked.end() &&
+                        !question.factors.empty() && cell.feature == part.usual.feature &&
+                        cell.gradient_price == part.usual.gradient_price && cell.budget == budget;
+    if (!counts) continue;
+    const std::string& family = part.families.at(campaign.family_of(s.cell->question));
+    families[family][{cell.solver, cell.form}].push_back(result_of(question, s.outcomes));
+  }
+  return families;
+}
+
 }  // namespace
 
-Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
-  // A family that several parts ask of several machines is taken from the part with the most.
-  std::map<std::pair<std::string, Factors>, ByCompetitor> families;
-  for (std::size_t part = 0; part < campaign.plan().parts.size(); ++part) {
-    for (const auto& [family, competitors] : families_of(campaign, standings, part)) {
-      const Factors factors = factors_of(competitors);
-      const std::size_t machines = machines_of(competitors);
-      // With no more machines than factors none can tell which of them it was.
-      if (factors.empty() || machines <= factors.size()) continue;
-      Factors names;
-      for (const auto& factor : factors) names[factor.first];
-      ByCompetitor& known = families[{family, names}];
-      if (machines > machines_of(known)) known = competitors;
-    }
-  }
+std::string level_name(const std::string& factor, double level) {
+  if (factor != "fidelity") return fmt::format("{}", level);
+  using carrier_track::Fidelity;
+  return std::string(carrier_track::name_of(carrier_track::fidelity_names(),
+                                            static_cast<Fidelity>(std::lround(level))));
+}
+
+Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+                 const std::vector<ReportedPart>& parts) {
   Json effects = Json::array();
   Json turns = Json::array();
   std::size_t unsure = 0;
-  for (const auto& [key, competitors] : families) {
-    const Factors factors = factors_of(competitors);
-    const auto order = best_first(competitors);
-    for (std::size_t k = 0; k < std::min(shown_competitors, order.size()); ++k) {
-      add_effects(effects, unsure, key.first, *order[k], factors);
+  for (const ReportedPart& part : parts) {
+    for (const auto& [family, competitors] : competitors_of(campaign, standings, part)) {
+      const Factors factors = factors_of(competitors);
+      // With no more machines than factors none can tell which of them it was.
+      if (factors.empty() || machines_of(competitors) <= factors.size()) continue;
+      const auto order = best_first(competitors);
+      for (std::size_t k = 0; k < std::min(shown_competitors, order.size()); ++k) {
+        add_effects(effects, unsure, family, *order[k], factors);
+      }
+      add_turns(turns, family, competitors, factors);
     }
-    add_turns(turns, key.first, competitors, factors);
   }
   return {{"effects", std::move(effects)}, {"unsure_effects", unsure}, {"turns", std::move(turns)}};
 }

@@ -93,14 +93,6 @@ Json share_rows(const ContestPlan& plan, const std::vector<Standing>& standings,
 
 }  // namespace
 
-std::string id_of(const std::string& family) {
-  std::string id;
-  for (const char letter : family) {
-    if (letter != ',') id += letter == ' ' ? '-' : letter;
-  }
-  return id;
-}
-
 std::vector<Group> groups_of(const ContestPlan& plan, const std::vector<Family>& families) {
   std::vector<Group> groups;
   for (const Family& family : families) {
@@ -168,7 +160,6 @@ Json group_data(const ContestPlan& plan, const std::vector<Standing>& standings,
     }
     const Json last = budgets.back();
     all.push_back({{"family", group.family},
-                   {"id", id_of(group.family)},
                    {"ratings", last["ratings"]},  // with the largest budget
                    {"drawn", last["first"]},
                    {"budgets", std::move(budgets)},

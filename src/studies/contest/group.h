@@ -18,9 +18,6 @@ struct Group {
   std::vector<std::size_t> questions;  ///< indices in the plan
 };
 
-/// The name where no spaces may be: of "profile-count, 2" "profile-count-2".
-std::string id_of(const std::string& family);
-
 /// The families of the plan's questions, in its order.
 std::vector<Group> groups_of(const ContestPlan& plan, const std::vector<Family>& families);
 

@@ -18,6 +18,7 @@
 #include "src/campaign/forecast.h"
 #include "src/campaign/frame.h"
 #include "src/campaign/planned_runs.h"
+#include "src/campaign/progress.h"
 #include "src/campaign/service.h"
 #include "src/cli/campaign_size.h"
 #include "src/cli/other_program.h"
@@ -98,12 +99,12 @@ Store carried_out(const Campaign& campaign, const Shard& shard, const RunOptions
   Store store =
       there ? store_to_resume(file, campaign, description) : Store::create(file, description);
   const std::int64_t before = store.size();
-  fmt::print(stderr, "{}\n", in_words(size_of(campaign)));
-  if (before > 0) fmt::print(stderr, "{} runs are there already\n", before);
+  Progress::announce(in_words(size_of(campaign)));
+  if (before > 0) Progress::announce(fmt::format("{} runs are there already", before));
   if (options.serve.empty()) {
     if (before == 0) {
-      fmt::print(stderr, "about {} on {} cores\n",
-                 duration(foretold_seconds(campaign) / shard.count / cores()), cores());
+      const double seconds = foretold_seconds(campaign) / shard.count / cores();
+      Progress::announce(fmt::format("about {} on {} cores", duration(seconds), cores()));
     }
     make_runs(campaign, shard, store);
   } else if (!serve_store(campaign, shard, store, STDIN_FILENO, frames_out)) {

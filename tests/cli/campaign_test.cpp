@@ -82,6 +82,12 @@ TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
   }
 }
 
+TEST_F(CampaignCommands, SayNothingOfTheirProgressWhereTheyAreToBeQuiet) {
+  EXPECT_THAT(call(command("loud")).err, HasSubstr("3 solvers on 2 questions"));
+  EXPECT_EQ(call(command("quiet", "--quiet")).err, "");
+  EXPECT_EQ(call(command("quiet", "--quiet --resume")).err, "");
+}
+
 TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
   const Json size = Json::parse(out_of("plan check --format json " + plan_));
   const std::string runs = std::to_string(size["runs"].get<int>());

@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "embedded/look.h"
 #include "embedded/page_template.h"
 #include "embedded/summary_template.h"
 #include "src/report/filled_text.h"
@@ -107,7 +108,8 @@ void write_page(const Page& page, const std::filesystem::path& folder, FileSet b
   const std::vector<std::string> svgs = to_svgs(charts);
   FileSet files = std::move(beside);
   for (std::size_t i = 0; i < charts.size(); ++i) files[charts[i].name + ".svg"] = svgs[i];
-  const Json html = data_of(page, files, {escape_html, html_with_links});
+  Json html = data_of(page, files, {escape_html, html_with_links});
+  html["look"] = embedded::look;
   const Json summary = data_of(page, files, {escape_markdown, escape_markdown});
   files["index.html"] = filled(embedded::page_template, {&html});
   files["summary.md"] = filled(embedded::summary_template, {&summary});

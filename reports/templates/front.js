@@ -65,19 +65,28 @@ const namesAndIntervals = {
   },
 };
 
-const powerOfTen = (value) => {
-  const exponent = Math.round(Math.log10(value));
-  if (Math.abs(value / 10 ** exponent - 1) > 1e-6) return "";
-  return exponent >= -3 && exponent <= 5 ? String(Number((10 ** exponent).toPrecision(1))) : `1e${exponent}`;
+// Labels of a logarithmic axis: the powers of ten; where there are fewer than three, 2 and 5 of each too.
+const tidyTicks = (scale) => {
+  const decades = Math.log10(scale.max / scale.min), every = Math.ceil(decades / 8);
+  const kept = decades > 2.5 ? [1] : decades > 1 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
+  scale.ticks = scale.ticks.filter(({value}) => {
+    const exponent = Math.floor(Math.log10(value) + 1e-9);
+    return kept.includes(Math.round(value / 10 ** exponent)) && (kept.length > 1 || exponent % every === 0);
+  });
 };
+const tickLabel = (value) => value >= 1e-3 && value < 1e6 ? String(Number(value.toPrecision(2))) : value.toExponential().replace("e+", "e");
 
 const axis = (title, logarithmic, more = {}) => ({
   type: logarithmic ? "logarithmic" : "linear",
   title: {display: true, text: title, color: colour("--ink")},
-  grid: {color: colour("--rule")},
-  ticks: {color: colour("--quiet"), ...(logarithmic ? {callback: powerOfTen, autoSkip: false} : {})},
+  grid: {color: colour("--rule"), borderColor: colour("--quiet")},
+  ticks: {color: colour("--quiet"), maxRotation: 0, ...(logarithmic ? {callback: tickLabel} : {})},
+  ...(logarithmic ? {afterBuildTicks: tidyTicks} : {}),
   ...more,
 });
+
+// Shares end at 100, with a little room for the dots there.
+const hundredths = (scale) => { scale.ticks = [0, 20, 40, 60, 80, 100].map((value) => ({value})); };
 
 const charts = {};
 
@@ -128,12 +137,18 @@ const fitting = () => contest.families.map((family, index) => [family, index]).f
     (!constraints || (constraints === "none") === (family.constraints.most === 0));
 });
 
+// Where the report speaks of it; of all families together in its first section.
+const placeOf = (row) => {
+  const {name} = contest.families[row.family];
+  return `${contest.folder}/index.html#${name === "all" ? "" : name}`;
+};
+
 const chosen = () => {
   const family = Number(element("family").value), budget = Number(element("budget").value);
   return rows.filter((row) => row.family === family && row.budget === budget && shows(row));
 };
 
-// The largest of several at the same speed or lower: none beats them in both.
+// Those that no other beats in both.
 const frontOf = (points, better) => {
   const front = [];
   for (const point of [...points].sort((a, b) => a.x - b.x || (better(a.y, b.y) ? -1 : 1))) {
@@ -155,14 +170,14 @@ const drawAccuracy = () => {
   const points = chosen().map((row) => pointOf(row, speed, accuracy))
     .filter((point) => point.x > 0 && point.y !== null && Number.isFinite(point.y));
   const better = accuracy === "solved" ? (a, b) => a > b : (a, b) => a < b;
-  const front = frontOf(points, better);
+  const front = frontOf(points.filter((point) => point.row.complete), better);
   const onFront = new Set(front);
   const named = (point) => ({...point, name: full(point.row)});
   const outside = points.filter((point) => point.row.outside && !onFront.has(point));
   const others = points.filter((point) => !onFront.has(point) && !point.row.outside);
   const [blue, orange] = palette(), grey = colour("--quiet");
   const dot = {showLine: false, pointRadius: 4, pointHoverRadius: 7, pointHitRadius: 6};
-  const words = {evaluations: "evaluations", seconds: "processor time [s]", solved: "runs solved [%]",
+  const words = {evaluations: "evaluations for each variable", seconds: "processor time [s]", solved: "runs solved [%]",
                  error: "error of the answer (median regret)"};
   draw("accuracy-chart", [
     {...dot, label: "front", data: front.map(named), borderColor: blue, backgroundColor: blue, nameColour: colour("--ink"),
@@ -170,15 +185,15 @@ const drawAccuracy = () => {
     {...dot, label: "yours", data: outside.map(named), borderColor: orange, backgroundColor: orange, pointRadius: 5},
     {...dot, label: "dominated", data: others.map(named), borderColor: grey, backgroundColor: grey + "99",
      intervalColour: colour("--rule"), pointRadius: 3},
-  ], axis(words[speed], true), axis(words[accuracy], accuracy === "error", accuracy === "solved" ? {min: 0, max: 105} : {}),
-  (point) => [full(point.row), `${number(point.row.evaluations)} evaluations, ${number(point.row.seconds)} s`,
+  ], axis(words[speed], true), axis(words[accuracy], accuracy === "error", accuracy === "solved" ? {min: 0, max: 104, afterBuildTicks: hundredths} : {}),
+  (point) => [full(point.row), `${number(point.row.evaluations)} evaluations for each variable, ${number(point.row.seconds)} s`,
               `solved ${percent(point.row.solved)} [${percent(point.row.solved_lower)}, ${percent(point.row.solved_upper)}]`,
               `median error ${number(point.row.error)}`],
-  (point) => { location.href = `${contest.folder}/index.html#${contest.families[point.row.family].name}`; });
+  (point) => { location.href = placeOf(point.row); });
   const best = front.at(-1);
   const family = contest.families[Number(element("family").value)]?.name;
   element("finding").textContent = best
-    ? `${family}: the most accurate is ${full(best.row)}, at ${number(best.x)} ${speed === "seconds" ? "s" : "evaluations"}; ` +
+    ? `${family}: the most accurate is ${full(best.row)}, at ${number(best.x)} ${speed === "seconds" ? "s" : "evaluations for each variable"}; ` +
       (front.length > 1 ? `the fastest that is not beaten is ${full(front[0].row)}, at ${number(front[0].x)}.` : "none is faster without being worse.")
     : "No solver fits, or the contest has no times: ./ricochet compare makes one that has.";
   element("accuracy-chart").setAttribute("aria-label",
@@ -191,7 +206,7 @@ const boardColumns = [
   ["place", "place", (row) => row.shown_place, "right"],
   ["solver", "solver, shown", (row) => full(row), "left"],
   ["best", "P(best)", (row) => row.best === null ? "–" : row.best.toFixed(2), "right"],
-  ["targets", "targets [%]", (row) => `${Math.round(100 * row.targets)} [${Math.round(100 * row.lower)}, ${Math.round(100 * row.upper)}]`, "right"],
+  ["targets", "targets [%]", (row) => row.targets === null ? "–" : `${Math.round(100 * row.targets)} [${Math.round(100 * row.lower)}, ${Math.round(100 * row.upper)}]`, "right"],
   ["found", "solved [%]", (row) => row.found === null ? "–" : String(Math.round(100 * row.found)), "right"],
   ["evaluations", "evaluations", (row) => number(row.evaluations), "right"],
   ["seconds", "ms", (row) => row.seconds === null ? "–" : number(1000 * row.seconds, 2), "right"],
@@ -300,7 +315,7 @@ const drawCurves = () => {
     return {label: full(curve), data, hidden: unpicked.has(full(curve)), showLine: true, stepped: "before", borderColor: own,
             backgroundColor: own, borderWidth: 2, pointRadius: 0, pointHitRadius: 8, borderDash: i % 2 ? [6, 3] : []};
   });
-  draw("curve-chart", datasets, axis("evaluations for each variable", true), axis("targets reached [%]", false, {min: 0, max: 105}),
+  draw("curve-chart", datasets, axis("evaluations for each variable", true), axis("targets reached [%]", false, {min: 0, max: 104, afterBuildTicks: hundredths}),
     (point) => `${full(point.curve)}: ${Math.round(point.y)} % after ${number(point.x)}`);
   element("curve-chart").setAttribute("aria-label", `Share of targets reached over evaluations, of ${curves.length} solvers.`);
 };
@@ -317,7 +332,10 @@ const drawMotion = () => {
     return {label: series.name, data, showLine: data.length > 1, borderColor: own, backgroundColor: own, borderWidth: 1.5,
             pointRadius: series.exact ? 6 : 3, pointStyle: series.exact ? "rectRot" : "circle", pointHitRadius: 6};
   });
-  draw("motion-chart", datasets, axis(view.x, true), axis(view.y, view.y_logarithmic),
+  // The exact one lies on the lowest error that is drawn: it needs room below to be pointed at.
+  const lowest = Math.min(...datasets.flatMap(({data}) => data.map(({y}) => y)));
+  draw("motion-chart", datasets, axis(view.x, true),
+    axis(view.y, view.y_logarithmic, {min: view.y_logarithmic ? lowest / 10 : -5}),
     (point) => [point.series.name, `time ${number(point.x)}`,
                 point.series.exact ? "exact: it is the reference" : `error ${number(point.y)}`],
     () => {
@@ -339,7 +357,7 @@ const drawContest = () => {
 const offerBudgets = () => {
   const family = Number(element("family").value);
   const budgets = [...new Set(rows.filter((row) => row.family === family).map((row) => row.budget))].sort((a, b) => b - a);
-  fill(element("budget"), budgets.map((budget) => [budget, String(budget)]));
+  fill(element("budget"), budgets.map((budget) => [budget, budget === 0 ? "the largest" : String(budget)]));
   drawContest();
 };
 

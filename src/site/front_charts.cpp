@@ -39,6 +39,14 @@ class Row {
   const Json& values_;
 };
 
+/// Whether another one is as fast and as good, and better in one.
+bool is_beaten(const Sample& sample, const std::vector<Sample>& all) {
+  return std::any_of(all.begin(), all.end(), [&](const Sample& other) {
+    return other.position <= sample.position && *other.value >= *sample.value &&
+           (other.position < sample.position || *other.value > *sample.value);
+  });
+}
+
 /// One family with its largest budget.
 Chart competitor_chart(const Json& contest, std::size_t family) {
   std::map<std::string, std::size_t> columns;
@@ -52,25 +60,32 @@ Chart competitor_chart(const Json& contest, std::size_t family) {
   }
   const auto& name = contest.at("families").at(family).at("name").get_ref<const std::string&>();
   Chart chart{.name = "front-" + file_name(name),
-              .title = fmt::format("{}: {} evaluations a variable", name, budget),
-              .x = {"evaluations", Scale::logarithmic},
+              .title = budget == 0 ? "All families, with the largest budgets"
+                                   : fmt::format("{}: {} evaluations a variable", name, budget),
+              .x = {"evaluations for each variable", Scale::logarithmic},
               .y = {"runs solved [%]", Scale::linear, report::Range{0, 100}},
               .width = width,
               .height = height};
-  Series dominated{"others", Mark::points, {}};
+  std::vector<Series> dots;
+  std::vector<Sample> places;
   for (const Json& values : contest.at("rows")) {
     const Row row(columns, values);
-    if (row["family"] != family || row["budget"] != budget) continue;
+    if (row["family"] != family || row["budget"] != budget || !row["complete"].get<bool>())
+      continue;
     const Json &x = row["evaluations"], &y = row["solved"];
     if (!x.is_number() || x.get<double>() <= 0 || !y.is_number()) continue;
-    const Sample sample{x, 100 * y.get<double>()};
-    if (row["on_front"].get<bool>()) {
-      chart.series.push_back(
-          {fmt::format("{}, {}", row["solver"].get<std::string>(), row["form"].get<std::string>()),
-           Mark::points,
-           {sample}});
+    places.push_back({x, 100 * y.get<double>()});
+    dots.push_back(
+        {fmt::format("{}, {}", row["solver"].get<std::string>(), row["form"].get<std::string>()),
+         Mark::points,
+         {places.back()}});
+  }
+  Series dominated{"others", Mark::points, {}};
+  for (Series& dot : dots) {
+    if (is_beaten(dot.samples.front(), places)) {
+      dominated.samples.push_back(dot.samples.front());
     } else {
-      dominated.samples.push_back(sample);
+      chart.series.push_back(std::move(dot));
     }
   }
   if (!dominated.samples.empty()) chart.series.push_back(std::move(dominated));

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "problems/families.h"
+#include "solvers/solvers.h"
 #include "src/contest/chosen.h"
 #include "src/contest/stored_contest.h"
 #include "src/core/error.h"
@@ -179,8 +180,11 @@ Json compute(const Campaign& campaign, const Store& store, bool wider) {
   data.update(factor_data(campaign, stored, parts));
   data["changes"] = change_data(campaign, stored, parts);
   Json solvers = Json::array();
+  const std::vector<Solver> known = all_solvers();
   for (const Solver& solver : campaign.solvers()) {
-    solvers.push_back({{"name", solver.name}, {"version", solver.version}});
+    const bool outside = std::none_of(known.begin(), known.end(),
+                                      [&](const Solver& k) { return k.name == solver.name; });
+    solvers.push_back({{"name", solver.name}, {"version", solver.version}, {"outside", outside}});
   }
   data["campaign"] = campaign.plan().name;
   data["runs"] = campaign.runs();

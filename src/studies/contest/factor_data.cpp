@@ -56,11 +56,14 @@ double mean_solved(const std::vector<Result>& results) {
   return sum / static_cast<double>(results.size());
 }
 
-/// The factors of a family's machines that have several levels, with their levels.
+/// The factors of a family's machines that have several levels, with their levels; none where there
+/// are no more machines than such factors, which cannot tell one from another.
 std::map<std::string, std::vector<double>> factors_of(const ByCompetitor& competitors) {
   std::map<std::string, std::set<double>> found;
+  std::set<std::string> machines;
   for (const auto& [competitor, results] : competitors) {
     for (const Result& result : results) {
+      machines.insert(result.question->machine);
       for (const auto& [name, value] : result.question->factors) found[name].insert(value);
     }
   }
@@ -68,6 +71,7 @@ std::map<std::string, std::vector<double>> factors_of(const ByCompetitor& compet
   for (const auto& [name, levels] : found) {
     if (levels.size() > 1) factors[name] = {levels.begin(), levels.end()};
   }
+  if (machines.size() <= factors.size()) factors.clear();
   return factors;
 }
 

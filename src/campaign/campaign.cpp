@@ -116,10 +116,28 @@ std::vector<const Feature*> features_of(const PlanPart& part, const std::string&
   return chosen;
 }
 
+/// Those of the plan stand behind those of the suite.
+Catalogue with_varied_solvers(Catalogue catalogue, const Plan& plan) {
+  for (const VariedSolver& varied : plan.solvers) {
+    const std::string place = "solver " + varied.name;
+    for (const Solver& solver : catalogue.solvers) {
+      if (solver.name != varied.name) continue;
+      throw InputError(place + ": there is another solver of its name");
+    }
+    try {
+      catalogue.solvers.push_back(catalogue.varied_solver(varied));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", place, error.what()));
+    }
+  }
+  return catalogue;
+}
+
 }  // namespace
 
 Campaign::Campaign(Plan plan, const Catalogue& catalogue) : plan_(std::move(plan)) {
-  for (std::size_t part = 0; part < plan_.parts.size(); ++part) add_part(part, catalogue);
+  const Catalogue whole = with_varied_solvers(catalogue, plan_);
+  for (std::size_t part = 0; part < plan_.parts.size(); ++part) add_part(part, whole);
 }
 
 std::size_t Campaign::index_of(const Question& question, const std::string& family) {

@@ -22,6 +22,8 @@ struct Catalogue {
   std::function<std::optional<Solver>(const std::string&)> own_solver;
   /// The families of questions asked of a grid of machines, whose best values are not known.
   std::function<std::vector<Family>(const MachineGrid&)> families_of;
+  /// A solver of the plan's with options of its own. Throws InputError for what cannot be.
+  std::function<Solver(const VariedSolver&)> varied_solver;
   /// A question of one variable with the best value that a search finds, if any.
   std::function<Question(Question)> with_best;
 };

@@ -33,6 +33,14 @@ std::string in_shell_quotes(const std::string& word) {
   return quoted + "'";
 }
 
+std::string in_words(const VariedSolver& varied) {
+  std::string words = varied.of;
+  for (const auto& [option, value] : varied.options) {
+    words += fmt::format(", {} = {}", option, value);
+  }
+  return words;
+}
+
 }  // namespace
 
 Plan plan_named(const std::string& name) {
@@ -53,10 +61,18 @@ int check_plan(const std::string& plan, bool json) {
   const double seconds = foretold_seconds(campaign);
   size["seconds"] = seconds;
   size["cores"] = cores();
+  Json with_options = Json::array();
+  for (const VariedSolver& v : campaign.plan().solvers) {
+    with_options.push_back({{"name", v.name}, {"of", v.of}, {"options", v.options}});
+  }
+  size["varied_solvers"] = std::move(with_options);
   if (json) {
     fmt::print("{}\n", size.dump(2));
   } else {
     fmt::print("{}; about {} on {} cores\n", in_words(size), duration(seconds / cores()), cores());
+    for (const VariedSolver& varied : campaign.plan().solvers) {
+      fmt::print("{}: {}\n", varied.name, in_words(varied));
+    }
   }
   return 0;
 }

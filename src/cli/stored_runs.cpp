@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "src/campaign/planned_runs.h"
 #include "src/campaign/runner.h"
@@ -15,6 +18,31 @@
 namespace ricochet::cli {
 
 using report::Json;
+
+namespace {
+
+/// Nothing where the plan has no such run. Part by part, those without a grid of machines first,
+/// which would have to be scanned.
+std::optional<RunRecord> made_again(const Plan& plan, const RunKey& key) {
+  std::vector<PlanPart> parts = plan.parts;
+  std::stable_partition(parts.begin(), parts.end(),
+                        [](const PlanPart& part) { return part.machines.around.empty(); });
+  const Catalogue catalogue = studies::whole_catalogue();
+  for (const PlanPart& part : parts) {
+    Plan alone = plan;
+    alone.parts = {part};
+    const Campaign campaign(alone, catalogue);
+    const PlannedRuns planned(campaign, key);
+    if (planned.all().empty()) continue;
+    std::optional<RunRecord> again;
+    run_all({planned.all().front().job}, plan.limits,
+            [&](std::size_t, RunRecord record) { again = std::move(record); });
+    return again;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 int merge_stores(const std::vector<std::string>& parts, const std::string& out) {
   merge({parts.begin(), parts.end()}, out);
@@ -35,14 +63,9 @@ int replay(const std::string& file, std::int64_t number, bool json) {
     throw InputError(fmt::format("{}: there is no run {}: {} has runs 1 to {}", number, number,
                                  file, store.size()));
   }
-  const Campaign campaign(plan_from(store.description().plan, file), studies::whole_catalogue());
-  const PlannedRuns planned(campaign, stored->key);
-  if (planned.all().empty()) {
-    throw InputError(fmt::format("{}: run {} is none of its plan's", file, number));
-  }
-  RunRecord again;
-  run_all({planned.all().front().job}, campaign.plan().limits,
-          [&](std::size_t, RunRecord record) { again = std::move(record); });
+  const auto found = made_again(plan_from(store.description().plan, file), stored->key);
+  if (!found) throw InputError(fmt::format("{}: run {} is none of its plan's", file, number));
+  const RunRecord& again = *found;
   const std::string differs = difference(parts_of(again), parts_of(stored->record));
   const Cell& cell = stored->key.cell;
   const Json data = {

@@ -127,6 +127,21 @@ TEST(Campaign, TakesSolversOfTheUsersOwn) {
   EXPECT_EQ(campaign.solvers().size(), 2U);
 }
 
+TEST(Campaign, TakesSolversWithOptionsOfTheirOwn) {
+  const auto solver = [](const std::string& name, const std::string& of) {
+    return "[[solver]]\nname = \"" + name + "\"\nof = \"" + of + "\"\noptions = { strength = 3 }\n";
+  };
+  const std::string part = part_of("\"bowl-1\"", "solvers = [\"mine-*\", \"luck\"]");
+  const Campaign campaign = campaign_of(solver("mine-1", "luck") + part);
+  EXPECT_THAT(names(campaign, &Cell::solver), UnorderedElementsAre("mine-1", "luck"));
+  EXPECT_THAT(campaign.description().plan, HasSubstr("\"strength\" = 3"));
+  EXPECT_THAT(complaint(solver("mine-1", "fate") + part),
+              HasSubstr("solver mine-1: fate has no options"));
+  EXPECT_THAT(complaint(solver("luck", "luck") + part), HasSubstr("there is another solver"));
+  EXPECT_THAT(complaint(solver("mine-1", "luck") + solver("mine-1", "luck") + part),
+              HasSubstr("solver mine-1: there is another solver of its name"));
+}
+
 TEST(Campaign, RefusesTwoSolversOfOneName) {
   const std::string said = "there is another solver of its name";
   EXPECT_THAT(complaint(part_of("\"bowl-1\"", "solvers = [\"./luck\"]")), HasSubstr(said));

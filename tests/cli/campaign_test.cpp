@@ -126,6 +126,24 @@ TEST_F(CampaignCommands, ReportOnAFamilyThatTwoPartsAskFor) {
   EXPECT_THAT(said, HasSubstr("count-part-2, 7 evaluations"));
 }
 
+TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
+  const std::string text =
+      "[[solver]]\nname = \"bbfwa-40\"\nof = \"bbfwa\"\noptions = { sparks = 40 }\n"
+      "[[part]]\nquestions = \"count-C4\"\nsolvers = \"bbfwa*\"\nbudgets = 50\ninstances = 2\n";
+  const auto plan = write(folder_, "options.toml", text);
+  EXPECT_THAT(out_of("plan check " + plan.string()), HasSubstr("bbfwa-40: bbfwa, sparks = 40\n"));
+  out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "options").string()));
+  EXPECT_THAT(read(folder_ / "options" / "index.html"), HasSubstr(", bbfwa sparks 40"));
+  for (const int number : {1, 2, 3, 4}) {
+    out_of(fmt::format("replay {} {}", store("options"), number));
+  }
+  const auto bad = write(folder_, "bad.toml",
+                         "[[solver]]\nname = \"s\"\nof = \"mads\"\n"
+                         "options = { sparks = 40 }\n" +
+                             text);
+  expect_refusal("plan check " + bad.string(), "solver s: mads: no such solver has options");
+}
+
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
   run("whole");
   for (const std::string signal : {"INT", "KILL"}) {

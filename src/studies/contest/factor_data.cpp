@@ -56,29 +56,22 @@ double mean_solved(const std::vector<Result>& results) {
   return sum / static_cast<double>(results.size());
 }
 
-/// Levels by the factor's name.
-using Factors = std::map<std::string, std::vector<double>>;
-
-std::size_t machines_of(const ByCompetitor& competitors) {
+/// The factors of a family's machines that have several levels, with their levels; none where there
+/// are no more machines than such factors, which cannot tell one from another.
+std::map<std::string, std::vector<double>> factors_of(const ByCompetitor& competitors) {
+  std::map<std::string, std::set<double>> found;
   std::set<std::string> machines;
   for (const auto& [competitor, results] : competitors) {
-    for (const Result& result : results) machines.insert(result.question->machine);
-  }
-  return machines.size();
-}
-
-/// The factors of a family's machines that have several levels, with their levels.
-Factors factors_of(const ByCompetitor& competitors) {
-  std::map<std::string, std::set<double>> found;
-  for (const auto& [competitor, results] : competitors) {
     for (const Result& result : results) {
+      machines.insert(result.question->machine);
       for (const auto& [name, value] : result.question->factors) found[name].insert(value);
     }
   }
-  Factors factors;
+  std::map<std::string, std::vector<double>> factors;
   for (const auto& [name, levels] : found) {
     if (levels.size() > 1) factors[name] = {levels.begin(), levels.end()};
   }
+  if (machines.size() <= factors.size()) factors.clear();
   return factors;
 }
 
@@ -106,7 +99,8 @@ constexpr Measure measures[] = {{"share solved", &Result::solved},
 
 /// Adds the effects that are sure, and the mean; how many are not is added to `unsure`.
 void add_effects(Json& rows, std::size_t& unsure, const std::string& family,
-                 const ByCompetitor::value_type& competitor, const Factors& factors) {
+                 const ByCompetitor::value_type& competitor,
+                 const std::map<std::string, std::vector<double>>& factors) {
   std::vector<std::string> names;
   std::vector<std::size_t> sizes;
   for (const auto& [name, levels] : factors) {
@@ -157,7 +151,7 @@ void add_effects(Json& rows, std::size_t& unsure, const std::string& family,
 }
 
 void add_turns(Json& rows, const std::string& family, const ByCompetitor& competitors,
-               const Factors& factors) {
+               const std::map<std::string, std::vector<double>>& factors) {
   for (const auto& [name, levels] : factors) {
     for (const double level : levels) {
       ByCompetitor here;
@@ -223,9 +217,8 @@ Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& st
   std::size_t unsure = 0;
   for (const ReportedPart& part : parts) {
     for (const auto& [family, competitors] : competitors_of(campaign, standings, part)) {
-      const Factors factors = factors_of(competitors);
-      // With no more machines than factors none can tell which of them it was.
-      if (factors.empty() || machines_of(competitors) <= factors.size()) continue;
+      const auto factors = factors_of(competitors);
+      if (factors.empty()) continue;
       const auto order = best_first(competitors);
       for (std::size_t k = 0; k < std::min(shown_competitors, order.size()); ++k) {
         add_effects(effects, unsure, family, *order[k], factors);

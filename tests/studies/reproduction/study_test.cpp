@@ -54,6 +54,7 @@ TEST(Study, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(Study, ComparesByPlansOfOnePartWhichIsUndisturbed) {
   for (const StudyPlan& plan : {full_plan(), quick_plan()}) {
+    EXPECT_TRUE(plan.comparison.solvers.empty());
     ASSERT_EQ(plan.comparison.parts.size(), 1U);
     const PlanPart& part = plan.comparison.parts.front();
     const PlanPart usual;

@@ -20,11 +20,13 @@
 #include "src/studies/contest/factor_data.h"
 #include "src/studies/contest/failure_data.h"
 #include "src/studies/contest/feature_data.h"
+#include "src/studies/contest/field.h"
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/contest/history_data.h"
 #include "src/studies/contest/order_data.h"
 #include "src/studies/contest/price_data.h"
+#include "src/studies/contest/speed_accuracy_data.h"
 #include "src/studies/contest/twin_data.h"
 
 namespace ricochet::studies {
@@ -212,6 +214,7 @@ Json compute(const Campaign& campaign, const Store& store, bool wider) {
     }
   }
   tell_apart(data["groups"]);
+  data.update(speed_accuracy_data(campaign, fields_of(campaign, stored)));
   data.update(feature_data(campaign, stored));
   data.update(factor_data(campaign, stored));
   data["prices"] = price_data(campaign, stored);

@@ -54,6 +54,14 @@ class PlanTable {
     if (node != nullptr) target = finite(key, *node);
   }
 
+  /// Any finite number.
+  void read_signed(std::string_view key, double& target) const {
+    const toml::node* node = table_.get(key);
+    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!number || !std::isfinite(*number)) refuse(key, *node, "a finite number");
+    target = *number + 0.0;  // no -0
+  }
+
   void read(std::string_view key, std::optional<bool>& target) const {
     const toml::node* node = table_.get(key);
     if (node == nullptr) return;
@@ -145,13 +153,14 @@ class PlanTable {
 
 MachineGrid grid_from(const toml::table& table, const std::string& place) {
   const PlanTable in(table, place);
-  in.check_keys({"around", "restitution", "friction", "disturbance"});
+  in.check_keys({"around", "restitution", "friction", "disturbance", "fidelity"});
   in.need("around");
   MachineGrid grid;
   in.read("around", grid.around);
   in.read("restitution", grid.restitution, true);
   in.read("friction", grid.friction, true);
   in.read("disturbance", grid.disturbance, true);
+  in.read("fidelity", grid.fidelity);
   return grid;
 }
 
@@ -192,9 +201,41 @@ PlanPart part_from(const toml::table& table, const std::string& place) {
   return part;
 }
 
+VariedSolver solver_from(const toml::table& table, const std::string& place) {
+  const PlanTable in(table, place);
+  in.check_keys({"name", "of", "options"});
+  for (const char* key : {"name", "of", "options"}) in.need(key);
+  VariedSolver solver;
+  in.read("name", solver.name);
+  in.read("of", solver.of);
+  if (solver.name.empty()) in.refuse("name", *table.get("name"), "a text that is not empty");
+  const toml::table* options = table.get("options")->as_table();
+  if (options == nullptr) in.refuse("options", *table.get("options"), "a table of numbers");
+  const PlanTable numbers(*options, place + ", options");
+  for (const auto& [key, node] : *options) {
+    numbers.read_signed(key.str(), solver.options[std::string(key.str())]);
+  }
+  return solver;
+}
+
+/// The tables [[key]] of a plan, with a name for each that says where it stands.
+template <class Read>
+void each_table(const toml::table& file, const std::string& origin, const char* key, Read read) {
+  const toml::array* tables = file.get(key)->as_array();
+  if (tables == nullptr || !tables->is_array_of_tables() || tables->empty()) {
+    PlanTable(file, origin)
+        .refuse(key, *file.get(key), fmt::format("one or more tables [[{}]]", key));
+  }
+  int number = 0;
+  for (const toml::node& node : *tables) {
+    read(*node.as_table(),
+         fmt::format("{}:{}, {} {}", origin, node.source().begin.line, key, ++number));
+  }
+}
+
 Plan plan_of(const toml::table& file, const std::string& origin) {
   const PlanTable in(file, origin);
-  in.check_keys({"name", "limits", "part"});
+  in.check_keys({"name", "limits", "solver", "part"});
   Plan plan;
   in.read("name", plan.name);
   if (const toml::node* limits = file.get("limits")) {
@@ -204,16 +245,15 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
     table.read("seconds", plan.limits.seconds);
     table.read("megabytes", plan.limits.megabytes);
   }
+  if (file.contains("solver")) {
+    each_table(file, origin, "solver", [&](const toml::table& table, const std::string& place) {
+      plan.solvers.push_back(solver_from(table, place));
+    });
+  }
   in.need("part");
-  const toml::array* parts = file.get("part")->as_array();
-  if (parts == nullptr || !parts->is_array_of_tables() || parts->empty()) {
-    in.refuse("part", *file.get("part"), "one or more tables [[part]]");
-  }
-  for (const toml::node& part : *parts) {
-    plan.parts.push_back(part_from(
-        *part.as_table(),
-        fmt::format("{}:{}, part {}", origin, part.source().begin.line, plan.parts.size() + 1)));
-  }
+  each_table(file, origin, "part", [&](const toml::table& table, const std::string& place) {
+    plan.parts.push_back(part_from(table, place));
+  });
   return plan;
 }
 
@@ -259,6 +299,7 @@ std::string text_of(const PlanPart& part) {
           std::pair("disturbance", &grid.disturbance)}) {
       if (!values->empty()) inside += fmt::format(", {} = {}", key, list_of(*values));
     }
+    if (!grid.fidelity.empty()) inside += ", fidelity = " + list_of(grid.fidelity);
     line("machines", "{ " + inside + " }");
   }
   if (part.least_variables != usual.least_variables ||
@@ -299,6 +340,14 @@ std::string text_of(const Plan& plan) {
   std::string text =
       fmt::format("name = {}\n\n[limits]\nseconds = {}\nmegabytes = {}\n", quoted(plan.name),
                   toml_float(plan.limits.seconds), toml_float(plan.limits.megabytes));
+  for (const VariedSolver& solver : plan.solvers) {
+    std::vector<std::string> options;
+    for (const auto& [key, value] : solver.options) {
+      options.push_back(fmt::format("{} = {}", quoted(key), toml_float(value)));
+    }
+    text += fmt::format("\n[[solver]]\nname = {}\nof = {}\noptions = {{ {} }}\n",
+                        quoted(solver.name), quoted(solver.of), fmt::join(options, ", "));
+  }
   for (const PlanPart& part : plan.parts) text += text_of(part);
   return text;
 }

@@ -18,14 +18,17 @@
 #include "src/cli/machine.h"
 #include "src/cli/manual.h"
 #include "src/cli/other_program.h"
+#include "src/cli/plan.h"
 #include "src/cli/simulate.h"
 #include "src/cli/solve.h"
+#include "src/cli/stored_runs.h"
 #include "src/cli/threshold.h"
 #include "src/core/folder_lock.h"
 #include "src/export/formats.h"
 #include "src/features/feature.h"
 #include "src/report/process.h"
 #include "src/report/report.h"
+#include "src/site/site.h"
 #include "src/studies/contest/study.h"
 #include "src/studies/reproduction/study.h"
 
@@ -363,10 +366,11 @@ class Program : public CommandLine {
   }
 
   void add_report() {
-    CLI::App* command = add("report", "Draws a report again, from the data beside it",
+    CLI::App* command = add("report", "Draws a report again, or all of a folder, from the data",
                             "  ricochet report reports/reproduction\n"
+                            "  ricochet report reports\n"
                             "  ricochet report reports/reference --out elsewhere");
-    command->add_option("folder", report_from_, "Where its data.json is")
+    command->add_option("folder", report_from_, "Where its data.json is, or the reports are")
         ->type_name("FOLDER")
         ->required();
     command->add_option("--out", report_out_, "Another folder for what is drawn")
@@ -374,7 +378,10 @@ class Program : public CommandLine {
     on_call(command, [this] {
       const std::string& out = report_out_.empty() ? report_from_ : report_out_;
       const FolderLock alone(out);
-      report::redraw_report(report_from_, out);
+      if (!site::redraw_site(report_from_, out)) {
+        report::redraw_report(report_from_, out);
+        site::write_site_above(out);
+      }
       return 0;
     });
   }

@@ -90,9 +90,13 @@ void check(const Chart& chart) {
 
 std::string description(const Chart& chart) {
   if (!chart.description.empty()) return chart.description;
-  if (chart.heat_map)
-    return fmt::format("Heat map of {} over {} and {}.", chart.heat_map->label, chart.x.label,
-                       chart.y.label);
+  if (chart.heat_map) {
+    std::vector<std::string> axes;  // names of rows and columns may say enough
+    for (const Axis* axis : {&chart.x, &chart.y})
+      if (!axis->label.empty()) axes.push_back(axis->label);
+    return fmt::format("Heat map of {}{}{}.", chart.heat_map->label, axes.empty() ? "" : " over ",
+                       fmt::join(axes, " and "));
+  }
   std::vector<std::string> labels;
   for (const Series& series : chart.series)
     if (!series.label.empty()) labels.push_back(series.label);

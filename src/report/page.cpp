@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "embedded/look.h"
 #include "embedded/page_template.h"
 #include "embedded/summary_template.h"
 #include "src/report/filled_text.h"
@@ -16,6 +17,9 @@ namespace {
 
 /// From this width on a chart has a row of its own.
 constexpr int wide_chart = 560;  // pixels
+
+/// For so many choices of a section reports/templates/look.css has rules.
+constexpr std::size_t most_choices = 24;
 
 void check(const Page& page) {
   std::set<std::string> ids, names;
@@ -33,6 +37,11 @@ void check(const Page& page) {
                                                 table.caption, row.size(), table.columns.size()));
       }
     }
+    std::set<std::string> choices;
+    for (const Figure& figure : section.figures) choices.insert(figure.choice);
+    if (choices.size() > most_choices + choices.count(""))
+      throw std::invalid_argument(fmt::format("section \"{}\" has {} choices; at most {} can be",
+                                              section.heading, choices.size(), most_choices));
     for (const Figure& figure : section.figures)
       if (!names.insert(figure.chart.name).second)
         throw std::invalid_argument(fmt::format("two charts have the name {}", figure.chart.name));
@@ -77,20 +86,36 @@ Json data_of(const Figure& figure, const std::string& svg, const Writing& writin
           {"wide", chart.width >= wide_chart}};
 }
 
+/// The list of figures of a choice, which is added where it is new.
+Json& figures_of_choice(const std::string& choice, Json& choices) {
+  for (Json& known : choices) {
+    if (known["choice"] == choice) return known["chosen"];
+  }
+  choices.push_back({{"choice", choice}, {"number", choices.size()}, {"chosen", Json::array()}});
+  return choices.back()["chosen"];
+}
+
 Json data_of(const Page& page, const FileSet& files, const Writing& writing) {
   Json sections = Json::array();
   for (const Section& section : page.sections) {
-    Json tables = Json::array(), figures = Json::array();
+    Json tables = Json::array(), figures = Json::array(), choices = Json::array();
     for (const Table& table : section.tables) tables.push_back(data_of(table, writing));
     for (const Figure& figure : section.figures) {
-      figures.push_back(data_of(figure, files.at(figure.chart.name + ".svg"), writing));
+      Json drawn = data_of(figure, files.at(figure.chart.name + ".svg"), writing);
+      if (figure.choice.empty()) {
+        figures.push_back(std::move(drawn));
+      } else {
+        figures_of_choice(writing.plain(figure.choice), choices).push_back(std::move(drawn));
+      }
     }
     sections.push_back({{"id", section.id},
                         {"heading", writing.plain(section.heading)},
                         {"paragraphs", list_of(section.paragraphs, writing.linked)},
                         {"tables", std::move(tables)},
-                        {"has_figures", !section.figures.empty()},
-                        {"figures", std::move(figures)}});
+                        {"has_figures", !figures.empty()},
+                        {"figures", std::move(figures)},
+                        {"has_choices", !choices.empty()},
+                        {"choices", std::move(choices)}});
   }
   return {{"title", writing.plain(page.title)},
           {"intro", list_of(page.intro, writing.linked)},
@@ -107,7 +132,8 @@ void write_page(const Page& page, const std::filesystem::path& folder, FileSet b
   const std::vector<std::string> svgs = to_svgs(charts);
   FileSet files = std::move(beside);
   for (std::size_t i = 0; i < charts.size(); ++i) files[charts[i].name + ".svg"] = svgs[i];
-  const Json html = data_of(page, files, {escape_html, html_with_links});
+  Json html = data_of(page, files, {escape_html, html_with_links});
+  html["look"] = embedded::look;
   const Json summary = data_of(page, files, {escape_markdown, escape_markdown});
   files["index.html"] = filled(embedded::page_template, {&html});
   files["summary.md"] = filled(embedded::summary_template, {&summary});

@@ -13,6 +13,9 @@ namespace ricochet::report {
 struct Figure {
   Chart chart;
   std::string caption;
+  /// What the reader chooses it by: of a section's choices one is seen at a time on a screen, the
+  /// first of them at the beginning, and all on paper. Empty: it is always seen.
+  std::string choice = {};
 };
 
 /// A heading and what it heads, in this order. Text is plain; https:// addresses become links.

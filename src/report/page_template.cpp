@@ -130,7 +130,8 @@ Section section_of(const Part& part, const Scopes& scopes, DrawnPage& result) {
   }
   for (const Part& chart : part.parts("chart")) {
     for (const Scopes& place : places_of(chart, scopes)) {
-      section.figures.push_back({chart_of(chart, place), chart.filled_text("caption", place)});
+      section.figures.push_back({chart_of(chart, place), chart.filled_text("caption", place),
+                                 chart.filled_text("choice", place)});
     }
   }
   return section;

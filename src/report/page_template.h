@@ -48,7 +48,7 @@ struct DrawnPage {
 /// y: `cells` names a list there, of an entry for each of x, and `value` a member of it, or "." for
 /// itself. A chart's name is written in small letters, with hyphens; `width` and `height` are
 /// pixels, `row_height` those more for each category of y; `description` is for those who cannot
-/// see it.
+/// see it; by its `choice` the reader picks it among others of the section, see page.h.
 ///
 /// Any section, paragraph {text = "..."}, table, column, chart, series and line takes `when`, a
 /// condition like `where`, `each`, the name of a list for whose entries it is repeated, in each of

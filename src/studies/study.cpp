@@ -1,13 +1,16 @@
 #include "src/studies/study.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sched.h>
 
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 #include "src/core/folder_lock.h"
 #include "src/report/report.h"
+#include "src/site/site.h"
 
 namespace ricochet::studies {
 namespace {
@@ -39,9 +42,11 @@ Finished run(const Study& study, bool quick, const std::filesystem::path& folder
                          {"compiler", compiler},
                          {"threads", cores()},
                          {"seconds", elapsed.count()},
+                         {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
                          {"quick", quick}}}};
   data.update(results);
   std::string epilogue = report::write_report(data, folder);
+  site::write_site_above(folder);
   if (!epilogue.empty()) epilogue += "\n";
   epilogue +=
       fmt::format("The report: {}\n",

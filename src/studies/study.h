@@ -24,7 +24,8 @@ struct Finished {
 };
 
 /// Computes a study and writes its report into the folder. To the results it adds `report`, the
-/// study's name, and `made`: version, compiler, threads, seconds (elapsed), quick. Throws
+/// study's name, and `made`: version, compiler, threads, seconds (elapsed), date (UTC), quick.
+/// Writes the front page above the folder too, where there is to be one, see site.h. Throws
 /// InputError, before any work, where the folder cannot be written.
 Finished run(const Study& study, bool quick, const std::filesystem::path& folder);
 

@@ -40,7 +40,7 @@ TEST(FolderLock, HasASecondCallSayThatThereIsAFirst) {
   const FolderLock first(folder);
   for (const std::string command :
        {"reproduce --quick --out ", "calibrate --quick --out ", "problems --out ",
-        "report " RICOCHET_SOURCE "/reports/reference --out "}) {
+        "report " RICOCHET_SOURCE "/reports/reference/reproduction --out "}) {
     expect_refusal(command + folder.string(), "another ricochet is at work there");
   }
   expect_refusal("best-values --out " + (folder / "best.toml").string(), "another ricochet");

@@ -75,7 +75,7 @@ TEST(Scene, ThatCannotBeReachedIsRefused) {
   for (const std::string command :
        {"simulate --scene ", "scene --scene ", "report ", "list questions --scene ",
         "simulate --case C1 --csv ", "reproduce --quick --out ", "calibrate --quick --out ",
-        "report " RICOCHET_SOURCE "/reports/reference --out "}) {
+        "report " RICOCHET_SOURCE "/reports/reference/reproduction --out "}) {
     expect_refusal(command + (folder / "loop").string(), "loop");
     expect_refusal(command + (folder / "loop" / "deeper").string(), "loop");
   }

@@ -68,6 +68,17 @@ TEST(Chart, DescribesItselfByItsLabels) {
   EXPECT_EQ(description(chart), "x [mm] against time [s]: path, wall.");
 }
 
+TEST(Chart, DescribesAHeatMapByTheAxesThatHaveAName) {
+  Chart chart = heat_map_chart({{1, 2}});
+  chart.x.label = chart.y.label = "";
+  chart.heat_map = HeatMap{"solved [%]", {{1.0}}};
+  EXPECT_EQ(description(chart), "Heat map of solved [%].");
+  chart.x.label = "question";
+  EXPECT_EQ(description(chart), "Heat map of solved [%] over question.");
+  chart.y.label = "solver";
+  EXPECT_EQ(description(chart), "Heat map of solved [%] over question and solver.");
+}
+
 std::vector<std::string> labels(const std::vector<Tick>& ticks) {
   std::vector<std::string> result;
   for (const Tick& tick : ticks)

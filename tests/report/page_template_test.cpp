@@ -48,6 +48,7 @@ each = "charts"
 name = "case-{{id}}"
 title = "Case {{id}}"
 caption = "{{id}} of {{total}}"
+choice = "choose {{id}}"
 x = { label = "time [s]" }
 y = { label = "x [mm]" }
 series = [{ rows = "rows", x = "time", y = "x" }]
@@ -101,6 +102,7 @@ TEST(PageTemplate, MakesTheChartsWithTheirWords) {
   ASSERT_EQ(figures.size(), 1u);
   EXPECT_EQ(figures[0].chart.title, "Case C1");
   EXPECT_EQ(figures[0].caption, "C1 of 2");
+  EXPECT_EQ(figures[0].choice, "choose C1");
   EXPECT_EQ(figures[0].chart.series[0].samples.at(0).value, 2.5);
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -125,6 +126,42 @@ Page page_of(const Table& table) {
 const Table thresholds{"Thresholds [rad/s]",
                        {{"case", Alignment::left}, {"threshold"}},
                        {{{"C1"}, {"8.97", State::good}}, {{"C2"}, {"3", State::bad}}}};
+
+TEST_F(PageFiles, LetTheReaderChooseAmongChartsAndSummariseThemAll) {
+  Page page = page_with({"always", "quiet-1", "quiet-2", "loud-1", "loud-2"});
+  auto& figures = page.sections[0].figures;
+  figures[1].choice = figures[3].choice = "C1";
+  figures[2].choice = figures[4].choice = "C<2>";
+  write_page(page, root_);
+  const std::string html = read(root_ / "index.html"), summary = read(root_ / "summary.md");
+  const std::regex buttons("<input type=\"radio\"[^>]*?( checked)?><label[^>]*>([^\n]*)</label>");
+  std::vector<std::string> choices;
+  for (std::sregex_iterator it(html.begin(), html.end(), buttons), end; it != end; ++it) {
+    choices.push_back((*it)[2].str() + (*it)[1].str());
+  }
+  EXPECT_THAT(choices, testing::ElementsAre("C1 checked", "C&lt;2&gt;"));
+  std::vector<std::size_t> places;  // the charts of a choice follow each other
+  for (const char* name : {"always", "quiet-1", "loud-1", "quiet-2", "loud-2"}) {
+    places.push_back(html.find(std::string("id=\"") + name + "-title\""));
+    EXPECT_THAT(summary, HasSubstr(std::string("](") + name + ".svg)"));
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+  EXPECT_NE(places.back(), std::string::npos);
+}
+
+/// The style shows as many choices as it has rules for.
+TEST_F(PageFiles, OfferNoMoreChoicesThanTheStyleShows) {
+  Page page = page_with({});
+  for (int i = 0; i < 25; ++i) {
+    Chart chart = line_chart({{0, 1}, {1, 2}});
+    chart.name = "chart-" + std::to_string(i);
+    page.sections[0].figures.push_back({chart, "", std::to_string(i)});
+  }
+  EXPECT_THROW(write_page(page, root_), std::invalid_argument);
+  page.sections[0].figures.pop_back();
+  write_page(page, root_);
+  EXPECT_THAT(read(root_ / "index.html"), HasSubstr("input:nth-of-type(24):checked"));
+}
 
 TEST_F(PageFiles, HaveTablesInMarkdown) {
   write_page(page_of(thresholds), root_);

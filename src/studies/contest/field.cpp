@@ -60,8 +60,8 @@ double mean_cost(const std::vector<double>& costs) {
   return shifted_geometric_mean(costs, 0, 1e-6);
 }
 
-std::vector<Field> fields_of(const Campaign& campaign,
-                             const std::vector<StoredStanding>& standings) {
+std::vector<Field> fields_of(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+                             const std::vector<ReportedPart>& parts) {
   using Key = std::tuple<std::size_t, std::string, std::int64_t>;
   std::map<Key, std::map<std::string, std::map<std::string, ByQuestion>>> all;
   for (const StoredStanding& standing : standings) {
@@ -94,6 +94,9 @@ std::vector<Field> fields_of(const Campaign& campaign,
       for (const auto& [question, standing] : best->second) entrant.standings.push_back(standing);
       const bool takes_all = entrant.standings.size() == field.questions.size();
       (takes_all ? field.entrants : field.partial).push_back(std::move(entrant));
+    }
+    for (const ReportedPart& part : parts) {
+      if (part.part == field.part) field.family = part.families.at(field.family);
     }
     fields.push_back(std::move(field));
   }

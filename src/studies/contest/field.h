@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/contest/stored_contest.h"
+#include "src/studies/contest/reported_part.h"
 
 namespace ricochet::studies::contest {
 
@@ -20,7 +21,7 @@ struct Entrant {
 /// Solvers that can be compared: the questions of one family that a part of the plan asks with one
 /// budget, undisturbed, with a gradient at the price of n evaluations.
 struct Field {
-  std::string family;
+  std::string family;  ///< as the report calls it
   std::size_t part = 0;
   std::int64_t budget = 0;  ///< evaluations for each variable
   bool largest = false;     ///< no question of it has a larger budget anywhere
@@ -30,8 +31,8 @@ struct Field {
 };
 
 /// The fields of a campaign, by part, family and budget. The standings outlive them.
-std::vector<Field> fields_of(const Campaign& campaign,
-                             const std::vector<StoredStanding>& standings);
+std::vector<Field> fields_of(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+                             const std::vector<ReportedPart>& parts);
 
 /// The fields of the largest budgets to which at least half of all solvers were put, as one, whose
 /// family is "all" and whose budget is 0. Of fewer than two fields none: no questions.

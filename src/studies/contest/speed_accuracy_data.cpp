@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "src/contest/result.h"
@@ -169,19 +168,14 @@ Json speed_accuracy_data(const Campaign& campaign, const std::vector<Field>& fie
   Json all = Json::array();
   Json charts = Json::array();
   Json fronts = Json::array();
-  std::map<std::string, int> drawn;
   const auto add = [&](const Field& field, bool draws_time) {
     Json rows = complete_rows(campaign, field);
     if (field.largest && !rows.empty()) {
-      const int times = ++drawn[field.family];
-      const std::string name =
-          times == 1 ? field.family : fmt::format("{}, {}", field.family, times);
-      charts.push_back(chart_of(name, rows, false));
-      if (draws_time) charts.push_back(chart_of(name, rows, true));
+      charts.push_back(chart_of(field.family, rows, false));
+      if (draws_time) charts.push_back(chart_of(field.family, rows, true));
       for (const Json& row : rows) {
         if (!row["on_front"].get<bool>() && !row["on_time_front"].get<bool>()) continue;
         fronts.push_back(row);
-        fronts.back()["name"] = name;
       }
     }
     for (Json& row : rows) all.push_back(std::move(row));

@@ -8,9 +8,10 @@ namespace ricochet::studies::contest {
 /// Speed against accuracy. `speed_accuracy` has a row for each solver, in its best form, for each
 /// family and budget that a part of the plan asks:
 ///
-///   family, part (from 1), budget (evaluations a variable), largest (none is larger),
-///   solver, form, questions, complete (it takes all that anybody takes there), runs,
-///   evaluations   for each variable, until a run solved its question or in all: mean over the runs
+///   family (as in the rest of the report), part (from 1), budget (evaluations a variable), largest
+///   (none is larger), solver, form, questions, complete (it takes all that anybody takes there),
+///   runs, evaluations   for each variable, until a run solved its question or in all: mean over
+///   the runs
 ///                 of a question, geometric mean over questions
 ///   seconds       of processor time, the same mean
 ///   share, share_lower, share_upper     of runs that solved, mean over questions; the interval is

@@ -54,13 +54,14 @@ Json variables_of(const Problem& problem) {
   return rows;
 }
 
-Json row_of(const Question& question) {
+/// What is to be as large as possible has its negative minimised; it is shown as it is meant.
+Json row_of(const Question& question, double sign) {
   const Problem& problem = question.stated;
   const Truth start = truth_at(problem, problem.start);
   Json row = {{"name", problem.name},
-              {"start", start.objective},
+              {"start", sign * start.objective},
               {"start_violation", start.violation > 0 ? Json(start.violation) : Json()},
-              {"best_known", problem.best_known ? Json(*problem.best_known) : Json()},
+              {"best_known", problem.best_known ? Json(sign * *problem.best_known) : Json()},
               {"shown_point", nullptr},
               {"more_coordinates", false},
               {"point", nullptr},
@@ -127,8 +128,8 @@ void add_texts(const toml::table& table, Json& texts) {
 Json texts_of(const Family& family) {
   static const toml::table all = toml::parse(embedded::families);
   Json texts = {{"title", family.name}};
-  for (const char* key :
-       {"asks", "formula", "constraints", "surrogate", "derivatives", "instances", "users"}) {
+  for (const char* key : {"asks", "formula", "constraints", "surrogate", "derivatives", "instances",
+                          "users", "maximised"}) {
     texts[key] = "";
   }
   if (const toml::table* own = all[family.name].as_table()) {
@@ -156,9 +157,13 @@ Json family_data(const Family& family) {
                {"penalty_weight",
                 constrained.stated.constraints > 0 ? Json(constrained.penalty_weight) : Json()},
                {"forms", forms_of(constrained)},
-               {"questions", report::list_of(family.questions, row_of)},
+               {"questions", Json::array()},
                {"charts", Json::array()}};
   data.update(texts_of(family));
+  const double sign = data["maximised"] == "" ? 1 : -1;
+  for (const Question& question : family.questions) {
+    data["questions"].push_back(row_of(question, sign));
+  }
   if (first.stated.dimension() == 1) data["charts"].push_back(chart_of(family));
   return data;
 }

@@ -199,7 +199,8 @@ Json data_of(const Thresholds& one) {
           {"friction", friction_factors(one.points)}};
 }
 
-/// By what the speed of sustained bouncing grows with friction; null where the scenes have none.
+/// By what the speed of sustained bouncing grows with friction; null where the scenes have none at
+/// either restitution.
 Json bouncing_friction(const std::vector<CaseStudy>& cases) {
   Points points;
   for (const CaseStudy& c : cases) {
@@ -209,7 +210,8 @@ Json bouncing_friction(const std::vector<CaseStudy>& cases) {
       points.push_back({it.id, it.restitution, it.friction, it.disturbance, *speed});
     }
   }
-  return points.empty() ? Json() : friction_factors(points);
+  const Json factors = friction_factors(points);
+  return factors.at("low").is_null() || factors.at("high").is_null() ? Json() : factors;
 }
 
 /// How the computed thresholds compare with a speed of the model, at both restitutions, and at

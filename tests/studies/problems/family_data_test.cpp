@@ -125,6 +125,16 @@ TEST(FamilyData, TellTheStartAndTheBestOfEveryQuestion) {
   EXPECT_EQ(row[4].text, "by hand");
 }
 
+TEST(FamilyData, ShowWhatIsToBeLargeAsItIsMeant) {
+  Family family = families()[1];
+  ASSERT_EQ(family.name, "top-speed");
+  family.questions[0].stated.best_known = -8.25;
+  const report::Section facts = facts_of(family);
+  EXPECT_EQ(facts.tables[2].columns[2].title, "best known speed [rad/s]");
+  EXPECT_EQ(facts.tables[2].rows.at(0)[2].text, "8.25");
+  EXPECT_GT(family_data(family)["questions"][0]["start"], 0);
+}
+
 TEST(FamilyData, ShortenLongPoints) {
   Family family = families()[2];
   ASSERT_EQ(family.name, "profile-count");

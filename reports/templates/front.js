@@ -1,0 +1,391 @@
+// The charts and the leaderboard of the front page. Its data stand in the page; Chart.js draws.
+// Without this script the page shows the same rows in pictures that stand still.
+"use strict";
+
+const site = JSON.parse(document.getElementById("site-data").textContent);
+const element = (id) => document.getElementById(id);
+const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const dark = matchMedia("(prefers-color-scheme: dark)");
+
+// After Okabe and Ito, as in all reports; paler in the dark.
+const palette = () => dark.matches
+  ? ["#4ba3dd", "#f08a3c", "#2fc298", "#e08fbd", "#c78fe0", "#aab2ba", "#74d0f0", "#d9c14a"]
+  : ["#0072b2", "#d55e00", "#009e73", "#b0568a", "#7b3294", "#555555", "#2a7f9e", "#8a6d00"];
+
+const number = (value, digits = 3) =>
+  value === null ? "–" : Number(value.toPrecision(digits)).toLocaleString("en", {maximumSignificantDigits: digits});
+const percent = (share) => share === null ? "–" : `${Math.round(100 * share)} %`;
+
+// ---- charts ----
+
+// Intervals around points, and names beside them where there is room.
+const namesAndIntervals = {
+  id: "namesAndIntervals",
+  afterDatasetsDraw(chart) {
+    const {ctx, chartArea: area, scales: {x, y}} = chart;
+    ctx.save();
+    ctx.font = `12px ${Chart.defaults.font.family}`;
+    ctx.textBaseline = "middle";
+    const taken = [];
+    chart.data.datasets.forEach((set, index) => {
+      if (!chart.isDatasetVisible(index)) return;
+      const colours = set.intervalColour || set.borderColor;
+      for (const point of set.data) {
+        if (point.low === undefined || point.low === null || point.high === null) continue;
+        ctx.strokeStyle = colours;
+        ctx.beginPath();
+        ctx.moveTo(x.getPixelForValue(point.x), y.getPixelForValue(Math.max(point.low, y.min)));
+        ctx.lineTo(x.getPixelForValue(point.x), y.getPixelForValue(Math.min(point.high, y.max)));
+        ctx.stroke();
+      }
+    });
+    chart.data.datasets.forEach((set, index) => {
+      if (!chart.isDatasetVisible(index)) return;
+      for (const point of set.data) {
+        if (!point.name) continue;
+        const width = ctx.measureText(point.name).width, height = 14;
+        const at = {x: x.getPixelForValue(point.x), y: y.getPixelForValue(point.y)};
+        const places = [[7, 0], [-width - 7, 0], [7, 14], [-width - 7, 14], [7, -14], [-width - 7, -14],
+                        [7, 28], [-width - 7, 28], [7, -28]];
+        const box = places
+          .map(([dx, dy]) => ({left: at.x + dx, top: at.y + dy - height / 2, right: at.x + dx + width, bottom: at.y + dy + height / 2}))
+          .find((b) => b.left >= area.left && b.right <= area.right && b.top >= area.top && b.bottom <= area.bottom &&
+            !taken.some((t) => b.left < t.right && b.right > t.left && b.top < t.bottom && b.bottom > t.top));
+        if (!box) continue;
+        taken.push(box);
+        ctx.fillStyle = colour("--paper");
+        ctx.globalAlpha = 0.75;
+        ctx.fillRect(box.left - 1, box.top, width + 2, height);
+        ctx.globalAlpha = 1;
+        ctx.fillStyle = set.nameColour || set.borderColor;
+        ctx.fillText(point.name, box.left, (box.top + box.bottom) / 2);
+      }
+    });
+    ctx.restore();
+  },
+};
+
+// Labels of a logarithmic axis: the powers of ten; where there are fewer than three, 2 and 5 of each too.
+const tidyTicks = (scale) => {
+  const decades = Math.log10(scale.max / scale.min), every = Math.ceil(decades / 8);
+  const kept = decades > 2.5 ? [1] : decades > 1 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
+  scale.ticks = scale.ticks.filter(({value}) => {
+    const exponent = Math.floor(Math.log10(value) + 1e-9);
+    return kept.includes(Math.round(value / 10 ** exponent)) && (kept.length > 1 || exponent % every === 0);
+  });
+};
+const tickLabel = (value) => value >= 1e-3 && value < 1e6 ? String(Number(value.toPrecision(2))) : value.toExponential().replace("e+", "e");
+
+const axis = (title, logarithmic, more = {}) => ({
+  type: logarithmic ? "logarithmic" : "linear",
+  title: {display: true, text: title, color: colour("--ink")},
+  grid: {color: colour("--rule"), borderColor: colour("--quiet")},
+  ticks: {color: colour("--quiet"), maxRotation: 0, ...(logarithmic ? {callback: tickLabel} : {})},
+  ...(logarithmic ? {afterBuildTicks: tidyTicks} : {}),
+  ...more,
+});
+
+// Shares end at 100, with a little room for the dots there.
+const hundredths = (scale) => { scale.ticks = [0, 20, 40, 60, 80, 100].map((value) => ({value})); };
+
+const charts = {};
+
+// Draws a chart anew; `click` gets the point under the pointer.
+const draw = (id, datasets, x, y, describe, click) => {
+  charts[id]?.destroy();
+  Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
+  Chart.defaults.font.size = 12;
+  charts[id] = new Chart(element(id), {
+    type: "scatter",
+    data: {datasets},
+    options: {
+      animation: false, maintainAspectRatio: false, parsing: false, normalized: true,
+      interaction: {mode: "nearest", intersect: true},
+      scales: {x, y},
+      plugins: {
+        legend: {display: false},
+        tooltip: {callbacks: {label: (item) => describe(item.raw, item.dataset)}, displayColors: false},
+      },
+      onClick: (event, hits, chart) => {
+        if (click && hits.length) click(chart.data.datasets[hits[0].datasetIndex].data[hits[0].index]);
+      },
+    },
+    plugins: [namesAndIntervals],
+  });
+};
+
+const fill = (select, entries) => {
+  const before = select.value;
+  select.replaceChildren(...entries.map(([value, text]) => new Option(text, value)));
+  if (entries.some(([value]) => String(value) === before)) select.value = before;
+};
+
+// ---- the contest ----
+
+const contest = site.contest;
+const rows = contest ? contest.rows.map((values) =>
+  Object.fromEntries(contest.columns.map((name, i) => [name, values[i]]))) : [];
+const full = (row) => `${row.solver}, ${row.form}`;
+const shows = (row) => {
+  const wanted = element("shown").value;
+  return !wanted || row.form.includes(wanted);
+};
+
+const fitting = () => contest.families.map((family, index) => [family, index]).filter(([family]) => {
+  const variables = element("by-variables").value, constraints = element("by-constraints").value;
+  return (!variables || (variables === "one") === (family.variables.most === 1)) &&
+    (!constraints || (constraints === "none") === (family.constraints.most === 0));
+});
+
+// Where the report speaks of it; of all families together in its first section.
+const placeOf = (row) => {
+  const {name} = contest.families[row.family];
+  return `${contest.folder}/index.html#${name === "all" ? "" : name}`;
+};
+
+const chosen = () => {
+  const family = Number(element("family").value), budget = Number(element("budget").value);
+  return rows.filter((row) => row.family === family && row.budget === budget && shows(row));
+};
+
+// Those that no other beats in both.
+const frontOf = (points, better) => {
+  const front = [];
+  for (const point of [...points].sort((a, b) => a.x - b.x || (better(a.y, b.y) ? -1 : 1))) {
+    if (!front.length || better(point.y, front.at(-1).y)) front.push(point);
+  }
+  return front;
+};
+
+const pointOf = (row, speed, accuracy) => {
+  const scale = accuracy === "solved" ? 100 : 1;
+  const least = accuracy === "solved" ? -Infinity : 1e-12;  // a logarithmic axis has no 0
+  const scaled = (value) => value === null ? null : Math.max(scale * value, least);
+  return {x: row[speed], y: scaled(row[accuracy]), low: scaled(row[`${accuracy}_lower`]),
+          high: scaled(row[`${accuracy}_upper`]), row};
+};
+
+const drawAccuracy = () => {
+  const speed = element("speed").value, accuracy = element("accuracy").value;
+  const points = chosen().map((row) => pointOf(row, speed, accuracy))
+    .filter((point) => point.x > 0 && point.y !== null && Number.isFinite(point.y));
+  const better = accuracy === "solved" ? (a, b) => a > b : (a, b) => a < b;
+  const front = frontOf(points.filter((point) => point.row.complete), better);
+  const onFront = new Set(front);
+  const named = (point) => ({...point, name: full(point.row)});
+  const outside = points.filter((point) => point.row.outside && !onFront.has(point));
+  const others = points.filter((point) => !onFront.has(point) && !point.row.outside);
+  const [blue, orange] = palette(), grey = colour("--quiet");
+  const dot = {showLine: false, pointRadius: 4, pointHoverRadius: 7, pointHitRadius: 6};
+  const words = {evaluations: "evaluations for each variable", seconds: "processor time [s]", solved: "runs solved [%]",
+                 error: "error of the answer (median regret)"};
+  draw("accuracy-chart", [
+    {...dot, label: "front", data: front.map(named), borderColor: blue, backgroundColor: blue, nameColour: colour("--ink"),
+     showLine: true, stepped: "before", borderWidth: 1.5, pointRadius: 5},
+    {...dot, label: "yours", data: outside.map(named), borderColor: orange, backgroundColor: orange, pointRadius: 5},
+    {...dot, label: "dominated", data: others.map(named), borderColor: grey, backgroundColor: grey + "99",
+     intervalColour: colour("--rule"), pointRadius: 3},
+  ], axis(words[speed], true), axis(words[accuracy], accuracy === "error", accuracy === "solved" ? {min: 0, max: 104, afterBuildTicks: hundredths} : {}),
+  (point) => [full(point.row), `${number(point.row.evaluations)} evaluations for each variable, ${number(point.row.seconds)} s`,
+              `solved ${percent(point.row.solved)} [${percent(point.row.solved_lower)}, ${percent(point.row.solved_upper)}]`,
+              `median error ${number(point.row.error)}`],
+  (point) => { location.href = placeOf(point.row); });
+  const best = front.at(-1);
+  const family = contest.families[Number(element("family").value)]?.name;
+  element("finding").textContent = best
+    ? `${family}: the most accurate is ${full(best.row)}, at ${number(best.x)} ${speed === "seconds" ? "s" : "evaluations for each variable"}; ` +
+      (front.length > 1 ? `the fastest that is not beaten is ${full(front[0].row)}, at ${number(front[0].x)}.` : "none is faster without being worse.")
+    : "No solver fits, or the contest has no times: ./ricochet compare makes one that has.";
+  element("accuracy-chart").setAttribute("aria-label",
+    `${words[accuracy]} over ${words[speed]}, ${points.length} dots. ${element("finding").textContent}`);
+};
+
+// ---- the leaderboard ----
+
+const boardColumns = [
+  ["place", "place", (row) => row.shown_place, "right"],
+  ["solver", "solver, shown", (row) => full(row), "left"],
+  ["best", "P(best)", (row) => row.best === null ? "–" : row.best.toFixed(2), "right"],
+  ["targets", "targets [%]", (row) => row.targets === null ? "–" : `${Math.round(100 * row.targets)} [${Math.round(100 * row.lower)}, ${Math.round(100 * row.upper)}]`, "right"],
+  ["found", "solved [%]", (row) => row.found === null ? "–" : String(Math.round(100 * row.found)), "right"],
+  ["evaluations", "evaluations", (row) => number(row.evaluations), "right"],
+  ["seconds", "ms", (row) => row.seconds === null ? "–" : number(1000 * row.seconds, 2), "right"],
+];
+const sorting = {by: "place", down: false};
+
+// The same rank and chance: the same place.
+const withPlaces = (list) => {
+  let first = null;
+  return list.map((row) => {
+    if (!first || first.rank !== row.rank || first.best !== row.best) first = row;
+    return {...row, shown_place: String(first.place)};
+  });
+};
+
+const sorted = (list) => [...list].sort((a, b) => {
+  const [one, two] = sorting.by === "solver" ? [full(a), full(b)] : [a[sorting.by], b[sorting.by]];
+  if (one === two) return a.place - b.place;
+  if (one === null || two === null) return one === null ? 1 : -1;
+  return (one < two ? -1 : 1) * (sorting.down ? -1 : 1);
+});
+
+const cell = (kind, text, alignment) => {
+  const made = document.createElement(kind);
+  made.textContent = text;
+  made.className = alignment;
+  return made;
+};
+
+const drawBoard = () => {
+  const list = sorted(withPlaces(chosen()));
+  const head = document.createElement("tr");
+  for (const [key, title, , alignment] of boardColumns) {
+    const heading = cell("th", "", alignment), button = document.createElement("button");
+    heading.scope = "col";
+    button.type = "button";
+    button.textContent = title;
+    button.dataset.column = key;
+    button.addEventListener("click", () => {
+      sorting.down = sorting.by === key ? !sorting.down : !["place", "solver", "evaluations", "seconds"].includes(key);
+      sorting.by = key;
+      drawBoard();
+      document.querySelector(`#board button[data-column="${key}"]`).focus();
+    });
+    if (sorting.by === key) heading.setAttribute("aria-sort", sorting.down ? "descending" : "ascending");
+    heading.append(button);
+    head.append(heading);
+  }
+  const body = document.createElement("tbody");
+  list.forEach((row, i) => {
+    const line = document.createElement("tr");
+    if (sorting.by === "place" && list[i + 1]?.shown_place === row.shown_place) line.className = "tie";
+    for (const [key, , text, alignment] of boardColumns) {
+      const made = cell(key === "solver" ? "th" : "td", text(row), alignment);
+      if (key === "solver") made.scope = "row";
+      line.append(made);
+    }
+    body.append(line);
+  });
+  const top = document.createElement("thead");
+  top.append(head);
+  element("board").replaceChildren(top, body);
+  offer(list);
+};
+
+// The rows that are shown, with all their columns, as files.
+const offer = (list) => {
+  const names = contest.columns.filter((name) => name !== "family");
+  const family = contest.families[Number(element("family").value)]?.name;
+  const quoted = (value) => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
+  const lines = [["family", ...names].join(",")].concat(list.map((row) =>
+    [family, ...names.map((name) => row[name])].map((value) => quoted(String(value ?? ""))).join(",")));
+  const json = list.map((row) => ({family, ...Object.fromEntries(names.map((name) => [name, row[name]]))}));
+  element("as-csv").href = "data:text/csv;charset=utf-8," + encodeURIComponent(lines.join("\n") + "\n");
+  element("as-json").href = "data:application/json;charset=utf-8," + encodeURIComponent(JSON.stringify(json, null, 1));
+};
+
+// ---- targets reached ----
+
+const unpicked = new Set();
+
+const drawCurves = () => {
+  const family = Number(element("family").value), budget = Number(element("budget").value);
+  const curves = contest.curves.filter((curve) => curve.family === family && curve.budget === budget && shows(curve));
+  const colours = palette();
+  element("curve-picks").replaceChildren(...curves.map((curve, i) => {
+    const item = document.createElement("li"), label = document.createElement("label");
+    const box = document.createElement("input"), swatch = document.createElement("span");
+    box.type = "checkbox";
+    box.checked = !unpicked.has(full(curve));
+    box.addEventListener("change", () => {
+      unpicked[box.checked ? "delete" : "add"](full(curve));
+      drawCurves();
+      element("curve-picks").querySelectorAll("input")[i].focus();
+    });
+    swatch.className = "swatch";
+    swatch.style.background = colours[i % colours.length];
+    label.append(box, " ", swatch, full(curve));
+    item.append(label);
+    return item;
+  }));
+  const datasets = curves.map((curve, i) => {
+    const data = curve.points.map(([x, share]) => ({x, y: 100 * share, curve}));
+    if (data.length) data.at(-1).name = full(curve);
+    const own = colours[i % colours.length];
+    return {label: full(curve), data, hidden: unpicked.has(full(curve)), showLine: true, stepped: "before", borderColor: own,
+            backgroundColor: own, borderWidth: 2, pointRadius: 0, pointHitRadius: 8, borderDash: i % 2 ? [6, 3] : []};
+  });
+  draw("curve-chart", datasets, axis("evaluations for each variable", true), axis("targets reached [%]", false, {min: 0, max: 104, afterBuildTicks: hundredths}),
+    (point) => `${full(point.curve)}: ${Math.round(point.y)} % after ${number(point.x)}`);
+  element("curve-chart").setAttribute("aria-label", `Share of targets reached over evaluations, of ${curves.length} solvers.`);
+};
+
+// ---- the motion ----
+
+const drawMotion = () => {
+  const view = site.motion.views[Number(element("scene").value)];
+  const colours = palette();
+  const datasets = view.series.map((series, i) => {
+    const own = series.exact ? colour("--ink") : colours[i % colours.length];
+    const data = series.points.filter(([x, y]) => x !== null && y !== null).map(([x, y]) => ({x, y, series}));
+    if (data.length) data.at(-1).name = series.name;
+    return {label: series.name, data, showLine: data.length > 1, borderColor: own, backgroundColor: own, borderWidth: 1.5,
+            pointRadius: series.exact ? 6 : 3, pointStyle: series.exact ? "rectRot" : "circle", pointHitRadius: 6};
+  });
+  // The exact one lies on the lowest error that is drawn: it needs room below to be pointed at.
+  const lowest = Math.min(...datasets.flatMap(({data}) => data.map(({y}) => y)));
+  draw("motion-chart", datasets, axis(view.x, true),
+    axis(view.y, view.y_logarithmic, {min: view.y_logarithmic ? lowest / 10 : -5}),
+    (point) => [point.series.name, `time ${number(point.x)}`,
+                point.series.exact ? "exact: it is the reference" : `error ${number(point.y)}`],
+    () => {
+      const place = view.id === "levels" ? "levels" : `work-${view.id}`;
+      location.href = `${site.motion.folder}/index.html#${place}`;
+    });
+  element("motion-chart").setAttribute("aria-label",
+    `${view.name}: ${view.y} over ${view.x}, of ${view.series.map((series) => series.name).join(", ")}.`);
+};
+
+// ---- all of it ----
+
+const drawContest = () => {
+  drawAccuracy();
+  drawBoard();
+  drawCurves();
+};
+
+const offerBudgets = () => {
+  const family = Number(element("family").value);
+  const budgets = [...new Set(rows.filter((row) => row.family === family).map((row) => row.budget))].sort((a, b) => b - a);
+  fill(element("budget"), budgets.map((budget) => [budget, budget === 0 ? "the largest" : String(budget)]));
+  drawContest();
+};
+
+const offerFamilies = () => {
+  const words = ({least, most}) => least === most ? String(most) : `${least} to ${most}`;
+  fill(element("family"), fitting().map(([family, index]) =>
+    [index, `${family.name} (${words(family.variables)} variable${family.variables.most === 1 ? "" : "s"})`]));
+  offerBudgets();
+};
+
+const start = () => {
+  document.documentElement.classList.add("moves");
+  if (contest) {
+    for (const id of ["by-variables", "by-constraints"]) element(id).addEventListener("change", offerFamilies);
+    element("family").addEventListener("change", offerBudgets);
+    for (const id of ["budget", "shown"]) element(id).addEventListener("change", drawContest);
+    for (const id of ["speed", "accuracy"]) element(id).addEventListener("change", drawAccuracy);
+    offerFamilies();
+  }
+  if (site.motion) {
+    fill(element("scene"), site.motion.views.map((view, index) => [index, view.name]));
+    element("scene").addEventListener("change", drawMotion);
+    drawMotion();
+  }
+  dark.addEventListener("change", () => {
+    if (contest) drawContest();
+    if (site.motion) drawMotion();
+  });
+};
+
+start();

@@ -1,0 +1,69 @@
+#include "src/site/front_page.h"
+
+#include "embedded/chart_library.h"
+#include "embedded/front_script.h"
+#include "embedded/front_summary_template.h"
+#include "embedded/front_template.h"
+#include "embedded/look.h"
+#include "src/report/filled_text.h"
+#include "src/report/gnuplot.h"
+#include "src/report/text.h"
+#include "src/site/front_charts.h"
+
+namespace ricochet::site {
+namespace {
+
+using report::Json;
+
+/// The data with every text fit for the page.
+Json written(const Json& data, std::string (*write)(std::string_view)) {
+  if (data.is_string()) return write(data.get_ref<const std::string&>());
+  if (!data.is_structured()) return data;
+  Json copy = data;
+  for (auto& part : copy) part = written(part, write);
+  return copy;
+}
+
+/// JSON that no script's end can stand in.
+std::string inside_a_script(const Json& data) {
+  std::string text;
+  for (const char c : data.dump()) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+/// What the texts of the page speak of: all but what is for the script alone.
+Json told(const Json& data) {
+  Json part = data;
+  part.erase("contest");
+  part.erase("motion");
+  return part;
+}
+
+}  // namespace
+
+report::FileSet front_page(const Json& data, const std::string& navigation) {
+  const std::vector<report::Chart> charts = front_charts(data);
+  const Json shown = {{"contest", data.at("contest")}, {"motion", data.at("motion")}};
+  Json page = written(told(data), report::escape_html);
+  page["navigation"] = navigation;
+  page["charts"] = report::to_svgs(charts);
+  page["look"] = embedded::look;
+  page["data"] = inside_a_script(shown);
+  page["has_contest"] = !data["contest"].is_null();
+  page["has_motion"] = !data["motion"].is_null();
+  page["has_charts"] = !charts.empty();
+  page["has_places"] = !page["solvers"].is_null() && !page["solvers"]["places"].empty();
+  page["chart_library"] = embedded::chart_library;
+  page["script"] = embedded::front_script;
+  const Json summary = written(told(data), report::escape_markdown);
+  return {{"index.html", report::filled(embedded::front_template, {&page})},
+          {"summary.md", report::filled(embedded::front_summary_template, {&summary})}};
+}
+
+}  // namespace ricochet::site

@@ -1,0 +1,75 @@
+#include "src/site/navigation.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "embedded/navigation_template.h"
+#include "src/core/text_file.h"
+#include "src/report/filled_text.h"
+#include "src/report/text.h"
+
+namespace ricochet::site {
+namespace {
+
+namespace fs = std::filesystem;
+
+// In reports/templates/page.mustache.
+constexpr std::string_view opening = "<!-- navigation -->", closing = "<!-- /navigation -->";
+
+Json subpages(const FoundReport& report) {
+  return report.data.value("pages", Json::array());
+}
+
+void put_between(const fs::path& page, const std::string& links) {
+  std::ifstream stream(page, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::size_t start = text.find(opening), end = text.find(closing);
+  if (start == std::string::npos || end == std::string::npos || end < start) return;
+  const std::size_t after = start + opening.size();
+  const std::string linked = text.substr(0, after) + "\n" + links + text.substr(end);
+  if (linked != text) write_text_file(page, linked);
+}
+
+}  // namespace
+
+std::string navigation(const std::vector<FoundReport>& reports, const std::string& here) {
+  const std::size_t slash = here.find('/');
+  const std::string own_folder = here.substr(0, slash);
+  const std::string own_page = slash == std::string::npos ? "" : here.substr(slash + 1);
+  Json data = {{"up", here.empty()       ? ""
+                      : own_page.empty() ? "../"
+                                         : "../../"},
+               {"front", here.empty()},
+               {"own", Json()},
+               {"own_page", own_page},
+               {"reports", Json::array()},
+               {"pages", Json::array()}};
+  for (const FoundReport& report : reports) {
+    const bool own = report.folder == own_folder;
+    const std::string folder = report::escape_html(report.folder);
+    const std::string label = report::escape_html(label_of(report));
+    data["reports"].push_back(
+        {{"folder", folder}, {"label", label}, {"here", own && own_page.empty()}});
+    if (!own) continue;
+    data["own"] = {{"folder", folder}, {"label", label}};
+    for (const Json& page : subpages(report)) {
+      const std::string name = report::escape_html(page.get<std::string>());
+      data["pages"].push_back({{"folder", folder}, {"page", name}, {"here", page == own_page}});
+    }
+  }
+  data["has_pages"] = !data["pages"].empty();
+  return report::filled(embedded::navigation_template, {&data});
+}
+
+void link_pages(const fs::path& site, const std::vector<FoundReport>& reports) {
+  for (const FoundReport& report : reports) {
+    put_between(site / report.folder / "index.html", navigation(reports, report.folder));
+    for (const Json& page : subpages(report)) {
+      const std::string name = report.folder + "/" + page.get<std::string>();
+      put_between(site / name / "index.html", navigation(reports, name));
+    }
+  }
+}
+
+}  // namespace ricochet::site

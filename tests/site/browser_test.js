@@ -1,0 +1,227 @@
+// Every page in a headless Chromium: node browser_test.js PROGRAM REPORTS FOLDER draws the reports
+// of REPORTS into FOLDER by PROGRAM and looks at them. Ends with 0; 1 where something is wrong, which
+// is printed; 77 where Chromium or the modules of package.json are missing and CI is not set.
+import {execFileSync} from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import {createRequire} from "node:module";
+import {pathToFileURL} from "node:url";
+
+const [program, reports, folder] = process.argv.slice(2);
+const missing = (what) => {
+  console.log(`${what} is missing: the pages are not looked at; .ci/run installs it`);
+  process.exit(process.env.CI ? 1 : 77);
+};
+const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find((file) => fs.existsSync(file));
+if (!chromium) missing("Chromium");
+const puppeteer = await import("puppeteer-core").catch(() => missing("puppeteer-core"));
+const axe = fs.readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+const wrong = [];
+const check = (holds, what) => { if (!holds) wrong.push(what); };
+const started = Date.now();
+
+fs.rmSync(folder, {recursive: true, force: true});
+execFileSync(program, ["report", reports, "--out", folder]);
+const pages = fs.readdirSync(folder, {recursive: true}).filter((name) => path.basename(name) === "index.html").sort();
+check(pages.length > 5, `only ${pages.length} pages`);
+
+const browser = await puppeteer.launch({executablePath: chromium, args: ["--no-sandbox", "--disable-gpu"]});
+
+const open = async (name, {width = 1440, scheme = "light", script = true} = {}) => {
+  const page = await browser.newPage();
+  page.on("console", (message) => check(message.type() !== "error", `${name}: console: ${message.text()}`));
+  page.on("pageerror", (error) => check(false, `${name}: ${error}`));
+  page.on("request", (request) => check(/^(file|data|blob):/.test(request.url()), `${name}: asks for ${request.url()}`));
+  await page.setViewport({width, height: 900});
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: scheme}]);
+  await page.setJavaScriptEnabled(script);
+  await page.goto(pathToFileURL(path.join(folder, name)).href);
+  return page;
+};
+
+// What axe-core finds; `rules`: these alone.
+const audit = async (page, what, rules) => {
+  const found = await page.evaluate((only) => axe.run(document, {resultTypes: ["violations"], ...(only ? {runOnly: only} : {})}), rules);
+  for (const {id, nodes} of found.violations) {
+    check(false, `${what}: ${id}, ${nodes.length} times: ${nodes.slice(0, 3).map((n) => `${n.html.slice(0, 120)} ${n.any.map((a) => a.message).join("; ").slice(0, 160)}`).join(" | ")}`);
+  }
+};
+
+// Links lead to pages that are there, and to places in them.
+const checkLinks = (name) => {
+  const from = path.join(folder, name), text = fs.readFileSync(from, "utf8");
+  for (const [, link] of text.matchAll(/<a [^>]*href="([^"]*)"/g)) {
+    if (/^https:/.test(link)) continue;
+    const [file, anchor] = link.split("#");
+    const target = file ? path.join(path.dirname(from), decodeURIComponent(file)) : from;
+    if (!fs.existsSync(target)) check(false, `${name}: ${link} leads nowhere`);
+    else if (anchor) check(fs.readFileSync(target, "utf8").includes(`id="${anchor}"`), `${name}: ${link}: no such place`);
+  }
+};
+
+// What axe-core need not go through: the rows of a long table are alike, so that the first ten stand
+// for them, and of pictures it sees the title alone.
+const shorten = (page) =>
+  page.$$eval("tbody tr:nth-child(n + 11), figure svg > :not(title, desc)", (parts) => parts.forEach((part) => part.remove()));
+
+const lookAt = async (name) => {
+  checkLinks(name);
+  const page = await open(name);
+  const empty = await page.$$eval("figure svg", (all) => all.filter((svg) => !svg.querySelector("path, use, polygon, rect, circle")).length);
+  check(empty === 0, `${name}: ${empty} charts are empty`);
+  const untold = await page.$$eval("figure svg", (all) => all.filter((svg) => svg.getAttribute("role") !== "img" || !svg.querySelector("title, desc")).length);
+  check(untold === 0, `${name}: ${untold} charts tell nothing to those who cannot see them`);
+  check(await page.$eval("nav.site a[aria-current]", (link) => link.textContent.length > 0).catch(() => false), `${name}: not in the navigation`);
+  await page.setViewport({width: 400, height: 800});
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  check(wide <= 400, `${name}: ${wide} pixels wide on a screen of 400`);
+  await page.setViewport({width: 1440, height: 900});
+  await shorten(page);
+  await page.evaluate(axe);
+  await audit(page, name);
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: "dark"}]);
+  await audit(page, `${name}, dark`, ["color-contrast"]);
+  await page.close();
+};
+
+for (const name of pages) await lookAt(name);
+
+// ---- the front page ----
+
+const front = "index.html";
+const data = JSON.parse(fs.readFileSync(path.join(folder, "data.json"), "utf8"));
+const rows = data.contest.rows.map((values) => Object.fromEntries(data.contest.columns.map((name, i) => [name, values[i]])));
+check(fs.statSync(path.join(folder, front)).size <= 600_000, "the front page has more than 600 kB");
+
+const page = await open(front);
+const seconds = await page.evaluate(() => performance.getEntriesByType("navigation")[0].loadEventEnd / 1000);
+const screens = await page.evaluate(() => document.documentElement.scrollHeight / 900);
+check(screens <= 3, `the front page has ${screens} screens`);
+
+// The points of a chart, in pixels too.
+const points = (id) => page.evaluate((canvas) => {
+  const chart = Chart.getChart(canvas);
+  return chart.data.datasets.flatMap((set, i) => chart.isDatasetVisible(i) ? set.data.map((point, k) => {
+    const {x, y} = chart.getDatasetMeta(i).data[k];
+    return {x, y, value: point.y, solver: point.row?.solver, inside: Number.isFinite(x) && Number.isFinite(y)};
+  }) : []);
+}, id);
+const inked = (id) => page.$eval(`#${id}`, (canvas) => {
+  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  return pixels.some((value, i) => i % 4 === 3 && value > 0);
+});
+const selected = async () => ({family: Number(await page.$eval("#family", (s) => s.value)), budget: Number(await page.$eval("#budget", (s) => s.value))});
+const inView = async () => {
+  const {family, budget} = await selected();
+  return rows.filter((row) => row.family === family && row.budget === budget);
+};
+const dotsOf = async (speed, accuracy) => (await inView()).filter((row) => row[speed] > 0 && row[accuracy] !== null).length;
+const board = () => page.$$eval("#board tbody tr", (lines) => lines.map((line) => [...line.children].map((c) => c.textContent)));
+
+for (const id of ["accuracy-chart", "curve-chart", "motion-chart"]) check(await inked(id), `${id} is blank`);
+const timed = rows.some((row) => row.evaluations !== null);
+const families = await page.$$eval("#family option", (all) => all.map((option) => option.value));
+check(families.length === data.contest.families.length, "not every family can be chosen");
+for (const family of families) {
+  await page.select("#family", family);
+  for (const budget of await page.$$eval("#budget option", (all) => all.map((option) => option.value))) {
+    await page.select("#budget", budget);
+    for (const speed of ["evaluations", "seconds"]) for (const accuracy of ["solved", "error"]) {
+      await page.select("#speed", speed);
+      await page.select("#accuracy", accuracy);
+      const drawn = await points("accuracy-chart"), expected = await dotsOf(speed, accuracy);
+      check(drawn.length === expected && drawn.every((p) => p.inside),
+            `${speed} and ${accuracy} of family ${family}, ${budget}: ${drawn.length} dots for ${expected} rows`);
+    }
+    check((await board()).length === (await inView()).length, `family ${family}, ${budget}: the leaderboard has not every row`);
+  }
+}
+await page.select("#accuracy", "solved");
+await page.select("#speed", "evaluations");
+
+// Filters.
+await page.select("#shown", "surrogate");
+check((await board()).every((line) => line[1].includes("surrogate")), "the form does not filter");
+await page.select("#shown", "");
+await page.select("#by-variables", "several");
+const several = data.contest.families.filter((family) => family.variables.most > 1).length;
+check((await page.$$("#family option")).length === several, "the variables do not filter");
+await page.select("#by-variables", "");
+const rated = data.contest.families.findIndex((family) => family.name !== "all");
+await page.select("#family", String(rated));
+
+// Sorting, by every column and both ways.
+for (const column of await page.$$eval("#board thead button", (all) => all.map((button) => button.dataset.column))) {
+  for (const once of [1, 2]) {
+    await page.click(`#board button[data-column="${column}"]`);
+    const direction = await page.$eval("#board th[aria-sort]", (heading) => heading.getAttribute("aria-sort"));
+    const shown = (await board()).map((line) => line[1]);
+    const {family, budget} = await selected();
+    const values = shown.map((name) => {
+      const row = rows.find((r) => r.family === family && r.budget === budget && `${r.solver}, ${r.form}` === name);
+      return column === "solver" ? name : row[column];
+    }).filter((value) => value !== null);
+    const ordered = values.every((value, i) => i === 0 || (direction === "ascending" ? values[i - 1] <= value : values[i - 1] >= value));
+    check(ordered, `sorted by ${column}, ${direction}, click ${once}: it is not`);
+  }
+}
+
+// Downloads: what is offered is what the data say.
+const offered = (id) => page.$eval(`#${id}`, (link) => decodeURIComponent(link.href.slice(link.href.indexOf(",") + 1)));
+const json = JSON.parse(await offered("as-json")), csv = (await offered("as-csv")).trim().split("\n");
+check(json.length === (await inView()).length && csv.length === json.length + 1, "the downloads have not every row");
+for (const row of await inView()) {
+  const same = json.find((r) => r.solver === row.solver && r.form === row.form);
+  check(same && data.contest.columns.every((name) => name === "family" || same[name] === row[name]), `the download says otherwise of ${row.solver}`);
+}
+
+// The legend picks curves.
+const curves = (await points("curve-chart")).length;
+await page.click("#curve-picks input");
+check((await points("curve-chart")).length < curves, "a curve that is not picked is drawn");
+await page.click("#curve-picks input");
+check((await points("curve-chart")).length === curves, "a curve that is picked again is not drawn");
+
+// Every scene of the motion.
+for (const [index, view] of data.motion.views.entries()) {
+  await page.select("#scene", String(index));
+  const drawn = await points("motion-chart");
+  check(drawn.length === view.series.flatMap((series) => series.points).filter(([x, y]) => x !== null && y !== null).length,
+        `${view.id}: ${drawn.length} dots`);
+}
+
+// Hover tells numbers, a click leads to the report.
+const hoverAndClick = async (id, report) => {
+  const canvas = await page.$(`#${id}`);
+  await canvas.scrollIntoView();
+  const box = await canvas.boundingBox(), [dot] = await points(id);
+  if (!dot) return;
+  await page.mouse.move(box.x + dot.x, box.y + dot.y);
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  const told = await page.evaluate((canvasId) => Chart.getChart(canvasId).tooltip.body?.length ?? 0, id);
+  check(told > 0, `${id}: nothing is told of the dot under the pointer`);
+  await Promise.all([page.waitForNavigation({timeout: 5000}).catch(() => check(false, `${id}: a click leads nowhere`)),
+                     page.mouse.click(box.x + dot.x, box.y + dot.y)]);
+  check(page.url().includes(`/${report}/index.html`), `${id}: a click leads to ${page.url()}`);
+  await page.goBack();
+};
+if (timed) await hoverAndClick("accuracy-chart", data.contest.folder);
+await hoverAndClick("motion-chart", data.motion.folder);
+await page.close();
+
+// Without a script, and on paper, the pictures that stand still.
+const still = await open(front, {script: false});
+check(await still.$eval("#still-charts", (section) => section.checkVisibility()), "without a script there are no charts");
+check(!(await still.$eval("#speed-accuracy canvas", (canvas) => canvas.checkVisibility())), "without a script there are empty charts");
+await still.close();
+const paper = await open(front);
+await paper.emulateMediaType("print");
+check(await paper.$eval("#still-charts", (section) => section.checkVisibility()), "on paper there are no charts");
+check(!(await paper.$eval("#motion-chart", (canvas) => canvas.checkVisibility())), "on paper there are charts that move");
+await paper.close();
+
+await browser.close();
+for (const what of wrong) console.log(what);
+console.log(`${pages.length} pages, ${wrong.length} complaints; the front page loads in ${seconds.toFixed(2)} s and has ${screens.toFixed(1)} screens; ${((Date.now() - started) / 1000).toFixed(0)} s`);
+process.exit(wrong.length ? 1 : 0);

@@ -1,0 +1,57 @@
+#include "src/site/navigation.h"
+
+#include <gmock/gmock.h>
+
+#include <iterator>
+
+#include "tests/site/made_up_reports.h"
+
+namespace ricochet::site {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<FoundReport> two_reports() {
+  return {made_up("problems", {{"pages", {"count", "top-speed"}}}, "problems"),
+          made_up("stress", Json::object(), "ill & mean")};
+}
+
+class LinkPages : public TemporaryFolder {};
+
+TEST(Navigation, LinksAllReportsAndMarksTheOwn) {
+  const std::string links = navigation(two_reports(), "problems");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../index.html\">Overview</a>"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../problems/index.html\" aria-current=\"page\">"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../ill &amp; mean/index.html\">"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../problems/count/index.html\">count</a>"));
+  EXPECT_THAT(links, Not(HasSubstr("crumbs")));
+}
+
+TEST(Navigation, OfAPageOfAReportLeadsBackToIt) {
+  const std::string links = navigation(two_reports(), "problems/count");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../../problems/index.html\">The problems</a> › count"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../../problems/top-speed/index.html\">"));
+  EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"page\""));
+}
+
+TEST(Navigation, OfTheFrontPageHasNoPagesOfReports) {
+  const std::string links = navigation(two_reports(), "");
+  EXPECT_THAT(links, HasSubstr("<a href=\"index.html\" aria-current=\"page\">"));
+  EXPECT_THAT(links, Not(HasSubstr("top-speed")));
+}
+
+TEST_F(LinkPages, PutsTheLinksWhereThePageHasRoomAndDoesSoAgain) {
+  const auto page = folder_ / "problems" / "index.html";
+  keep(folder_, "problems", Json::object());
+  std::ofstream(page) << "a<!-- navigation -->old<!-- /navigation -->b";
+  for (int times = 0; times < 2; ++times) link_pages(folder_, two_reports());
+  std::ifstream stream(page);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_EQ(text, "a<!-- navigation -->\n" + navigation(two_reports(), "problems") +
+                      "<!-- /navigation -->b");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "ill & mean"));
+}
+
+}  // namespace
+}  // namespace ricochet::site

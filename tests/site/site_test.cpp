@@ -1,0 +1,81 @@
+#include "src/site/site.h"
+
+#include <gmock/gmock.h>
+
+#include <iterator>
+
+#include "tests/site/made_up_reports.h"
+
+namespace ricochet::site {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Json verification_data() {
+  return Json::parse(read(fs::path(RICOCHET_SOURCE) / "reports/reference/verification/data.json"));
+}
+
+class Site : public TemporaryFolder {};
+
+TEST_F(Site, IsAFolderCalledReportsOrOneWithAFrontPage) {
+  EXPECT_TRUE(is_site(folder_ / "reports"));
+  EXPECT_TRUE(is_site(folder_ / "reports/"));
+  EXPECT_FALSE(is_site(folder_ / "mine"));
+  keep(folder_, "mine", {{"report", "dynamics"}});
+  EXPECT_FALSE(is_site(folder_ / "mine"));
+  keep(folder_, "mine", {{"report", "site"}});
+  EXPECT_TRUE(is_site(folder_ / "mine"));
+}
+
+TEST_F(Site, IsWrittenAboveAReportOnlyWhereThereIsToBeOne) {
+  for (const char* above : {"mine", "reports"}) {
+    keep(folder_ / above, "verification", verification_data());
+    write_site_above(folder_ / above / "verification");
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "mine" / "index.html"));
+  const std::string page = read(folder_ / "reports" / "index.html");
+  EXPECT_THAT(page, HasSubstr("No count called certain is wrong."));
+  EXPECT_THAT(page, HasSubstr("./ricochet reproduce"));
+  EXPECT_THAT(page, HasSubstr("\"contest\":null"));
+}
+
+TEST_F(Site, IsDrawnAgainWithAllItsReportsAndTheirLinks) {
+  keep(folder_ / "from", "verification", verification_data());
+  ASSERT_TRUE(redraw_site(folder_ / "from", folder_ / "to"));
+  EXPECT_THAT(read(folder_ / "to/verification/index.html"),
+              HasSubstr("<a href=\"../index.html\">Overview</a>"));
+  EXPECT_FALSE(fs::exists(folder_ / "from/index.html"));
+  const std::string first = read(folder_ / "to/index.html");
+  ASSERT_TRUE(redraw_site(folder_ / "to", folder_ / "again"));
+  EXPECT_EQ(read(folder_ / "again/index.html"), first);
+}
+
+TEST_F(Site, IsNotWhatIsOneReportOrNone) {
+  keep(folder_, "verification", verification_data());
+  EXPECT_FALSE(redraw_site(folder_ / "verification", folder_ / "to"));
+  EXPECT_FALSE(redraw_site(folder_ / "nowhere", folder_ / "to"));
+  EXPECT_FALSE(fs::exists(folder_ / "to"));
+}
+
+TEST_F(Site, ShowsTextsOfItsReportsAsTexts) {
+  Json data = small_contest();
+  data["report"] = "contest";
+  data["groups"][0]["budgets"][1]["ratings"][0]["solver"] = "</script><b>";
+  data["leaders"][0]["solver"] = "<i>";
+  keep(folder_, "contest", data);
+  write_site(folder_);
+  const std::string page = read(folder_ / "index.html");
+  EXPECT_THAT(page, HasSubstr("&lt;i&gt;"));
+  EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
+  EXPECT_THAT(page, Not(HasSubstr("<i>")));
+}
+
+}  // namespace
+}  // namespace ricochet::site

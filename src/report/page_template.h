@@ -25,6 +25,7 @@ struct DrawnPage {
 ///     an axis, x or y         label with its unit, scale = "logarithmic", range = [from, to],
 ///                             categories, category, order = "down" (default up)
 ///     a series                label, mark = "steps" or "points" (default line),
+///                             look = "pale" (default coloured), name of each point,
 ///                             rows, where, x, y, lower, upper; or samples = [[x, y], ...]
 ///     a line                  label; vertical, a place on x, or horizontal, one on y
 ///     the heat_map            label of the colours, cells, value, range

@@ -22,11 +22,15 @@
 #include "src/studies/contest/factor_data.h"
 #include "src/studies/contest/failure_data.h"
 #include "src/studies/contest/feature_data.h"
+#include "src/studies/contest/field.h"
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/contest/history_data.h"
 #include "src/studies/contest/order_data.h"
+#include "src/studies/contest/pair_data.h"
+#include "src/studies/contest/profile_data.h"
 #include "src/studies/contest/reported_part.h"
+#include "src/studies/contest/speed_accuracy_data.h"
 #include "src/studies/contest/twin_data.h"
 
 namespace ricochet::studies {
@@ -176,6 +180,10 @@ Json compute(const Campaign& campaign, const Store& store, bool wider) {
       for (Json& row : rows) data[key].push_back(std::move(row));
     }
   }
+  const std::vector<Field> fields = fields_of(campaign, stored, parts);
+  data.update(speed_accuracy_data(campaign, fields));
+  data["profile_families"] = profile_data(campaign, fields);
+  data["pair_families"] = pair_data(campaign, fields);
   data.update(feature_data(campaign, stored));
   data.update(factor_data(campaign, stored, parts));
   data["changes"] = change_data(campaign, stored, parts);

@@ -85,8 +85,11 @@ const axis = (title, logarithmic, more = {}) => ({
   ...more,
 });
 
-// Shares end at 100, with a little room for the dots there.
-const hundredths = (scale) => { scale.ticks = [0, 20, 40, 60, 80, 100].map((value) => ({value})); };
+// Shares end at 0 and 100, with a little room for the dots there.
+const shareAxis = {min: -3, max: 104, afterBuildTicks: (scale) => { scale.ticks = [0, 20, 40, 60, 80, 100].map((value) => ({value})); }};
+
+// The ends of a logarithmic axis, with room for the dots at them.
+const around = (values) => values.length ? {min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3} : {};
 
 const charts = {};
 
@@ -179,13 +182,15 @@ const drawAccuracy = () => {
   const dot = {showLine: false, pointRadius: 4, pointHoverRadius: 7, pointHitRadius: 6};
   const words = {evaluations: "evaluations for each variable", seconds: "processor time [s]", solved: "runs solved [%]",
                  error: "error of the answer (median regret)"};
+  element("accuracy-chart").parentElement.hidden = points.length === 0;
   draw("accuracy-chart", [
     {...dot, label: "front", data: front.map(named), borderColor: blue, backgroundColor: blue, nameColour: colour("--ink"),
      showLine: true, stepped: "before", borderWidth: 1.5, pointRadius: 5},
     {...dot, label: "yours", data: outside.map(named), borderColor: orange, backgroundColor: orange, pointRadius: 5},
     {...dot, label: "dominated", data: others.map(named), borderColor: grey, backgroundColor: grey + "99",
      intervalColour: colour("--rule"), pointRadius: 3},
-  ], axis(words[speed], true), axis(words[accuracy], accuracy === "error", accuracy === "solved" ? {min: 0, max: 104, afterBuildTicks: hundredths} : {}),
+  ], axis(words[speed], true, around(points.map(({x}) => x))),
+  axis(words[accuracy], accuracy === "error", accuracy === "error" ? around(points.map(({y}) => y)) : shareAxis),
   (point) => [full(point.row), `${number(point.row.evaluations)} evaluations for each variable, ${number(point.row.seconds)} s`,
               `solved ${percent(point.row.solved)} [${percent(point.row.solved_lower)}, ${percent(point.row.solved_upper)}]`,
               `median error ${number(point.row.error)}`],
@@ -308,6 +313,8 @@ const drawCurves = () => {
     item.append(label);
     return item;
   }));
+  element("no-curves").hidden = curves.length > 0;
+  element("curve-chart").parentElement.hidden = curves.length === 0;
   const datasets = curves.map((curve, i) => {
     const data = curve.points.map(([x, share]) => ({x, y: 100 * share, curve}));
     if (data.length) data.at(-1).name = full(curve);
@@ -315,7 +322,7 @@ const drawCurves = () => {
     return {label: full(curve), data, hidden: unpicked.has(full(curve)), showLine: true, stepped: "before", borderColor: own,
             backgroundColor: own, borderWidth: 2, pointRadius: 0, pointHitRadius: 8, borderDash: i % 2 ? [6, 3] : []};
   });
-  draw("curve-chart", datasets, axis("evaluations for each variable", true), axis("targets reached [%]", false, {min: 0, max: 104, afterBuildTicks: hundredths}),
+  draw("curve-chart", datasets, axis("evaluations for each variable", true), axis("targets reached [%]", false, shareAxis),
     (point) => `${full(point.curve)}: ${Math.round(point.y)} % after ${number(point.x)}`);
   element("curve-chart").setAttribute("aria-label", `Share of targets reached over evaluations, of ${curves.length} solvers.`);
 };
@@ -333,8 +340,8 @@ const drawMotion = () => {
             pointRadius: series.exact ? 6 : 3, pointStyle: series.exact ? "rectRot" : "circle", pointHitRadius: 6};
   });
   // The exact one lies on the lowest error that is drawn: it needs room below to be pointed at.
-  const lowest = Math.min(...datasets.flatMap(({data}) => data.map(({y}) => y)));
-  draw("motion-chart", datasets, axis(view.x, true),
+  const points = datasets.flatMap(({data}) => data), lowest = Math.min(...points.map(({y}) => y));
+  draw("motion-chart", datasets, axis(view.x, true, around(points.map(({x}) => x))),
     axis(view.y, view.y_logarithmic, {min: view.y_logarithmic ? lowest / 10 : -5}),
     (point) => [point.series.name, `time ${number(point.x)}`,
                 point.series.exact ? "exact: it is the reference" : `error ${number(point.y)}`],

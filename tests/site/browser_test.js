@@ -119,8 +119,8 @@ const inView = async () => {
 const dotsOf = async (speed, accuracy) => (await inView()).filter((row) => row[speed] > 0 && row[accuracy] !== null).length;
 const board = () => page.$$eval("#board tbody tr", (lines) => lines.map((line) => [...line.children].map((c) => c.textContent)));
 
-for (const id of ["accuracy-chart", "curve-chart", "motion-chart"]) check(await inked(id), `${id} is blank`);
 const timed = rows.some((row) => row.evaluations !== null);
+for (const id of [...(timed ? ["accuracy-chart"] : []), "motion-chart"]) check(await inked(id), `${id} is blank`);
 const families = await page.$$eval("#family option", (all) => all.map((option) => option.value));
 check(families.length === data.contest.families.length, "not every family can be chosen");
 for (const family of families) {
@@ -178,6 +178,9 @@ for (const row of await inView()) {
 
 // The legend picks curves.
 const curves = (await points("curve-chart")).length;
+const {family, budget} = await selected();
+const expected = data.contest.curves.filter((curve) => curve.family === family && curve.budget === budget).flatMap((curve) => curve.points).length;
+check(curves > 0 && curves === expected && await inked("curve-chart"), `the curves have ${curves} points in place of ${expected}`);
 await page.click("#curve-picks input");
 check((await points("curve-chart")).length < curves, "a curve that is not picked is drawn");
 await page.click("#curve-picks input");

@@ -115,17 +115,26 @@ Json summary_of(const Feature& feature, std::vector<Change>& changes) {
   const auto sturdy = std::max_element(
       changes.begin(), changes.end(),
       [](const Change& a, const Change& b) { return a.after.share() < b.after.share(); });
-  const double p = signed_rank_test(differences);
   return {{"feature", feature.name},
           {"summary", feature.summary},
           {"competitors", changes.size()},
           {"before", mean_json(changes, &Change::before)},
           {"after", mean_json(changes, &Change::after)},
-          {"p", p},
-          {"sure", p < level},
+          {"p", signed_rank_test(differences)},
           {"harmed_count", harmed.size()},
           {"harmed", harmed.empty() ? Json() : harmed.front()},
           {"sturdy", change_json(*sturdy)}};
+}
+
+/// Of so many features some would seem to change something by chance: Holm's adjustment.
+void adjust(Json& summaries) {
+  std::vector<double> p_values;
+  for (const Json& row : summaries) p_values.push_back(row["p"]);
+  const std::vector<double> adjusted = holm(p_values);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    summaries[i]["p"] = adjusted[i];
+    summaries[i]["sure"] = adjusted[i] < level;
+  }
 }
 
 }  // namespace
@@ -171,6 +180,7 @@ Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& a
     const auto found = changes.find(feature->name);
     if (found != changes.end()) summaries.push_back(summary_of(*feature, found->second));
   }
+  adjust(summaries);
   return {{"features", std::move(summaries)},
           {"feature_names", std::move(names)},
           {"feature_rows", std::move(rows)},

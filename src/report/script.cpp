@@ -195,7 +195,11 @@ class Script {
   }
 
   SeriesLook look_of(std::size_t index) const {
-    return chart_.series[index].pale ? pale_look() : series_look(index);
+    const auto& all = chart_.series;
+    if (all[index].pale) return pale_look();
+    const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(index),
+                                      [](const Series& series) { return series.pale; });
+    return series_look(index - static_cast<std::size_t>(before));
   }
 
   void plot_heat_map(const HeatMap& map) {

@@ -108,8 +108,7 @@ Field joint_field(const Campaign& campaign, const std::vector<Field>& fields) {
   std::size_t joined = 0;
   std::map<std::string, Entrant> entrants;
   for (const Field& field : fields) {
-    const std::size_t put = field.entrants.size() + field.partial.size();
-    if (!field.largest || 2 * put < campaign.solvers().size()) continue;
+    if (!field.largest || 2 * field.entrants.size() < campaign.solvers().size()) continue;
     ++joined;
     joint.questions.insert(joint.questions.end(), field.questions.begin(), field.questions.end());
     for (const Entrant& entrant : field.entrants) {

@@ -34,7 +34,7 @@ struct Field {
 std::vector<Field> fields_of(const Campaign& campaign, const std::vector<StoredStanding>& standings,
                              const std::vector<ReportedPart>& parts);
 
-/// The fields of the largest budgets to which at least half of all solvers were put, as one, whose
+/// The fields of the largest budgets of which at least half of all solvers take all, as one, whose
 /// family is "all" and whose budget is 0. Of fewer than two fields none: no questions.
 Field joint_field(const Campaign& campaign, const std::vector<Field>& fields);
 

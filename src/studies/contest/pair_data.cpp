@@ -84,7 +84,7 @@ Json map_of(const Campaign& campaign, const Field& field, const Entrant& a, cons
   const auto difference = attainment_difference(histories_of(campaign, a, variables),
                                                 histories_of(campaign, b, variables), grid);
   Json rows = Json::array();
-  double most = 0;
+  double most = 0;  // leads that are sure, in what is solved
   double least = 0;
   int sure = 0;
   for (std::size_t v = 0; v < grid.values.size(); ++v) {
@@ -92,18 +92,21 @@ Json map_of(const Campaign& campaign, const Field& field, const Entrant& a, cons
     for (std::size_t t = 0; t < grid.evaluations.size(); ++t) {
       const Attained& one = difference[t][v];
       cells.push_back(one.share);
+      if (one.interval.lower <= 0 && one.interval.upper >= 0) continue;
+      ++sure;
+      if (v > 0) continue;
       most = std::max(most, one.share);
       least = std::min(least, one.share);
-      sure += one.interval.lower > 0 || one.interval.upper < 0 ? 1 : 0;
     }
     rows.push_back({{"regret", grid.values[v]}, {"cells", std::move(cells)}});
   }
   const bool first = most >= -least;
-  const std::string title =
-      sure == 0 ? fmt::format("{}: nothing tells {} from {}", field.family, a.solver, b.solver)
-                : fmt::format("{}: {} leads {} by up to {:.0f} points", field.family,
-                              (first ? a : b).solver, (first ? b : a).solver,
-                              100 * std::max(most, -least));
+  const std::string title = most == least
+                                ? fmt::format("{}: nothing tells {} from {} in what they solve",
+                                              field.family, a.solver, b.solver)
+                                : fmt::format("{}: {} solves up to {:.0f} points more than {}",
+                                              field.family, (first ? a : b).solver,
+                                              100 * std::max(most, -least), (first ? b : a).solver);
   return {{"title", title},
           {"a", a.solver},
           {"b", b.solver},

@@ -120,8 +120,11 @@ std::string title_of(const std::string& name, const Json& front, std::size_t all
   if (fastest["cost"] == surest["cost"]) {
     return fmt::format("{}: {} is first in both, of {}", name, about(surest), all);
   }
-  return fmt::format("{}: {} of {} solvers lead, from {} to {}", name, front.size(), all,
-                     about(fastest), about(surest));
+  // The axis tells the cost: with it the title would be too long.
+  return fmt::format("{}: {} of {} lead, from {} ({:.0f} %) to {} ({:.0f} %)", name, front.size(),
+                     all, fastest["solver"].get<std::string>(),
+                     100 * fastest["share"].get<double>(), surest["solver"].get<std::string>(),
+                     100 * surest["share"].get<double>());
 }
 
 Json chart_of(const std::string& name, const Json& rows, bool by_time) {

@@ -21,10 +21,10 @@ namespace ricochet::studies::contest {
 ///                 or of one question runs
 ///   on_front, on_time_front   no complete one is better in evaluations (seconds) and share
 ///
-/// Rows of the family "all", with budget and regret null, join what at least half of all solvers
-/// were put to, with the largest budgets. `speed_accuracy_charts` has what is drawn: of each family
-/// the largest budgets, and all together also against seconds; `speed_accuracy_front` the rows on
-/// its fronts.
+/// Rows of the family "all", with budget and regret null, join the families of which at least
+/// half of all solvers take all questions, with the largest budgets. `speed_accuracy_charts` has
+/// what is drawn: of each family the largest budgets, and all together also against seconds;
+/// `speed_accuracy_front` the rows on its fronts.
 report::Json speed_accuracy_data(const Campaign& campaign, const std::vector<Field>& fields);
 
 }  // namespace ricochet::studies::contest

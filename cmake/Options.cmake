@@ -15,7 +15,8 @@ target_link_libraries(ricochet_options INTERFACE fmt::fmt)
 set(warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor $<$<BOOL:${RICOCHET_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 is mistaken in the last three, through dual numbers or a precompiled header.
-  list(APPEND warnings -Wconversion -Wshadow
+  # A global of one file is none to the next, though both are compiled at once.
+  list(APPEND warnings -Wconversion $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local,-Wshadow>
     -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overread)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   list(APPEND warnings -Wno-overlength-strings)  # an embedded data file is one string

@@ -1,7 +1,15 @@
 # What most files include, compiled once: reading these headers is half the work of a build.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)  # ccache would store none of the files that use one
+else()
+  set(CMAKE_UNITY_BUILD ON)  # of a target, eight files at once
 endif()
+
+# ricochet_apart(FILE...): files that must be compiled alone, for names in them, or in the headers of
+# another's library, are those of other files of the target.
+function(ricochet_apart)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
 
 # ricochet_targets(OUT FOLDER...): all targets made in the folders and below.
 function(ricochet_targets out)

@@ -50,7 +50,7 @@ SolverExit exit_from(const Json& json) {
 }
 
 template <class List>
-Json list_of(const List& list) {
+Json array_of(const List& list) {
   Json all = Json::array();
   for (const auto& entry : list) all.push_back(json_of(entry));
   return all;
@@ -79,9 +79,9 @@ std::string text_of(const RunRecord& record) {
                 {ledger.values, ledger.derivatives, ledger.hessians, ledger.charged, ledger.refused,
                  ledger.seconds}},
                {"refusal", static_cast<int>(record.refusal)},
-               {"exits", list_of(record.exits)},
+               {"exits", array_of(record.exits)},
                {"failure", record.failure},
-               {"trace", list_of(record.trace)}};
+               {"trace", array_of(record.trace)}};
   if (const auto& price = record.budget.gradient_price) json["gradient_price"] = *price;
   if (const auto& over = record.handed_over) {
     json["handed_over"] = {json_of(over->x), json_of(over->truth)};

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* readme =
+constexpr const char* coco_readme =
     "A campaign of ricochet for the post-processing of COCO, https://github.com/numbbo/coco:\n"
     "python -m cocopp FOLDER FOLDER ...\n"
     "\n"
@@ -150,7 +150,7 @@ void write_coco(const Store& store, const fs::path& folder) {
         times.add(cell, numbering);
       });
   times.close();
-  write_file(folder / "README.txt", readme);
+  write_file(folder / "README.txt", coco_readme);
 }
 
 }  // namespace ricochet::exports

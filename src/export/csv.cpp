@@ -22,7 +22,7 @@ struct Column {
   std::function<std::string(const JudgedRun&)> value;
 };
 
-constexpr const char* readme =
+constexpr const char* csv_readme =
     "What a campaign of ricochet stored, as CSV (RFC 4180, lines end with a line feed, UTF-8).\n"
     "Numbers are the shortest decimals that read back to the same double; inf and nan are such.\n"
     "What is missing is empty. In texts control characters are written as \\x0a, and of more than\n"
@@ -188,7 +188,7 @@ void write_csv(const Store& store, const std::filesystem::path& folder) {
   runs.close();
   improvements.close();
   write_questions(store.description(), folder / "questions.csv");
-  write_file(folder / "README.txt", readme);
+  write_file(folder / "README.txt", csv_readme);
 }
 
 }  // namespace ricochet::exports

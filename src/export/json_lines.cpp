@@ -13,7 +13,7 @@ namespace {
 
 using report::Json;
 
-constexpr const char* readme =
+constexpr const char* json_lines_readme =
     "What a campaign of ricochet stored, as JSON (UTF-8).\n"
     "\n"
     "campaign.json: the plan, the questions with best known value and tolerance, the solvers, the\n"
@@ -129,7 +129,7 @@ void write_json(const Store& store, const std::filesystem::path& folder) {
       store, [&](const JudgedRun& run) { runs.write(text_of(json_of(run))); },
       [](const JudgedCell&) {});
   runs.close();
-  write_file(folder / "README.txt", readme);
+  write_file(folder / "README.txt", json_lines_readme);
 }
 
 }  // namespace ricochet::exports

@@ -14,8 +14,8 @@
 namespace ricochet::exports {
 namespace {
 
-std::string line(const std::vector<std::string>& names, const std::vector<std::string>& figures,
-                 bool failed) {
+std::string row_of_table(const std::vector<std::string>& names,
+                         const std::vector<std::string>& figures, bool failed) {
   std::vector<std::string> cells;
   for (const std::string& name : names) cells.push_back(report::escape_markdown(one_line(name)));
   cells.insert(cells.end(), figures.begin(), figures.end());
@@ -27,14 +27,14 @@ std::string line(const std::vector<std::string>& names, const std::vector<std::s
 
 void write_markdown(const Store& store, const std::filesystem::path& folder) {
   OutputFile file(folder / "table.md");
-  file.write(summary_legend() + "\n\n" + line(summary_names(), summary_figures(), false));
-  file.write(line(std::vector<std::string>(summary_names().size(), ":---"),
-                  std::vector<std::string>(summary_figures().size(), "---:"), false));
+  file.write(summary_legend() + "\n\n" + row_of_table(summary_names(), summary_figures(), false));
+  file.write(row_of_table(std::vector<std::string>(summary_names().size(), ":---"),
+                          std::vector<std::string>(summary_figures().size(), "---:"), false));
   each_judged(
       store, [](const JudgedRun&) {},
       [&](const JudgedCell& cell) {
         const SummaryRow row = summary_row(cell);
-        file.write(line(row.names, row.figures, row.failed > 0));
+        file.write(row_of_table(row.names, row.figures, row.failed > 0));
       });
   file.close();
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include "tests/core/infinity.h"
 
 namespace ricochet::exports {
 namespace {
@@ -20,7 +20,6 @@ std::vector<std::pair<std::int64_t, double>> rows(const std::vector<contest::Ste
 }
 
 using Rows = std::vector<std::pair<std::int64_t, double>>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(BestSoFar, BeginsAtTheFirstEvaluationAndEndsAtTheLast) {
   EXPECT_EQ(rows({{1, 0.1, 3}, {4, 0.2, 0.5}}, 9), (Rows{{1, 3}, {4, 0.5}, {9, 0.5}}));

@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <stdexcept>
+
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(CostComparison, CountsEachQuestionOnce) {
   const std::vector<double> a = {100, 100, 100, 100, 5, infinity, infinity, 1};

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(EmpiricalDistribution, IsTheShareOfPairsReached) {
   const std::vector<std::vector<double>> times = {{1, 5, infinity}, {5, 7, 9}};

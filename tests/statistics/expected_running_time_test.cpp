@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "src/statistics/wilson_interval.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
@@ -20,8 +20,6 @@ TEST(ExpectedRunningTime, IsNothingWithoutASuccess) {
   EXPECT_FALSE(expected_running_time({{20, false}}));
   EXPECT_FALSE(expected_running_time({}));
 }
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Effort> runs_of(int failures, int successes, double spent) {
   std::vector<Effort> runs(static_cast<std::size_t>(failures), {spent, false});

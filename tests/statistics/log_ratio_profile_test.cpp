@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void expect_bar(const LogRatio& bar, std::size_t question, double log2_ratio, SolvedBy solved_by) {
   EXPECT_EQ(bar.question, question);

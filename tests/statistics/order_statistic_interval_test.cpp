@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
+#include "tests/core/infinity.h"
+
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<double> up_to(int size) {
   std::vector<double> sample(static_cast<std::size_t>(size));

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "src/core/random.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Costs costs = {
     {1, 2, 4},

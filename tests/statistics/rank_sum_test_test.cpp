@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "src/core/random.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// How often a value of a is above one of b, ties half, less how often it would be by chance.
 double excess(const std::vector<double>& a, const std::vector<double>& b) {

@@ -4,16 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Ranking, IsByTheValueAndThenByTheCost) {
   EXPECT_THAT(ranking_of({Reached{7, 50}, Reached{6, 900}, Reached{7, 40}, Reached{8, 1}}),

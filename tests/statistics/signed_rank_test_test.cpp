@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "src/core/random.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Sum over the differences of sign times the number of smaller sizes, equal ones half: twice the
 /// signed-rank sum but for a constant a difference, since a rank is that number plus 1/2.

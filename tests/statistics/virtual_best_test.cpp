@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(VirtualBest, IsTheLeastOfEachQuestion) {
   EXPECT_EQ(virtual_best({{3, 2}, {infinity, 7}, {infinity, infinity}}),

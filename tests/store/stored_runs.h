@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
 #include <string>
 
 #include "src/store/store.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 
@@ -19,7 +19,6 @@ inline bool same_bits(double a, double b) {
 
 /// Any bits that a number can have, and often those that are lost first.
 inline double any_number(std::mt19937_64& random) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const double lost_first[] = {0.0,       -0.0, infinity, -infinity, std::nan(""), -std::nan("7"),
                                -0x1.p+63, 1e18, 3.0,      5e-324};
   const std::uint64_t bits = random();

@@ -8,7 +8,7 @@
 namespace ricochet::carrier_track::inline paper {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A motion that strikes once a turn and turns back at the angle t after its departure, in units of
 /// the pull: forces by pull, speeds by pull / (mass omega), time by 1 / omega.

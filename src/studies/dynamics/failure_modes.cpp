@@ -14,7 +14,7 @@ namespace {
 
 using namespace carrier_track;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double gravity = 9.8;  // [m/s^2]
 constexpr int angles = 32;       // at which swings start and peaks come
 

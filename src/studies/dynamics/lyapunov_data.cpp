@@ -9,7 +9,7 @@ namespace {
 
 using report::Json;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const double all_digits = 53 * std::log10(2.0);  // of a double: 15.95
 
 /// What a motion loses; null where it loses all.

@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 
 #include "tests/carrier_track/flight/random_flights.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using DepartureTest = RandomFlightTest;
 

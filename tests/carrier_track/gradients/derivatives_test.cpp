@@ -293,13 +293,13 @@ Scene inner_scene(RandomScenes& draws, bool profiled) {
   return scene;
 }
 
-struct Agreement {
+struct Compared {
   int compared = 0;
   int apart = 0;
 };
 
 /// How many of the gradient's entries that differences know to 1e-9 are not theirs.
-void compare(const Scene& scene, RandomScenes& draws, int entries, Agreement& agreement) {
+void compare(const Scene& scene, RandomScenes& draws, int entries, Compared& agreement) {
   const auto f = outcome_of(scene);
   const Vector x = values_of(scene);
   const Gradient exact = gradient_of(f, x, Vector::Ones(x.size()));
@@ -321,7 +321,7 @@ void compare(const Scene& scene, RandomScenes& draws, int entries, Agreement& ag
 
 TEST(Derivatives, AreThoseOfDifferencesWithMoreDigitsForEveryConstant) {
   RandomScenes draws(2);
-  Agreement agreement;
+  Compared agreement;
   for (int i = 0; i < 60; ++i) {
     SCOPED_TRACE(i);
     compare(inner_scene(draws, false), draws, 4, agreement);
@@ -332,7 +332,7 @@ TEST(Derivatives, AreThoseOfDifferencesWithMoreDigitsForEveryConstant) {
 
 TEST(Derivatives, AreThoseOfDifferencesWithMoreDigitsForEveryConstantAndKnotOfAProfile) {
   RandomScenes draws(3);
-  Agreement agreement;
+  Compared agreement;
   for (int i = 0; i < 30; ++i) {
     SCOPED_TRACE(i);
     compare(inner_scene(draws, true), draws, 2, agreement);

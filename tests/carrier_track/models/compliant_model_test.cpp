@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -15,14 +14,15 @@
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "tests/carrier_track/models/brute_force.h"
+#include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using std::numbers::pi;
 
 const std::vector<ContactLaw>& all_laws() {
   static const std::vector<ContactLaw> laws = {
@@ -45,10 +45,6 @@ Pressed press(const Scene& scene, double tolerance = 1e-10) {
   CompliantModel model(scene, tolerance);
   pressed.end = model.run(pressed);
   return pressed;
-}
-
-void expect_close(double actual, double expected, double relative) {
-  EXPECT_NEAR(actual, expected, relative * std::abs(expected));
 }
 
 /// The same scene between hard walls.

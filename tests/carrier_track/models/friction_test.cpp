@@ -1,20 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void expect_close(double actual, double expected, double relative = 1e-12) {
-  EXPECT_NEAR(actual, expected, relative * std::abs(expected));
-}
+using std::numbers::pi;
 
 /// Far from any wall, friction 0.25 x 2 N on 0.8 kg.
 Scene block() {

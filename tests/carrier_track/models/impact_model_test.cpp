@@ -3,21 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void expect_close(double actual, double expected, double relative = 1e-12) {
-  EXPECT_NEAR(actual, expected, relative * std::abs(expected));
-}
+using std::numbers::pi;
 
 /// A ball dropped from 50 m on a floor at 0; contact.md, bouncing ball.
 Scene bouncing_ball() {

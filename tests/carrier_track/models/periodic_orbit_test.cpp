@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
 
 /// Orbits with closed forms, for a body seen from walls that shake as A sin(omega t): in their
@@ -14,12 +15,8 @@
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double omega = 30.0;
-
-void expect_close(double actual, double expected, double relative = 1e-12) {
-  EXPECT_NEAR(actual, expected, relative * std::abs(expected));
-}
 
 /// Walls shaken with amplitude [m] that stand at `angle` when the body starts.
 Scene shaken(double amplitude, double angle, double restitution) {

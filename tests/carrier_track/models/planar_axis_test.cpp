@@ -5,11 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/core/infinity.h"
+
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double never = std::numeric_limits<double>::infinity();
+using std::numbers::pi;
 
 /// A direction 1 m wide with friction 0.5 p beside the steady one.
 PlanarAxis<> axis_of(const Scene& scene, double steady_friction) {
@@ -45,7 +46,7 @@ TEST(PlanarAxis, AnImpulseSlowsItByTheCoefficientAndNoFurtherThanToRest) {
     axis.go_on(0, still(), nobody);
     axis.apply_friction_impulse(0.125, impulse, nobody);
     axis.go_on(0.125, still(), nobody);
-    EXPECT_DOUBLE_EQ(axis.next(), impulse == 1.0 ? 0.125 + 0.25 / 1.5 : never);
+    EXPECT_DOUBLE_EQ(axis.next(), impulse == 1.0 ? 0.125 + 0.25 / 1.5 : infinity);
     EXPECT_EQ(axis.finish(nobody).velocity == 0, impulse == 7.0);
   }
 }
@@ -55,7 +56,7 @@ TEST(PlanarAxis, AnImpulseDoesNotMoveItFromRest) {
   axis.go_on(0, still(), nobody);
   axis.apply_friction_impulse(0.5, 3.0, nobody);
   EXPECT_FALSE(axis.go_on(0.5, still(), nobody));
-  EXPECT_EQ(axis.next(), never);
+  EXPECT_EQ(axis.next(), infinity);
 }
 
 TEST(PlanarAxis, TellsWhenItsPressEndsAndWhenItDeparts) {
@@ -117,7 +118,7 @@ TEST(PlanarAxis, TellsWhenItsPressBeginsAgain) {
     EXPECT_NEAR(axis.next(), pi / 4 + turn * pi / 2, 1e-13);
     axis.reach(axis.next(), nobody);
   }
-  EXPECT_EQ(axis.next(), never);
+  EXPECT_EQ(axis.next(), infinity);
 }
 
 }  // namespace

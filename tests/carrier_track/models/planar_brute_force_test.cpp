@@ -15,7 +15,7 @@
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double slowest_compared = 1e-6;  // [m/s]; see brute_force_test.cpp
+constexpr double slowest = 1e-6;  // [m/s]; see brute_force_test.cpp
 
 TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
   RandomScenes scenes(41);
@@ -29,10 +29,9 @@ TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
     const Recording model = record(scene, 0.25, 0);
     // The difference of two steps is by theory fifteen times the error of the finer one: the bar.
     const BruteForce fine = planar_brute_force(scene, 1e-5);
-    const std::vector<Impact> reference = faster(fine.impacts, slowest_compared);
-    const std::vector<Impact> coarse =
-        faster(planar_brute_force(scene, 4e-5).impacts, slowest_compared);
-    const std::vector<Impact> actual = faster(model.impacts, slowest_compared);
+    const std::vector<Impact> reference = faster(fine.impacts, slowest);
+    const std::vector<Impact> coarse = faster(planar_brute_force(scene, 4e-5).impacts, slowest);
+    const std::vector<Impact> actual = faster(model.impacts, slowest);
     double time_bar = 1e-8;
     double speed_bar = 1e-8;
     std::size_t k = 0;

@@ -6,19 +6,18 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/models/planar_brute_force.h"
 #include "tests/carrier_track/models/watch.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using std::numbers::pi;
 
 using Hit = Watched<double>::Hit;
 

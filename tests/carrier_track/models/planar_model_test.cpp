@@ -14,7 +14,7 @@
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using Hit = Watched<double>::Hit;
 

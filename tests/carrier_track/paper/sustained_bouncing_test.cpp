@@ -14,7 +14,7 @@
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double omega = 30.0;
 constexpr double turn = 2 * pi / omega;
 

@@ -8,17 +8,10 @@
 #include "src/core/instance.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/questions/machine_of_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
-
-Machine machine(const std::string& id) {
-  return machine_of(find_case(id), exploratory_scene());
-}
-
-Vector at(double omega) {
-  return Vector::Constant(1, omega);
-}
 
 TEST(Count, IsWhatTheScanCounts) {
   const Machine c4 = machine("C4");

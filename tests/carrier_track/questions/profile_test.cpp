@@ -8,13 +8,10 @@
 #include "src/core/instance.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/questions/machine_of_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
-
-Machine machine(const std::string& id) {
-  return machine_of(find_case(id), exploratory_scene());
-}
 
 /// [rad]: how far the driver plate turns within the profile, exactly.
 double angle_of(const std::vector<SpeedKnot<double>>& profile) {

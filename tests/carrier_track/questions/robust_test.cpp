@@ -9,19 +9,12 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/questions/machine_of_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 constexpr RiskMeasure risks[] = {RiskMeasure::mean, RiskMeasure::worst, RiskMeasure::cvar};
-
-Machine machine(const std::string& id) {
-  return machine_of(find_case(id), exploratory_scene());
-}
-
-Vector at(double omega) {
-  return Vector::Constant(1, omega);
-}
 
 std::vector<double> counts_at(const Machine& m, double omega) {
   std::vector<double> counts;

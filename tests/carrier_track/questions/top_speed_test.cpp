@@ -7,23 +7,20 @@
 #include "problems/carrier_track/questions/speed_problem.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/questions/machine_of_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 /// C1, of which counts up to 6 shall be quiet.
-Machine machine() {
+Machine limited_machine() {
   Machine c1 = machine_of(find_case("C1"), exploratory_scene());
   c1.quiet_limit = 6;
   return c1;
 }
 
-Vector at(double omega) {
-  return Vector::Constant(1, omega);
-}
-
 TEST(TopSpeed, IsConstrainedByTheLimit) {
-  const Problem problem = top_speed_question(machine()).stated;
+  const Problem problem = top_speed_question(limited_machine()).stated;
   const Values quiet = problem.evaluate(at(9.0));
   EXPECT_EQ(quiet.objective, -9.0);
   EXPECT_LE(quiet.constraints[0], 0.0);
@@ -31,21 +28,21 @@ TEST(TopSpeed, IsConstrainedByTheLimit) {
 }
 
 TEST(TopSpeed, JudgesTheSurrogateByTheTrueCount) {
-  const Problem problem = top_speed_question(machine()).problem({0.25});
+  const Problem problem = top_speed_question(limited_machine()).problem({0.25});
   EXPECT_EQ(problem.truth(at(9.0)).violation, 0.0);
   EXPECT_EQ(problem.truth(at(15.0)).violation, 1.0);
   EXPECT_EQ(problem.truth(at(15.0)).objective, -15.0);
 }
 
 TEST(TopSpeed, HasASurrogateWithDerivatives) {
-  expect_derivatives_of_values(top_speed_question(machine()).problem({0.25}), at(4.321), 1e-7,
-                               1e-6);
+  expect_derivatives_of_values(top_speed_question(limited_machine()).problem({0.25}), at(4.321),
+                               1e-7, 1e-6);
 }
 
 /// Where the count leaves the limit because an impact gets faster, a sharp surrogate passes its
 /// level, whether the limit is a whole number or not.
 TEST(TopSpeed, HasASurrogateThatPassesItsLevelWhereTheCountLeavesTheLimit) {
-  Machine c1 = machine();
+  Machine c1 = limited_machine();
   for (const double limit : {6.0, 6.5}) {
     c1.quiet_limit = limit;
     const Problem count = top_speed_question(c1).stated;

@@ -10,6 +10,7 @@
 #include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/core/error.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string complaint_about(const Scene& scene) {

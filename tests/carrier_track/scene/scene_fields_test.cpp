@@ -20,15 +20,13 @@
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
+#include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Calls use(field, x) for every number of a visited field.
 template <class Use>
@@ -229,7 +227,7 @@ int expect_refusals(const std::string& table, const Visit& visit) {
       visit(Numbers{[&](const Field& field, double& x) {
               if (i++ != wrong) return;
               const auto [must, value] = out_of_range(field);
-              x = not_a_number ? nan : value;
+              x = not_a_number ? std::numeric_limits<double>::quiet_NaN() : value;
               start = fmt::format("machine.toml: {}.{} = {}: ", table, field.key, x);
               allowed = must;
             }},

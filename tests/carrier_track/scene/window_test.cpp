@@ -10,7 +10,7 @@
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Window, OfSecondsLastsSoLongAtAnySpeed) {
   Scene scene;

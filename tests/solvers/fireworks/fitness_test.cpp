@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <vector>
 
+#include "tests/core/infinity.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet::fireworks {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Fitness, OfFeasiblePointsIsTheirObjective) {
   const std::vector<Truth> worths = {{3, 0}, {-2, 0}, {7, 0}};

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+
+#include "tests/core/infinity.h"
 
 namespace ricochet {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Trial trial(double objective, double violation) {
   return {Vector::Constant(1, objective), objective, violation};

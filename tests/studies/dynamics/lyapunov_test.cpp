@@ -19,7 +19,7 @@ using carrier_track::Revolutions;
 using carrier_track::Scene;
 using carrier_track::Seconds;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double omega = 30.0;
 
 TEST(Lyapunov, CarriesADifferenceAsDualNumbersDo) {

@@ -181,8 +181,7 @@ std::vector<Formula> all_formulas() {
           square_root_formula(),
           power_formula(),
           friction_formula(),
-          linear_formula("w = c √R exp(k μ + d D)", {"c", "k", "d"}, 0.5,
-                         {friction, disturbance}),
+          linear_formula("w = c √R exp(k μ + d D)", {"c", "k", "d"}, 0.5, {friction, disturbance}),
           linear_formula("w = c Rᵖ exp(k μ + d D)", {"c", "p", "k", "d"}, 0,
                          {log_loss, friction, disturbance}),
           bouncing_formula()};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/derivatives_bench.h"
+#include "bench/gradient_cost_bench.h"
 #include "bench/integrators_bench.h"
 #include "bench/memory_bench.h"
 #include "bench/overhead_bench.h"
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
   flags.push_back(nullptr);
   ricochet::bench::add_simulation_benchmarks();
   ricochet::bench::add_derivative_benchmarks();
+  ricochet::bench::add_gradient_cost_benchmarks();
   ricochet::bench::add_integrator_benchmarks();
   ricochet::bench::add_memory_benchmarks();
   ricochet::bench::add_overhead_benchmarks();

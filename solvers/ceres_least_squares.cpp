@@ -25,15 +25,18 @@ class UnitResiduals : public ceres::CostFunction {
 
   bool Evaluate(double const* const* parameters, double* values,
                 double** jacobians) const override {
-    const int n = parameter_block_sizes().front();
-    const bool slopes = jacobians && jacobians[0];
-    const auto seen = box_.residuals(Eigen::Map<const Vector>(parameters[0], n),
-                                     slopes ? Part::jacobian : Part::objective);
-    if (!seen || !finite(*seen) || seen->values.size() != num_residuals()) return false;
-    Eigen::Map<Vector>(values, num_residuals()) = seen->values;
-    if (slopes) {
-      Eigen::Map<RowMajor>(jacobians[0], num_residuals(), n) = seen->jacobian;
+    const Eigen::Map<const Vector> u(parameters[0], parameter_block_sizes().front());
+    Eigen::Map<Vector> told(values, num_residuals());
+    if (!jacobians || !jacobians[0]) {  // whether to step there: most that are not taken end here
+      const auto seen = box_.residual_values(u);
+      if (!seen || !seen->allFinite() || seen->size() != num_residuals()) return false;
+      told = *seen;
+      return true;
     }
+    const auto seen = box_.residuals(u, Part::jacobian);
+    if (!seen || !finite(*seen) || seen->values.size() != num_residuals()) return false;
+    told = seen->values;
+    Eigen::Map<RowMajor>(jacobians[0], num_residuals(), u.size()) = seen->jacobian;
     return true;
   }
 
@@ -45,11 +48,11 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   UnitBox box(evaluator);
   Vector u = box.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
   // Ceres wants to know beforehand how many there are; the evaluator remembers what they are.
-  const auto first = box.residuals(u, Part::nothing);
+  const auto first = box.residual_values(u, Part::nothing);
   if (!first) return {stopped_by_evaluator};
-  if (!finite(*first)) return {not_finite};
+  if (!first->allFinite()) return {not_finite};
   ceres::Problem problem;
-  problem.AddResidualBlock(new UnitResiduals(box, first->values.size(), u.size()), nullptr,
+  problem.AddResidualBlock(new UnitResiduals(box, first->size(), u.size()), nullptr,
                            u.data());  // `problem` owns it
   for (int i = 0; i < static_cast<int>(u.size()); ++i) {
     problem.SetParameterLowerBound(u.data(), i, 0.0);
@@ -58,6 +61,8 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
+  // Between bounds every step is sought along a line: by values alone, where CUBIC pays slopes, too.
+  options.line_search_interpolation_type = ceres::QUADRATIC;
   options.max_num_iterations = std::numeric_limits<int>::max();
   options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this
   options.gradient_tolerance = 0;      // it has the residuals' unit, whatever that is

@@ -58,6 +58,11 @@ std::optional<Residuals> UnitBox::residuals(const Vector& u, Part part) {
   return shown;
 }
 
+std::optional<Vector> UnitBox::residual_values(const Vector& u, Part part) {
+  if (!u.allFinite()) return std::nullopt;
+  return evaluator_.residual_values(from_unit(u), part);
+}
+
 bool finite(const Values& values) {
   return std::isfinite(values.objective) && values.constraints.allFinite();
 }

@@ -44,6 +44,8 @@ class UnitBox {
 
   /// The residuals with their derivatives with respect to u.
   std::optional<Residuals> residuals(const Vector& u, Part part = Part::everything);
+  /// The residuals alone; see Evaluator::residual_values.
+  std::optional<Vector> residual_values(const Vector& u, Part part = Part::objective);
 
   bool over() const { return evaluator_.over(); }
 

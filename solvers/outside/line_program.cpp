@@ -149,10 +149,9 @@ bool LineProgram::read_more(int limit_in_milliseconds) {
     at_end_ = true;
     return true;
   }
-  const std::size_t before = read_.size();
-  read_.resize(before + chunk);
-  const ssize_t count = ::read(output_.number(), read_.data() + before, chunk);
-  read_.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  char piece[chunk];  // NOLINT: not filled with zeros, which would take longer than to read
+  const ssize_t count = ::read(output_.number(), piece, chunk);
+  read_.append(piece, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   at_end_ = count == 0 || (count < 0 && errno != EINTR);
   return true;
 }

@@ -1,54 +1,25 @@
 #include "src/campaign/campaign.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <fnmatch.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "src/campaign/runner.h"
 #include "src/core/error.h"
-#include "src/core/instance.h"
-#include "src/core/near_names.h"
+#include "src/core/patterns.h"
 
 namespace ricochet {
 namespace {
 
-bool fits(const std::string& name, const std::string& pattern) {
-  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-}
-
-bool fits_any(const std::string& name, const std::vector<std::string>& patterns) {
-  return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const std::string& pattern) { return fits(name, pattern); });
-}
-
 /// Refuses a pattern that fits none of the names.
 void check_patterns(const std::vector<std::string>& patterns, const std::vector<std::string>& names,
                     const std::string& place) {
-  for (const std::string& pattern : patterns) {
-    const bool used = std::any_of(names.begin(), names.end(),
-                                  [&](const std::string& name) { return fits(name, pattern); });
-    if (used) continue;
-    throw InputError(
-        fmt::format("{} {}: nothing fits; {}", place, pattern, what_instead(pattern, names)));
-  }
+  for (const std::string& pattern : patterns) require_fit({pattern}, names, place);
 }
 
 std::vector<Form> forms_of(const Question& question, const PlanPart& part) {
-  std::vector<Form> forms = question.forms();
-  if (question.stated.smoothed) {
-    for (const double width : part.widths) {
-      for (const bool penalised : {false, true}) {
-        const Form form{width, penalised};
-        if (penalised && question.stated.constraints == 0) continue;
-        if (std::find(forms.begin(), forms.end(), form) == forms.end()) forms.push_back(form);
-      }
-    }
-  }
+  std::vector<Form> forms = question.forms(part.widths);
   std::erase_if(forms, [&](const Form& f) { return !fits_any(question.name_of(f), part.forms); });
   return forms;
 }
@@ -145,10 +116,28 @@ std::vector<const Feature*> features_of(const PlanPart& part, const std::string&
   return chosen;
 }
 
+/// Those of the plan stand behind those of the suite.
+Catalogue with_varied_solvers(Catalogue catalogue, const Plan& plan) {
+  for (const VariedSolver& varied : plan.solvers) {
+    const std::string place = "solver " + varied.name;
+    for (const Solver& solver : catalogue.solvers) {
+      if (solver.name != varied.name) continue;
+      throw InputError(place + ": there is another solver of its name");
+    }
+    try {
+      catalogue.solvers.push_back(catalogue.varied_solver(varied));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", place, error.what()));
+    }
+  }
+  return catalogue;
+}
+
 }  // namespace
 
 Campaign::Campaign(Plan plan, const Catalogue& catalogue) : plan_(std::move(plan)) {
-  for (std::size_t part = 0; part < plan_.parts.size(); ++part) add_part(part, catalogue);
+  const Catalogue whole = with_varied_solvers(catalogue, plan_);
+  for (std::size_t part = 0; part < plan_.parts.size(); ++part) add_part(part, whole);
 }
 
 std::size_t Campaign::index_of(const Question& question, const std::string& family) {
@@ -223,6 +212,11 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
   }
 }
 
+const PlannedCell* Campaign::find(const Cell& cell) const {
+  const auto place = places_.find(cell);
+  return place == places_.end() ? nullptr : &cells_[place->second];
+}
+
 std::int64_t Campaign::runs() const {
   std::int64_t runs = 0;
   for (const PlannedCell& cell : cells_) runs += std::int64_t{cell.instances} * cell.seeds;
@@ -252,65 +246,6 @@ CampaignDescription Campaign::description() const {
     description.solvers.push_back({solver.name, solver.version});
   }
   return description;
-}
-
-PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
-                         const std::set<RunKey>& done) {
-  struct Place {
-    const PlannedCell* cell;
-    int instance, run;
-    double length;
-  };
-  std::vector<Place> places;
-  for (const PlannedCell& cell : campaign.cells()) {
-    const double length =
-        campaign.questions()[cell.question].cost * static_cast<double>(cell.budget.evaluations);
-    for (int instance = 1; instance <= cell.instances; ++instance) {
-      for (int run = 0; run < cell.seeds; ++run) places.push_back({&cell, instance, run, length});
-    }
-  }
-  // The longest first: nobody waits for the last one.
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.length > b.length; });
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i % static_cast<std::size_t>(shard.count) != static_cast<std::size_t>(shard.index - 1)) {
-      continue;
-    }
-    const auto& [cell, instance_number, run, length] = places[i];
-    RunKey key{cell->cell, instance_number, run};
-    if (done.count(key) > 0) continue;
-    auto& problem = problems_[{cell->question, cell->cell.form, instance_number}];
-    if (!problem) {
-      problem = std::make_unique<Problem>(
-          instance(campaign.questions()[cell->question].problem(cell->form), instance_number));
-    }
-    const Feature* feature = cell->cell.feature == "plain" ? nullptr : cell->feature;
-    const std::string shown =
-        feature == nullptr ? cell->cell.form : cell->cell.form + "/" + feature->name;
-    runs_.push_back(
-        {std::move(key),
-         {problem.get(), &campaign.solvers()[cell->solver], cell->budget, run, shown, feature},
-         length});
-  }
-}
-
-void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
-  const PlannedRuns planned(campaign, shard, store.keys());
-  std::vector<Job> jobs;
-  double work = 0;
-  for (const PlannedRun& run : planned.all()) {
-    jobs.push_back(run.job);
-    work += run.length;
-  }
-  const AtInterruption kept([] {}, "finished runs are kept: --resume goes on");
-  Progress progress("running", std::max(work, 1.0));
-  run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
-    {
-      const Uninterrupted whole;
-      store.add(planned.all()[j].key, record);
-    }
-    progress.advance(planned.all()[j].length);
-  });
 }
 
 }  // namespace ricochet

@@ -2,15 +2,14 @@
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "problems/family.h"
 #include "src/campaign/plan.h"
-#include "src/campaign/progress.h"
 #include "src/core/solver.h"
+#include "src/features/feature.h"
 #include "src/store/store.h"
 
 namespace ricochet {
@@ -23,6 +22,8 @@ struct Catalogue {
   std::function<std::optional<Solver>(const std::string&)> own_solver;
   /// The families of questions asked of a grid of machines, whose best values are not known.
   std::function<std::vector<Family>(const MachineGrid&)> families_of;
+  /// A solver of the plan's with options of its own. Throws InputError for what cannot be.
+  std::function<Solver(const VariedSolver&)> varied_solver;
   /// A question of one variable with the best value that a search finds, if any.
   std::function<Question(Question)> with_best;
 };
@@ -40,12 +41,6 @@ struct PlannedCell {
   std::vector<std::size_t> parts;  ///< of the plan, that ask for it
 };
 
-/// One of several programs that share a campaign's runs: the `index`-th of `count`, from 1.
-struct Shard {
-  int index = 1;
-  int count = 1;
-};
-
 /// A plan with all that it takes to carry it out.
 class Campaign {
  public:
@@ -60,6 +55,9 @@ class Campaign {
 
   /// The family that a question is of.
   const std::string& family_of(std::size_t question) const { return families_[question]; }
+
+  /// Null where the plan has no such cell.
+  const PlannedCell* find(const Cell& cell) const;
 
   std::int64_t runs() const;
 
@@ -83,29 +81,5 @@ class Campaign {
   std::map<std::string, std::size_t> question_places_, solver_places_;
   std::map<std::string, std::string> own_texts_;  ///< of the plan, for solvers of the user's own
 };
-
-/// A run of a campaign, ready to be made. It shares its problem with others.
-struct PlannedRun {
-  RunKey key;
-  Job job;
-  double length;  ///< of the run, about
-};
-
-/// The runs of a shard that are not in `done`, the longest first. Shards are disjoint and make up
-/// the whole, whatever is done.
-class PlannedRuns {
- public:
-  PlannedRuns(const Campaign& campaign, const Shard& shard, const std::set<RunKey>& done);
-
-  const std::vector<PlannedRun>& all() const { return runs_; }
-
- private:
-  std::map<std::tuple<std::size_t, std::string, int>, std::unique_ptr<Problem>> problems_;
-  std::vector<PlannedRun> runs_;
-};
-
-/// Makes the runs of a shard that the store lacks, in other processes, and adds each as it ends.
-/// What is in the store then does not depend on processes, shards and interruptions, but for times.
-void make_runs(const Campaign& campaign, const Shard& shard, Store& store);
 
 }  // namespace ricochet

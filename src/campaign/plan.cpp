@@ -3,155 +3,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <sstream>
-#include <string_view>
-
-#include "src/core/error.h"
-#include "src/core/near_names.h"
+#include "src/campaign/plan_table.h"
 #include "src/core/toml_text.h"
 
 namespace ricochet {
 namespace {
 
-std::string shown(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& value) { text << value; });
-  return text.str();
-}
-
-/// A table of a plan, and where it stands.
-class PlanTable {
- public:
-  PlanTable(const toml::table& table, std::string place)
-      : table_(table), place_(std::move(place)) {}
-
-  /// Refuses keys that there are none of.
-  void check_keys(const std::vector<std::string>& known) const {
-    for (const auto& [key, node] : table_) {
-      const std::string name(key.str());
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      throw InputError(
-          fmt::format("{}: there is no key {}; {}", place_, name, what_instead(name, known)));
-    }
-  }
-
-  void need(std::string_view key) const {
-    if (!table_.contains(key)) throw InputError(fmt::format("{}: {} is missing", place_, key));
-  }
-
-  void read(std::string_view key, std::string& target) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    if (!node->is_string()) refuse(key, *node, "a text");
-    target = node->as_string()->get();
-  }
-
-  void read(std::string_view key, double& target) const {
-    const toml::node* node = table_.get(key);
-    if (node != nullptr) target = finite(key, *node);
-  }
-
-  void read(std::string_view key, std::optional<bool>& target) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    if (!node->is_boolean()) refuse(key, *node, "true or false");
-    target = node->as_boolean()->get();
-  }
-
-  void read(std::string_view key, int& target) const {
-    const toml::node* node = table_.get(key);
-    if (node != nullptr) target = static_cast<int>(whole(key, *node, 1, 1'000'000));
-  }
-
-  /// One text or a list of some.
-  void read(std::string_view key, std::vector<std::string>& target) const {
-    read_list(key, target, [&](const toml::node& node) {
-      if (!node.is_string() || node.as_string()->get().empty()) refuse(key, node, "texts");
-      return node.as_string()->get();
-    });
-  }
-
-  /// Texts, and whole numbers as such.
-  void read_prices(std::string_view key, std::vector<std::string>& target) const {
-    read_list(key, target, [&](const toml::node& node) -> std::string {
-      if (node.is_integer()) return std::to_string(whole(key, node, 0, 1'000'000'000));
-      if (node.is_string()) {
-        const std::string& price = node.as_string()->get();
-        if (price == "n" || price == "measured") return price;
-      }
-      refuse(key, node, "\"n\", \"measured\" or a whole number >= 0");
-    });
-  }
-
-  void read(std::string_view key, std::vector<double>& target, bool may_be_zero) const {
-    read_list(key, target, [&](const toml::node& node) { return finite(key, node, may_be_zero); });
-  }
-
-  void read(std::string_view key, std::vector<std::int64_t>& target) const {
-    read_list(key, target,
-              [&](const toml::node& node) { return whole(key, node, 1, 1'000'000'000'000); });
-    if (!std::is_sorted(target.begin(), target.end(), std::less_equal<>())) {
-      throw InputError(
-          fmt::format("{}: {} = [{}]: must rise", place_, key, fmt::join(target, ", ")));
-    }
-  }
-
-  [[noreturn]] void refuse(std::string_view key, const toml::node& node,
-                           std::string_view allowed) const {
-    throw InputError(fmt::format("{}: {} = {}: must be {}", place_, key, shown(node), allowed));
-  }
-
- private:
-  double finite(std::string_view key, const toml::node& node, bool may_be_zero = false) const {
-    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!number || !std::isfinite(*number) || *number < 0 || (*number == 0 && !may_be_zero)) {
-      refuse(key, node, may_be_zero ? "finite numbers >= 0" : "finite numbers > 0");
-    }
-    return *number + 0.0;  // no -0
-  }
-
-  std::int64_t whole(std::string_view key, const toml::node& node, std::int64_t least,
-                     std::int64_t most) const {
-    const auto number = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
-    if (!number || *number < least || *number > most) {
-      refuse(key, node, fmt::format("a whole number from {} to {}", least, most));
-    }
-    return *number;
-  }
-
-  template <class Entry, class Read>
-  void read_list(std::string_view key, std::vector<Entry>& target, Read read) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    target.clear();
-    if (const toml::array* list = node->as_array()) {
-      for (const toml::node& entry : *list) target.push_back(read(entry));
-      auto sorted = target;
-      std::sort(sorted.begin(), sorted.end());
-      if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-        refuse(key, *node, "a list without repetitions");
-      }
-    } else {
-      target.push_back(read(*node));
-    }
-  }
-
-  const toml::table& table_;
-  std::string place_;
-};
-
 MachineGrid grid_from(const toml::table& table, const std::string& place) {
   const PlanTable in(table, place);
-  in.check_keys({"around", "restitution", "friction", "disturbance"});
+  in.check_keys({"around", "restitution", "friction", "disturbance", "fidelity"});
   in.need("around");
   MachineGrid grid;
   in.read("around", grid.around);
   in.read("restitution", grid.restitution, true);
   in.read("friction", grid.friction, true);
   in.read("disturbance", grid.disturbance, true);
+  in.read("fidelity", grid.fidelity);
   return grid;
 }
 
@@ -192,9 +59,41 @@ PlanPart part_from(const toml::table& table, const std::string& place) {
   return part;
 }
 
+VariedSolver solver_from(const toml::table& table, const std::string& place) {
+  const PlanTable in(table, place);
+  in.check_keys({"name", "of", "options"});
+  for (const char* key : {"name", "of", "options"}) in.need(key);
+  VariedSolver solver;
+  in.read("name", solver.name);
+  in.read("of", solver.of);
+  if (solver.name.empty()) in.refuse("name", *table.get("name"), "a text that is not empty");
+  const toml::table* options = table.get("options")->as_table();
+  if (options == nullptr) in.refuse("options", *table.get("options"), "a table of numbers");
+  const PlanTable numbers(*options, place + ", options");
+  for (const auto& [key, node] : *options) {
+    numbers.read_signed(key.str(), solver.options[std::string(key.str())]);
+  }
+  return solver;
+}
+
+/// The tables [[key]] of a plan, with a name for each that says where it stands.
+template <class Read>
+void each_table(const toml::table& file, const std::string& origin, const char* key, Read read) {
+  const toml::array* tables = file.get(key)->as_array();
+  if (tables == nullptr || !tables->is_array_of_tables() || tables->empty()) {
+    PlanTable(file, origin)
+        .refuse(key, *file.get(key), fmt::format("one or more tables [[{}]]", key));
+  }
+  int number = 0;
+  for (const toml::node& node : *tables) {
+    read(*node.as_table(),
+         fmt::format("{}:{}, {} {}", origin, node.source().begin.line, key, ++number));
+  }
+}
+
 Plan plan_of(const toml::table& file, const std::string& origin) {
   const PlanTable in(file, origin);
-  in.check_keys({"name", "limits", "part"});
+  in.check_keys({"name", "limits", "solver", "part"});
   Plan plan;
   in.read("name", plan.name);
   if (const toml::node* limits = file.get("limits")) {
@@ -204,16 +103,15 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
     table.read("seconds", plan.limits.seconds);
     table.read("megabytes", plan.limits.megabytes);
   }
+  if (file.contains("solver")) {
+    each_table(file, origin, "solver", [&](const toml::table& table, const std::string& place) {
+      plan.solvers.push_back(solver_from(table, place));
+    });
+  }
   in.need("part");
-  const toml::array* parts = file.get("part")->as_array();
-  if (parts == nullptr || !parts->is_array_of_tables() || parts->empty()) {
-    in.refuse("part", *file.get("part"), "one or more tables [[part]]");
-  }
-  for (const toml::node& part : *parts) {
-    plan.parts.push_back(part_from(
-        *part.as_table(),
-        fmt::format("{}:{}, part {}", origin, part.source().begin.line, plan.parts.size() + 1)));
-  }
+  each_table(file, origin, "part", [&](const toml::table& table, const std::string& place) {
+    plan.parts.push_back(part_from(table, place));
+  });
   return plan;
 }
 
@@ -259,6 +157,7 @@ std::string text_of(const PlanPart& part) {
           std::pair("disturbance", &grid.disturbance)}) {
       if (!values->empty()) inside += fmt::format(", {} = {}", key, list_of(*values));
     }
+    if (!grid.fidelity.empty()) inside += ", fidelity = " + list_of(grid.fidelity);
     line("machines", "{ " + inside + " }");
   }
   if (part.least_variables != usual.least_variables ||
@@ -299,6 +198,14 @@ std::string text_of(const Plan& plan) {
   std::string text =
       fmt::format("name = {}\n\n[limits]\nseconds = {}\nmegabytes = {}\n", quoted(plan.name),
                   toml_float(plan.limits.seconds), toml_float(plan.limits.megabytes));
+  for (const VariedSolver& solver : plan.solvers) {
+    std::vector<std::string> options;
+    for (const auto& [key, value] : solver.options) {
+      options.push_back(fmt::format("{} = {}", quoted(key), toml_float(value)));
+    }
+    text += fmt::format("\n[[solver]]\nname = {}\nof = {}\noptions = {{ {} }}\n",
+                        quoted(solver.name), quoted(solver.of), fmt::join(options, ", "));
+  }
   for (const PlanPart& part : plan.parts) text += text_of(part);
   return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ namespace ricochet {
 struct MachineGrid {
   std::string around;  ///< id of a case, e.g. "C1"; empty: there is no grid
   std::vector<double> restitution, friction, disturbance;
+  std::vector<std::string> fidelity;  ///< levels of the simulation, by name
 
   bool operator==(const MachineGrid&) const = default;
 };
@@ -38,10 +40,20 @@ struct PlanPart {
   bool operator==(const PlanPart&) const = default;
 };
 
+/// A solver of the suite with other options, under a name of its own.
+struct VariedSolver {
+  std::string name;
+  std::string of;                         ///< the solver
+  std::map<std::string, double> options;  ///< by name, in place of its own
+
+  bool operator==(const VariedSolver&) const = default;
+};
+
 /// What a campaign runs.
 struct Plan {
   std::string name;
   Limits limits;
+  std::vector<VariedSolver> solvers = {};
   std::vector<PlanPart> parts;
 };
 

@@ -16,6 +16,10 @@ std::atomic<bool> silent = false;
 
 }  // namespace
 
+void Progress::announce(std::string_view line) {
+  if (!silent) fmt::print(stderr, "{}\n", line);
+}
+
 void Progress::silence() {
   silent = true;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 #include "src/core/interruption.h"
 
@@ -21,7 +22,10 @@ class Progress {
 
   void advance(double work);
 
-  /// From now on none is shown.
+  /// What is about to be done, a line of its own.
+  static void announce(std::string_view line);
+
+  /// From now on nothing is shown.
   static void silence();
 
  private:

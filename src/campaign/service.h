@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/campaign/campaign.h"
+#include "src/campaign/planned_runs.h"
 
 namespace ricochet {
 

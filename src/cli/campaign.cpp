@@ -10,80 +10,26 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
-#include "embedded/default_plan.h"
-#include "embedded/full_plan.h"
-#include "embedded/plan_template.h"
-#include "embedded/quick_plan.h"
-#include "embedded/slurm_template.h"
 #include "src/campaign/forecast.h"
 #include "src/campaign/frame.h"
-#include "src/campaign/runner.h"
+#include "src/campaign/planned_runs.h"
+#include "src/campaign/progress.h"
 #include "src/campaign/service.h"
+#include "src/cli/campaign_size.h"
 #include "src/cli/other_program.h"
+#include "src/cli/plan.h"
 #include "src/cli/version.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"
-#include "src/report/filled_text.h"
-#include "src/report/json.h"
-#include "src/store/stored_parts.h"
 #include "src/studies/contest/catalogue.h"
 
 namespace ricochet::cli {
 namespace {
-
-using report::Json;
-
-int cores() {
-  return static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-}
-
-std::string duration(double seconds) {
-  if (seconds < 90) return fmt::format("{:.2g} s", std::max(seconds, 0.1));
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  if (seconds < 48 * 3600) return fmt::format("{:.1f} h", seconds / 3600);
-  return fmt::format("{:.1f} days", seconds / 86400);
-}
-
-/// What a campaign runs, in numbers.
-Json size_of(const Campaign& campaign) {
-  double evaluations = 0;
-  std::map<std::string, int> features;
-  for (const PlannedCell& cell : campaign.cells()) {
-    evaluations += static_cast<double>(cell.budget.evaluations) * cell.instances * cell.seeds;
-    ++features[cell.cell.feature];
-  }
-  return {{"name", campaign.plan().name},         {"questions", campaign.questions().size()},
-          {"solvers", campaign.solvers().size()}, {"features", features.size()},
-          {"cells", campaign.cells().size()},     {"runs", campaign.runs()},
-          {"evaluations", evaluations},           {"simulations", campaign.work()}};
-}
-
-std::string in_words(const Json& size) {
-  return fmt::format("{} runs of {} solvers on {} questions, at most {:.3g} evaluations",
-                     size["runs"].get<std::int64_t>(), size["solvers"].get<int>(),
-                     size["questions"].get<int>(), size["evaluations"].get<double>());
-}
-
-/// A word of a shell, whatever it has in it.
-std::string in_shell_quotes(const std::string& word) {
-  std::string quoted = "'";
-  for (const char c : word) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
-}
 
 Shard shard_of(const std::string& text) {
   Shard shard;
@@ -121,22 +67,21 @@ CampaignDescription description_of(const Campaign& campaign) {
   return description;
 }
 
-/// A file, or one of the plans that come along.
-Plan plan_named(const std::string& name) {
-  if (name == "quick") return plan_from(embedded::quick_plan, name);
-  if (name == "default") return plan_from(embedded::default_plan, name);
-  if (name == "full") return plan_from(embedded::full_plan, name);
-  return read_plan(name);
-}
-
-/// The store to go on with: of this campaign, made by this program. Another one stays as it is.
-Store store_to_resume(const std::filesystem::path& file, const CampaignDescription& description) {
-  CampaignDescription theirs = Store::open(file, Store::For::reading).description();
+/// The store to go on with: of this campaign, made by this program; by any where no run is missing,
+/// for its report alone. Another one stays as it is.
+Store store_to_resume(const std::filesystem::path& file, const Campaign& campaign,
+                      const CampaignDescription& description) {
+  Store found = Store::open(file, Store::For::reading);
+  CampaignDescription theirs = found.description();
   theirs.made = description.made;
   if (theirs == description) return Store::open(file, Store::For::adding);
-  const char* what = theirs.plan != description.plan         ? "of another plan"
-                     : theirs.program != description.program ? "made by another program"
-                                                             : "of other questions or solvers";
+  const bool whole = found.size() == static_cast<std::int64_t>(campaign.runs());
+  const bool same_program =
+      std::exchange(theirs.program, description.program) == description.program;
+  if (whole && theirs == description) return found;
+  const char* what = theirs.plan != description.plan ? "of another plan"
+                     : !same_program                 ? "made by another program"
+                                                     : "of other questions or solvers";
   throw InputError(fmt::format("{}: is {}: another --out begins anew", file.string(), what));
 }
 
@@ -151,14 +96,15 @@ Store carried_out(const Campaign& campaign, const Shard& shard, const RunOptions
                      "--out begins anew");
   }
   const CampaignDescription description = description_of(campaign);
-  Store store = there ? store_to_resume(file, description) : Store::create(file, description);
+  Store store =
+      there ? store_to_resume(file, campaign, description) : Store::create(file, description);
   const std::int64_t before = store.size();
-  fmt::print(stderr, "{}\n", in_words(size_of(campaign)));
-  if (before > 0) fmt::print(stderr, "{} runs are there already\n", before);
+  Progress::announce(in_words(size_of(campaign)));
+  if (before > 0) Progress::announce(fmt::format("{} runs are there already", before));
   if (options.serve.empty()) {
     if (before == 0) {
-      fmt::print(stderr, "about {} on {} cores\n",
-                 duration(foretold_seconds(campaign) / shard.count / cores()), cores());
+      const double seconds = foretold_seconds(campaign) / shard.count / cores();
+      Progress::announce(fmt::format("about {} on {} cores", duration(seconds), cores()));
     }
     make_runs(campaign, shard, store);
   } else if (!serve_store(campaign, shard, store, STDIN_FILENO, frames_out)) {
@@ -199,39 +145,6 @@ bool started_with_other_ranks() {
 
 }  // namespace
 
-int new_plan() {
-  fmt::print("{}", embedded::plan_template);
-  return 0;
-}
-
-int check_plan(const std::string& plan, bool json) {
-  const Campaign campaign(plan_named(plan), studies::whole_catalogue());
-  Json size = size_of(campaign);
-  const double seconds = foretold_seconds(campaign);
-  size["seconds"] = seconds;
-  size["cores"] = cores();
-  if (json) {
-    fmt::print("{}\n", size.dump(2));
-  } else {
-    fmt::print("{}; about {} on {} cores\n", in_words(size), duration(seconds / cores()), cores());
-  }
-  return 0;
-}
-
-int slurm_script(const std::string& plan, int jobs) {
-  if (jobs < 1 || jobs > 10'000) {
-    throw InputError(fmt::format("--jobs {}: must be from 1 to 10000", jobs));
-  }
-  if (plan == "-") throw InputError("the jobs read the plan: it must be a file");
-  const Campaign campaign(plan_named(plan), studies::whole_catalogue());
-  const double hours = foretold_seconds(campaign) / jobs / 3600;
-  const Json data = {{"plan", in_shell_quotes(plan)},
-                     {"jobs", jobs},
-                     {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
-  fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
-  return 0;
-}
-
 int run_plan(const RunOptions& options) {
   if (options.jobs < 0) throw InputError(fmt::format("--jobs {}: must be >= 0", options.jobs));
   const Shard shard = shard_of(options.shard);
@@ -267,65 +180,6 @@ int compare(const studies::ContestOptions& options, bool quick, const std::strin
   const auto study = studies::contest_study(campaign, store, true);
   fmt::print("{}", studies::run(study, quick, out).epilogue);
   return 0;
-}
-
-int merge_stores(const std::vector<std::string>& parts, const std::string& out) {
-  merge({parts.begin(), parts.end()}, out);
-  const Store store = Store::open(out, Store::For::reading);
-  fmt::print("{} runs: {}\ndigest {}\n", store.size(), out, store.digest());
-  return 0;
-}
-
-int print_digest(const std::string& store) {
-  fmt::print("{}\n", Store::open(store, Store::For::reading).digest());
-  return 0;
-}
-
-int replay(const std::string& file, std::int64_t number, bool json) {
-  const Store store = Store::open(file, Store::For::reading);
-  const auto stored = store.find(number);
-  if (!stored) {
-    throw InputError(fmt::format("{}: there is no run {}: {} has runs 1 to {}", number, number,
-                                 file, store.size()));
-  }
-  const Campaign campaign(plan_from(store.description().plan, file), studies::whole_catalogue());
-  const PlannedRuns planned(campaign, {}, {});
-  const auto run = std::find_if(planned.all().begin(), planned.all().end(),
-                                [&](const PlannedRun& r) { return r.key == stored->key; });
-  if (run == planned.all().end()) {
-    throw InputError(fmt::format("{}: run {} is none of its plan's", file, number));
-  }
-  RunRecord again;
-  run_all({run->job}, campaign.plan().limits,
-          [&](std::size_t, RunRecord record) { again = std::move(record); });
-  const std::string differs = difference(parts_of(again), parts_of(stored->record));
-  const Cell& cell = stored->key.cell;
-  const Json data = {
-      {"run", number},
-      {"question", cell.question},
-      {"form", cell.form},
-      {"feature", cell.feature},
-      {"solver", cell.solver},
-      {"budget", cell.budget},
-      {"gradient_price", cell.gradient_price},
-      {"instance", stored->key.instance},
-      {"seed", stored->key.run},
-      {"failure", again.failure},
-      {"evaluations", again.ledger.charged},
-      {"objective", again.trace.empty() ? Json() : Json(again.trace.back().truth.objective)},
-      {"differs", differs},
-      {"same", differs.empty()}};
-  if (json) {
-    fmt::print("{}\n", data.dump(2));
-  } else {
-    fmt::print("{} on {}, shown {}, feature {}, instance {}, seed {}: {} evaluations{}.\n{}\n",
-               cell.solver, cell.question, cell.form, cell.feature, stored->key.instance,
-               stored->key.run, again.ledger.charged,
-               again.failure.empty() ? "" : "; " + again.failure,
-               differs.empty() ? "The same, to the last bit."
-                               : "NOT the same as stored: it differs in " + differs + ".");
-  }
-  return differs.empty() ? 0 : 1;
 }
 
 }  // namespace ricochet::cli

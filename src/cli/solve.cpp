@@ -199,8 +199,7 @@ int solve(const SolveOptions& options) {
   const Problem problem =
       featured(options, instance(question.problem(form), options.instance), form_name);
   const Problem seen = watched(problem);
-  const std::string shown =
-      options.feature == "plain" ? form_name : form_name + "/" + options.feature;
+  const std::string shown = shown_as(form_name, options.feature);
   RunRecord record;
   run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, options.limits,
           [&record](std::size_t, RunRecord made) { record = std::move(made); });

@@ -8,8 +8,7 @@
 
 namespace ricochet::contest {
 
-/// Whether a name fits one of the shell's patterns (fnmatch), with commas between.
-bool fits(const std::string& name, const std::string& patterns);
+// Patterns are those of a shell, with commas between: see patterns.h.
 
 /// The questions whose names fit and whose best values are known. Throws InputError where there is
 /// none, naming `option`.

@@ -26,7 +26,7 @@ std::vector<Shown> all_shown(const ContestPlan& plan) {
     if (!question.stated.best_known) {
       throw std::invalid_argument(question.name() + ": its best value is not known");
     }
-    for (const Form& form : forms_of(question, plan.widths)) {
+    for (const Form& form : question.forms(plan.widths)) {
       if (plan.wants(question, form)) all.push_back({q, form, question.problem(form), {}});
     }
   }
@@ -92,19 +92,6 @@ std::vector<Place> places_of(const ContestPlan& plan, std::vector<Entry>& entrie
 }
 
 }  // namespace
-
-std::vector<Form> forms_of(const Question& question, const std::vector<double>& widths) {
-  std::vector<Form> forms = question.forms();
-  if (!question.stated.smoothed) return forms;
-  for (const double width : widths) {
-    for (const bool penalised : {false, true}) {
-      const Form form{width, penalised};
-      if (penalised && question.stated.constraints == 0) continue;
-      if (std::find(forms.begin(), forms.end(), form) == forms.end()) forms.push_back(form);
-    }
-  }
-  return forms;
-}
 
 std::vector<Standing> hold(const ContestPlan& plan) {
   const std::vector<Shown> shown = all_shown(plan);

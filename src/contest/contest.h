@@ -40,14 +40,9 @@ struct Standing {
   std::vector<Outcome> outcomes;  ///< of the instances, in their order
 };
 
-/// The forms of a question that are put to solvers: as judged, by its usual width and by others,
-/// each penalised, too, where it has constraints.
-std::vector<Form> forms_of(const Question& question, const std::vector<double>& widths);
-
 /// Runs every solver in every form that it accepts, in other processes, on all cores;
-/// standings by question, then
-/// solver, form and budget. The same every time, but for the times. Throws std::invalid_argument
-/// for a question whose best value is not known.
+/// standings by question, then solver, form and budget. The same every time, but for the times.
+/// Throws std::invalid_argument for a question whose best value is not known.
 std::vector<Standing> hold(const ContestPlan& plan);
 
 }  // namespace ricochet::contest

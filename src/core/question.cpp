@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "src/core/error.h"
@@ -10,16 +11,21 @@
 
 namespace ricochet {
 
-std::vector<Form> Question::forms() const {
-  std::vector<Form> forms = {{}};
-  if (stated.smoothed) forms.push_back({width});
-  if (stated.constraints == 0) return forms;
-  std::vector<Form> all;
-  for (const Form& form : forms) {
-    all.push_back(form);
-    all.push_back({form.width, true});
+std::vector<Form> Question::forms(const std::vector<double>& widths) const {
+  std::vector<double> shown = {0};
+  const auto add = [&](double w) {
+    if (std::find(shown.begin(), shown.end(), w) == shown.end()) shown.push_back(w);
+  };
+  if (stated.smoothed) {
+    add(width);
+    for (const double w : widths) add(w);
   }
-  return all;
+  std::vector<Form> forms;
+  for (const double w : shown) {
+    forms.push_back({w});
+    if (stated.constraints > 0) forms.push_back({w, true});
+  }
+  return forms;
 }
 
 Problem Question::problem(const Form& form) const {

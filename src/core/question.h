@@ -35,8 +35,9 @@ struct Question {
 
   const std::string& name() const { return stated.name; }
 
-  /// Those it can be shown in: as stated, then smoothed; each followed by itself penalised.
-  std::vector<Form> forms() const;
+  /// Those it can be shown in: as stated, then smoothed, by its usual width and by these; each
+  /// followed by itself penalised.
+  std::vector<Form> forms(const std::vector<double>& widths = {}) const;
 
   /// The problem in this form, of any width. Throws std::invalid_argument for a form that it cannot
   /// be shown in.

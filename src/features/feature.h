@@ -25,4 +25,8 @@ struct Feature {
 /// "plain" first, which changes nothing.
 const std::vector<Feature>& all_features();
 
+/// How a run shows its problem: the name of the form and, unless it is "plain", of the feature. It
+/// goes into the run's seed: see seed_of.
+std::string shown_as(const std::string& form, const std::string& feature);
+
 }  // namespace ricochet

@@ -35,4 +35,8 @@ const std::vector<Feature>& all_features() {
   return features;
 }
 
+std::string shown_as(const std::string& form, const std::string& feature) {
+  return feature == "plain" ? form : form + "/" + feature;
+}
+
 }  // namespace ricochet

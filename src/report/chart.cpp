@@ -42,7 +42,8 @@ class Checker {
       number(where, sample.position, chart_.x);
       if (sample.value) number(where, *sample.value, chart_.y);
       if (sample.spread) range(where, *sample.spread, chart_.y);
-      require(!sample.spread || series.mark != Mark::points, where + ": points have no spread");
+      require(sample.name.empty() || series.mark == Mark::points,
+              where + ": only points have names");
       require(series.mark == Mark::points || i == 0 ||
                   series.samples[i - 1].position <= sample.position,
               where + ": positions must rise");

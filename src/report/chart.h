@@ -25,7 +25,8 @@ struct Axis {
 struct Sample {
   double position;
   std::optional<double> value;       ///< without one: a gap
-  std::optional<Range> spread = {};  ///< around the value: a band of a line
+  std::optional<Range> spread = {};  ///< around the value: a band of a line, a bar of a point
+  std::string name = {};             ///< written beside a point, where there is room
 };
 
 enum class Mark {
@@ -38,6 +39,7 @@ struct Series {
   std::string label;  ///< its entry in the legend; empty: no entry
   Mark mark = Mark::line;
   std::vector<Sample> samples;  ///< by rising position, if joined
+  bool pale = false;            ///< grey: what others are set against
 };
 
 /// Coloured cells over the categories of x and y. A cell without a value is hatched.

@@ -77,11 +77,12 @@ Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
       part.filled_text("label", scopes),
       chosen<Mark>(part, "mark", scopes,
                    {{"line", Mark::line}, {"steps", Mark::steps}, {"points", Mark::points}}),
-      {}};
+      {},
+      chosen<bool>(part, "look", scopes, {{"coloured", false}, {"pale", true}})};
   const auto add = [&](const std::optional<double>& x, const std::optional<double>& y,
-                       const std::optional<Range>& spread = {}) {
+                       const std::optional<Range>& spread = {}, const std::string& name = {}) {
     if (!has_place(chart.x, x)) return;
-    series.samples.push_back({*x, has_place(chart.y, y) ? y : std::nullopt, spread});
+    series.samples.push_back({*x, has_place(chart.y, y) ? y : std::nullopt, spread, name});
   };
   if (const toml::array* samples = part.list("samples")) {
     for (const toml::node& node : *samples) {
@@ -97,7 +98,8 @@ Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
       const double own = number++;
       if (part.has("where") && !holds(part.text("where"), in_row)) continue;
       add(part.has("x") ? part.number("x", in_row) : own, part.number("y", in_row),
-          range_between(part.number("lower", in_row), part.number("upper", in_row)));
+          range_between(part.number("lower", in_row), part.number("upper", in_row)),
+          part.filled_text("name", in_row));
     }
   }
   if (series.mark != Mark::points) {

@@ -13,6 +13,10 @@ SeriesLook series_look(std::size_t n) {
   return {colours[n % colours.size()], dashes[n % dashes.size()], markers[n % markers.size()]};
 }
 
+SeriesLook pale_look() {
+  return {"#9a9a9a", "solid", 7};
+}
+
 LineLook line_look(std::size_t n) {
   static const std::array looks{LineLook{"#222222", "(7,4)", 1.4},
                                 LineLook{"#f2b84b", "solid", 3.5},

@@ -15,6 +15,9 @@ struct SeriesLook {
 };
 SeriesLook series_look(std::size_t n);
 
+/// How what others are set against looks.
+SeriesLook pale_look();
+
 /// How the n-th label of reference lines looks: dark dashes over a broad pale line over dots, so
 /// that lines that coincide all stay visible.
 struct LineLook {

@@ -1,5 +1,7 @@
 #include "src/report/page_template.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -70,9 +72,16 @@ Table table_of(const Part& part, const Scopes& scopes) {
     }
     return table;
   }
-  for (const Json& row : found_in(scopes, part.text("rows"))) {
+  const Json& rows = found_in(scopes, part.text("rows"));
+  const auto most = part.number("most", scopes);
+  for (const Json& row : rows) {
+    if (most && static_cast<double>(table.rows.size()) >= *most) break;
     auto& cells = table.rows.emplace_back();
     for (const PlacedColumn& column : placed) cells.push_back(cell_of(column, scopes, row));
+  }
+  if (table.rows.size() < rows.size()) {
+    table.caption += fmt::format(" The first {} of {}; all are in {}.csv.", table.rows.size(),
+                                 rows.size(), filled(part.text("csv"), scopes));
   }
   return table;
 }

@@ -19,18 +19,19 @@ struct DrawnPage {
 ///
 ///   title = "..."             intro = ["a paragraph", ...]        epilogue = "..."
 ///   [[section]]               id, heading, text = ["a paragraph", ...]
-///   [[section.table]]         rows, csv, caption, columns = [...], heads each a table
+///   [[section.table]]         rows, csv, most, caption, columns = [...], heads each a table
 ///     a column                title, value, align = "left" (default right), state
 ///   [[section.chart]]         name, title, caption, x, y, series, lines, heat_map
 ///     an axis, x or y         label with its unit, scale = "logarithmic", range = [from, to],
 ///                             categories, category, order = "down" (default up)
 ///     a series                label, mark = "steps" or "points" (default line),
+///                             look = "pale" (default coloured), name of each point,
 ///                             rows, where, x, y, lower, upper; or samples = [[x, y], ...]
 ///     a line                  label; vertical, a place on x, or horizontal, one on y
 ///     the heat_map            label of the colours, cells, value, range
 ///
 /// `rows` names data: a list of rows. `csv` is the stem of the file that keeps the rows; without
-/// one none does. Rows of a table can also be written out, rows = [["a cell", ...], ...]; then
+/// one none does; of more rows than `most` the others are there alone. Rows of a table can also be written out, rows = [["a cell", ...], ...]; then
 /// columns have titles only. `state` names a member of a row: true is good, false is bad. Texts of
 /// a cell look names up in the row first. A paragraph that comes out empty is left out.
 ///

@@ -8,6 +8,7 @@
 
 #include "src/report/frame.h"
 #include "src/report/look.h"
+#include "src/report/names_of_points.h"
 #include "src/report/polyline.h"
 #include "src/report/quote.h"
 #include "src/report/ticks.h"
@@ -43,6 +44,7 @@ class Script {
       // In the legend they come last, though the series are drawn over them.
       for (std::size_t i = 0; i < line_labels_.size(); ++i)
         plot("keyentry", line_style(i), line_labels_[i]);
+      text_ += names_of_points(chart_, frame_);
     }
     if (!has_values_) add("set label 'no data' at graph 0.5, graph 0.5 center tc rgb '#666666'\n");
     return fmt::format("{}{}plot {}\n", frame_script(chart_, frame_), text_, plots_);
@@ -78,7 +80,7 @@ class Script {
       for (const Sample& sample : series.samples) {
         if (positions) values.push_back(sample.position);
         if (!positions && sample.value) values.push_back(*sample.value);
-        if (!positions && sample.spread)
+        if (!positions && sample.value && sample.spread)
           values.insert(values.end(), {sample.spread->lower, sample.spread->upper});
       }
     }
@@ -113,7 +115,11 @@ class Script {
     const bool some = std::ranges::any_of(
         series.samples, [](const Sample& sample) { return sample.spread && sample.value; });
     if (!some) return;
-    const SeriesLook look = series_look(index);
+    const SeriesLook look = look_of(index);
+    if (series.mark == Mark::points) {
+      plot_bars(series, look);
+      return;
+    }
     for (const std::vector<Sample>& part : polylines(series)) {
       // A band ends where the spread is unknown. Each stretch is a plot: gnuplot would join them.
       for (auto from = part.begin(); from != part.end();) {
@@ -135,8 +141,22 @@ class Script {
     }
   }
 
+  void plot_bars(const Series& series, const SeriesLook& look) {
+    const std::string data = begin_data();
+    for (const Sample& sample : series.samples) {
+      if (!sample.value || !sample.spread) continue;
+      add("{0:.6g} {1:.6g}\n{0:.6g} {2:.6g}\n\n", sample.position, sample.spread->lower,
+          sample.spread->upper);
+    }
+    end_data();
+    plot(data,
+         fmt::format("with lines lw {} lc rgb '{}' dt solid", series.pale ? 0.5 : 1.2,
+                     series.pale ? "#d4d4d4" : look.colour),
+         "");
+  }
+
   void plot_series(const Series& series, std::size_t index) {
-    const SeriesLook look = series_look(index);
+    const SeriesLook look = look_of(index);
     const std::string dots =
         fmt::format("with points pt {} lw 2 lc rgb '{}' ps ", look.marker, look.colour);
     std::string data = begin_data();
@@ -172,6 +192,14 @@ class Script {
     for (const Sample& sample : alone) add("{:.6g} {:.6g}\n", sample.position, *sample.value);
     end_data();
     plot(data, dots + "0.4", "");
+  }
+
+  SeriesLook look_of(std::size_t index) const {
+    const auto& all = chart_.series;
+    if (all[index].pale) return pale_look();
+    const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(index),
+                                      [](const Series& series) { return series.pale; });
+    return series_look(index - static_cast<std::size_t>(before));
   }
 
   void plot_heat_map(const HeatMap& map) {

@@ -3,30 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <random>
 #include <set>
 #include <string>
 
-#include "src/campaign/runner.h"
 #include "src/core/error.h"
-#include "tests/campaign/made_up_catalogue.h"
+#include "tests/campaign/made_up_campaign.h"
 
 namespace ricochet {
 namespace {
 
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
-
-Campaign campaign_of(const std::string& plan) {
-  return {plan_from(plan, "test"), made_up_catalogue()};
-}
-
-std::string part_of(const std::string& questions, const std::string& rest = "") {
-  return "[[part]]\nquestions = " + questions +
-         (rest.find("solvers") == std::string::npos ? "\nsolvers = \"chance-a\"" : "") +
-         (rest.find("budgets") == std::string::npos ? "\nbudgets = 10" : "") + "\n" + rest + "\n";
-}
 
 template <class Member>
 std::set<std::string> names(const Campaign& campaign, Member member) {
@@ -140,6 +127,21 @@ TEST(Campaign, TakesSolversOfTheUsersOwn) {
   EXPECT_EQ(campaign.solvers().size(), 2U);
 }
 
+TEST(Campaign, TakesSolversWithOptionsOfTheirOwn) {
+  const auto solver = [](const std::string& name, const std::string& of) {
+    return "[[solver]]\nname = \"" + name + "\"\nof = \"" + of + "\"\noptions = { strength = 3 }\n";
+  };
+  const std::string part = part_of("\"bowl-1\"", "solvers = [\"mine-*\", \"luck\"]");
+  const Campaign campaign = campaign_of(solver("mine-1", "luck") + part);
+  EXPECT_THAT(names(campaign, &Cell::solver), UnorderedElementsAre("mine-1", "luck"));
+  EXPECT_THAT(campaign.description().plan, HasSubstr("\"strength\" = 3"));
+  EXPECT_THAT(complaint(solver("mine-1", "fate") + part),
+              HasSubstr("solver mine-1: fate has no options"));
+  EXPECT_THAT(complaint(solver("luck", "luck") + part), HasSubstr("there is another solver"));
+  EXPECT_THAT(complaint(solver("mine-1", "luck") + solver("mine-1", "luck") + part),
+              HasSubstr("solver mine-1: there is another solver of its name"));
+}
+
 TEST(Campaign, RefusesTwoSolversOfOneName) {
   const std::string said = "there is another solver of its name";
   EXPECT_THAT(complaint(part_of("\"bowl-1\"", "solvers = [\"./luck\"]")), HasSubstr(said));
@@ -160,63 +162,6 @@ TEST(Campaign, DescribesWhatItsRunsAreJudgedBy) {
   ASSERT_EQ(description.solvers.size(), 1U);
   EXPECT_EQ(description.solvers[0].version, "1");
   EXPECT_EQ(description.plan, text_of(plan_from(description.plan, "again")));
-}
-
-std::vector<RunKey> keys_of(const PlannedRuns& runs) {
-  std::vector<RunKey> keys;
-  for (const PlannedRun& run : runs.all()) keys.push_back(run.key);
-  return keys;
-}
-
-TEST(PlannedRuns, OfShardsAreDisjointAndCompleteWhateverIsDone) {
-  const Campaign campaign = campaign_of(part_of(
-      "\"*\"", "solvers = \"*\"\nfeatures = \"*\"\ninstances = 4\nseeds = 2\nbudgets = [3, 7]"));
-  const auto whole = keys_of(PlannedRuns(campaign, {}, {}));
-  EXPECT_EQ(static_cast<std::int64_t>(whole.size()), campaign.runs());
-  const std::set<RunKey> every(whole.begin(), whole.end());
-  ASSERT_EQ(every.size(), whole.size());
-  std::mt19937_64 random(1);
-  for (const int count : {1, 2, 3, 7, 1000}) {
-    std::set<RunKey> seen;
-    for (int index = 1; index <= count; ++index) {
-      std::set<RunKey> done;  // by this shard, before
-      for (const RunKey& key : whole) {
-        if (random() % 3 == 0) done.insert(key);
-      }
-      const auto all = keys_of(PlannedRuns(campaign, {index, count}, {}));
-      auto left = keys_of(PlannedRuns(campaign, {index, count}, done));
-      for (const RunKey& key : all) {
-        EXPECT_TRUE(seen.insert(key).second) << name_of(key);
-        const bool is_left = std::find(left.begin(), left.end(), key) != left.end();
-        EXPECT_NE(is_left, done.contains(key));
-      }
-      EXPECT_LE(left.size(), all.size());
-    }
-    EXPECT_EQ(seen, every) << count;
-  }
-}
-
-TEST(PlannedRuns, BeginWithTheLongest) {
-  const Campaign campaign = campaign_of(part_of("\"bowl-*\"", "budgets = [5, 50]"));
-  const PlannedRuns planned(campaign, {}, {});
-  EXPECT_TRUE(std::is_sorted(planned.all().begin(), planned.all().end(),
-                             [](const auto& a, const auto& b) { return a.length > b.length; }));
-  EXPECT_EQ(planned.all().front().length, 8.0 * 8 * 50);
-}
-
-TEST(PlannedRuns, AreSeededByAllThatTheyAreCalled) {
-  const Campaign campaign = campaign_of(part_of(
-      "\"cup-s\"", "solvers = \"*\"\nfeatures = [\"plain\", \"noisy\"]\ninstances = 2\nseeds = 2"));
-  const PlannedRuns planned(campaign, {}, {});
-  std::vector<Job> jobs;
-  for (const PlannedRun& run : planned.all()) jobs.push_back(run.job);
-  std::set<std::uint64_t> seeds;
-  run_all(jobs, {}, [&](std::size_t j, const RunRecord& record) {
-    EXPECT_TRUE(seeds.insert(record.seed).second) << name_of(planned.all()[j].key);
-    EXPECT_EQ(record.instance, planned.all()[j].key.instance);
-    EXPECT_EQ(record.run, planned.all()[j].key.run);
-  });
-  EXPECT_EQ(static_cast<std::int64_t>(seeds.size()), campaign.runs());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/campaign/campaign.h"
+#include "src/core/error.h"
 #include "src/core/instance.h"
 
 namespace ricochet {
@@ -62,6 +63,10 @@ inline Catalogue made_up_catalogue() {
   catalogue.own_solver = [](const std::string& text) -> std::optional<Solver> {
     if (text.find('/') == std::string::npos) return std::nullopt;
     return chance(text.substr(text.rfind('/') + 1));
+  };
+  catalogue.varied_solver = [](const VariedSolver& varied) {
+    if (varied.of != "luck") throw InputError(varied.of + " has no options");
+    return chance(varied.name);
   };
   catalogue.families_of = [](const MachineGrid& grid) {
     Family family{"bowl", {}};

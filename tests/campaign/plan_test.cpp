@@ -49,7 +49,7 @@ PlanPart any_part(Random& random) {
   part.questions = any_list(random, 1, text);
   if (yes()) {
     part.machines = {any_text(random), any_list(random, 0, level), any_list(random, 0, level),
-                     any_list(random, 0, level)};
+                     any_list(random, 0, level), any_list(random, 0, text)};
   }
   if (yes()) part.least_variables = whole(random, 1, 100);
   part.most_variables = yes() ? part.least_variables : whole(random, 100, 1'000'000'000'000);
@@ -72,18 +72,28 @@ PlanPart any_part(Random& random) {
   return part;
 }
 
+VariedSolver any_solver(Random& random) {
+  VariedSolver solver{any_text(random), any_text(random), {}};
+  for (auto left = random() % 3; left > 0; --left) {
+    solver.options[any_text(random)] = static_cast<double>(random()) * 1e-19 - 0.5;
+  }
+  return solver;
+}
+
 TEST(Plan, IsReadBackFromItsText) {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {
     Plan plan;
     plan.name = any_text(random);
     plan.limits = {static_cast<double>(random()) * 1e-15 + 1e-9, 1 + static_cast<double>(random())};
+    for (auto left = random() % 3; left > 0; --left) plan.solvers.push_back(any_solver(random));
     for (auto left = 1 + random() % 3; left > 0; --left) plan.parts.push_back(any_part(random));
     const std::string text = text_of(plan);
     const Plan again = plan_from(text, "again");
     EXPECT_EQ(again.name, plan.name);
     EXPECT_EQ(again.limits.seconds, plan.limits.seconds);
     EXPECT_EQ(again.limits.megabytes, plan.limits.megabytes);
+    EXPECT_EQ(again.solvers, plan.solvers) << text;
     EXPECT_EQ(again.parts, plan.parts) << text;
     EXPECT_EQ(text_of(again), text);
   }
@@ -155,6 +165,21 @@ TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
     EXPECT_THAT(said, HasSubstr(wrong.value)) << wrong.line;
     EXPECT_THAT(said, HasSubstr(wrong.allowed)) << wrong.line;
   }
+}
+
+TEST(Plan, RefusesASolverThatIsNone) {
+  const std::string whole = "[[solver]]\nname = \"mine\"\nof = \"efwa\"\n";
+  const auto said = [](const std::string& solver) { return complaint(solver + "\n" + least); };
+  EXPECT_THAT(said(whole), HasSubstr("my.toml:1, solver 1: options is missing"));
+  EXPECT_THAT(said(whole + "options = 3"), HasSubstr("options = 3: must be a table of numbers"));
+  EXPECT_THAT(said(whole + "options = { sparks = \"many\" }"),
+              HasSubstr("solver 1, options: sparks = 'many': must be a finite number"));
+  EXPECT_THAT(said(whole + "options = { sparks = inf }"), HasSubstr("must be a finite number"));
+  EXPECT_THAT(said(whole + "option = { sparks = 1 }"), HasSubstr("there is no key option"));
+  EXPECT_THAT(said("[[solver]]\nof = \"efwa\"\noptions = {}"), HasSubstr("name is missing"));
+  EXPECT_THAT(said("[[solver]]\nname = \"\"\nof = \"efwa\"\noptions = {}"),
+              HasSubstr("name = '': must be a text that is not empty"));
+  EXPECT_THAT(said("[solver]"), HasSubstr("one or more tables [[solver]]"));
 }
 
 TEST(Plan, RefusesBudgetsThatDoNotRise) {

@@ -66,6 +66,28 @@ TEST_F(CampaignCommands, PrintAPlanThatCanBeRead) {
   EXPECT_GT(size["seconds"], 0);
 }
 
+TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
+  std::string parts;
+  for (const int variables : {2, 4, 4}) {
+    parts += fmt::format(
+        "[[part]]\nquestions = \"profile-count-{}-C1\"\nsolvers = [\"random-search\", \"bbfwa\"]\n"
+        "budgets = [{}]\ninstances = 1\n",
+        variables, parts.size() + 10);
+  }
+  write(folder_, "plan.toml", parts);
+  run("one");
+  const std::string page = read(folder_ / "one" / "index.html");
+  for (const char* id : {"profile-count", "profile-count-part-2", "profile-count-part-3"}) {
+    EXPECT_THAT(page, HasSubstr(fmt::format("id=\"{}\"", id)));
+  }
+}
+
+TEST_F(CampaignCommands, SayNothingOfTheirProgressWhereTheyAreToBeQuiet) {
+  EXPECT_THAT(call(command("loud")).err, HasSubstr("3 solvers on 2 questions"));
+  EXPECT_EQ(call(command("quiet", "--quiet")).err, "");
+  EXPECT_EQ(call(command("quiet", "--quiet --resume")).err, "");
+}
+
 TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
   const Json size = Json::parse(out_of("plan check --format json " + plan_));
   const std::string runs = std::to_string(size["runs"].get<int>());
@@ -90,6 +112,36 @@ TEST_F(CampaignCommands, GiveTheSameDigestHoweverTheRunsAreMade) {
   EXPECT_EQ(out_of(fmt::format("digest {}/runs.sqlite", folder_.string())), whole);
   run("first", "--shard 2/2 --resume");
   EXPECT_EQ(digest("first"), whole);
+}
+
+TEST_F(CampaignCommands, ReportOnAFamilyThatTwoPartsAskFor) {
+  const auto plan = write(folder_, "two.toml",
+                          "[[part]]\nquestions = \"count-C4\"\nsolvers = \"random-search\"\n"
+                          "budgets = 5\ninstances = 2\n"
+                          "[[part]]\nquestions = \"count-C1\"\nsolvers = \"random-search\"\n"
+                          "budgets = 7\ninstances = 2\n");
+  const std::string said =
+      out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "two").string()));
+  EXPECT_THAT(said, HasSubstr("count, 5 evaluations"));
+  EXPECT_THAT(said, HasSubstr("count-part-2, 7 evaluations"));
+}
+
+TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
+  const std::string text =
+      "[[solver]]\nname = \"bbfwa-40\"\nof = \"bbfwa\"\noptions = { sparks = 40 }\n"
+      "[[part]]\nquestions = \"count-C4\"\nsolvers = \"bbfwa*\"\nbudgets = 50\ninstances = 2\n";
+  const auto plan = write(folder_, "options.toml", text);
+  EXPECT_THAT(out_of("plan check " + plan.string()), HasSubstr("bbfwa-40: bbfwa, sparks = 40\n"));
+  out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "options").string()));
+  EXPECT_THAT(read(folder_ / "options" / "index.html"), HasSubstr(", bbfwa sparks 40"));
+  for (const int number : {1, 2, 3, 4}) {
+    out_of(fmt::format("replay {} {}", store("options"), number));
+  }
+  const auto bad = write(folder_, "bad.toml",
+                         "[[solver]]\nname = \"s\"\nof = \"mads\"\n"
+                         "options = { sparks = 40 }\n" +
+                             text);
+  expect_refusal("plan check " + bad.string(), "solver s: mads: no such solver has options");
 }
 
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {

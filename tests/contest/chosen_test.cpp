@@ -9,12 +9,6 @@
 namespace ricochet::contest {
 namespace {
 
-TEST(Chosen, FitsAnyOfThePatterns) {
-  EXPECT_TRUE(fits("top-speed-C1", "count-*,top-speed-C[14]"));
-  EXPECT_FALSE(fits("top-speed-C2", "count-*,top-speed-C[14]"));
-  EXPECT_FALSE(fits("top-speed-C1", "top-speed")) << "the whole name";
-}
-
 TEST(Chosen, LeavesOutQuestionsWhoseBestValueIsNotKnown) {
   Question known = valley_question();
   Question unknown = valley_question();

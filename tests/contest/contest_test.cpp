@@ -27,14 +27,6 @@ TEST(Contest, PutsEverySolverToEveryFormThatItAccepts) {
   EXPECT_EQ(plan.questions[0].name_of(standings.back().form), "surrogate");
 }
 
-TEST(Contest, TakesAWidthForAFormOfItsOwn) {
-  const Question question = valley_question();
-  EXPECT_EQ(forms_of(question, {}).size(), 2U);
-  const auto forms = forms_of(question, {0.25, 0.1});
-  ASSERT_EQ(forms.size(), 3U) << "0.25 is the usual one";
-  EXPECT_EQ(forms.back().width, 0.1);
-}
-
 TEST(Contest, CountsEveryRunWithWhatItSpentUntilItSolved) {
   const auto standings = hold(patient_plan());
   const Standing& quick = standings[0];

@@ -36,9 +36,10 @@ Question question(bool constrained, bool smooth) {
   return result;
 }
 
-std::vector<std::string> names_of_forms(const Question& question) {
+std::vector<std::string> names_of_forms(const Question& question,
+                                        const std::vector<double>& widths = {}) {
   std::vector<std::string> names;
-  for (const Form& form : question.forms()) names.push_back(question.name_of(form));
+  for (const Form& form : question.forms(widths)) names.push_back(question.name_of(form));
   return names;
 }
 
@@ -50,6 +51,14 @@ TEST(Question, HasTheFormsThatItsConstraintsAndItsKnobAllow) {
   EXPECT_EQ(names_of_forms(question(false, true)), (Names{"count", "surrogate"}));
   EXPECT_EQ(names_of_forms(question(true, true)),
             (Names{"count", "penalised-count", "surrogate", "penalised-surrogate"}));
+}
+
+TEST(Question, HasAFormOfEveryWidthOnce) {
+  const double usual = question(true, false).width;
+  EXPECT_EQ(names_of_forms(question(true, true), {0.1, usual}),
+            (Names{"count", "penalised-count", "surrogate", "penalised-surrogate", "surrogate-0.1",
+                   "penalised-surrogate-0.1"}));
+  EXPECT_EQ(names_of_forms(question(true, false), {0.1}), (Names{"as-stated", "penalised"}));
 }
 
 TEST(Question, NamesAWidthThatIsNotTheUsualOne) {

@@ -172,6 +172,11 @@ std::string name_of(const testing::TestParamInfo<Feature>& tested) {
   return name;
 }
 
+TEST(Features, TellApartHowARunShowsItsProblem) {
+  EXPECT_EQ(shown_as("count", "plain"), "count");
+  EXPECT_EQ(shown_as("count", "noisy"), "count/noisy");
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, EveryFeature, testing::ValuesIn(all_features()), name_of);
 
 TEST(Features, HaveNamesOfTheirOwnPlainFirst) {

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <set>
+#include <string>
 
 #include "problems/carrier_track/questions/families.h"
 #include "src/core/instance.h"
@@ -51,6 +54,26 @@ TEST(Families, HaveProblemsThatHoldTogether) {
       EXPECT_EQ(p.best_known.has_value(), !p.provenance.empty()) << p.name;
     }
   }
+}
+
+/// As measured: see gradient_cost.h.
+TEST(Families, KnowWhatAGradientTakes) {
+  std::map<std::string, std::int64_t> costs;
+  for (const Family& family : families()) {
+    for (const Question& question : family.questions) {
+      ASSERT_TRUE(question.gradient_cost) << question.name();
+      EXPECT_GE(*question.gradient_cost, 1) << question.name();
+      costs[question.name()] = *question.gradient_cost;
+    }
+  }
+  EXPECT_EQ(costs.at("top-speed-C1"), 1);
+  EXPECT_EQ(costs.at("robust-worst-C4"), 1);
+  EXPECT_EQ(costs.at("design-count-C9"), 3);
+  EXPECT_EQ(costs.at("profile-count-16-C4"), 3);
+  EXPECT_EQ(costs.at("profile-wear-32-C4"), 7);
+  EXPECT_EQ(costs.at("profile-count-64-C1"), 14);
+  EXPECT_EQ(costs.at("hs-1"), 1);
+  EXPECT_EQ(costs.at("hs-110"), 5);
 }
 
 /// Forms of one question have one name, one truth, one box and one best value.

@@ -75,6 +75,23 @@ TEST(Gnuplot, WritesWellFormedXmlForEveryKindOfChart) {
   }
 }
 
+TEST(Gnuplot, NamesPointsWhereThereIsRoomAndPaleOnesOnlyNearby) {
+  Chart chart = line_chart({});
+  chart.name = "named";
+  chart.series[0].mark = Mark::points;
+  chart.series[0].samples = {{0, 1, Range{0.5, 2}, "first"}, {4, 3, {}, "second"}};
+  Series crowd{"", Mark::points, {}, true};
+  for (int k = 0; k < 40; ++k) crowd.samples.push_back({2, 2, {}, "crowd"});
+  chart.series.push_back(crowd);
+  const std::string text = visible_text(parse(to_svgs({chart})[0]));
+  EXPECT_THAT(text, AllOf(HasSubstr("first"), HasSubstr("second"), HasSubstr("crowd")));
+  std::size_t written = 0;
+  for (auto at = text.find("crowd"); at != std::string::npos; at = text.find("crowd", at + 1)) {
+    ++written;
+  }
+  EXPECT_LT(written, 9);
+}
+
 TEST(Gnuplot, WritesTheSameBytesEveryTime) {
   const std::vector<Chart> charts = gallery();
   const std::vector<std::string> svgs = to_svgs(charts);

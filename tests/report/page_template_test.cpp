@@ -96,6 +96,17 @@ TEST(PageTemplate, KeepsTheRowsOfATableWithAllTheirDigits) {
                                                          Pair("rows-C2.csv", "\n")));
 }
 
+TEST(PageTemplate, ShowsTheFirstRowsOfALongTableAndSaysWhereAllAre) {
+  std::string shortened = sheet;
+  shortened.insert(shortened.find("caption = \"Of"), "most = 1\n");
+  const DrawnPage result = drawn(shortened, sample());
+  const Table& table = result.page.sections[0].tables[0];
+  EXPECT_EQ(table.rows.size(), 1);
+  EXPECT_EQ(table.caption, "Of C1 The first 1 of 2; all are in rows-C1.csv.");
+  EXPECT_EQ(result.page.sections[0].tables[1].caption, "Of C2") << "all are shown";
+  EXPECT_EQ(result.tables, drawn(sheet, sample()).tables);
+}
+
 TEST(PageTemplate, MakesTheChartsWithTheirWords) {
   const DrawnPage drawing = drawn(sheet, sample());
   const auto& figures = drawing.page.sections.front().figures;

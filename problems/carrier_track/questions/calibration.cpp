@@ -7,6 +7,7 @@
 
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/questions/best_known.h"
+#include "problems/carrier_track/questions/gradient_cost.h"
 #include "problems/carrier_track/questions/misfit.h"
 
 namespace ricochet::carrier_track::inline questions {
@@ -96,7 +97,8 @@ Question calibration_question(const FittedReading& fitted) {
     problem.best_known = problem.evaluate(*problem.best_point).objective;
     problem.provenance = fitted.provenance;
   }
-  return {.stated = std::move(problem), .tolerance = 0.01};
+  return {
+      .stated = std::move(problem), .tolerance = 0.01, .gradient_cost = calibration_gradient_cost};
 }
 
 }  // namespace ricochet::carrier_track::inline questions

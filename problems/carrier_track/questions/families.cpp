@@ -9,6 +9,7 @@
 #include "problems/carrier_track/questions/calibration.h"
 #include "problems/carrier_track/questions/count.h"
 #include "problems/carrier_track/questions/design.h"
+#include "problems/carrier_track/questions/gradient_cost.h"
 #include "problems/carrier_track/questions/profile.h"
 #include "problems/carrier_track/questions/robust.h"
 #include "problems/carrier_track/questions/top_speed.h"
@@ -70,6 +71,7 @@ std::vector<Family> families_of(const std::vector<Machine>& machines) {
   for (Family& family : families) {
     for (Question& question : family.questions) {
       question.factors = factors_of(machines, question.machine);
+      question.gradient_cost = gradient_cost(question.stated.dimension());
     }
   }
   return families;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "embedded/hard_machines_text.h"
+#include "problems/carrier_track/questions/gradient_cost.h"
 #include "problems/carrier_track/questions/speed_range.h"
 #include "problems/carrier_track/questions/top_speed.h"
 #include "problems/carrier_track/scene/scene_file.h"
@@ -97,6 +98,7 @@ const std::vector<HardMachine>& hard_machines() {
 Question hard_top_speed_question(const HardMachine& hard) {
   Question question = top_speed_question_of("hard-top-speed", hard.machine);
   question.machine = "hard-" + hard.machine.id;
+  question.gradient_cost = gradient_cost(question.stated.dimension());
   question.stated = knowing(std::move(question.stated), hard.best);
   return question;
 }

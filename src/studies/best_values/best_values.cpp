@@ -1,7 +1,6 @@
 #include "src/studies/best_values/best_values.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -19,6 +18,7 @@
 #include "src/core/error.h"
 #include "src/core/interruption.h"
 #include "src/core/near_names.h"
+#include "src/core/patterns.h"
 #include "src/core/text_file.h"
 #include "src/core/verdict.h"
 
@@ -98,7 +98,7 @@ bool matches(const std::string& name, const std::string& pattern) {
   if (pattern.find_first_of("*?[") == std::string::npos) {
     return name.find(pattern) != std::string::npos;
   }
-  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+  return fits(name, pattern);
 }
 
 Outcome find_best_values(const std::vector<Question>& questions, const Plan& plan,

@@ -5,16 +5,22 @@
 #include "problems/carrier_track/questions/machine_grid.h"
 #include "problems/carrier_track/questions/scanned_best.h"
 #include "problems/families.h"
+#include "solvers/fireworks/varied_fireworks.h"
 #include "solvers/outside/outside.h"
 #include "solvers/solvers.h"
 
 namespace ricochet::studies {
 
 Catalogue whole_catalogue() {
-  return {all_families(), all_solvers(), outside::outside_solver,
+  return {all_families(),
+          all_solvers(),
+          outside::outside_solver,
           [](const MachineGrid& grid) {
-            return carrier_track::grid_families(grid.around, grid.restitution, grid.friction,
-                                                grid.disturbance);
+            return carrier_track::grid_families(
+                grid.around, {grid.restitution, grid.friction, grid.disturbance, grid.fidelity});
+          },
+          [](const VariedSolver& solver) {
+            return fireworks::varied(solver.of, solver.name, solver.options);
           },
           [](Question question) { return carrier_track::with_scanned_best(std::move(question)); }};
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "problems/carrier_track/scene/enum_names.h"
 #include "src/contest/rating.h"
 #include "src/statistics/factorial_effects.h"
 
@@ -55,11 +56,14 @@ double mean_solved(const std::vector<Result>& results) {
   return sum / static_cast<double>(results.size());
 }
 
-/// The factors of a family's machines that have several levels, with their levels.
+/// The factors of a family's machines that have several levels, with their levels; none where there
+/// are no more machines than such factors, which cannot tell one from another.
 std::map<std::string, std::vector<double>> factors_of(const ByCompetitor& competitors) {
   std::map<std::string, std::set<double>> found;
+  std::set<std::string> machines;
   for (const auto& [competitor, results] : competitors) {
     for (const Result& result : results) {
+      machines.insert(result.question->machine);
       for (const auto& [name, value] : result.question->factors) found[name].insert(value);
     }
   }
@@ -67,6 +71,7 @@ std::map<std::string, std::vector<double>> factors_of(const ByCompetitor& compet
   for (const auto& [name, levels] : found) {
     if (levels.size() > 1) factors[name] = {levels.begin(), levels.end()};
   }
+  if (machines.size() <= factors.size()) factors.clear();
   return factors;
 }
 
@@ -92,7 +97,9 @@ constexpr Measure measures[] = {{"share solved", &Result::solved},
                                 {"log10 of evaluations", &Result::cost},
                                 {"targets reached", &Result::accuracy}};
 
-void add_effects(Json& rows, const std::string& family, const ByCompetitor::value_type& competitor,
+/// Adds the effects that are sure, and the mean; how many are not is added to `unsure`.
+void add_effects(Json& rows, std::size_t& unsure, const std::string& family,
+                 const ByCompetitor::value_type& competitor,
                  const std::map<std::string, std::vector<double>>& factors) {
   std::vector<std::string> names;
   std::vector<std::size_t> sizes;
@@ -119,12 +126,17 @@ void add_effects(Json& rows, const std::string& family, const ByCompetitor::valu
       return;  // too few machines to tell
     }
     for (const FactorialEffect& effect : effects) {
+      const bool sure = effect.interval.lower > 0 || effect.interval.upper < 0;
+      if (!sure && !effect.factors.empty()) {
+        ++unsure;
+        continue;
+      }
       std::string of;
       for (std::size_t f = 0; f < effect.factors.size(); ++f) {
         const std::string& name = names[effect.factors[f]];
-        of += fmt::format("{}{} {}", f == 0 ? "" : ", ", name, factors.at(name)[effect.levels[f]]);
+        of += fmt::format("{}{} {}", f == 0 ? "" : ", ", name,
+                          level_name(name, factors.at(name)[effect.levels[f]]));
       }
-      const bool sure = effect.interval.lower > 0 || effect.interval.upper < 0;
       rows.push_back(
           {{"family", family},
            {"competitor", contest::competitor(competitor.first.first, competitor.first.second)},
@@ -133,8 +145,7 @@ void add_effects(Json& rows, const std::string& family, const ByCompetitor::valu
            {"order", effect.factors.size()},
            {"effect", effect.effect},
            {"lower", effect.interval.lower},
-           {"upper", effect.interval.upper},
-           {"sure", sure && !effect.factors.empty()}});
+           {"upper", effect.interval.upper}});
     }
   }
 }
@@ -154,44 +165,68 @@ void add_turns(Json& rows, const std::string& family, const ByCompetitor& compet
       const auto name_of = [](const ByCompetitor::value_type* c) {
         return competitor(c->first.first, c->first.second);
       };
-      rows.push_back({{"family", family},
-                      {"factor", name},
-                      {"level", level},
-                      {"leader", name_of(order.front())},
-                      {"share", mean_solved(order.front()->second)},
-                      {"overall", name_of(overall.front())},
-                      {"share_of_overall", mean_solved(here.at(overall.front()->first))},
-                      {"same", order.front()->first == overall.front()->first}});
+      // Who is best over all machines may not take those of this level.
+      const auto again = here.find(overall.front()->first);
+      rows.push_back(
+          {{"family", family},
+           {"factor", name},
+           {"level", level},
+           {"level_name", level_name(name, level)},
+           {"leader", name_of(order.front())},
+           {"share", mean_solved(order.front()->second)},
+           {"overall", name_of(overall.front())},
+           {"share_of_overall", again == here.end() ? Json() : Json(mean_solved(again->second))},
+           {"same", order.front()->first == overall.front()->first}});
     }
   }
 }
 
-}  // namespace
-
-Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
-  const auto largest = largest_budgets(standings);
+/// By family, what each competitor did on the questions of a part that are asked of machines.
+std::map<std::string, ByCompetitor> competitors_of(const Campaign& campaign,
+                                                   const std::vector<StoredStanding>& standings,
+                                                   const ReportedPart& part) {
+  const std::int64_t budget = campaign.plan().parts[part.part].budgets.back();
   std::map<std::string, ByCompetitor> families;
   for (const StoredStanding& s : standings) {
     const Cell& cell = s.cell->cell;
     const Question& question = campaign.questions()[s.cell->question];
-    const bool counts = !question.factors.empty() && cell.feature == "plain" &&
-                        cell.gradient_price == "n" && cell.budget == largest.at(s.cell->question);
+    const auto& asked = s.cell->parts;
+    const bool counts = std::find(asked.begin(), asked.end(), part.part) != asked.end() &&
+                        !question.factors.empty() && cell.feature == part.usual.feature &&
+                        cell.gradient_price == part.usual.gradient_price && cell.budget == budget;
     if (!counts) continue;
-    families[campaign.family_of(s.cell->question)][{cell.solver, cell.form}].push_back(
-        result_of(question, s.outcomes));
+    const std::string& family = part.families.at(campaign.family_of(s.cell->question));
+    families[family][{cell.solver, cell.form}].push_back(result_of(question, s.outcomes));
   }
+  return families;
+}
+
+}  // namespace
+
+std::string level_name(const std::string& factor, double level) {
+  if (factor != "fidelity") return fmt::format("{}", level);
+  using carrier_track::Fidelity;
+  return std::string(carrier_track::name_of(carrier_track::fidelity_names(),
+                                            static_cast<Fidelity>(std::lround(level))));
+}
+
+Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+                 const std::vector<ReportedPart>& parts) {
   Json effects = Json::array();
   Json turns = Json::array();
-  for (const auto& [family, competitors] : families) {
-    const auto factors = factors_of(competitors);
-    if (factors.empty()) continue;
-    const auto order = best_first(competitors);
-    for (std::size_t k = 0; k < std::min(shown_competitors, order.size()); ++k) {
-      add_effects(effects, family, *order[k], factors);
+  std::size_t unsure = 0;
+  for (const ReportedPart& part : parts) {
+    for (const auto& [family, competitors] : competitors_of(campaign, standings, part)) {
+      const auto factors = factors_of(competitors);
+      if (factors.empty()) continue;
+      const auto order = best_first(competitors);
+      for (std::size_t k = 0; k < std::min(shown_competitors, order.size()); ++k) {
+        add_effects(effects, unsure, family, *order[k], factors);
+      }
+      add_turns(turns, family, competitors, factors);
     }
-    add_turns(turns, family, competitors, factors);
   }
-  return {{"effects", std::move(effects)}, {"turns", std::move(turns)}};
+  return {{"effects", std::move(effects)}, {"unsure_effects", unsure}, {"turns", std::move(turns)}};
 }
 
 }  // namespace ricochet::studies::contest

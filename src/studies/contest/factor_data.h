@@ -1,18 +1,22 @@
 #pragma once
 
-#include "src/contest/stored_contest.h"
+#include <string>
+
 #include "src/report/json.h"
+#include "src/studies/contest/reported_part.h"
 
 namespace ricochet::studies::contest {
 
-using namespace ricochet::contest;
+/// A level of a factor for people: of "fidelity" its name, e.g. "compliant", else the number.
+std::string level_name(const std::string& factor, double level);
 
-/// What restitution, friction and disturbance do to solvers, for the families asked of machines
-/// that differ in all of them, with the largest budget and nothing disturbed:
+/// What restitution, friction, disturbance and fidelity do to solvers, for the families asked of
+/// machines that differ in all of them, with the largest budget and nothing disturbed:
 /// - `effects`: main effects and interactions on the share solved, the cost (log10 of the
 ///   evaluations to solve, or spent) and the accuracy (share of targets reached), of each family's
 ///   five best competitors by share solved; the machine is the unit of the intervals;
 /// - `turns`: who solves most at each level of each factor.
-report::Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings);
+report::Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+                         const std::vector<ReportedPart>& parts);
 
 }  // namespace ricochet::studies::contest

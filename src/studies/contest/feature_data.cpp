@@ -4,220 +4,187 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
 #include <utility>
 
+#include "src/statistics/fisher_exact_test.h"
+#include "src/statistics/holm.h"
 #include "src/statistics/mean_share.h"
-#include "src/statistics/wilson_interval.h"
+#include "src/statistics/signed_rank_test.h"
+#include "src/studies/contest/atlas_data.h"
 
 namespace ricochet::studies::contest {
 namespace {
 
 using report::Json;
 
-/// What became of a run that did not solve its question.
-std::string kind_of_failure(const Outcome& outcome, std::int64_t budget) {
-  if (!outcome.failure.empty()) {
-    const bool ended = outcome.failure.starts_with("crashed") ||
-                       outcome.failure.starts_with("killed") ||
-                       outcome.failure.starts_with("ended the process");
-    return ended ? "killed or crashed" : "threw";
-  }
-  if (!outcome.verdict.feasible) return "nothing feasible";
-  return outcome.evaluations < budget ? "gave up early" : "budget spent";
-}
+constexpr double level = 0.05;  // of the tests
 
-/// The cells of one solver in one form under one feature: shares solved, question by question.
-using Shares = std::vector<double>;
-using ByFeature = std::map<std::string, Shares>;
+/// The runs of one competitor on the questions of a family under one feature.
+struct Tally {
+  int solved = 0, runs = 0;
 
-double mean_of(const Shares& shares) {
-  double sum = 0;
-  for (const double share : shares) sum += share;
-  return sum / static_cast<double>(shares.size());
-}
+  double share() const { return solved / static_cast<double>(runs); }
+};
 
-/// Family and solver, then form, then feature.
+using ByFeature = std::map<std::string, Tally>;
+
+/// Family and solver, then form.
 using Table = std::map<std::pair<std::string, std::string>, std::map<std::string, ByFeature>>;
 
-/// The form in which a solver does best when nothing is disturbed; null where it never ran so.
-const std::pair<const std::string, ByFeature>* best_form(
+/// The form in which a solver does best, under what features there are together: by the runs with
+/// nothing disturbed alone, those that were lucky there would seem to be harmed by everything.
+const std::pair<const std::string, ByFeature>& best_form(
     const std::map<std::string, ByFeature>& forms) {
-  const std::pair<const std::string, ByFeature>* best = nullptr;
-  for (const auto& form : forms) {
-    const auto plain = form.second.find("plain");
-    if (plain == form.second.end()) continue;
-    if (best == nullptr || mean_of(plain->second) > mean_of(best->second.at("plain"))) {
-      best = &form;
-    }
-  }
-  return best;
+  const auto mean = [](const ByFeature& tallies) {
+    double sum = 0;
+    for (const auto& [feature, tally] : tallies) sum += tally.share();
+    return sum / static_cast<double>(tallies.size());
+  };
+  return *std::max_element(forms.begin(), forms.end(), [&](const auto& a, const auto& b) {
+    return mean(a.second) < mean(b.second);
+  });
 }
 
-Json share_json(const Shares& shares) {
+/// What a feature was tried on, and the same with nothing disturbed, so that the two differ in the
+/// feature alone.
+std::vector<StoredStanding> disturbed(const std::vector<StoredStanding>& all) {
+  const auto place = [](const Cell& cell) {
+    return std::tie(cell.question, cell.form, cell.solver, cell.budget);
+  };
+  std::set<std::tuple<std::string, std::string, std::string, std::int64_t>> tried;
+  for (const StoredStanding& s : all) {
+    if (s.cell->cell.feature != "plain") tried.insert(place(s.cell->cell));
+  }
+  std::vector<StoredStanding> standings;
+  for (const StoredStanding& s : all) {
+    if (s.cell->cell.gradient_price == "n" && tried.contains(place(s.cell->cell))) {
+      standings.push_back(s);
+    }
+  }
+  return standings;
+}
+
+/// A competitor before and after.
+struct Change {
+  std::string solver, family;
+  Tally before, after;
+  double p = 1;  ///< Fisher's, adjusted by Holm for all competitors under the feature
+
+  double difference() const { return after.share() - before.share(); }
+};
+
+Json change_json(const Change& change) {
+  return {{"solver", change.solver},         {"family", change.family},
+          {"before", change.before.share()}, {"after", change.after.share()},
+          {"runs", change.before.runs},      {"p", change.p}};
+}
+
+Json mean_json(const std::vector<Change>& changes, Tally Change::*when) {
+  std::vector<double> shares;
+  for (const Change& change : changes) shares.push_back((change.*when).share());
   const MeanShare mean = mean_share(shares);
   return {{"share", mean.mean}, {"lower", mean.interval.lower}, {"upper", mean.interval.upper}};
 }
 
-struct Harm {
-  std::string solver, family;
-  double before, after;
-};
-
-Json harm_json(const Harm& harm) {
-  return {{"solver", harm.solver},
-          {"family", harm.family},
-          {"before", harm.before},
-          {"after", harm.after}};
+/// Those that are surely worse off, the most harmed first.
+Json surely_harmed(std::vector<Change>& changes) {
+  std::vector<double> p_values;
+  for (const Change& c : changes) {
+    p_values.push_back(
+        fisher_exact_test({c.before.solved, c.before.runs}, {c.after.solved, c.after.runs}));
+  }
+  const std::vector<double> adjusted = holm(p_values);
+  for (std::size_t i = 0; i < changes.size(); ++i) changes[i].p = adjusted[i];
+  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
+    return a.difference() < b.difference();
+  });
+  Json harmed = Json::array();
+  for (const Change& c : changes) {
+    if (c.p < level && c.difference() < 0) harmed.push_back(change_json(c));
+  }
+  return harmed;
 }
 
-/// What became of all runs on one machine under one feature.
-struct Fate {
-  int runs = 0, solved = 0;
-  std::map<std::string, int> kinds;
-  std::string command;
-};
-
-std::string command_of(const PlannedCell& cell, const Outcome& outcome, int run) {
-  return fmt::format(
-      "ricochet solve '{}' {} --form {} --feature {} --budget {} --instance {} --seed {}",
-      cell.cell.solver, cell.cell.question, cell.cell.form, cell.cell.feature,
-      cell.budget.evaluations, outcome.instance, run);
+Json summary_of(const Feature& feature, std::vector<Change>& changes) {
+  std::vector<double> differences;
+  for (const Change& change : changes) differences.push_back(change.difference());
+  Json harmed = surely_harmed(changes);
+  const auto sturdy = std::max_element(
+      changes.begin(), changes.end(),
+      [](const Change& a, const Change& b) { return a.after.share() < b.after.share(); });
+  return {{"feature", feature.name},
+          {"summary", feature.summary},
+          {"competitors", changes.size()},
+          {"before", mean_json(changes, &Change::before)},
+          {"after", mean_json(changes, &Change::after)},
+          {"p", signed_rank_test(differences)},
+          {"harmed_count", harmed.size()},
+          {"harmed", harmed.empty() ? Json() : harmed.front()},
+          {"sturdy", change_json(*sturdy)}};
 }
 
-Json atlas_of(const Campaign& campaign, const std::vector<StoredStanding>& standings,
-              const std::map<std::size_t, std::int64_t>& largest) {
-  std::map<std::pair<std::string, std::string>, Fate> fates;
-  std::map<std::string, std::map<std::string, double>> factors;
-  for (const StoredStanding& s : standings) {
-    const Question& question = campaign.questions()[s.cell->question];
-    if (question.machine.empty() || s.cell->cell.budget != largest.at(s.cell->question)) continue;
-    factors[question.machine] = question.factors;
-    Fate& fate = fates[{question.machine, s.cell->cell.feature}];
-    for (std::size_t i = 0; i < s.outcomes.size(); ++i) {
-      const Outcome& outcome = s.outcomes[i];
-      ++fate.runs;
-      if (outcome.verdict.solved) {
-        ++fate.solved;
-        continue;
-      }
-      const std::string kind = kind_of_failure(outcome, s.cell->budget.evaluations);
-      // The command is of the kind that says most of the feature.
-      if (fate.command.empty() || (kind != "budget spent" && !fate.kinds.contains(kind))) {
-        fate.command =
-            command_of(*s.cell, outcome, static_cast<int>(i) % std::max(1, s.cell->seeds));
-      }
-      ++fate.kinds[kind];
-    }
+/// Of so many features some would seem to change something by chance: Holm's adjustment.
+void adjust(Json& summaries) {
+  std::vector<double> p_values;
+  for (const Json& row : summaries) p_values.push_back(row["p"]);
+  const std::vector<double> adjusted = holm(p_values);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    summaries[i]["p"] = adjusted[i];
+    summaries[i]["sure"] = adjusted[i] < level;
   }
-  Json rows = Json::array();
-  for (const auto& [key, fate] : fates) {
-    const std::string& machine = key.first;
-    const std::string& feature = key.second;
-    const auto factor = [&](const char* name) {
-      const auto found = factors[machine].find(name);
-      return found == factors[machine].end() ? Json() : Json(found->second);
-    };
-    Json row = {{"machine", machine},
-                {"restitution", factor("restitution")},
-                {"friction", factor("friction")},
-                {"disturbance", factor("disturbance")},
-                {"feature", feature},
-                {"runs", fate.runs},
-                {"share", fate.solved / static_cast<double>(fate.runs)},
-                {"command", fate.command}};
-    const Interval interval = wilson_interval(fate.solved, fate.runs);
-    row["lower"] = interval.lower;
-    row["upper"] = interval.upper;
-    std::string kinds;
-    for (const auto& [kind, times] : fate.kinds) {
-      kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", times, kind);
-    }
-    row["kinds"] = kinds;
-    rows.push_back(std::move(row));
-  }
-  return rows;
 }
 
 }  // namespace
 
-Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
+Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& all) {
+  const std::vector<StoredStanding> standings = disturbed(all);
   const auto largest = largest_budgets(standings);
   std::set<std::string> there;
   Table table;
   for (const StoredStanding& s : standings) {
     const Cell& cell = s.cell->cell;
     there.insert(cell.feature);
-    if (cell.budget != largest.at(s.cell->question) || cell.gradient_price != "n") continue;
-    double solved = 0;
-    for (const Outcome& outcome : s.outcomes) solved += outcome.verdict.solved ? 1 : 0;
-    table[{campaign.family_of(s.cell->question), cell.solver}][cell.form][cell.feature].push_back(
-        solved / static_cast<double>(s.outcomes.size()));
-  }
-  if (there.size() < 2) {
-    return {{"features", Json::array()}, {"feature_rows", Json::array()}, {"atlas", Json::array()}};
-  }
-  std::vector<const Feature*> features;
-  for (const Feature& feature : all_features()) {
-    if (there.contains(feature.name)) features.push_back(&feature);
-  }
-  Json rows = Json::array();
-  std::map<std::string, std::vector<Harm>> harms;
-  for (const auto& [key, forms] : table) {
-    const auto* best = best_form(forms);
-    if (best == nullptr) continue;
-    const auto& [form, by_feature] = *best;
-    const double before = mean_of(by_feature.at("plain"));
-    Json cells = Json::array();
-    for (const Feature* feature : features) {
-      const auto mine = by_feature.find(feature->name);
-      if (mine == by_feature.end()) {
-        cells.push_back(nullptr);
-        continue;
-      }
-      cells.push_back(mean_of(mine->second));
-      harms[feature->name].push_back({key.second, key.first, before, mean_of(mine->second)});
-    }
-    rows.push_back({{"family", key.first},
-                    {"solver", key.second},
-                    {"form", form},
-                    {"competitor", fmt::format("{}: {}, {}", key.first, key.second, form)},
-                    {"plain", share_json(by_feature.at("plain"))},
-                    {"shares", std::move(cells)}});
-  }
-  Json summary = Json::array();
-  for (const Feature* feature : features) {
-    auto& mine = harms[feature->name];
-    if (mine.empty() || feature->name == "plain") continue;
-    std::stable_sort(mine.begin(), mine.end(), [](const Harm& a, const Harm& b) {
-      return a.after - a.before < b.after - b.before;
-    });
-    // Unharmed is no merit of those that solve nothing anyhow.
-    const auto sturdy = std::max_element(
-        mine.begin(), mine.end(), [](const Harm& a, const Harm& b) { return a.after < b.after; });
-    Shares before;
-    Shares after;
-    for (const Harm& harm : mine) {
-      before.push_back(harm.before);
-      after.push_back(harm.after);
-    }
-    summary.push_back({{"feature", feature->name},
-                       {"summary", feature->summary},
-                       {"competitors", mine.size()},
-                       {"before", share_json(before)},
-                       {"after", share_json(after)},
-                       {"harmed", harm_json(mine.front())},
-                       {"sturdy", harm_json(*sturdy)}});
+    if (cell.budget != largest.at(s.cell->question)) continue;
+    Tally& tally =
+        table[{campaign.family_of(s.cell->question), cell.solver}][cell.form][cell.feature];
+    for (const Outcome& outcome : s.outcomes) tally.solved += outcome.verdict.solved ? 1 : 0;
+    tally.runs += static_cast<int>(s.outcomes.size());
   }
   Json names = Json::array();
-  for (const Feature* feature : features) names.push_back({{"feature", feature->name}});
-  return {{"features", std::move(summary)},
+  Json summaries = Json::array();
+  Json rows = Json::array();
+  std::map<std::string, std::vector<Change>> changes;
+  std::vector<const Feature*> features;
+  for (const Feature& feature : all_features()) {
+    if (!there.contains(feature.name)) continue;
+    features.push_back(&feature);
+    names.push_back({{"feature", feature.name}});
+  }
+  for (const auto& [key, forms] : table) {
+    const auto& [form, tallies] = best_form(forms);
+    const auto plain = tallies.find("plain");
+    Json cells = Json::array();
+    for (const Feature* feature : features) {
+      const auto mine = tallies.find(feature->name);
+      cells.push_back(mine == tallies.end() ? Json() : Json(mine->second.share()));
+      if (mine == tallies.end() || plain == tallies.end() || mine == plain) continue;
+      changes[feature->name].push_back({key.second, key.first, plain->second, mine->second});
+    }
+    rows.push_back({{"competitor", fmt::format("{}: {}, {}", key.first, key.second, form)},
+                    {"shares", std::move(cells)}});
+  }
+  for (const Feature* feature : features) {
+    const auto found = changes.find(feature->name);
+    if (found != changes.end()) summaries.push_back(summary_of(*feature, found->second));
+  }
+  adjust(summaries);
+  return {{"features", std::move(summaries)},
           {"feature_names", std::move(names)},
           {"feature_rows", std::move(rows)},
-          {"atlas", atlas_of(campaign, standings, largest)}};
+          {"atlas", atlas_data(campaign, standings)}};
 }
 
 }  // namespace ricochet::studies::contest

@@ -7,9 +7,10 @@ namespace ricochet::studies::contest {
 
 using namespace ricochet::contest;
 
-/// What features do to solvers, family by family, each in the form that it does best in when
-/// nothing is disturbed, with the largest budget:
-/// - `features`: a row for each feature, with the solver that it harms most and least;
+/// What features do to solvers, family by family, each in the form that it does best in under all
+/// features together, with the largest budget; "plain" is compared on what a feature was tried on:
+/// - `features`: a row for each feature: means over solvers with and without it, how many it harms
+///   for sure, which of them most, and who solves most under it;
 /// - `feature_rows`: a row for each solver, with a share of runs solved for each feature;
 /// - `atlas`: of every machine and feature what became of the runs, and a command that makes one of
 ///   the failed ones again.

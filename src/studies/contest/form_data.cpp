@@ -28,7 +28,7 @@ Json form_data(const ContestPlan& plan, const std::vector<Standing>& standings,
 Json ceiling_data(const ContestPlan& plan) {
   Json rows = Json::array();
   for (const Question& question : plan.questions) {
-    for (const Form& form : forms_of(question, plan.widths)) {
+    for (const Form& form : question.forms(plan.widths)) {
       if (form.width == 0 || form.penalised) continue;
       const auto found = ceiling(question, form.width);
       if (!found) continue;

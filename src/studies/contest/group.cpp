@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include "src/contest/result.h"
 
@@ -69,10 +70,13 @@ Json rating_data(const Rating& rating) {
           {"rank", rating.rank},           {"progress", std::move(progress)}};
 }
 
-/// A row for each competitor with the share of runs that it solves of every question with the
-/// largest budget; null where it does not take the question in this form.
-Json share_rows(const ContestPlan& plan, const std::vector<Standing>& standings,
-                const Group& group) {
+/// Competitors that are shown beside each other, question by question.
+constexpr std::size_t compared = 30;
+
+/// A row for each of the first competitors with the share of runs that it solves of every question
+/// with the largest budget; null where it does not take the question in this form.
+Json share_rows(const ContestPlan& plan, const std::vector<Standing>& standings, const Group& group,
+                const Json& ratings) {
   std::map<std::string, Json> rows;
   for (const Standing& standing : standings) {
     const auto place = std::find(group.questions.begin(), group.questions.end(), standing.question);
@@ -84,8 +88,9 @@ Json share_rows(const ContestPlan& plan, const std::vector<Standing>& standings,
         result_of(standing.outcomes).found.share;
   }
   Json all = Json::array();
-  for (auto& [competitor, cells] : rows) {
-    all.push_back({{"competitor", competitor}, {"shares", std::move(cells)}});
+  for (std::size_t i = 0; i < std::min(compared, ratings.size()); ++i) {
+    const std::string name = competitor(ratings[i]["solver"], ratings[i]["form"]);
+    all.push_back({{"competitor", name}, {"shares", std::move(rows.at(name))}});
   }
   return all;
 }
@@ -163,7 +168,7 @@ Json group_data(const ContestPlan& plan, const std::vector<Standing>& standings,
                    {"drawn", last["first"]},
                    {"budgets", std::move(budgets)},
                    {"questions", std::move(questions)},
-                   {"shares", share_rows(plan, standings, group)},
+                   {"shares", share_rows(plan, standings, group, last["ratings"])},
                    {"few", few},
                    {"standings", std::move(rows)}});
   }

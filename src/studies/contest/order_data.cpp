@@ -2,44 +2,16 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
-#include "src/statistics/rank_correlation.h"
+#include "src/studies/contest/order.h"
 
 namespace ricochet::studies::contest {
 namespace {
 
 using report::Json;
-
-/// Who is first, and the mean ranks by competitor.
-struct Order {
-  std::string leader;
-  std::map<std::string, double> ranks;
-};
-
-/// Of ratings with the best first.
-Order order_of(const std::vector<Rating>& ratings) {
-  Order order;
-  for (const Rating& r : ratings) {
-    const std::string name = competitor(r.solver, r.form);
-    if (order.leader.empty()) order.leader = name;
-    order.ranks[name] = r.rank;
-  }
-  return order;
-}
-
-/// The order of the solvers that are shown this form.
-Order order_in(const std::vector<Rating>& ratings, const std::string& form) {
-  Order order;
-  for (const Rating& r : ratings) {
-    if (r.form != form) continue;
-    if (order.leader.empty()) order.leader = r.solver;
-    order.ranks[r.solver] = r.rank;
-  }
-  return order;
-}
 
 /// Only every second instance, from the first or the second on.
 std::vector<Standing> half(std::vector<Standing> standings, std::size_t from) {
@@ -53,29 +25,16 @@ std::vector<Standing> half(std::vector<Standing> standings, std::size_t from) {
   return standings;
 }
 
-/// How alike two orders are, of those that are in both; nothing of fewer than five.
+/// A row of two orders; null where they cannot be compared.
 Json compared(const std::string& family, const std::string& what, const Order& a, const Order& b) {
-  std::vector<double> ranks_a;
-  std::vector<double> ranks_b;
-  for (const auto& [name, rank] : a.ranks) {
-    const auto other = b.ranks.find(name);
-    if (other == b.ranks.end()) continue;
-    ranks_a.push_back(rank);
-    ranks_b.push_back(other->second);
-  }
-  if (ranks_a.size() < 5) return {};
-  const auto correlation = kendall_rank_correlation(ranks_a, ranks_b);
-  if (!correlation) return {};
-  const Interval interval = kendall_interval(*correlation, ranks_a.size());
-  return {{"family", family},
-          {"what", what},
-          {"competitors", ranks_a.size()},
-          {"correlation", *correlation},
-          {"lower", interval.lower},
-          {"upper", interval.upper},
-          {"leader", a.leader},
-          {"other_leader", b.leader},
-          {"same_leader", a.leader == b.leader}};
+  Json row = agreement_of(a, b);
+  if (row.is_null()) return row;
+  row.update({{"family", family},
+              {"what", what},
+              {"leader", a.leader},
+              {"other_leader", b.leader},
+              {"same_leader", a.leader == b.leader}});
+  return row;
 }
 
 }  // namespace
@@ -110,12 +69,11 @@ Json order_data(const ContestPlan& plan, const std::vector<Standing>& standings,
       add(compared(group.family, "machines drawn around the cases", order_of(most),
                    order_of(rate(drawn, hold(drawn), all, 0))));
     }
-    std::map<std::string, int> forms;
-    for (const Rating& rating : most) ++forms[rating.form];
+    std::set<std::string> forms;
+    for (const Rating& rating : most) forms.insert(rating.form);
     for (auto a = forms.begin(); a != forms.end(); ++a) {
       for (auto b = std::next(a); b != forms.end(); ++b) {
-        add(compared(group.family, a->first + " or " + b->first, order_in(most, a->first),
-                     order_in(most, b->first)));
+        add(compared(group.family, *a + " or " + *b, order_in(most, *a), order_in(most, *b)));
       }
     }
   }

@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -17,15 +16,21 @@
 #include "src/contest/stored_contest.h"
 #include "src/core/error.h"
 #include "src/core/near_names.h"
+#include "src/core/patterns.h"
+#include "src/studies/contest/change_data.h"
 #include "src/studies/contest/drawn_plan.h"
 #include "src/studies/contest/factor_data.h"
 #include "src/studies/contest/failure_data.h"
 #include "src/studies/contest/feature_data.h"
+#include "src/studies/contest/field.h"
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/contest/history_data.h"
 #include "src/studies/contest/order_data.h"
-#include "src/studies/contest/price_data.h"
+#include "src/studies/contest/pair_data.h"
+#include "src/studies/contest/profile_data.h"
+#include "src/studies/contest/reported_part.h"
+#include "src/studies/contest/speed_accuracy_data.h"
 #include "src/studies/contest/twin_data.h"
 
 namespace ricochet::studies {
@@ -79,21 +84,12 @@ Json exits_of(const std::vector<Standing>& standings) {
   return rows;
 }
 
-std::vector<std::string> split(const std::string& patterns) {
-  std::vector<std::string> list;
-  std::istringstream text(patterns);
-  for (std::string pattern; std::getline(text, pattern, ',');) {
-    if (!pattern.empty()) list.push_back(pattern);
-  }
-  return list;
-}
-
 /// Patterns of solvers, and those that were added.
 std::vector<std::string> solvers_of(const ContestOptions& options, const Catalogue& catalogue) {
   chosen_solvers(catalogue.solvers, options.solvers, "--solvers");
   std::vector<std::string> names;
   for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
-  std::vector<std::string> solvers = split(options.solvers);
+  std::vector<std::string> solvers = split_patterns(options.solvers);
   for (const std::string& text : options.added_solvers) {
     const std::optional<Solver> own = catalogue.own_solver(text);
     const std::string& name = own ? own->name : text;
@@ -128,31 +124,20 @@ void check(const ContestOptions& options) {
   }
 }
 
-/// What was asked with other seeds, too: the seeds of the second run of a part.
-std::size_t repetition_of(const Campaign& campaign, std::size_t part) {
-  const auto& parts = campaign.plan().parts;
-  for (std::size_t other = 0; other < parts.size(); ++other) {
-    const bool same = parts[other].questions == parts[part].questions &&
-                      parts[other].solvers == parts[part].solvers &&
-                      parts[other].least_variables == parts[part].least_variables &&
-                      parts[other].most_variables == parts[part].most_variables &&
-                      parts[other].instances == parts[part].instances;
-    if (same && parts[other].seeds > 1) return other;
-  }
-  return parts.size();
-}
-
 /// What came of one part: lists. `wider`: what a contest asks beside its own runs, of machines
 /// drawn around the cases and of boxes with the best point elsewhere.
 Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& stored,
-                std::size_t part, bool wider) {
-  const StoredContest contest = stored_contest(campaign, stored, {.part = part});
+                const ReportedPart& part, bool wider) {
+  const StoredContest contest = stored_contest(campaign, stored, part.usual);
   const ContestPlan& plan = contest.plan;
-  const std::vector<Group> groups = groups_of(contest);
+  std::vector<Group> groups = groups_of(contest);
+  for (Group& group : groups) group.family = part.families.at(group.family);
   std::vector<Standing> again;
-  if (const std::size_t other = repetition_of(campaign, part);
-      other < campaign.plan().parts.size()) {
-    again = stored_contest(campaign, stored, {.part = other, .run = 1}).standings;
+  if (const auto other = repetition_of(campaign, part.part)) {
+    Conditions conditions = part.usual;
+    conditions.part = *other;
+    conditions.run = 1;
+    again = stored_contest(campaign, stored, conditions).standings;
   }
   Json group_rows = group_data(plan, contest.standings, groups);
   const Json twins = wider ? twin_data(plan) : Json{{"questions", 0}, {"rows", Json::array()}};
@@ -184,38 +169,24 @@ Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& sto
           {"failures", failure_data(plan, contest.standings)}};
 }
 
-/// Whether a part asks only for what another one asks for with more seeds or budgets.
-bool repeats_another(const Campaign& campaign, std::size_t part) {
-  for (std::size_t first = 0; first < part; ++first) {
-    if (repetition_of(campaign, first) == part) return true;
-  }
-  return false;
-}
-
-/// Families of two parts have names of their own.
-void tell_apart(Json& groups) {
-  std::map<std::string, int> seen;
-  for (Json& group : groups) {
-    const std::string family = group["family"];
-    if (++seen[family] > 1) group["family"] = fmt::format("{}, {}", family, seen[family]);
-  }
-}
-
 Json compute(const Campaign& campaign, const Store& store, bool wider) {
   const std::vector<StoredStanding> stored = stored_standings(campaign, store);
+  const std::vector<ReportedPart> parts = reported_parts(campaign);
   Json data;
-  for (std::size_t part = 0; part < campaign.plan().parts.size(); ++part) {
-    if (repeats_another(campaign, part)) continue;
+  for (const ReportedPart& part : parts) {
     Json results = results_of(campaign, stored, part, wider);
     for (auto& [key, rows] : results.items()) {
       if (data[key].is_null()) data[key] = Json::array();
       for (Json& row : rows) data[key].push_back(std::move(row));
     }
   }
-  tell_apart(data["groups"]);
+  const std::vector<Field> fields = fields_of(campaign, stored, parts);
+  data.update(speed_accuracy_data(campaign, fields));
+  data["profile_families"] = profile_data(campaign, fields);
+  data["pair_families"] = pair_data(campaign, fields);
   data.update(feature_data(campaign, stored));
-  data.update(factor_data(campaign, stored));
-  data["prices"] = price_data(campaign, stored);
+  data.update(factor_data(campaign, stored, parts));
+  data["changes"] = change_data(campaign, stored, parts);
   Json solvers = Json::array();
   const std::vector<Solver> known = all_solvers();
   for (const Solver& solver : campaign.solvers()) {
@@ -239,9 +210,9 @@ Plan contest_plan(const ContestOptions& options, bool quick, const Catalogue& ca
   plan.limits = options.limits;
   PlanPart one;
   const std::string patterns = options.questions.empty() ? standing_questions : options.questions;
-  one.questions = split(patterns);
+  one.questions = split_patterns(patterns);
   one.solvers = solvers_of(options, catalogue);
-  one.forms = split(options.forms);
+  one.forms = split_patterns(options.forms);
   one.widths = options.widths;
   one.instances = quick ? std::min(options.instances, 5) : options.instances;
   one.most_variables = 1;

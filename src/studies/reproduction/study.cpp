@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "embedded/reproduction_plan.h"
+#include "embedded/reproduction_quick_plan.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/questions/speed_range.h"
-#include "problems/families.h"
-#include "solvers/solvers.h"
 #include "src/campaign/progress.h"
-#include "src/contest/chosen.h"
+#include "src/core/patterns.h"
 #include "src/studies/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
@@ -18,13 +18,6 @@ using namespace carrier_track;
 using report::Json;
 
 constexpr std::size_t samples_of_a_path = 600;
-
-/// One or two of every kind: with all solvers the comparison would take as long as all else.
-constexpr const char* compared_solvers =
-    "bisection,golden-section,random-search,fireworks,fireworks-as-printed,fireworks-corrected,"
-    "lotfwa,mads,pagmo-cmaes-tuned,pagmo-sade,nlopt-cobyla,nlopt-direct-l,"
-    "nlopt-crs2,nlopt-slsqp,continuation-nlopt-slsqp,ipopt-tuned,continuation-ipopt-tuned,"
-    "ceres-lbfgs";
 
 Recording path_at(Scene scene, double omega) {
   scene.omega = omega;
@@ -46,41 +39,47 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
           std::move(paths)};
 }
 
-/// What solvers are compared on.
-contest::ContestPlan contest_of(const StudyPlan& plan, std::vector<Solver> solvers,
-                                const std::vector<Family>& families) {
+/// The one part of the plan, as it is held without a store.
+contest::ContestPlan contest_of(const Plan& plan, const Catalogue& catalogue) {
+  const Campaign campaign(plan, catalogue);
+  const PlanPart& part = plan.parts.front();
   contest::ContestPlan contest;
-  contest.questions = contest::chosen_questions(every_question(families), plan.compared,
-                                                "the questions to compare on");
-  contest.solvers = std::move(solvers);
-  contest.instances = plan.instances;
-  contest.budgets = plan.budgets;
+  contest.questions = campaign.questions();
+  for (const Solver& solver : catalogue.solvers) {
+    const auto& chosen = campaign.solvers();
+    if (std::any_of(chosen.begin(), chosen.end(),
+                    [&](const Solver& c) { return c.name == solver.name; })) {
+      contest.solvers.push_back(solver);
+    }
+  }
+  contest.widths = part.widths;
+  contest.instances = part.instances;
+  contest.budgets = part.budgets;
+  contest.limits = plan.limits;
+  contest.wants = [forms = part.forms](const Question& question, const Form& form) {
+    return fits_any(question.name_of(form), forms);
+  };
   return contest;
 }
 
 }  // namespace
 
 StudyPlan full_plan() {
-  return {ScanOptions{1e-3, 10, fastest_speed},
-          0.05,
-          false,
-          "top-speed-C[149],profile-count-2-C[14],profile-count-8-C4,design-count-C1",
-          5,
-          {20, 100}};
+  return {ScanOptions{1e-3, 10, fastest_speed}, 0.05, false,
+          plan_from(embedded::reproduction_plan, "reports/plans/reproduction.toml")};
 }
 
 StudyPlan quick_plan() {
-  return {ScanOptions{1e-2, 1, fastest_speed},  0.2, true,
-          "top-speed-C[14],profile-count-2-C4", 3,   {20, 100}};
+  return {ScanOptions{1e-2, 1, fastest_speed}, 0.2, true,
+          plan_from(embedded::reproduction_quick_plan, "reports/plans/reproduction_quick.toml")};
 }
 
-Results results_of(const StudyPlan& plan, std::vector<Solver> solvers) {
+Results results_of(const StudyPlan& plan, const Catalogue& catalogue) {
   Results results;
   results.plan = plan;
   results.reading = default_reading();
-  const std::vector<Family> families = all_families();
-  results.contest = contest_of(plan, std::move(solvers), families);
-  results.groups = contest::groups_of(results.contest, families);
+  results.contest = contest_of(plan.comparison, catalogue);
+  results.groups = contest::groups_of(results.contest, catalogue.families);
   {
     const auto cases = all_cases();
     Progress progress("scanning speeds", static_cast<double>(cases.size()));
@@ -98,6 +97,7 @@ Results results_of(const StudyPlan& plan, std::vector<Solver> solvers) {
 Json data_of(const Results& results) {
   const Agreement agreement = agreement_of(results.cases);
   const StudyPlan& plan = results.plan;
+  const PlanPart& compared = plan.comparison.parts.front();
   Json solvers = Json::array();
   for (const Solver& solver : results.contest.solvers) {
     solvers.push_back({{"name", solver.name}, {"version", solver.version}});
@@ -111,9 +111,9 @@ Json data_of(const Results& results) {
            {{"step", plan.scan.step},
             {"highest", plan.scan.highest},
             {"grid_step", plan.grid_step},
-            {"instances", plan.instances},
-            {"least", plan.budgets.front()},
-            {"most", plan.budgets.back()}}},
+            {"instances", compared.instances},
+            {"least", compared.budgets.front()},
+            {"most", compared.budgets.back()}}},
           {"cases", case_data(results.cases)},
           {"thresholds", threshold_data(results.cases)},
           {"theory", theory_data(results.cases)},
@@ -152,9 +152,7 @@ namespace ricochet::studies {
 Study reproduction_study() {
   using namespace reproduction;
   return {"reproduction", "A coarser study, in seconds", [](bool quick) {
-            const auto solvers =
-                contest::chosen_solvers(all_solvers(), compared_solvers, "compared_solvers");
-            return data_of(results_of(quick ? quick_plan() : full_plan(), solvers));
+            return data_of(results_of(quick ? quick_plan() : full_plan(), whole_catalogue()));
           }};
 }
 

@@ -10,6 +10,7 @@
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/report/json.h"
+#include "src/studies/contest/catalogue.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/reproduction/conclusions.h"
 #include "src/studies/study.h"
@@ -21,16 +22,16 @@ struct StudyPlan {
   carrier_track::ScanOptions scan;
   double grid_step = 0;  ///< [rad/s] between the speeds at each point of the grid
   bool coarse_grid = false;
-  std::string compared;               ///< patterns of the questions that solvers are compared on
-  int instances = 0;                  ///< of each
-  std::vector<std::int64_t> budgets;  ///< evaluations for each variable
+  /// What solvers are compared on: of its one part questions, solvers, forms, widths, instances and
+  /// budgets; features, prices and seeds are those of a part that names none.
+  Plan comparison;
 };
 
-/// Thresholds to 1e-3 rad/s, solvers on questions of 1 to 8 variables: under half a minute on two
-/// cores.
+/// Thresholds to 1e-3 rad/s, solvers as reports/plans/reproduction.toml has it: under half a minute
+/// on two cores.
 StudyPlan full_plan();
 
-/// Thresholds to 1e-2 rad/s, solvers on fewer questions: a few seconds.
+/// Thresholds to 1e-2 rad/s, solvers as reproduction_quick.toml beside it has it: a few seconds.
 StudyPlan quick_plan();
 
 /// A figure of the paper, computed: x(t) at its quiet speed and at its loud one.
@@ -61,7 +62,7 @@ struct Results {
 };
 
 /// Computes everything. The same plan gives the same results, but for the times in them.
-Results results_of(const StudyPlan& plan, std::vector<Solver> solvers);
+Results results_of(const StudyPlan& plan, const Catalogue& catalogue);
 
 /// What reports/templates/reproduction.toml asks for.
 report::Json data_of(const Results& results);

@@ -28,7 +28,7 @@ const Question* found(const std::vector<Family>& families, const std::string& na
 
 /// All of one grid in one test: to scan for best values takes a second or two.
 TEST(MachineGrid, AsksOfEveryCombinationWhatItSays) {
-  const auto families = grid_families("C4", {0.25, 0.75}, {}, {0.5});
+  const auto families = grid_families("C4", {{0.25, 0.75}, {}, {0.5}});
   const double friction = find_case("C4").friction;
   const std::string id = fmt::format("C4-r0.75-f{}-d0.5", friction);
   std::set<std::string> machines;
@@ -67,10 +67,35 @@ TEST(MachineGrid, AsksOfEveryCombinationWhatItSays) {
   }
 }
 
+TEST(MachineGrid, SimulatesAtTheLevelThatItNames) {
+  const auto families = grid_families("C1", {.fidelity = {"planar", "impact"}});
+  const Question* planar = found(families, "count-C1-r0.1-f0.1-d0-planar");
+  const Question* impact = found(families, "count-C1-r0.1-f0.1-d0-impact");
+  ASSERT_NE(planar, nullptr);
+  ASSERT_NE(impact, nullptr);
+  EXPECT_EQ(planar->factors.at("fidelity"), 2);
+  EXPECT_EQ(impact->factors.at("fidelity"), 0);
+  EXPECT_FALSE(planar->stated.smoothed(0.1).differentiate);
+  EXPECT_TRUE(impact->stated.smoothed(0.1).differentiate);
+  const auto families_as_stated = grid_families("C1", {});
+  const Question* same = found(families_as_stated, "count-C1-r0.1-f0.1-d0");
+  ASSERT_NE(same, nullptr);
+  EXPECT_FALSE(same->factors.contains("fidelity"));
+  int differ = 0;
+  for (double speed = 0.5; speed < 18; speed += 0.5) {
+    const Vector x = Vector::Constant(1, speed);
+    const double counted = impact->stated.evaluate(x).objective;
+    EXPECT_EQ(counted, same->stated.evaluate(x).objective);
+    differ += planar->stated.evaluate(x).objective == counted ? 0 : 1;
+  }
+  EXPECT_GT(differ, 0) << "the carrier rubs across";
+}
+
 TEST(MachineGrid, RefusesACaseThatIsNoneAndAMachineThatIsNone) {
-  EXPECT_THROW(grid_families("C99", {}, {}, {}), InputError);
-  EXPECT_THROW(grid_families("C1", {1.5}, {}, {}), InputError);
-  EXPECT_THROW(grid_families("C1", {}, {-0.5}, {}), InputError);
+  EXPECT_THROW(grid_families("C99", {}), InputError);
+  EXPECT_THROW(grid_families("C1", {{1.5}}), InputError);
+  EXPECT_THROW(grid_families("C1", {{}, {-0.5}}), InputError);
+  EXPECT_THROW(grid_families("C1", {.fidelity = {"auto"}}), InputError);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-#include "solvers/solvers.h"
+#include "src/studies/contest/catalogue.h"
 #include "tests/studies/reproduction/drawn_results.h"
 #include "tests/studies/reproduction/tiny_plan.h"
 
@@ -19,7 +19,7 @@ namespace {
 using report::Json;
 
 const Json& tiny_data() {
-  static const Json data = kept_data(results_of(tiny_plan(), all_solvers()));
+  static const Json data = kept_data(results_of(tiny_plan(), whole_catalogue()));
   return data;
 }
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "solvers/solvers.h"
+#include "src/studies/contest/catalogue.h"
 #include "tests/studies/reproduction/tiny_plan.h"
 
 namespace ricochet::studies::reproduction {
@@ -14,7 +14,7 @@ namespace {
 using carrier_track::Example;
 
 TEST(Study, HoldsEveryCaseEveryFigureAndEveryContest) {
-  const Results results = results_of(tiny_plan(), all_solvers());
+  const Results results = results_of(tiny_plan(), whole_catalogue());
   ASSERT_EQ(results.cases.size(), 12U);
   int figures = 0;
   for (const CaseStudy& c : results.cases) {
@@ -40,9 +40,9 @@ TEST(Study, IsTheSameOnAnyNumberOfThreads) {
   Results one;
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-    one = results_of(tiny_plan(), all_solvers());
+    one = results_of(tiny_plan(), whole_catalogue());
   }
-  const Results two = results_of(tiny_plan(), all_solvers());
+  const Results two = results_of(tiny_plan(), whole_catalogue());
   for (std::size_t i = 0; i < one.cases.size(); ++i) {
     EXPECT_EQ(one.cases[i].scan.counts, two.cases[i].scan.counts);
     EXPECT_EQ(one.cases[i].score.threshold, two.cases[i].score.threshold);
@@ -50,6 +50,19 @@ TEST(Study, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(one.grid.means, two.grid.means);
   EXPECT_EQ(data_of(one)["comparison"]["groups"][0]["budgets"],
             data_of(two)["comparison"]["groups"][0]["budgets"]);
+}
+
+TEST(Study, ComparesByPlansOfOnePartWhichIsUndisturbed) {
+  for (const StudyPlan& plan : {full_plan(), quick_plan()}) {
+    EXPECT_TRUE(plan.comparison.solvers.empty());
+    ASSERT_EQ(plan.comparison.parts.size(), 1U);
+    const PlanPart& part = plan.comparison.parts.front();
+    const PlanPart usual;
+    EXPECT_EQ(part.features, usual.features);
+    EXPECT_EQ(part.gradient_prices, usual.gradient_prices);
+    EXPECT_EQ(part.seeds, usual.seeds);
+    EXPECT_EQ(part.machines, usual.machines);
+  }
 }
 
 TEST(Study, AgreesWithThePaperByTheLogarithmOfTheRatio) {

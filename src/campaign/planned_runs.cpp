@@ -1,0 +1,89 @@
+#include "src/campaign/planned_runs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "src/campaign/progress.h"
+#include "src/campaign/runner.h"
+#include "src/core/instance.h"
+#include "src/core/interruption.h"
+#include "src/features/feature.h"
+
+namespace ricochet {
+namespace {
+
+/// Of one run, about.
+double length_of(const Campaign& campaign, const PlannedCell& cell) {
+  return campaign.questions()[cell.question].cost * static_cast<double>(cell.budget.evaluations);
+}
+
+}  // namespace
+
+PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
+                         const std::set<RunKey>& done) {
+  struct Place {
+    const PlannedCell* cell;
+    int instance, run;
+    double length;
+  };
+  std::vector<Place> places;
+  for (const PlannedCell& cell : campaign.cells()) {
+    const double length = length_of(campaign, cell);
+    for (int instance = 1; instance <= cell.instances; ++instance) {
+      for (int run = 0; run < cell.seeds; ++run) places.push_back({&cell, instance, run, length});
+    }
+  }
+  // The longest first: nobody waits for the last one.
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.length > b.length; });
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i % static_cast<std::size_t>(shard.count) != static_cast<std::size_t>(shard.index - 1)) {
+      continue;
+    }
+    const Place& place = places[i];
+    if (done.contains({place.cell->cell, place.instance, place.run})) continue;
+    add(campaign, *place.cell, place.instance, place.run);
+  }
+}
+
+PlannedRuns::PlannedRuns(const Campaign& campaign, const RunKey& key) {
+  const PlannedCell* cell = campaign.find(key.cell);
+  const bool planned = cell != nullptr && key.instance >= 1 && key.instance <= cell->instances &&
+                       key.run >= 0 && key.run < cell->seeds;
+  if (planned) add(campaign, *cell, key.instance, key.run);
+}
+
+void PlannedRuns::add(const Campaign& campaign, const PlannedCell& cell, int instance_number,
+                      int run) {
+  auto& problem = problems_[{cell.question, cell.cell.form, instance_number}];
+  if (!problem) {
+    problem = std::make_unique<Problem>(
+        instance(campaign.questions()[cell.question].problem(cell.form), instance_number));
+  }
+  const Feature* feature = cell.cell.feature == "plain" ? nullptr : cell.feature;
+  runs_.push_back({{cell.cell, instance_number, run},
+                   {problem.get(), &campaign.solvers()[cell.solver], cell.budget, run,
+                    shown_as(cell.cell.form, cell.cell.feature), feature},
+                   length_of(campaign, cell)});
+}
+
+void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
+  const PlannedRuns planned(campaign, shard, store.keys());
+  std::vector<Job> jobs;
+  double work = 0;
+  for (const PlannedRun& run : planned.all()) {
+    jobs.push_back(run.job);
+    work += run.length;
+  }
+  const AtInterruption kept([] {}, "finished runs are kept: --resume goes on");
+  Progress progress("running", std::max(work, 1.0));
+  run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
+    {
+      const Uninterrupted whole;
+      store.add(planned.all()[j].key, record);
+    }
+    progress.advance(planned.all()[j].length);
+  });
+}
+
+}  // namespace ricochet

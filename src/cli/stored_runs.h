@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ricochet::cli {
+
+/// Joins the stores of a campaign's parts into a new one.
+int merge_stores(const std::vector<std::string>& parts, const std::string& out);
+
+/// Prints the digest of a store.
+int print_digest(const std::string& store);
+
+/// Makes a run of a store again and says whether it ends in the same bits: exit code 0, or 1.
+int replay(const std::string& store, std::int64_t number, bool json);
+
+}  // namespace ricochet::cli

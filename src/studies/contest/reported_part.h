@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/contest/stored_contest.h"
+
+namespace ricochet::studies::contest {
+
+using namespace ricochet::contest;
+
+/// A part of a campaign's plan, as it is reported.
+struct ReportedPart {
+  std::size_t part;
+  /// What is compared within it: nothing disturbed and a gradient at the price n, where it asks for
+  /// that, else the first feature and price that it asks for.
+  Conditions usual;
+  /// How its families are called: by their names, with the part's number where a part before has
+  /// them, too.
+  std::map<std::string, std::string> families;
+};
+
+/// The parts but those that only repeat another one with more seeds.
+std::vector<ReportedPart> reported_parts(const Campaign& campaign);
+
+/// The part that asks for the same with several seeds, where there is one.
+std::optional<std::size_t> repetition_of(const Campaign& campaign, std::size_t part);
+
+}  // namespace ricochet::studies::contest

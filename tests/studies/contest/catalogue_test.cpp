@@ -1,0 +1,41 @@
+#include "src/studies/contest/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "src/core/evaluator.h"
+
+namespace ricochet::studies {
+namespace {
+
+/// Evaluations charged for one value with its gradient, beside the value.
+std::int64_t charged_for_a_gradient(const Campaign& campaign, const PlannedCell& cell) {
+  const Problem problem = campaign.questions()[cell.question].problem(cell.form);
+  Evaluator evaluator(problem, cell.budget);
+  EXPECT_TRUE(evaluator.derivatives(problem.start));
+  return evaluator.ledger().charged - 1;
+}
+
+TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
+  const Campaign campaign(
+      plan_from("[[part]]\nquestions = [\"profile-wear-16-C4\", \"top-speed-C1\", \"hs-71\"]\n"
+                "solvers = \"nlopt-slsqp\"\nforms = [\"as-stated\", \"surrogate\"]\n"
+                "gradient_prices = [\"measured\", \"n\"]\nbudgets = 100",
+                "test"),
+      whole_catalogue());
+  std::map<std::string, std::int64_t> measured;
+  for (const PlannedCell& cell : campaign.cells()) {
+    const std::int64_t charged = charged_for_a_gradient(campaign, cell);
+    if (cell.cell.gradient_price == "measured") {
+      measured[cell.cell.question] = charged;
+    } else {
+      EXPECT_EQ(charged, campaign.questions()[cell.question].stated.dimension());
+    }
+  }
+  EXPECT_EQ(measured, (std::map<std::string, std::int64_t>{
+                          {"profile-wear-16-C4", 3}, {"top-speed-C1", 1}, {"hs-71", 1}}));
+}
+
+}  // namespace
+}  // namespace ricochet::studies

@@ -140,10 +140,10 @@ const fitting = () => contest.families.map((family, index) => [family, index]).f
     (!constraints || (constraints === "none") === (family.constraints.most === 0));
 });
 
-// Where the report speaks of it; of all families together in its first section.
+// Where the report speaks of it; of all families together in a section of its own.
 const placeOf = (row) => {
   const {name} = contest.families[row.family];
-  return `${contest.folder}/index.html#${name === "all" ? "" : name}`;
+  return `${contest.folder}/index.html#${name === "all" ? "speed-accuracy" : name}`;
 };
 
 const chosen = () => {

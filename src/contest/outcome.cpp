@@ -9,6 +9,9 @@ Outcome outcome_of(const RunRecord& record, double best_known, double tolerance)
   outcome.evaluations = record.ledger.charged;
   outcome.seconds = record.ledger.seconds;
   outcome.failure = record.failure;
+  // No more memory than they need: a report keeps those of a million runs.
+  outcome.steps.reserve(record.trace.size());
+  outcome.exits.reserve(record.exits.size());
   for (const Improvement& step : record.trace) {
     if (step.truth.violation > 0) continue;
     outcome.steps.push_back({step.evaluations, step.seconds, step.truth.objective - best_known});

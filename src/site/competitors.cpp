@@ -1,7 +1,5 @@
 #include "src/site/competitors.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -39,19 +37,10 @@ Json columns() {
   return names;
 }
 
-/// The rows, by the names that families have in the report: those of a further part of the plan
-/// have its number.
 std::map<Key, Json> speed_accuracy_of(const Json& contest) {
   std::map<Key, Json> rows;
-  std::map<std::string, std::vector<Json>> parts;
   for (const Json& row : contest.value("speed_accuracy", Json::array())) {
-    const auto family = row.at("family").get<std::string>();
-    std::vector<Json>& seen = parts[family];
-    auto part = std::find(seen.begin(), seen.end(), row.at("part"));
-    if (part == seen.end()) part = seen.insert(part, row.at("part"));
-    const auto times = part - seen.begin() + 1;
-    rows[key_of(times == 1 ? family : fmt::format("{}, {}", family, times), row.at("budget"),
-                row)] = row;
+    rows[key_of(row.at("family").get<std::string>(), row.at("budget"), row)] = row;
   }
   return rows;
 }

@@ -19,13 +19,12 @@ Json contest_of(const Json& data) {
   return contest_data({made_up("contest", data, "contest")});
 }
 
-Json fast(const char* family, const Json& part, const Json& budget, const char* solver,
-          double share) {
-  return {{"family", family},        {"part", part},           {"budget", budget},
-          {"solver", solver},        {"form", "count"},        {"complete", true},
-          {"evaluations", 7.5},      {"seconds", 0.25},        {"share", share},
-          {"share_lower", 0.1},      {"share_upper", 0.95},    {"regret", nullptr},
-          {"regret_lower", nullptr}, {"regret_upper", nullptr}};
+Json fast(const char* family, const Json& budget, const char* solver, double share) {
+  return {{"family", family},       {"budget", budget},  {"solver", solver},
+          {"form", "count"},        {"complete", true},  {"evaluations", 7.5},
+          {"seconds", 0.25},        {"share", share},    {"share_lower", 0.1},
+          {"share_upper", 0.95},    {"regret", nullptr}, {"regret_lower", nullptr},
+          {"regret_upper", nullptr}};
 }
 
 TEST(ContestData, HasARowForEachCompetitorAndBudgetInItsOrder) {
@@ -43,7 +42,7 @@ TEST(ContestData, HasARowForEachCompetitorAndBudgetInItsOrder) {
 
 TEST(ContestData, TellsSpeedAndAccuracyOfTheCompetitorTheyBelongTo) {
   Json data = small_contest();
-  data["speed_accuracy"] = {fast("count", 1, 100, "mine", 0.5)};
+  data["speed_accuracy"] = {fast("count", 100, "mine", 0.5)};
   const Json contest = contest_of(data);
   EXPECT_TRUE(value(contest, 1, "evaluations").is_null());  // of the other budget
   EXPECT_TRUE(value(contest, 2, "evaluations").is_null());  // of the other solver
@@ -56,8 +55,7 @@ TEST(ContestData, TellsSpeedAndAccuracyOfTheCompetitorTheyBelongTo) {
 
 TEST(ContestData, HasAllFamiliesTogetherFirstBestFirst) {
   Json data = small_contest();
-  data["speed_accuracy"] = {fast("all", nullptr, nullptr, "mine", 0.5),
-                            fast("all", nullptr, nullptr, "scan", 0.6)};
+  data["speed_accuracy"] = {fast("all", nullptr, "mine", 0.5), fast("all", nullptr, "scan", 0.6)};
   const Json contest = contest_of(data);
   EXPECT_EQ(contest["families"][0]["name"], "all");
   ASSERT_EQ(contest["rows"].size(), 6);
@@ -65,16 +63,6 @@ TEST(ContestData, HasAllFamiliesTogetherFirstBestFirst) {
   EXPECT_EQ(value(contest, 0, "budget"), 0);
   EXPECT_TRUE(value(contest, 0, "best").is_null());
   EXPECT_EQ(value(contest, 2, "family"), 1);
-}
-
-TEST(ContestData, KnowsTheFamilyOfAFurtherPartByItsNumber) {
-  Json data = small_contest();
-  data["groups"].push_back(data["groups"][0]);
-  data["groups"][1]["family"] = "count, 2";
-  data["speed_accuracy"] = {fast("count", 1, 100, "scan", 0.5), fast("count", 3, 100, "scan", 0.6)};
-  const Json contest = contest_of(data);
-  EXPECT_EQ(value(contest, 2, "solved"), 0.5);
-  EXPECT_EQ(value(contest, 6, "solved"), 0.6);
 }
 
 TEST(ContestData, LeavesOutTheMidstOfALevelCurve) {

@@ -112,10 +112,9 @@ Field joint_field(const Campaign& campaign, const std::vector<Field>& fields) {
     ++joined;
     joint.questions.insert(joint.questions.end(), field.questions.begin(), field.questions.end());
     for (const Entrant& entrant : field.entrants) {
-      Entrant& mine = entrants
-                          .try_emplace(entrant.solver, entrant.solver, "the best of each",
-                                       std::vector<const StoredStanding*>())
-                          .first->second;
+      Entrant& mine = entrants[entrant.solver];
+      mine.solver = entrant.solver;
+      mine.form = "the best of each";
       mine.standings.insert(mine.standings.end(), entrant.standings.begin(),
                             entrant.standings.end());
     }

@@ -53,7 +53,7 @@ Json profile_of(const Costs& ratios, std::size_t entrant) {
   return points;
 }
 
-Json field_data(const Campaign& campaign, const Field& field) {
+Json profile_of_field(const Campaign& campaign, const Field& field) {
   constexpr std::size_t drawn = 6;
   const Costs times = costs_of(
       field, [&](const StoredStanding& standing) { return running_time(campaign, standing); });
@@ -134,7 +134,7 @@ Json profile_data(const Campaign& campaign, const std::vector<Field>& fields) {
   Json all = Json::array();
   for (const Field& field : fields) {
     if (!field.largest || field.entrants.size() < 2 || field.questions.size() < 2) continue;
-    all.push_back(field_data(campaign, field));
+    all.push_back(profile_of_field(campaign, field));
   }
   return all;
 }

@@ -122,7 +122,7 @@ Constants fit_bouncing(const Points& points) {
 }
 
 Formula bouncing_formula() {
-  return {"w = c sqrt(S(r mu))",
+  return {"w = c √S(r μ)",
           {"c", "r"},
           fit_bouncing,
           [](const std::vector<double>& constants, const ThresholdPoint& point) {
@@ -181,23 +181,22 @@ std::vector<Formula> all_formulas() {
           square_root_formula(),
           power_formula(),
           friction_formula(),
-          linear_formula("w = c sqrt(R) exp(k mu + d D)", {"c", "k", "d"}, 0.5,
-                         {friction, disturbance}),
-          linear_formula("w = c R^p exp(k mu + d D)", {"c", "p", "k", "d"}, 0,
+          linear_formula("w = c √R exp(k μ + d D)", {"c", "k", "d"}, 0.5, {friction, disturbance}),
+          linear_formula("w = c Rᵖ exp(k μ + d D)", {"c", "p", "k", "d"}, 0,
                          {log_loss, friction, disturbance}),
           bouncing_formula()};
 }
 
 Formula square_root_formula() {
-  return linear_formula("w = c sqrt(R)", {"c"}, 0.5, {});
+  return linear_formula("w = c √R", {"c"}, 0.5, {});
 }
 
 Formula power_formula() {
-  return linear_formula("w = c R^p", {"c", "p"}, 0, {log_loss});
+  return linear_formula("w = c Rᵖ", {"c", "p"}, 0, {log_loss});
 }
 
 Formula friction_formula() {
-  return linear_formula("w = c sqrt(R) exp(k mu)", {"c", "k"}, 0.5, {friction});
+  return linear_formula("w = c √R exp(k μ)", {"c", "k"}, 0.5, {friction});
 }
 
 std::optional<FormulaFit> fitted(const Formula& formula, const Points& points) {

@@ -41,18 +41,18 @@ struct Formula {
 
 /// With R = (1 - e) / (1 + e), from one constant to four; in the last, S(F / P) is the least drive
 /// over the pull P that sustains bouncing with friction F, and r stands for normal force over pull
-/// (problems/carrier_track/sustained_bouncing.h). Friction and disturbance enter as exp(k mu) and
-/// exp(d D), which are linear in ln w; where the points have two frictions only, (1 + k mu) would
+/// (problems/carrier_track/sustained_bouncing.h). Friction and disturbance enter as exp(k μ) and
+/// exp(d D), which are linear in ln w; where the points have two frictions only, (1 + k μ) would
 /// fit as well.
 std::vector<Formula> all_formulas();
 
-/// Of the above, w = c sqrt(R).
+/// Of the above, w = c √R.
 Formula square_root_formula();
 
-/// Of the above, w = c R^p.
+/// Of the above, w = c Rᵖ.
 Formula power_formula();
 
-/// Of the above, w = c sqrt(R) exp(k mu).
+/// Of the above, w = c √R exp(k μ).
 Formula friction_formula();
 
 struct FormulaFit {

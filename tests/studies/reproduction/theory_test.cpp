@@ -58,20 +58,20 @@ void expect_recovered(const std::string& words, const std::vector<ThresholdPoint
 }
 
 TEST(Theory, RecoversTheConstantsThatMadeThePoints) {
-  expect_recovered("w = c sqrt(R)",
+  expect_recovered("w = c √R",
                    made_by([](const auto& p) { return 7 * std::sqrt(loss(p.restitution)); }), {7});
-  expect_recovered("w = c R^p",
+  expect_recovered("w = c Rᵖ",
                    made_by([](const auto& p) { return 7 * std::pow(loss(p.restitution), 0.3); }),
                    {7, 0.3});
-  expect_recovered("w = c sqrt(R) exp(k mu)", made_by([](const auto& p) {
+  expect_recovered("w = c √R exp(k μ)", made_by([](const auto& p) {
                      return 7 * std::sqrt(loss(p.restitution)) * std::exp(1.2 * p.friction);
                    }),
                    {7, 1.2});
   const auto all = made_by([](const auto& p) {
     return 7 * std::sqrt(loss(p.restitution)) * std::exp(1.2 * p.friction - 0.4 * p.disturbance);
   });
-  expect_recovered("w = c sqrt(R) exp(k mu + d D)", all, {7, 1.2, -0.4});
-  expect_recovered("w = c R^p exp(k mu + d D)", all, {7, 0.5, 1.2, -0.4});
+  expect_recovered("w = c √R exp(k μ + d D)", all, {7, 1.2, -0.4});
+  expect_recovered("w = c Rᵖ exp(k μ + d D)", all, {7, 0.5, 1.2, -0.4});
 }
 
 TEST(Theory, RecoversTheRatioOfNormalForceAndPullOfSustainedBouncing) {
@@ -81,13 +81,13 @@ TEST(Theory, RecoversTheRatioOfNormalForceAndPullOfSustainedBouncing) {
              std::sqrt(
                  carrier_track::sustained_bouncing(1.0, ratio * p.friction, p.restitution)->force);
     });
-    expect_recovered("w = c sqrt(S(r mu))", points, {3, ratio}, 1e-6);
+    expect_recovered("w = c √S(r μ)", points, {3, ratio}, 1e-6);
   }
 }
 
 TEST(Theory, FindsNoFrictionInSustainedBouncingWithoutIt) {
   const auto points = made_by([](const auto& p) { return std::sqrt(loss(p.restitution)); });
-  const auto fit = fitted(formula_of("w = c sqrt(S(r mu))"), points);
+  const auto fit = fitted(formula_of("w = c √S(r μ)"), points);
   EXPECT_NEAR(fit->constants[1], 0, 1e-8);
 }
 
@@ -126,9 +126,9 @@ TEST(Theory, FitsNothingThatThePointsDoNotDetermine) {
   EXPECT_FALSE(fitted(friction_formula(), points)) << "one friction only";
   EXPECT_TRUE(fitted(square_root_formula(), points));
   points.pop_back();
-  EXPECT_FALSE(fitted(formula_of("w = c R^p"), points)) << "no more points than constants";
+  EXPECT_FALSE(fitted(formula_of("w = c Rᵖ"), points)) << "no more points than constants";
   points = {{"A", 0.1, 0.1, 0, 1.0}, {"B", 0.1, 0.1, 0, 2.0}, {"C", 0.9, 0.1, 0, 3.0}};
-  const auto fit = fitted(formula_of("w = c R^p"), points);
+  const auto fit = fitted(formula_of("w = c Rᵖ"), points);
   ASSERT_TRUE(fit);
   EXPECT_FALSE(fit->left_out) << "without C there is one restitution";
   points = made_by([](const auto& p) {
@@ -136,11 +136,11 @@ TEST(Theory, FitsNothingThatThePointsDoNotDetermine) {
   });
   for (ThresholdPoint& point : points) point.friction /= 4;  // up to 0.1: the ratio is 8
   points.push_back({"X", 0.5, 0.4, 0.0, 1.0});
-  EXPECT_TRUE(fitted(formula_of("w = c sqrt(S(r mu))"), points));
-  EXPECT_FALSE(fitted(formula_of("w = c sqrt(S(r mu))"), points)->left_out)
+  EXPECT_TRUE(fitted(formula_of("w = c √S(r μ)"), points));
+  EXPECT_FALSE(fitted(formula_of("w = c √S(r μ)"), points)->left_out)
       << "without X its friction is beyond the pull";
   for (ThresholdPoint& point : points) point.friction = 0;
-  EXPECT_FALSE(fitted(formula_of("w = c sqrt(S(r mu))"), points));
+  EXPECT_FALSE(fitted(formula_of("w = c √S(r μ)"), points));
 }
 
 /// The paper's cases, with thresholds twice the formula's and a scene of hops higher than its gap.
@@ -184,7 +184,7 @@ TEST(TheorySection, SetsEveryFormulaBesideBothThresholds) {
   EXPECT_EQ(rows[0][0].text, "w = c");
   EXPECT_EQ(rows[0][1].text, "paper");
   EXPECT_EQ(rows[0][4].text, "0.0 %");
-  EXPECT_EQ(rows[7][0].text, "w = c sqrt(R) exp(k mu)");
+  EXPECT_EQ(rows[7][0].text, "w = c √R exp(k μ)");
   EXPECT_EQ(rows[7][1].text, "computed");
   EXPECT_EQ(rows[7][3].text, "c\u00a0=\u00a02, k\u00a0=\u00a01");
   EXPECT_EQ(rows[7][4].text, "100.0 %");

@@ -26,7 +26,9 @@ const namesAndIntervals = {
     ctx.save();
     ctx.font = `12px ${Chart.defaults.font.family}`;
     ctx.textBaseline = "middle";
-    const taken = [];
+    const taken = chart.data.datasets.filter((set, index) => set.pointRadius > 0 && chart.isDatasetVisible(index))
+      .flatMap((set) => set.data.map((point) => [x.getPixelForValue(point.x), y.getPixelForValue(point.y)]))
+      .map(([left, top]) => ({left: left - 3, top: top - 3, right: left + 3, bottom: top + 3}));
     chart.data.datasets.forEach((set, index) => {
       if (!chart.isDatasetVisible(index)) return;
       const colours = set.intervalColour || set.borderColor;
@@ -46,7 +48,8 @@ const namesAndIntervals = {
         const width = ctx.measureText(point.name).width, height = 14;
         const at = {x: x.getPixelForValue(point.x), y: y.getPixelForValue(point.y)};
         const places = [[7, 0], [-width - 7, 0], [7, 14], [-width - 7, 14], [7, -14], [-width - 7, -14],
-                        [7, 28], [-width - 7, 28], [7, -28]];
+                        [7, 28], [-width - 7, 28], [7, -28], [-width - 7, -28],
+                        [7, 42], [-width - 7, 42], [20, 0], [20, -14], [20, 14], [-width - 20, 28], [20, -42]];
         const box = places
           .map(([dx, dy]) => ({left: at.x + dx, top: at.y + dy - height / 2, right: at.x + dx + width, bottom: at.y + dy + height / 2}))
           .find((b) => b.left >= area.left && b.right <= area.right && b.top >= area.top && b.bottom <= area.bottom &&
@@ -128,7 +131,8 @@ const fill = (select, entries) => {
 const contest = site.contest;
 const rows = contest ? contest.rows.map((values) =>
   Object.fromEntries(contest.columns.map((name, i) => [name, values[i]]))) : [];
-const full = (row) => `${row.solver}, ${row.form}`;
+// Rows of all families together are of no one form.
+const full = (row) => row.budget === 0 ? row.solver : `${row.solver}, ${row.form}`;
 const shows = (row) => {
   const wanted = element("shown").value;
   return !wanted || row.form.includes(wanted);

@@ -22,6 +22,9 @@ Key key_of(const std::string& family, const Json& budget, const Json& row) {
           row.at("solver").get<std::string>(), row.at("form").get<std::string>()};
 }
 
+/// Of a family and budget; the others are in the contest's report.
+constexpr std::size_t always_shown = 25;
+
 /// The columns of speed against accuracy, and where a row of the contest has them.
 constexpr const char* speed_accuracy_columns[][2] = {
     {"evaluations", "/evaluations"},  {"seconds", "/seconds"},          {"solved", "/share"},
@@ -79,16 +82,19 @@ class Table {
   void add(std::size_t family, const std::string& name, const Json& budget) {
     std::size_t place = 0;
     for (const Json& rating : budget.at("ratings")) {
+      const Key key = key_of(name, budget.at("budget"), rating);
+      ++place;
+      if (place > always_shown && !fast_.contains(key) && !is_outside(rating["solver"])) continue;
       Json row = {family,
-                  budget.at("budget"),
-                  ++place,
+                  budget["budget"],
+                  place,
                   rating.at("solver"),
                   rating.at("form"),
                   is_outside(rating["solver"])};
-      for (const char* key : {"best", "share", "lower", "upper", "found", "never", "rank"}) {
-        row.push_back(rounded(rating.at(key)));
+      for (const char* member : {"best", "share", "lower", "upper", "found", "never", "rank"}) {
+        row.push_back(rounded(rating.at(member)));
       }
-      append_speed_accuracy(key_of(name, budget["budget"], rating), row);
+      append_speed_accuracy(key, row);
       rows_.push_back(std::move(row));
     }
   }

@@ -13,7 +13,8 @@ namespace ricochet::site {
 ///                rank; then speed against accuracy, null where the contest has none of it:
 ///                evaluations for each variable, seconds, solved and error (median regret) with
 ///                their intervals; complete, whether it takes all questions that any takes
-///   rows         a list of values each, by family, budget and place
+///   rows         a list of values each, by family, budget and place: the first 25, and beyond them
+///                who has speed against accuracy or is from outside
 ///   curves       the share of targets reached over evaluations: family, budget, solver, form,
 ///                points [[evaluations for each variable, share], ...]
 Json contest_data(const std::vector<FoundReport>& reports);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/site/made_up_reports.h"
 
 namespace ricochet::site {
@@ -51,6 +53,27 @@ TEST(ContestData, TellsSpeedAndAccuracyOfTheCompetitorTheyBelongTo) {
   EXPECT_EQ(value(contest, 3, "solved_upper"), 0.95);
   EXPECT_TRUE(value(contest, 3, "error").is_null());
   EXPECT_EQ(value(contest, 3, "complete"), true);
+}
+
+TEST(ContestData, HasOfManyTheFirstAndThoseThatThePageIsAbout) {
+  Json data = small_contest();
+  Json& ratings = data["groups"][0]["budgets"][0]["ratings"];
+  const Json mine = ratings[1];
+  for (int k = 0; k < 40; ++k) {
+    Json other = ratings[0];
+    other["solver"] = "s" + std::to_string(k);
+    ratings.push_back(other);
+  }
+  ratings.push_back(mine);  // from outside
+  const Json& budget = data["groups"][0]["budgets"][0]["budget"];
+  data["speed_accuracy"] = {fast("count", budget, "s35", 0.5)};
+  const Json contest = contest_of(data);
+  ASSERT_EQ(contest["rows"].size(), 25 + 2 + 2) << "the other budget has two";
+  EXPECT_EQ(value(contest, 24, "place"), 25);
+  EXPECT_EQ(value(contest, 25, "solver"), "s35");
+  EXPECT_EQ(value(contest, 25, "place"), 38);
+  EXPECT_EQ(value(contest, 26, "solver"), "mine");
+  EXPECT_EQ(value(contest, 26, "place"), 43);
 }
 
 TEST(ContestData, HasAllFamiliesTogetherFirstBestFirst) {

@@ -297,9 +297,20 @@ const offer = (list) => {
 
 const unpicked = new Set();
 
+// All questions together have no curves: those of the first family stand in their place.
+const curvesFor = (family, budget) => {
+  const own = contest.curves.filter((curve) => curve.family === family && curve.budget === budget);
+  if (own.length || budget || !contest.curves.length) return own;
+  const first = contest.curves[0].family;
+  const largest = Math.max(...contest.curves.filter((curve) => curve.family === first).map((curve) => curve.budget));
+  return curvesFor(first, largest);
+};
+
 const drawCurves = () => {
   const family = Number(element("family").value), budget = Number(element("budget").value);
-  const curves = contest.curves.filter((curve) => curve.family === family && curve.budget === budget && shows(curve));
+  const curves = curvesFor(family, budget).filter(shows);
+  element("curves-of").textContent = curves.length
+    ? `Of ${contest.families[curves[0].family].name}, with ${curves[0].budget} evaluations for each variable.` : "";
   const colours = palette();
   element("curve-picks").replaceChildren(...curves.map((curve, i) => {
     const item = document.createElement("li"), label = document.createElement("label");

@@ -61,7 +61,8 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
-  // Between bounds every step is sought along a line: by values alone, where CUBIC pays slopes, too.
+  // Between bounds every step is sought along a line: by values alone, where CUBIC pays slopes,
+  // too.
   options.line_search_interpolation_type = ceres::QUADRATIC;
   options.max_num_iterations = std::numeric_limits<int>::max();
   options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this

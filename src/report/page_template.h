@@ -31,9 +31,10 @@ struct DrawnPage {
 ///     the heat_map            label of the colours, cells, value, range
 ///
 /// `rows` names data: a list of rows. `csv` is the stem of the file that keeps the rows; without
-/// one none does; of more rows than `most` the others are there alone. Rows of a table can also be written out, rows = [["a cell", ...], ...]; then
-/// columns have titles only. `state` names a member of a row: true is good, false is bad. Texts of
-/// a cell look names up in the row first. A paragraph that comes out empty is left out.
+/// one none does; of more rows than `most` the others are there alone. Rows of a table can also be
+/// written out, rows = [["a cell", ...], ...]; then columns have titles only. `state` names a
+/// member of a row: true is good, false is bad. Texts of a cell look names up in the row first. A
+/// paragraph that comes out empty is left out.
 ///
 /// Of a chart, x, y, range, vertical, horizontal and value are numbers, or names of numbers in the
 /// data: "share:%" in hundredths, "error:size" without its sign. x and y are looked up in the row

@@ -201,6 +201,7 @@ for (const [index, view] of data.motion.views.entries()) {
 const hoverAndClick = async (id, report) => {
   const canvas = await page.$(`#${id}`);
   await canvas.scrollIntoView();
+  await new Promise((resolve) => setTimeout(resolve, 300));  // until charts above have their height
   const box = await canvas.boundingBox(), [dot] = await points(id);
   if (!dot) return;
   await page.mouse.move(box.x + dot.x, box.y + dot.y);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <span>
 #include <string>
 
+#include "bench/processor_time.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "problems/carrier_track/paper/cases.h"
@@ -69,20 +69,6 @@ struct OfKnots {
   }
 };
 
-/// Processor time [s] of one call, over a few milliseconds.
-template <class Work>
-double processor_time(const Work& work) {
-  int calls = 0;
-  const std::clock_t start = std::clock();
-  std::clock_t passed = 0;
-  do {
-    benchmark::DoNotOptimize(work());
-    ++calls;
-    passed = std::clock() - start;
-  } while (passed < CLOCKS_PER_SEC / 200);
-  return static_cast<double>(passed) / CLOCKS_PER_SEC / calls;
-}
-
 /// Time of one call, and over_value: how often the value could be had in it, both at their fastest
 /// and by turns, as other work on the machine slows now this and now that.
 template <class Function, class Work>
@@ -91,8 +77,9 @@ void derivative(benchmark::State& state, const Function& f, double allowed, cons
   double value = std::numeric_limits<double>::infinity();
   double whole = value;
   for (int i = 0; i < 10; ++i) {
-    value = std::min(value, processor_time([&] { return value_of(f, x); }));
-    whole = std::min(whole, processor_time([&] { return work(f, x); }));
+    value =
+        std::min(value, processor_time([&] { benchmark::DoNotOptimize(value_of(f, x)); }, 5e-3));
+    whole = std::min(whole, processor_time([&] { benchmark::DoNotOptimize(work(f, x)); }, 5e-3));
   }
   for (auto _ : state) benchmark::DoNotOptimize(work(f, x));
   state.counters["over_value"] = whole / value;

@@ -3,13 +3,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "bench/processor_time.h"
 #include "problems/families.h"
 #include "src/core/instance.h"
 #include "src/core/random.h"
@@ -24,20 +24,6 @@ std::optional<Problem> with_derivatives(const Question& question) {
     if (problem.differentiate || problem.residuals) return problem;
   }
   return std::nullopt;
-}
-
-/// Processor time [s] of one call, over a millisecond.
-template <class Work>
-double processor_time(const Work& work) {
-  int calls = 0;
-  const std::clock_t start = std::clock();
-  std::clock_t passed = 0;
-  do {
-    work();
-    ++calls;
-    passed = std::clock() - start;
-  } while (passed < CLOCKS_PER_SEC / 1000);
-  return static_cast<double>(passed) / CLOCKS_PER_SEC / calls;
 }
 
 /// Over the start and points uniform in the box, both at their fastest and by turns, as other work
@@ -61,8 +47,8 @@ void cost(benchmark::State& state, const Question& question, const Problem& prob
   double of_value = std::numeric_limits<double>::infinity();
   double of_both = of_value;
   for (int i = 0; i < 5; ++i) {
-    of_value = std::min(of_value, processor_time(value));
-    of_both = std::min(of_both, processor_time(both));
+    of_value = std::min(of_value, processor_time(value, 1e-3));
+    of_both = std::min(of_both, processor_time(both, 1e-3));
   }
   for (auto _ : state) both();
   const double n = static_cast<double>(problem.dimension());

@@ -8,8 +8,10 @@
 #include "bench/derivatives_bench.h"
 #include "bench/gradient_cost_bench.h"
 #include "bench/integrators_bench.h"
+#include "bench/lanes_bench.h"
 #include "bench/memory_bench.h"
 #include "bench/overhead_bench.h"
+#include "bench/roofline_bench.h"
 #include "bench/simulation_bench.h"
 #include "src/core/one_line.h"
 
@@ -40,8 +42,10 @@ int main(int argc, char** argv) {
   ricochet::bench::add_derivative_benchmarks();
   ricochet::bench::add_gradient_cost_benchmarks();
   ricochet::bench::add_integrator_benchmarks();
+  ricochet::bench::add_lanes_benchmarks();
   ricochet::bench::add_memory_benchmarks();
   ricochet::bench::add_overhead_benchmarks();
+  ricochet::bench::add_roofline_benchmarks();
   benchmark::Initialize(&flag_count, flags.data());
   if (flag_count > 1) {
     std::fprintf(stderr,

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 #include <variant>
+#include <vector>
 
+#include "problems/carrier_track/models/impact_lanes.h"
 #include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/scene/perturbation.h"
 
@@ -205,12 +209,56 @@ bool crosses(const Scene& scene) {
          (scene.across && !(scene.across->wall_upper > scene.across->wall_lower));
 }
 
-/// Simulates a changed scene. Throws std::runtime_error where that cannot be done.
-void follow(const Scene& scene, FeatureTrace& trace) {
-  if (crosses(scene)) throw std::runtime_error("one wall crosses the other");
-  const End<double> end = simulate(scene, trace);
-  if (!trace.finite() || !std::isfinite(end.position + end.velocity)) {
-    throw std::runtime_error("numbers overflow");
+/// A changed scene, and what happens in it.
+struct Neighbour {
+  Scene scene;
+  double end;  ///< [s] of its window, before that is made longer
+  FeatureTrace trace;
+  std::exception_ptr failure = nullptr;  ///< a std::runtime_error where it cannot be simulated
+
+  Neighbour(const Scene& given, double stride, double sign)
+      : scene(perturbed(given, stride, sign)), end(duration_of(scene)), trace(scene) {
+    lengthen(scene.window);
+  }
+  Neighbour(const Neighbour&) = delete;
+  Neighbour& operator=(const Neighbour&) = delete;
+};
+using Neighbours = std::array<Neighbour, 4>;
+
+void check_end(Neighbour& neighbour, const End<double>& end) {
+  if (!neighbour.trace.finite() || !std::isfinite(end.position + end.velocity)) {
+    neighbour.failure = std::make_exception_ptr(std::runtime_error("numbers overflow"));
+  }
+}
+
+/// Simulates the changed scenes, side by side where that can be done.
+void follow(Neighbours& neighbours) {
+  std::vector<Neighbour*> sound;
+  for (Neighbour& n : neighbours) {
+    if (crosses(n.scene)) {
+      n.failure = std::make_exception_ptr(std::runtime_error("one wall crosses the other"));
+    } else {
+      sound.push_back(&n);
+    }
+  }
+  const Scene& scene = neighbours.front().scene;
+  if (scene.fidelity == Fidelity::impact && scene.profile.empty()) {
+    const auto outcomes = run_in_lanes(
+        sound.size(), [&](std::size_t k) { return ImpactModel<double>(sound[k]->scene); },
+        [&](std::size_t k) -> FeatureTrace& { return sound[k]->trace; });
+    for (std::size_t k = 0; k < sound.size(); ++k) {
+      sound[k]->failure = outcomes[k].failure;
+      if (!outcomes[k].failure) check_end(*sound[k], outcomes[k].end);
+    }
+    return;
+  }
+  for (Neighbour* n : sound) {
+    try {
+      check_end(*n, simulate(n->scene, n->trace));
+    } catch (...) {
+      n->failure = std::current_exception();
+      return;  // the others do not matter
+    }
   }
 }
 
@@ -246,27 +294,27 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
   bool graze_is_given = false;
   std::vector<Pair> pairs;
   // Strides of the golden ratio and of the root of two.
-  for (const double stride : {0.6180339887498949, 0.4142135623730950}) {
-    for (const double sign : {+1.0, -1.0}) {
-      Scene near = perturbed(scene, stride, sign);
-      const double near_end = duration_of(near);
-      lengthen(near.window);
-      FeatureTrace other(near);
-      try {
-        follow(near, other);
-      } catch (const std::runtime_error& error) {
-        return give_up(Doubt::sensitive,
-                       fmt::format("with the tenth digit changed {}", error.what()));
-      }
-      const Comparison comparison(trace, duration, other, near_end);
-      pairs.insert(pairs.end(), comparison.pairs().begin(), comparison.pairs().end());
-      const Suspect& suspect = comparison.first();
-      if (suspect.time < first.time) first = suspect;
-      if (graze) continue;
-      graze = touched(trace, other, duration);
-      graze_is_given = graze.has_value();
-      if (!graze) graze = touched(other, trace, duration);
+  constexpr double golden = 0.6180339887498949;
+  constexpr double root = 0.4142135623730950;
+  Neighbours neighbours{
+      {{scene, golden, +1}, {scene, golden, -1}, {scene, root, +1}, {scene, root, -1}}};
+  follow(neighbours);
+  for (const Neighbour& near : neighbours) {
+    try {
+      if (near.failure) std::rethrow_exception(near.failure);
+    } catch (const std::runtime_error& error) {
+      return give_up(Doubt::sensitive,
+                     fmt::format("with the tenth digit changed {}", error.what()));
     }
+    const FeatureTrace& other = near.trace;
+    const Comparison comparison(trace, duration, other, near.end);
+    pairs.insert(pairs.end(), comparison.pairs().begin(), comparison.pairs().end());
+    const Suspect& suspect = comparison.first();
+    if (suspect.time < first.time) first = suspect;
+    if (graze) continue;
+    graze = touched(trace, other, duration);
+    graze_is_given = graze.has_value();
+    if (!graze) graze = touched(other, trace, duration);
   }
   for (const Pair& pair : pairs) {
     if (pair.time > first.time) continue;

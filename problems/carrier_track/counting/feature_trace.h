@@ -44,7 +44,7 @@ class FeatureTrace : public Observer {
   /// A stretch without reversal; a turning point lies between one and the next if no impact does.
   template <class Path>
   void stretch(double time, const Path& path, double duration) {
-    const auto start = path.at(0.0);
+    const struct { double position, velocity; } start{path.position, path.velocity};
     finite_ = finite_ && std::isfinite(start.position + start.velocity + time + duration);
     swung_out_ = false;
     if (std::exchange(counting_peak_, false)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/scene/window.h"
 
@@ -32,6 +33,18 @@ double measured(const Scene& scene, Measure measure) {
   FastestImpact fastest;
   simulate_at_needed_fidelity(scene, fastest);
   return fastest.speed;
+}
+
+std::vector<double> measured_at(const Scene& scene, Measure measure,
+                                std::span<const double> speeds) {
+  std::vector<double> result;
+  if (measure == Measure::collisions) {
+    const std::vector<int> counts = counts_at(scene, speeds);
+    result.assign(counts.begin(), counts.end());
+  } else {
+    for (const double omega : speeds) result.push_back(measured(at_speed(scene, omega), measure));
+  }
+  return result;
 }
 
 Split split_by(const Scene& scene, const Limit& limit, double step, double highest) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "problems/carrier_track/counting/threshold.h"
 
 /// What a machine may do at the most, where somebody says so.
@@ -20,6 +23,10 @@ struct Limit {
 
 /// The measure of a valid scene at its own speed.
 double measured(const Scene& scene, Measure measure);
+
+/// The same at several speeds [rad/s], of which neighbours should be similar.
+std::vector<double> measured_at(const Scene& scene, Measure measure,
+                                std::span<const double> speeds);
 
 /// Where the limit is kept on the speeds step, 2 step, ..., highest [rad/s]: first_loud is the
 /// lowest that breaks it, whatever the end of the range; the split that misclassifies the fewest.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/scene/window.h"
 
 namespace ricochet::carrier_track::inline counting {
@@ -25,6 +26,15 @@ Step located(Step step, const SpeedScan& fine) {
   return step;
 }
 
+/// What scan_completely() finds below the first loud speed of the fine scan.
+std::optional<CountPiece> stepped_over(const Scene& scene, const QuietSpeedOptions& options,
+                                       double limit, double first_loud) {
+  const double last = first_loud - options.step;  // that is known to be quiet
+  if (!suits_lanes(at_speed(scene, last)) || !(last > options.step)) return std::nullopt;
+  const auto scan = scan_completely(scene, options.step, last);
+  return scan ? scan->first_above(limit) : std::nullopt;
+}
+
 CountThere count_there(const Scene& scene, double omega) {
   const Scene there = at_speed(scene, omega);
   const Recording recording = record(there, 0, 0);
@@ -35,10 +45,9 @@ CountThere count_there(const Scene& scene, double omega) {
 }  // namespace
 
 QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
-  const CountAt count = [&scene](double omega) { return count_at(scene, omega); };
   QuietSpeed answer;
   answer.options = options;
-  answer.scan = scan_logarithmically(count, slowest_scanned, judged_share * options.fastest);
+  answer.scan = scan_logarithmically(scene, slowest_scanned, judged_share * options.fastest);
   answer.staircase = staircase_of(answer.scan, options.fastest);
   answer.fine = scan_speeds(scene, options.step, options.fastest);
   for (Step& step : answer.staircase.steps) step = located(step, answer.fine);
@@ -54,7 +63,16 @@ QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
   }
   if (!answer.limit) return answer;
   // A range without a loud speed is quiet to its end.
-  const double loud = answer.split.first_loud.value_or(options.fastest + options.step);
+  double loud = answer.split.first_loud.value_or(options.fastest + options.step);
+  if (answer.limit->measure == Measure::collisions) {
+    const double limit =
+        options.limit ? options.limit->at_most : answer.staircase.main_step()->limit();
+    answer.stepped_over = stepped_over(scene, options, limit, loud);
+  }
+  if (answer.stepped_over) {
+    answer.split.first_loud = answer.stepped_over->from;
+    loud = std::ceil(answer.stepped_over->from / options.step) * options.step;
+  }
   if (loud > 1.5 * options.step) answer.fastest_quiet = loud - options.step;
   const double at = answer.fastest_quiet.value_or(loud);
   for (const double omega : {at - options.step, at, at + options.step}) {

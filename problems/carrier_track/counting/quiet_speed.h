@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/counting/complete_scan.h"
 #include "problems/carrier_track/counting/limit.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/staircase.h"
@@ -33,6 +34,9 @@ struct QuietSpeed {
   Staircase staircase;         ///< its steps located in the fine scan
   std::optional<Limit> limit;  ///< the one given, or that of the main step; nothing: no threshold
   Split split;                 ///< by that limit
+  /// Speeds of a count above that limit, of collisions, which the fine scan steps over, if there
+  /// are any below its first loud speed; split.first_loud is then their lowest.
+  std::optional<CountPiece> stepped_over;
   std::optional<double> fastest_quiet;  ///< [rad/s], last scanned speed before the first loud one
   std::vector<CountThere> around;       ///< just below the answer, at it, and just above
 };

@@ -80,10 +80,11 @@ double value_of(Scene scene, const std::string& wanted) {
 /// Where the speeds low, low ratio, low ratio^2, ... divide best by the limit.
 std::optional<double> divide(const Scene& scene, const Limit& limit, double low, double ratio,
                              int speeds) {
+  std::vector<double> at;
+  for (int k = 0; k < speeds; ++k) at.push_back(low * std::pow(ratio, k));
   SpeedScan scan{1, {}};
-  for (int k = 0; k < speeds; ++k) {
-    const Scene there = at_speed(scene, low * std::pow(ratio, k));
-    scan.counts.push_back(measured(there, limit.measure) > limit.at_most ? 1 : 0);
+  for (const double measure : measured_at(scene, limit.measure, at)) {
+    scan.counts.push_back(measure > limit.at_most ? 1 : 0);
   }
   const auto place = best_split(scan, 0.5).speed;  // k + 1.5 between the speeds k and k + 1
   return place ? std::optional(low * std::pow(ratio, *place - 1)) : std::nullopt;

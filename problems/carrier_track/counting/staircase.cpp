@@ -1,9 +1,11 @@
 #include "problems/carrier_track/counting/staircase.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "problems/carrier_track/counting/count_in_blocks.h"
+#include "problems/carrier_track/counting/counts.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -70,6 +72,17 @@ Level level_of(const LogarithmicScan& scan, std::size_t begin, std::size_t end) 
           in_order(first, last, size / 2), in_order(first, last, size - 1 - size / 10)};
 }
 
+/// Scans in parallel, some neighbouring speeds at a time.
+template <class CountsAt>
+LogarithmicScan scan_logarithmic_blocks(double lowest, double highest, const CountsAt& counts_at) {
+  LogarithmicScan scan;
+  scan.first = static_cast<int>(std::ceil(per_e_fold * std::log(lowest)));
+  const int last = static_cast<int>(std::floor(per_e_fold * std::log(highest)));
+  scan.counts.resize(static_cast<std::size_t>(std::max(0, last - scan.first + 1)));
+  count_in_blocks(scan, counts_at);
+  return scan;
+}
+
 }  // namespace
 
 double LogarithmicScan::omega(std::size_t k) const {
@@ -77,13 +90,16 @@ double LogarithmicScan::omega(std::size_t k) const {
 }
 
 LogarithmicScan scan_logarithmically(const CountAt& count, double lowest, double highest) {
-  LogarithmicScan scan;
-  scan.first = static_cast<int>(std::ceil(per_e_fold * std::log(lowest)));
-  const int last = static_cast<int>(std::floor(per_e_fold * std::log(highest)));
-  scan.counts.resize(static_cast<std::size_t>(std::max(0, last - scan.first + 1)));
-  tbb::parallel_for(std::size_t{0}, scan.counts.size(),
-                    [&](std::size_t k) { scan.counts[k] = count(scan.omega(k)); });
-  return scan;
+  return scan_logarithmic_blocks(lowest, highest, [&](std::span<const double> speeds) {
+    std::vector<int> counts;
+    for (const double omega : speeds) counts.push_back(count(omega));
+    return counts;
+  });
+}
+
+LogarithmicScan scan_logarithmically(const Scene& scene, double lowest, double highest) {
+  return scan_logarithmic_blocks(
+      lowest, highest, [&](std::span<const double> speeds) { return counts_at(scene, speeds); });
 }
 
 Staircase staircase_of(const LogarithmicScan& scan, double fastest) {

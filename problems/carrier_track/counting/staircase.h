@@ -23,6 +23,9 @@ struct LogarithmicScan {
 /// The speeds from `lowest` to `highest` [rad/s], both > 0, counted in parallel.
 LogarithmicScan scan_logarithmically(const CountAt& count, double lowest, double highest);
 
+/// The same for a valid scene, whose omega is not used.
+LogarithmicScan scan_logarithmically(const Scene& scene, double lowest, double highest);
+
 /// A step up, from a level to one that is louder by half and by two collisions at least (one more
 /// or less is the same kind of count, see Score). Both levels hold over the same ratio of speeds:
 /// nine tenths of those from omega / reach to omega have at most `below`, nine tenths of those from

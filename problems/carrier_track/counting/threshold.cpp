@@ -1,14 +1,14 @@
 #include "problems/carrier_track/counting/threshold.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/count_in_blocks.h"
+#include "problems/carrier_track/counting/counts.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -62,6 +62,14 @@ std::vector<Example> judge_examples(const CountAt& count_at, const Figure& figur
   return examples;
 }
 
+/// Scans in parallel, some neighbouring speeds at a time.
+template <class CountsAt>
+SpeedScan scan_in_blocks(double step, double highest, const CountsAt& counts_at) {
+  SpeedScan scan{step, std::vector<int>(static_cast<std::size_t>(std::llround(highest / step)))};
+  count_in_blocks(scan, counts_at);
+  return scan;
+}
+
 /// Refers to the scene.
 CountAt counts_of(const Scene& scene) {
   return [&scene](double omega) { return count_at(scene, omega); };
@@ -74,18 +82,16 @@ int count_at(const Scene& scene, double omega) {
 }
 
 SpeedScan scan_speeds(const CountAt& count, double step, double highest) {
-  SpeedScan scan{step, std::vector<int>(static_cast<std::size_t>(std::llround(highest / step)))};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scan.counts.size(), 32),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t k = range.begin(); k != range.end(); ++k) {
-                        scan.counts[k] = count(scan.omega(k));
-                      }
-                    });
-  return scan;
+  return scan_in_blocks(step, highest, [&](std::span<const double> speeds) {
+    std::vector<int> counts;
+    for (const double omega : speeds) counts.push_back(count(omega));
+    return counts;
+  });
 }
 
 SpeedScan scan_speeds(const Scene& scene, double step, double highest) {
-  return scan_speeds(counts_of(scene), step, highest);
+  return scan_in_blocks(step, highest,
+                        [&](std::span<const double> speeds) { return counts_at(scene, speeds); });
 }
 
 SpeedScan thinned(const SpeedScan& scan, std::size_t stride) {

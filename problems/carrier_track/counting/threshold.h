@@ -95,7 +95,7 @@ inline double quiet_limit(int quiet_count) {
   return 1.5 * quiet_count;
 }
 
-/// Collision count of a valid scene at a speed [rad/s].
+/// Collision count of a valid scene at a speed [rad/s]. Of many: counts.h.
 int count_at(const Scene& scene, double omega);
 
 }  // namespace ricochet::carrier_track::inline counting

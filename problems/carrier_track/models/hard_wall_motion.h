@@ -13,6 +13,7 @@
 #include "problems/carrier_track/events/stick_release.h"
 #include "problems/carrier_track/events/zeno_tail.h"
 #include "problems/carrier_track/flight/flight.h"
+#include "problems/carrier_track/models/lanes.h"
 #include "problems/carrier_track/models/observer.h"
 #include "problems/carrier_track/scene/scene.h"
 
@@ -269,6 +270,56 @@ class HardWallMotion {
     direction_ = 0;
     peaks_.stops(time_, origin_ + offset_);
   }
+
+  /// Takes its place among others side by side; at constant speed under steady friction alone.
+  void enter(Lanes& lanes, std::size_t k) const {
+    const Path still = forces_.flight(offset_, velocity_, constant<Scalar>(0.0));
+    lanes.steady[k] = still.steady;
+    lanes.friction[k] = friction_.steady;
+    lanes.wall_lower[k] = clearance_.wall_lower;
+    lanes.wall_upper[k] = clearance_.wall_upper;
+    lanes.restitution_lower[k] = clearance_.restitution_lower;
+    lanes.restitution_upper[k] = clearance_.restitution_upper;
+    lanes.duration[k] = duration_;
+    lanes.time[k] = time_;
+    lanes.origin[k] = origin_;
+    lanes.offset[k] = offset_;
+    lanes.velocity[k] = velocity_;
+    lanes.direction[k] = direction_;
+    lanes.wall[k] = !wall_ ? 0 : at(Wall::upper) ? 1 : -1;
+    for (std::size_t h = 0; h < still.harmonic.size(); ++h) {
+      lanes.frequency[h][k] = still.harmonic[h].frequency;
+      lanes.cosine[h][k] = still.harmonic[h].cosine;
+      lanes.sine[h][k] = still.harmonic[h].sine;
+    }
+  }
+
+  /// Goes on by itself from where its place among others is now.
+  void leave(const Lanes& lanes, std::size_t k) {
+    Path there = flight();
+    time_ = lanes.time[k];
+    origin_ = lanes.origin[k];
+    offset_ = lanes.offset[k];
+    velocity_ = lanes.velocity[k];
+    direction_ = static_cast<int>(lanes.direction[k]);
+    wall_.reset();
+    if (lanes.wall[k] != 0) wall_ = lanes.wall[k] > 0 ? Wall::upper : Wall::lower;
+    land(there, lanes, k);
+    forces_.arrive(there, time_);
+  }
+
+  /// Puts a flight from where the model is to where the lane's last one has led.
+  void land(Path& flight, const Lanes& lanes, std::size_t k) const {
+    flight.position = lanes.offset[k];
+    flight.velocity = direction_ * lanes.speed[k];
+    for (std::size_t h = 0; h < flight.harmonic.size(); ++h) {
+      flight.harmonic[h].cosine = lanes.cosine[h][k];
+      flight.harmonic[h].sine = lanes.sine[h][k];
+    }
+  }
+
+  /// How many harmonics act on it, at constant speed.
+  int harmonics() const { return flight().harmonics; }
 
   End<Scalar> end() const { return {time_, origin_ + offset_, velocity_, evaluations_}; }
 

@@ -31,40 +31,97 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
   /// Simulates the window once. Throws std::runtime_error past impact_limit impacts.
   template <class SomeObserver>
   End<Scalar> run(SomeObserver& observer) {
-    if (direction_ == 0) direction_ = this->direction_of_release();
-    if (direction_ == 0) velocity_ = constant<Scalar>(0.0);  // friction stops what is that slow
-    while (value(time_) < value(duration_)) {
-      if (direction_ == 0) {
-        const auto rest = this->next_rest();
-        this->rest(rest.time, this->after(rest.time), observer);
-        direction_ = rest.direction;
-      } else {
-        move(observer);
-      }
-    }
+    begin();
+    while (goes_on()) step(observer);
     return this->end();
   }
 
  private:
+  template <class, class>
+  friend class ImpactLanes;
+
+  void begin() {
+    if (direction_ == 0) direction_ = this->direction_of_release();
+    if (direction_ == 0) velocity_ = constant<Scalar>(0.0);  // friction stops what is that slow
+  }
+
+  bool goes_on() const { return value(time_) < value(duration_); }
+
+  /// Up to the next event.
+  template <class SomeObserver>
+  [[gnu::always_inline]] void step(SomeObserver& observer) {
+    if (direction_ == 0) {
+      const auto rest = this->next_rest();
+      this->rest(rest.time, this->after(rest.time), observer);
+      direction_ = rest.direction;
+    } else {
+      move(observer);
+    }
+  }
+
+  /// Takes what fly() has done to the body's lane, or does what it left to do. The model itself
+  /// keeps up with the lane only where the observer asks for more than impacts.
+  template <class SomeObserver>
+  void follow(Lanes& lanes, std::size_t k, SomeObserver& observer) {
+    const double event = lanes.event[k];
+    if (event == Lanes::none) {
+      this->leave(lanes, k);
+      step(observer);
+      this->enter(lanes, k);
+      return;
+    }
+    const bool may_rest =
+        event == Lanes::struck && std::abs(lanes.velocity[k]) <= this->resting_speed_;
+    if constexpr (!SomeObserver::hears_impacts_alone) {
+      const auto flight = this->flight();
+      auto landing = flight;
+      this->land(landing, lanes, k);
+      finish(flight, landing,
+             {event == Lanes::struck ? EventKind::wall : EventKind::turn, lanes.elapsed[k]},
+             observer);
+    } else if (event == Lanes::struck) {
+      count_impact(this->impacts_);
+      observer.impact(lanes.time[k], lanes.wall[k] > 0 ? Wall::upper : Wall::lower, lanes.speed[k]);
+      if (!may_rest) return;
+      this->leave(lanes, k);
+      rest_on_wall(observer);
+    }
+    if (may_rest) this->enter(lanes, k);
+  }
+
   template <class SomeObserver>
   [[gnu::always_inline]] void move(SomeObserver& observer) {
     // NOTE: const, the flight is kept in memory by GCC 12, and a simulation takes a tenth longer.
     auto flight = this->flight();
     auto landing = flight;
     const auto end = this->advance_to_event(landing);
+    finish(flight, landing, end, observer);
+  }
+
+  /// Lets a flight pass that lands so.
+  template <class SomeObserver>
+  [[gnu::always_inline]] void finish(const typename Forces::Path& flight,
+                                     const typename Forces::Path& landing,
+                                     const typename Base::Ending& end, SomeObserver& observer) {
     this->pass(flight, landing, end.time, this->after(end.time), observer);
     if (end.kind == EventKind::turn) {
       this->stop();
       direction_ = this->direction_of_release();
     } else if (end.kind == EventKind::wall) {
       this->strike(observer);
-      const bool rebounds = value(velocity_) != 0;
-      const std::optional<Scalar> hops = this->rest_after_hops();
-      if (!hops) return;
-      if (rebounds) observer.hops(time_, *wall_);
-      this->rest(*hops, this->after(*hops), observer);
-      direction_ = this->direction_of_release();
+      rest_on_wall(observer);
     }
+  }
+
+  /// A body that has struck a wall may come to rest there.
+  template <class SomeObserver>
+  [[gnu::always_inline]] void rest_on_wall(SomeObserver& observer) {
+    const bool rebounds = value(velocity_) != 0;
+    const std::optional<Scalar> hops = this->rest_after_hops();
+    if (!hops) return;
+    if (rebounds) observer.hops(time_, *wall_);
+    this->rest(*hops, this->after(*hops), observer);
+    direction_ = this->direction_of_release();
   }
 };
 

@@ -17,6 +17,9 @@ struct End {
 
 /// What a simulation tells while it runs; observers hide the calls they care for.
 struct Observer {
+  /// Whether nothing but impacts is of interest, which saves the telling of all else.
+  static constexpr bool hears_impacts_alone = false;
+
   /// An impact at `time` [s] with approach speed [m/s] >= 0; slow ones too, until the body sticks.
   template <class Scalar>
   void impact(const Scalar& /*time*/, Wall /*wall*/, const Scalar& /*speed*/) {}

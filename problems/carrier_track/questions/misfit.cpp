@@ -7,7 +7,9 @@
 #include <map>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/models/impact_lanes.h"
 #include "problems/carrier_track/questions/speed_range.h"
 
 namespace ricochet::carrier_track::inline questions {
@@ -89,36 +91,64 @@ CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
   return best;
 }
 
-/// The count, or most_counted + 1 where it is higher: most constants that a search tries first make
-/// a carrier hammer for thousands of impacts, and nobody need wait for the last of them.
-int count_of(const Scene& scene, const Reading& reading, const Constants& constants, double omega) {
-  struct Enough {};
-  int count = 0;
-  auto add = [&count](double margin, double /*left*/) {
-    if (step(margin, 0.0) > 0 && ++count > most_counted) throw Enough();
-  };
-  const Scene at = scene_at(scene, reading, constants, omega);
-  Features<double, decltype(add)> features(at, add);
-  try {
-    if (at.fidelity == Fidelity::impact && at.profile.empty() && at.rule == CountRule::impacts) {
-      ImpactModel<double>(at, resting_share * at.slowest).run(features);
-    } else {
-      simulate_at_needed_fidelity(at, features);
+/// The counts at some speeds, or most_counted + 1 where they are higher: most constants that a
+/// search tries first make a carrier hammer for thousands of impacts, and nobody need wait for the
+/// last of them.
+std::vector<int> counts_of(const Scene& scene, const Reading& reading, const Constants& constants,
+                           const std::vector<double>& speeds) {
+  std::vector<Scene> scenes;
+  for (const double omega : speeds) scenes.push_back(scene_at(scene, reading, constants, omega));
+  std::vector<int> counts;
+  if (std::all_of(scenes.begin(), scenes.end(), suits_lanes)) {
+    std::vector<ImpactCount> observers(scenes.size());
+    const auto outcomes = run_in_lanes(
+        scenes.size(),
+        [&](std::size_t k) {
+          observers[k].slowest = scenes[k].slowest;
+          observers[k].most = most_counted;
+          return ImpactModel<double>(scenes[k], resting_share * scenes[k].slowest);
+        },
+        [&](std::size_t k) -> ImpactCount& { return observers[k]; });
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+      try {
+        if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
+      } catch (const ImpactCount::Enough&) {
+        // Louder than anything in the paper.
+      }
+      counts.push_back(observers[k].count);
     }
-  } catch (const Enough&) {
-    // Louder than anything in the paper.
+    return counts;
   }
-  return count;
+  for (const Scene& at : scenes) {
+    struct Enough {};
+    int& count = counts.emplace_back(0);
+    auto add = [&count](double margin, double /*left*/) {
+      if (step(margin, 0.0) > 0 && ++count > most_counted) throw Enough();
+    };
+    Features<double, decltype(add)> features(at, add);
+    try {
+      simulate_at_needed_fidelity(at, features);
+    } catch (const Enough&) {
+      // The same.
+    }
+  }
+  return counts;
+}
+
+std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
+  std::vector<double> speeds;
+  for (const SpeedCell& cell : cells) speeds.push_back(cell.omega);
+  return speeds;
 }
 
 /// The share of 0..18 rad/s at which C11 would be quiet in C4.
 double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
   const Scene scene = scene_of(find_case("C11"), reading, constants);
   std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
+  const std::vector<int> counts = counts_of(scene, reading, constants, speeds_of(cells));
   double share = 0;
-  for (const SpeedCell& cell : cells) {
-    const int count = count_of(scene, reading, constants, cell.omega);
-    if (count <= quiet_limit(quiet)) share += cell.width / fastest_speed;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (counts[k] <= quiet_limit(quiet)) share += cells[k].width / fastest_speed;
   }
   return share;
 }
@@ -205,8 +235,14 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
   std::vector<Cell> cells, below, above;
   double below_shape = 0;
   double above_shape = 0;
-  for (const SpeedCell& c : speed_cells(threshold)) {
-    const Cell cell{c.omega, c.width, count_of(scene, reading, constants, c.omega)};
+  const std::vector<SpeedCell> speed_cell = speed_cells(threshold);
+  std::vector<double> speeds = speeds_of(speed_cell);
+  const auto& figure = a_case.claim.figure;
+  if (figure) speeds.insert(speeds.end(), {figure->quiet, figure->loud});
+  const std::vector<int> counts = counts_of(scene, reading, constants, speeds);
+  for (std::size_t k = 0; k < speed_cell.size(); ++k) {
+    const SpeedCell& c = speed_cell[k];
+    const Cell cell{c.omega, c.width, counts[k]};
     cells.push_back(cell);
     if (c.omega < threshold) {
       below.push_back(cell);
@@ -222,9 +258,9 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
   double pure = 0;
   for (const Cell& c : below) pure += std::abs(c.count - quiet) <= 1 ? c.width : 0;
   int wrong = 0;
-  if (const auto& figure = a_case.claim.figure) {
-    wrong += count_of(scene, reading, constants, figure->quiet) > limit ? 1 : 0;
-    wrong += count_of(scene, reading, constants, figure->loud) > limit ? 0 : 1;
+  if (figure) {
+    wrong += counts[counts.size() - 2] > limit ? 1 : 0;
+    wrong += counts.back() > limit ? 0 : 1;
   }
   return {quiet,
           pure / total_width(below),

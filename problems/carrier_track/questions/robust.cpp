@@ -8,7 +8,9 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <type_traits>
 
+#include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/questions/problem_from_function.h"
 #include "problems/carrier_track/questions/speed_problem.h"
@@ -74,6 +76,11 @@ struct RiskAtSpeed {
   template <class Scalar, class Watch>
   Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
     std::vector<Scalar> losses;
+    if constexpr (std::is_same_v<Scalar, double>) {  // nobody watches plain numbers
+      std::vector<Scene> at;
+      for (const Scene& scene : *scenes) at.push_back(at_speed(scene, x[0]));
+      return risk_of(risk, objectives(at, width));
+    }
     for (const Scene& scene : *scenes) losses.push_back(ObjectiveAtSpeed{scene, width}(x, watch));
     return risk_of(risk, std::move(losses));
   }

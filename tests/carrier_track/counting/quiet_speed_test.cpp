@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "problems/carrier_track/oracle/random_scenes.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "problems/carrier_track/paper/fitted_reading.h"
 
@@ -54,6 +55,20 @@ TEST(QuietSpeed, KeepsTheLimitThatIsGiven) {
   EXPECT_NEAR(*any.fastest_quiet, 18, 1e-9);
   const QuietSpeed nothing = quiet_speed(scene, {Limit{Measure::collisions, 0}, 1e-3, 18});
   EXPECT_FALSE(nothing.fastest_quiet);
+}
+
+TEST(QuietSpeed, FindsALoudWindowThatTheFineScanStepsOver) {
+  RandomScenes random(79);
+  for (int i = 0; i < 372; ++i) random.next();
+  const Scene scene = random.next();
+  const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 3}, 1e-3, 18});
+  EXPECT_GT(first_above(scene, 3), 4.446);
+  ASSERT_TRUE(answer.stepped_over);
+  EXPECT_EQ(count_at(scene, answer.stepped_over->from), 4);
+  EXPECT_EQ(answer.split.first_loud, answer.stepped_over->from);
+  EXPECT_LT(answer.stepped_over->to - answer.stepped_over->from, 1e-3);
+  EXPECT_NEAR(*answer.fastest_quiet, 4.445, 1e-9);
+  EXPECT_FALSE(quiet_speed(case_scene("C1"), {}).stepped_over);
 }
 
 TEST(QuietSpeed, SaysThatThereIsNoThresholdWhereTheCountRisesThroughout) {

@@ -1,0 +1,123 @@
+#include "bench/lanes_bench.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/processor_time.h"
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/complete_scan.h"
+#include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/questions/robust.h"
+
+namespace ricochet::bench {
+namespace {
+
+using namespace carrier_track;
+
+/// The fastest processor time [s] of either, by turns, as other work on the machine slows now this
+/// and now that.
+template <class One, class Other>
+std::pair<double, double> fastest_of(const One& one, const Other& other) {
+  double of_one = std::numeric_limits<double>::infinity();
+  double of_other = of_one;
+  for (int i = 0; i < 7; ++i) {
+    of_one = std::min(of_one, processor_time(one, 5e-3));
+    of_other = std::min(of_other, processor_time(other, 5e-3));
+  }
+  return {of_one, of_other};
+}
+
+/// Speeds of a scan at 1e-3 rad/s: 32 neighbours from every whole speed on.
+std::vector<std::vector<double>> scanned_blocks() {
+  std::vector<std::vector<double>> blocks;
+  for (int whole = 1; whole < 18; ++whole) {
+    std::vector<double>& block = blocks.emplace_back();
+    for (int k = 0; k < 32; ++k) block.push_back(whole + 1e-3 * k);
+  }
+  return blocks;
+}
+
+/// `single` and `lanes`: time per simulation. `ratio`: how much faster lanes are.
+void scan(benchmark::State& state, const Scene& scene) {
+  const auto blocks = scanned_blocks();
+  const auto [single, lanes] = fastest_of(
+      [&] {
+        for (const auto& block : blocks) {
+          for (const double omega : block) benchmark::DoNotOptimize(count_at(scene, omega));
+        }
+      },
+      [&] {
+        for (const auto& block : blocks) benchmark::DoNotOptimize(counts_at(scene, block));
+      });
+  for (auto _ : state) benchmark::DoNotOptimize(counts_at(scene, blocks.front()));
+  const double speeds = 32.0 * static_cast<double>(blocks.size());
+  state.counters["single_us"] = 1e6 * single / speeds;
+  state.counters["lanes_us"] = 1e6 * lanes / speeds;
+  state.counters["ratio"] = single / lanes;
+}
+
+/// The whole staircase to 1e-6 rad/s, over an even scan at 1e-3 rad/s, both on one processor.
+void complete_scan(benchmark::State& state, const Scene& scene) {
+  std::vector<double> speeds;
+  for (int k = 100; k <= 18'000; ++k) speeds.push_back(1e-3 * k);
+  std::int64_t simulations = 0;
+  const auto [even, complete] =
+      fastest_of([&] { benchmark::DoNotOptimize(counts_at(scene, speeds)); },
+                 [&] { simulations = scan_completely(scene, 0.1, 18).value().simulations; });
+  for (auto _ : state) benchmark::DoNotOptimize(scan_completely(scene, 0.1, 18));
+  state.counters["simulations"] = static_cast<double>(simulations);
+  state.counters["over_even"] = complete / even;
+}
+
+/// The objectives of the 32 sampled scenes of robust questions.
+void draws(benchmark::State& state, const Scene& scene) {
+  std::vector<Scene> scenes = sampled_scenes(scene);
+  for (Scene& s : scenes) s.omega = 5;
+  const auto [single, lanes] = fastest_of(
+      [&] {
+        for (const Scene& s : scenes) benchmark::DoNotOptimize(objective(s, 0.0));
+      },
+      [&] { benchmark::DoNotOptimize(objectives(scenes, 0.0)); });
+  for (auto _ : state) benchmark::DoNotOptimize(objectives(scenes, 0.0));
+  state.counters["ratio"] = single / lanes;
+}
+
+/// A count and how certain it is, over the count alone.
+void certainty(benchmark::State& state, const Scene& scene) {
+  const auto at_all = [&](const auto& use) {
+    for (int k = 1; k <= 60; ++k) use(at_speed(scene, 0.3 * k));
+  };
+  const auto [count, both] = fastest_of(
+      [&] { at_all([](const Scene& s) { benchmark::DoNotOptimize(objective(s, 0.0)); }); },
+      [&] { at_all([](const Scene& s) { benchmark::DoNotOptimize(record(s, 0, 0)); }); });
+  for (auto _ : state) benchmark::DoNotOptimize(record(at_speed(scene, 5.0), 0, 0));
+  state.counters["over_count"] = both / count;
+}
+
+}  // namespace
+
+void add_lanes_benchmarks() {
+  for (const char* id : {"C1", "C2", "C4", "C9", "C12"}) {
+    const Scene scene = scene_of(find_case(id), default_reading().scene);
+    const auto add = [&](const char* name, auto run) {
+      benchmark::RegisterBenchmark((std::string(name) + id).c_str(), run, scene)
+          ->Unit(benchmark::kMicrosecond);
+    };
+    add("lanes/scan/", scan);
+    add("lanes/complete-scan/", complete_scan);
+    add("lanes/robust/", draws);
+    add("lanes/certainty/", certainty);
+  }
+}
+
+}  // namespace ricochet::bench

@@ -1,0 +1,131 @@
+#include "problems/carrier_track/counting/motion_sketch.h"
+
+#include <ceres/jet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/scene/window.h"
+
+namespace ricochet::carrier_track::inline counting {
+namespace {
+
+using Jet = ceres::Jet<double, 1>;
+
+/// Impacts are followed from this margin on, and must have a counterpart from the second on: what
+/// is slower than a third of the limit counts nowhere near.
+constexpr double followed = -3;
+constexpr double watched = -1;
+/// Turning points nearer to a wall than this share of the clearance must have a counterpart.
+constexpr double near_wall = 0.1;
+/// Two features are the same if they lie as near in time, as a share of the window, as the
+/// derivatives foretell to this.
+constexpr double same_time = 0.01;
+/// So much longer than the window the motion is watched, for what comes in at its end.
+constexpr double longer = 1.01;
+/// How many times what the derivatives miss the number at the other speed by must fit between a
+/// number and zero. A cubic through both ends strays from their chord by less than a seventh.
+constexpr double safety = 1;
+
+}  // namespace
+
+class MotionSketch::Watch : public Observer {
+ public:
+  Watch(MotionSketch& sketch, const BasicScene<Jet>& scene)
+      : sketch_(sketch), scene_(scene), duration_(duration_of(scene)) {}
+
+  void impact(const Jet& time, Wall wall, const Jet& speed) {
+    ahead_.reset();
+    const bool within = time.a <= duration_.a;
+    sketch_.count_ += within && speed.a / scene_.slowest.a > 1 ? 1 : 0;
+    if (!(speed.a > 0)) return;
+    const Jet margin = log(speed / scene_.slowest);
+    if (margin.a < followed) return;
+    add(wall == Wall::lower ? Kind::lower_impact : Kind::upper_impact, time, margin);
+  }
+
+  /// As TrustWatch finds turning points.
+  template <class Path>
+  void stretch(const Jet& time, const Path& path, const Jet& duration) {
+    const int direction = direction_of(value(path.velocity));
+    if (ahead_ && direction != (*ahead_ == Wall::upper ? 1 : -1)) turn(time, path.position);
+    ahead_.reset();
+    const double velocity =
+        direction != 0 ? direction : path.plain().at(0.5 * value(duration)).velocity;
+    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
+  }
+
+ private:
+  void turn(const Jet& time, const Jet& position) {
+    const bool upper = *ahead_ == Wall::upper;
+    const Jet missed = (upper ? scene_.wall_upper - position : position - scene_.wall_lower) /
+                       (scene_.wall_upper - scene_.wall_lower);
+    if (!(missed.a > 0 && missed.a < 2 * near_wall)) return;
+    add(upper ? Kind::upper_graze : Kind::lower_graze, time, missed);
+  }
+
+  void add(Kind kind, const Jet& time, const Jet& margin) {
+    const Jet share = time / duration_;
+    sketch_.features_.push_back({kind, {share.a, share.v[0]}, {margin.a, margin.v[0]}});
+  }
+
+  MotionSketch& sketch_;
+  const BasicScene<Jet>& scene_;
+  Jet duration_;               // of the window that counts
+  std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
+};
+
+MotionSketch::MotionSketch(const Scene& scene, double omega) : omega_(omega) {
+  BasicScene<Jet> there = at_speed(lifted<Jet>(scene), Jet(omega, 0));
+  Watch watch(*this, there);
+  std::visit([](auto& window) { window.count *= longer; }, there.window);
+  simulate(there, watch);
+}
+
+/// Whether a number with these derivatives keeps its sign between two speeds a step apart.
+bool MotionSketch::keeps_sign(const Sloped& a, const Sloped& b, double step) {
+  const double rise = b.value - a.value;
+  const double missed = std::abs(rise - step * a.slope) + std::abs(rise - step * b.slope);
+  return a.value * b.value > 0 && std::min(std::abs(a.value), std::abs(b.value)) > safety * missed;
+}
+
+const MotionSketch::Feature* MotionSketch::counterpart(const Feature& feature, double step) const {
+  const double share = feature.share.value + step * feature.share.slope;
+  const Feature* best = nullptr;
+  double nearest = same_time;
+  const auto sooner = [](const Feature& f, double than) { return f.share.value < than; };
+  for (auto other = std::lower_bound(features_.begin(), features_.end(), share - nearest, sooner);
+       other != features_.end() && other->share.value < share + nearest; ++other) {
+    if (other->kind != feature.kind) continue;
+    nearest = std::abs(other->share.value - share);
+    best = &*other;
+  }
+  return best;
+}
+
+bool MotionSketch::joins_by_features_of(const MotionSketch& one, const MotionSketch& other,
+                                        bool forwards) const {
+  const double step = other.omega_ - one.omega_;
+  return std::ranges::all_of(one.features_, [&](const Feature& f) {
+    const bool graze = f.kind == Kind::lower_graze || f.kind == Kind::upper_graze;
+    if (graze ? f.margin.value > near_wall : f.margin.value < watched) return true;
+    const Feature* match = other.counterpart(f, step);
+    if (match == nullptr) return false;
+    const Feature& a = forwards ? f : *match;
+    const Feature& b = forwards ? *match : f;
+    if (!keeps_sign(a.margin, b.margin, std::abs(step))) return false;
+    if (graze || f.margin.value < 0) return true;
+    return keeps_sign({1 - a.share.value, -a.share.slope}, {1 - b.share.value, -b.share.slope},
+                      std::abs(step));
+  });
+}
+
+bool MotionSketch::joins(const MotionSketch& faster) const {
+  return count_ == faster.count_ && joins_by_features_of(*this, faster, true) &&
+         joins_by_features_of(faster, *this, false);
+}
+
+}  // namespace ricochet::carrier_track::inline counting

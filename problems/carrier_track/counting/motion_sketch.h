@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "problems/carrier_track/scene/scene.h"
+
+namespace ricochet::carrier_track::inline counting {
+
+/// What a count depends on, of the motion at one speed: every impact that counts or nearly does,
+/// every turning point near a wall, and their derivatives with respect to the speed.
+class MotionSketch {
+ public:
+  /// Of a scene as scan_completely() takes, at `omega` [rad/s] > 0.
+  MotionSketch(const Scene& scene, double omega);
+
+  double omega() const { return omega_; }
+  int count() const { return count_; }
+
+  /// Whether nothing begins or ceases to count from here to a faster speed, as far as the
+  /// derivatives at both tell.
+  bool joins(const MotionSketch& faster) const;
+
+ private:
+  /// A number and its derivative with respect to the speed [1/(rad/s)].
+  struct Sloped {
+    double value, slope;
+  };
+  enum class Kind { lower_impact, upper_impact, lower_graze, upper_graze };
+  struct Feature {
+    Kind kind;
+    Sloped share;   ///< of the window that has passed
+    Sloped margin;  ///< of an impact as in collisions.h; of a graze its distance in clearances
+  };
+  class Watch;
+
+  static bool keeps_sign(const Sloped& a, const Sloped& b, double step);
+  const Feature* counterpart(const Feature& feature, double step) const;
+  bool joins_by_features_of(const MotionSketch& one, const MotionSketch& other,
+                            bool forwards) const;
+
+  double omega_;
+  int count_ = 0;
+  std::vector<Feature> features_;
+};
+
+}  // namespace ricochet::carrier_track::inline counting

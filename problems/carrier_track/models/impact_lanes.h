@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "problems/carrier_track/models/impact_model.h"
+#include "problems/carrier_track/models/lanes.h"
+
+namespace ricochet::carrier_track::inline models {
+
+/// How a simulation ended, or what it threw.
+struct Outcome {
+  End<double> end{};
+  std::exception_ptr failure = nullptr;
+};
+
+/// Many simulations side by side; see run_in_lanes. Those in the lanes begin together, as similar
+/// scenes then do the same at the same time, and others follow when the last of them has ended.
+template <class ModelAt, class ObserverAt>
+class ImpactLanes {
+ public:
+  ImpactLanes(std::size_t size, const ModelAt& model_at, const ObserverAt& observer_at)
+      : model_at_(model_at), observer_at_(observer_at), outcomes_(size) {}
+
+  std::vector<Outcome> run() {
+    while (next_ < outcomes_.size()) {
+      fill();
+      while (busy_ > 0) {
+        fly(lanes_);
+        for (std::size_t k = 0; k < Lanes::size; ++k) {
+          if (models_[k]) follow(k);
+        }
+      }
+    }
+    return std::move(outcomes_);
+  }
+
+ private:
+  void fill() {
+    for (std::size_t k = 0; k < Lanes::size && next_ < outcomes_.size(); ++k) {
+      models_[k].emplace(model_at_(next_));
+      // All in the lanes must have as many harmonics.
+      if (busy_ > 0 && models_[k]->harmonics() != lanes_.harmonics) {
+        models_[k].reset();
+        return;
+      }
+      lanes_.harmonics = models_[k]->harmonics();
+      index_[k] = next_++;
+      ++busy_;
+      models_[k]->begin();
+      models_[k]->enter(lanes_, k);
+      lanes_.evaluations[k] = 0;
+      if (!models_[k]->goes_on()) end(k);
+    }
+  }
+
+  void follow(std::size_t k) {
+    try {
+      models_[k]->follow(lanes_, k, observer_at_(index_[k]));
+    } catch (...) {
+      outcomes_[index_[k]].failure = std::current_exception();
+      end(k);
+      return;
+    }
+    if (lanes_.time[k] >= lanes_.duration[k]) end(k);
+  }
+
+  void end(std::size_t k) {
+    models_[k]->leave(lanes_, k);
+    outcomes_[index_[k]].end = models_[k]->end();
+    outcomes_[index_[k]].end.evaluations += static_cast<std::int64_t>(lanes_.evaluations[k]);
+    models_[k].reset();
+    lanes_.direction[k] = 0;
+    --busy_;
+  }
+
+  const ModelAt& model_at_;
+  const ObserverAt& observer_at_;
+  std::vector<Outcome> outcomes_;
+  std::size_t next_ = 0;
+  std::size_t busy_ = 0;
+  Lanes lanes_;
+  std::array<std::optional<ImpactModel<double>>, Lanes::size> models_;
+  std::array<std::size_t, Lanes::size> index_{};  // of the simulation in a lane
+};
+
+/// Does what `model_at(i).run(observer_at(i))` does for i = 0, 1, ..., size - 1, to the same bits,
+/// several times as fast. `model_at` returns an ImpactModel<double>, `observer_at` a reference to
+/// its observer. Similar scenes should be neighbours.
+template <class ModelAt, class ObserverAt>
+std::vector<Outcome> run_in_lanes(std::size_t size, const ModelAt& model_at,
+                                  const ObserverAt& observer_at) {
+  return ImpactLanes<ModelAt, ObserverAt>(size, model_at, observer_at).run();
+}
+
+}  // namespace ricochet::carrier_track::inline models

@@ -1,0 +1,55 @@
+#include "problems/carrier_track/counting/counts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/oracle/random_scenes.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+std::vector<int> one_by_one(const Scene& scene, const std::vector<double>& speeds) {
+  std::vector<int> counts;
+  for (const double omega : speeds) counts.push_back(count_at(scene, omega));
+  return counts;
+}
+
+const std::vector<double> speeds{0.4, 1, 1.001, 1.002, 3, 7.5, 18};
+
+TEST(Counts, AreThoseOfSingleSimulations) {
+  RandomScenes random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Scene scene = random.next();
+    EXPECT_EQ(counts_at(scene, speeds), one_by_one(scene, speeds)) << i;
+  }
+}
+
+TEST(Counts, AreThoseOfSingleSimulationsUnderOtherRulesAndModels) {
+  RandomScenes random(6);
+  for (int i = 0; i < 20; ++i) {
+    Scene scene = random.next();
+    scene.rule = CountRule::peaks;
+    EXPECT_EQ(counts_at(scene, speeds), one_by_one(scene, speeds)) << i;
+    const Scene planar = random.next_planar();
+    EXPECT_EQ(counts_at(planar, speeds), one_by_one(planar, speeds)) << i;
+  }
+}
+
+TEST(Counts, AskWhetherAnImpactIsFasterThanTheSlowestAsTheLogarithmDoes) {
+  // An elastic body keeps its speed: at the limit, and an ulp beside it.
+  for (const double speed : {0.1, 0.7, 1.9, std::nextafter(2.0, 0.0)}) {
+    for (const double slowest : {std::nextafter(speed, 0.0), speed, std::nextafter(speed, 9.0)}) {
+      Scene scene;
+      scene.start_velocity = speed;
+      scene.slowest = slowest;
+      scene.window = Seconds{10};
+      const std::vector<double> one{1.0};
+      EXPECT_EQ(counts_at(scene, one), one_by_one(scene, one)) << speed << ' ' << slowest;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

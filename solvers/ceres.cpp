@@ -56,23 +56,43 @@ class Waves : public ceres::FirstOrderFunction {
   Vector middle_, half_;
 };
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start) {
-  auto* waves = new Waves(evaluator);  // `problem` owns it
-  const ceres::GradientProblem problem(waves);
-  Vector y = waves->inverse(start);
-  ceres::GradientProblemSolver::Options options;
+using Options = ceres::GradientProblemSolver::Options;
+
+Options own_options() {
+  Options options;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = std::numeric_limits<int>::max();
   options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this
+  return options;
+}
+
+Options options_with(const GivenOptions& given) {
+  Options options = own_options();
+  const auto take = [&](const char* name, double& target) {
+    target = number_of(given, name, target);
+  };
+  take("function_tolerance", options.function_tolerance);
+  take("gradient_tolerance", options.gradient_tolerance);
+  take("parameter_tolerance", options.parameter_tolerance);
+  take("line_search_sufficient_function_decrease",
+       options.line_search_sufficient_function_decrease);
+  take("line_search_sufficient_curvature_decrease",
+       options.line_search_sufficient_curvature_decrease);
+  options.max_lbfgs_rank = whole_of(given, "max_lbfgs_rank", options.max_lbfgs_rank);
+  return options;
+}
+
+SolverExit minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
+  auto* waves = new Waves(evaluator);  // `problem` owns it
+  const ceres::GradientProblem problem(waves);
+  Vector y = waves->inverse(start);
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(options, problem, y.data(), &summary);
   return {evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type),
           waves->at(y)};
 }
 
-}  // namespace
-
-Solver ceres_lbfgs() {
+Solver lbfgs(const GivenOptions& given) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-lbfgs";
@@ -80,10 +100,34 @@ Solver ceres_lbfgs() {
   solver.accepts = [](const Problem& problem) {
     return has_room(problem) && problem.constraints == 0 && problem.differentiate;
   };
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise(evaluator, start);
+  solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
+                                                 Random&) {
+    return minimise(evaluator, start, options);
   };
   return solver;
+}
+
+}  // namespace
+
+Solver ceres_lbfgs() {
+  return lbfgs({});
+}
+
+AdjustableSolver adjustable_ceres_lbfgs() {
+  const Options own = own_options();
+  SolverOption decrease = real_option("line_search_sufficient_function_decrease", 1e-12, 0.5,
+                                      own.line_search_sufficient_function_decrease);
+  SolverOption curvature = real_option("line_search_sufficient_curvature_decrease", 0.5, 1,
+                                       own.line_search_sufficient_curvature_decrease);
+  decrease.without_most = true;
+  curvature.without_most = true;
+  SolverOption rank = whole_option("max_lbfgs_rank", 1, own.max_lbfgs_rank);
+  rank.most = 1000;
+  return {"ceres-lbfgs",
+          {rank, real_option("function_tolerance", 0, 1, own.function_tolerance),
+           real_option("gradient_tolerance", 0, 1e9, own.gradient_tolerance),
+           real_option("parameter_tolerance", 0, 1, own.parameter_tolerance), decrease, curvature},
+          lbfgs};
 }
 
 }  // namespace ricochet

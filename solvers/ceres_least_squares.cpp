@@ -44,7 +44,33 @@ class UnitResiduals : public ceres::CostFunction {
   UnitBox& box_;
 };
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start) {
+using Options = ceres::Solver::Options;
+
+Options own_options() {
+  Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  // Between bounds every step is sought along a line: by values alone, where CUBIC pays slopes,
+  // too.
+  options.line_search_interpolation_type = ceres::QUADRATIC;
+  options.max_num_iterations = std::numeric_limits<int>::max();
+  options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this
+  options.gradient_tolerance = 0;      // it has the residuals' unit, whatever that is
+  return options;
+}
+
+Options options_with(const GivenOptions& given) {
+  Options options = own_options();
+  const auto take = [&](const char* name, double& target) {
+    target = number_of(given, name, target);
+  };
+  take("initial_trust_region_radius", options.initial_trust_region_radius);
+  take("function_tolerance", options.function_tolerance);
+  take("parameter_tolerance", options.parameter_tolerance);
+  return options;
+}
+
+SolverExit minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
   UnitBox box(evaluator);
   Vector u = box.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
   // Ceres wants to know beforehand how many there are; the evaluator remembers what they are.
@@ -58,24 +84,13 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start) {
     problem.SetParameterLowerBound(u.data(), i, 0.0);
     problem.SetParameterUpperBound(u.data(), i, 1.0);
   }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  // Between bounds every step is sought along a line: by values alone, where CUBIC pays slopes,
-  // too.
-  options.line_search_interpolation_type = ceres::QUADRATIC;
-  options.max_num_iterations = std::numeric_limits<int>::max();
-  options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this
-  options.gradient_tolerance = 0;      // it has the residuals' unit, whatever that is
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   return {evaluator.over() ? stopped_by_evaluator : in_words(summary.termination_type),
           box.from_unit(u)};
 }
 
-}  // namespace
-
-Solver ceres_least_squares() {
+Solver least_squares(const GivenOptions& given) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-trust-region";
@@ -83,10 +98,26 @@ Solver ceres_least_squares() {
   solver.accepts = [](const Problem& problem) {
     return has_room(problem) && problem.constraints == 0 && problem.residuals;
   };
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise(evaluator, start);
+  solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
+                                                 Random&) {
+    return minimise(evaluator, start, options);
   };
   return solver;
+}
+
+}  // namespace
+
+Solver ceres_least_squares() {
+  return least_squares({});
+}
+
+AdjustableSolver adjustable_ceres_least_squares() {
+  const Options own = own_options();
+  return {"ceres-trust-region",
+          {real_option("initial_trust_region_radius", 1e-12, 1e16, own.initial_trust_region_radius),
+           real_option("function_tolerance", 0, 1, own.function_tolerance),
+           real_option("parameter_tolerance", 0, 1, own.parameter_tolerance)},
+          least_squares};
 }
 
 }  // namespace ricochet

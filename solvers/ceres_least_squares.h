@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solvers/adjustable_solver.h"
 #include "src/core/solver.h"
 
 namespace ricochet {
@@ -9,5 +10,9 @@ namespace ricochet {
 /// are not finite ends at once. Ceres projects its steps onto the box, and can stop short of an
 /// optimum on a bound: https://github.com/ceres-solver/ceres-solver/issues/187.
 Solver ceres_least_squares();
+
+/// With Ceres's own options "initial_trust_region_radius", "function_tolerance" and
+/// "parameter_tolerance".
+AdjustableSolver adjustable_ceres_least_squares();
 
 }  // namespace ricochet

@@ -1,11 +1,15 @@
 #include "solvers/ipopt.h"
 
 #include <IpIpoptApplication.hpp>
+#include <IpRegOptions.hpp>
 #include <IpTNLP.hpp>
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
+#include <variant>
 
 #include "solvers/unit_box.h"
 
@@ -23,6 +27,9 @@ struct Refused {};
 /// Ipopt asks for both kinds of constraints at once.
 constexpr Part constraints_only{static_cast<unsigned>(Part::equalities) |
                                 static_cast<unsigned>(Part::inequalities)};
+
+constexpr const char* tuned_strategy = "monotone";
+constexpr double tuned_barrier = 1e-3;  // to begin with
 
 /// Where second derivatives come from.
 enum class Hessian {
@@ -181,7 +188,35 @@ std::string in_words(Ipopt::ApplicationReturnStatus status) {
 /// Guards the whole of Ipopt, its construction and destruction too: it and MUMPS keep global state.
 std::mutex ipopt_mutex;
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, Settings settings, Hessian hessian) {
+void give(Ipopt::IpoptApplication& application, const GivenOptions& given) {
+  for (const auto& [name, value] : given) {
+    if (const auto* word = std::get_if<std::string>(&value)) {
+      application.Options()->SetStringValue(name, *word);
+      continue;
+    }
+    const double number = std::get<double>(value);
+    if (application.RegOptions()->GetOption(name)->Type() == Ipopt::OT_Integer) {
+      application.Options()->SetIntegerValue(name, static_cast<Index>(number));
+    } else {
+      application.Options()->SetNumericValue(name, number);
+    }
+  }
+}
+
+struct Choice {
+  const char* name;
+  Settings settings;
+  Hessian hessian;
+};
+
+constexpr Choice own_choice{"ipopt", Settings::own, Hessian::limited_memory};
+constexpr Choice tuned_choice{"ipopt-tuned", Settings::tuned, Hessian::limited_memory};
+constexpr Choice exact_choice{"ipopt-exact", Settings::own, Hessian::exact};
+
+SolverExit minimise(Evaluator& evaluator, const Vector& start, const Choice& choice,
+                    const GivenOptions& given) {
+  const Settings settings = choice.settings;
+  const Hessian hessian = choice.hessian;
   const std::lock_guard lock(ipopt_mutex);
   const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, hessian);
   // false: no console, so there is neither banner nor log to silence.
@@ -193,42 +228,115 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start, Settings settings
   if (settings == Settings::tuned) {
     // Without second derivatives Ipopt adapts its barrier freely, and often loses the way in a
     // constraint that bends as sharply as a surrogate; a start may be near the optimum, too.
-    options->SetStringValue("mu_strategy", "monotone");
-    options->SetNumericValue("mu_init", 1e-3);
+    options->SetStringValue("mu_strategy", tuned_strategy);
+    options->SetNumericValue("mu_init", tuned_barrier);
   }
   // The verdict grants no violation, so neither may the solver widen the bounds.
   options->SetNumericValue("bound_relax_factor", 0.0);
+  give(*application, given);
   // "": no options file, not even one that happens to lie in the working directory.
   Ipopt::ApplicationReturnStatus status = application->Initialize("");
   if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(GetRawPtr(problem));
   return {evaluator.over() ? stopped_by_evaluator : in_words(status), problem->final_point()};
 }
 
-}  // namespace
-
-Solver ipopt(Settings settings) {
+Solver made(const Choice& choice, const GivenOptions& given) {
   Solver solver;
-  solver.name = settings == Settings::tuned ? "ipopt-tuned" : "ipopt";
+  solver.name = choice.name;
   solver.version = "Ipopt " IPOPT_VERSION;
-  solver.accepts = [](const Problem& problem) {
-    return has_room(problem) && static_cast<bool>(problem.differentiate);
+  solver.accepts = [exact = choice.hessian == Hessian::exact](const Problem& problem) {
+    return has_room(problem) && static_cast<bool>(problem.differentiate) &&
+           (!exact || static_cast<bool>(problem.lagrangian_hessian));
   };
-  solver.solve = [settings](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise(evaluator, start, settings, Hessian::limited_memory);
+  solver.solve = [choice, given](Evaluator& evaluator, const Vector& start, Random&) {
+    return minimise(evaluator, start, choice, given);
   };
   return solver;
 }
 
+/// What the adapter itself sets, what would write files or speak, and what hangs on the clock.
+bool is_kept_back(const std::string& name) {
+  static const std::set<std::string> kept = {
+      "hessian_approximation", "output_file",
+      "option_file_name",      "file_print_level",
+      "print_level",           "print_user_options",
+      "max_cpu_time",          "print_options_documentation"};
+  return kept.contains(name);
+}
+
+SolverOption option_of(const Ipopt::RegisteredOption& known) {
+  SolverOption option;
+  option.name = known.Name();
+  if (known.Type() == Ipopt::OT_String) {
+    for (const auto& entry : known.GetValidStrings()) option.words.push_back(entry.value_);
+    option.usual = known.DefaultString();
+    return option;
+  }
+  option.whole = known.Type() == Ipopt::OT_Integer;
+  const auto end = [&](bool there, auto bound, double otherwise) {
+    return there ? static_cast<double>(bound()) : otherwise;
+  };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double largest = option.whole ? std::numeric_limits<Index>::max() : infinity;
+  option.least = end(
+      known.HasLower(),
+      [&]() -> double { return option.whole ? known.LowerInteger() : known.LowerNumber(); },
+      -largest);
+  option.most = end(
+      known.HasUpper(),
+      [&]() -> double { return option.whole ? known.UpperInteger() : known.UpperNumber(); },
+      largest);
+  option.without_least = !option.whole && known.HasLower() && known.LowerStrict();
+  option.without_most = !option.whole && known.HasUpper() && known.UpperStrict();
+  option.usual = option.whole ? std::to_string(known.DefaultInteger())
+                              : text_of(OptionValue(known.DefaultNumber()));
+  return option;
+}
+
+/// All that Ipopt lists, but for what is kept back.
+std::vector<SolverOption> known_options() {
+  const std::lock_guard lock(ipopt_mutex);
+  const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
+  std::vector<SolverOption> options;
+  for (const auto& [name, option] : application->RegOptions()->RegisteredOptionsList()) {
+    if (!is_kept_back(name)) options.push_back(option_of(*option));
+  }
+  return options;
+}
+
+/// What the adapter sets otherwise than Ipopt.
+void tell_own(std::vector<SolverOption>& options, const std::string& name,
+              const std::string& usual) {
+  for (SolverOption& option : options) {
+    if (option.name == name) option.usual = usual;
+  }
+}
+
+}  // namespace
+
+Solver ipopt(Settings settings) {
+  return made(settings == Settings::tuned ? tuned_choice : own_choice, {});
+}
+
 Solver ipopt_exact() {
-  Solver solver = ipopt(Settings::own);
-  solver.name = "ipopt-exact";
-  solver.accepts = [accepts = solver.accepts](const Problem& problem) {
-    return accepts(problem) && static_cast<bool>(problem.lagrangian_hessian);
-  };
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) {
-    return minimise(evaluator, start, Settings::own, Hessian::exact);
-  };
-  return solver;
+  return made(exact_choice, {});
+}
+
+std::vector<AdjustableSolver> adjustable_ipopt() {
+  std::vector<SolverOption> options = known_options();
+  tell_own(options, "bound_relax_factor", "0");
+  std::vector<AdjustableSolver> solvers;
+  for (const Choice& choice : {own_choice, exact_choice, tuned_choice}) {
+    // With a limited-memory Hessian Ipopt changes its own default.
+    tell_own(options, "mu_strategy", choice.hessian == Hessian::exact ? "monotone" : "adaptive");
+    if (choice.settings == Settings::tuned) {
+      tell_own(options, "mu_strategy", tuned_strategy);
+      tell_own(options, "mu_init", text_of(OptionValue(tuned_barrier)));
+    }
+    solvers.push_back({choice.name, options,
+                       [choice](const GivenOptions& given) { return made(choice, given); }});
+  }
+  return solvers;
 }
 
 }  // namespace ricochet

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "solvers/adjustable_solver.h"
 #include "solvers/settings.h"
 #include "src/core/solver.h"
 
@@ -13,5 +16,9 @@ Solver ipopt(Settings settings);
 /// "ipopt-exact": the same with its own settings and the exact Hessian of the Lagrangian. Needs
 /// second derivatives, too.
 Solver ipopt_exact();
+
+/// "ipopt", "ipopt-tuned" and "ipopt-exact" with any of Ipopt's own options, numbers and words, by
+/// its names, but for those that choose the Hessian, write files, or end a run by the clock.
+std::vector<AdjustableSolver> adjustable_ipopt();
 
 }  // namespace ricochet

@@ -12,23 +12,29 @@
 namespace ricochet {
 namespace {
 
-constexpr double finest_mesh = 1e-8;  // of the box
+struct Options {
+  double finest_mesh = 1e-8;  ///< of the box
+  int mesh_index = 2;         ///< to begin with
+  double further = 3;         ///< how far to look along a success, in its steps
+};
 
 /// The search from one start.
 class Search {
  public:
-  Search(Evaluator& evaluator, Random& random)
-      : evaluator_(evaluator),
+  Search(Evaluator& evaluator, Random& random, const Options& options)
+      : options_(options),
+        evaluator_(evaluator),
         random_(random),
         box_(evaluator),
-        has_width_(evaluator.problem().upper.array() > evaluator.problem().lower.array()) {}
+        has_width_(evaluator.problem().upper.array() > evaluator.problem().lower.array()),
+        mesh_(options.mesh_index) {}
 
   SolverExit run(const Vector& start) {
     start_ = inside(box_.to_unit(start));
     try_point(start_);
     barrier_.settle(Progress::none);
     last_step_ = normal(start_.size(), random_);  // any direction is as good as another
-    while (mesh_.spacing() >= finest_mesh && !evaluator_.over()) iterate();
+    while (mesh_.spacing() >= options_.finest_mesh && !evaluator_.over()) iterate();
     return {evaluator_.over() ? stopped_by_evaluator : "the mesh is fine"};
   }
 
@@ -42,7 +48,7 @@ class Search {
     if (progress == Progress::none) mesh_.refine();
   }
 
-  Progress look_further() { return try_step(last_success_, 3 * last_step_); }
+  Progress look_further() { return try_step(last_success_, options_.further * last_step_); }
 
   Progress poll() {
     const Matrix basis = poll_basis(normal(start_.size(), random_), mesh_.index());
@@ -92,6 +98,7 @@ class Search {
     return has_width_.select(u.cwiseMax(0.0).cwiseMin(1.0), 0.0);
   }
 
+  Options options_;
   Evaluator& evaluator_;
   Random& random_;
   UnitBox box_;
@@ -104,18 +111,36 @@ class Search {
   bool succeeded_ = false;
 };
 
-}  // namespace
-
-Solver mads() {
+Solver made(const Options& options) {
   Solver solver;
   solver.name = "mads";
   solver.version = "ricochet " RICOCHET_VERSION;
   solver.stochastic = true;
   solver.accepts = has_room;
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) {
-    return Search(evaluator, random).run(start);
+  solver.solve = [options](Evaluator& evaluator, const Vector& start, Random& random) {
+    return Search(evaluator, random, options).run(start);
   };
   return solver;
+}
+
+}  // namespace
+
+Solver mads() {
+  return made({});
+}
+
+AdjustableSolver adjustable_mads() {
+  const Options own;
+  SolverOption index = whole_option("mesh_index", 1, own.mesh_index);
+  index.most = 12;
+  return {"mads",
+          {real_option("finest_mesh", 1e-12, 0.25, own.finest_mesh), index,
+           real_option("further", 0, 100, own.further)},
+          [own](const GivenOptions& given) {
+            return made({number_of(given, "finest_mesh", own.finest_mesh),
+                         whole_of(given, "mesh_index", own.mesh_index),
+                         number_of(given, "further", own.further)});
+          }};
 }
 
 }  // namespace ricochet

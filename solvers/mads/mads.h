@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solvers/adjustable_solver.h"
 #include "src/core/solver.h"
 
 namespace ricochet {
@@ -17,5 +18,10 @@ namespace ricochet {
 /// its place, so that a plateau is walked on, not only looked around. Ends where the mesh is finer
 /// than 1e-8 of the box, at polls of 1e-4 of it, to be started again elsewhere.
 Solver mads();
+
+/// With "finest_mesh", in parts of the box; "mesh_index", where it begins, with polls at 2^-index
+/// of the box; and "further", how many times the last success's step it looks further, 0: not at
+/// all.
+AdjustableSolver adjustable_mads();
 
 }  // namespace ricochet

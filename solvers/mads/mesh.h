@@ -10,6 +10,8 @@ namespace ricochet {
 /// Dennis and Le Digabel 2009, doi 10.1137/080716980, table 3.1).
 class Mesh {
  public:
+  explicit Mesh(int index = 2) : index_(index) {}  // a quarter of the box, as NLopt's solvers do
+
   int index() const { return index_; }
   double spacing() const { return std::ldexp(1.0, -2 * index_); }
   double poll_size() const { return std::ldexp(1.0, -index_); }
@@ -20,7 +22,7 @@ class Mesh {
  private:
   static constexpr int coarsest = 1;  // polls half the box around
 
-  int index_ = 2;  // begins with a quarter, as NLopt's solvers do
+  int index_;
 };
 
 }  // namespace ricochet

@@ -35,7 +35,10 @@ struct NloptAlgorithm {
   bool derives = false;  ///< needs derivatives
   Eigen::Index least_dimension = 1;
   Eigen::Index most_dimension = 1'000'000;
-  double tolerance = 1e-8;  ///< step of the box below which a local search has converged
+  double tolerance = 1e-8;     ///< step of the box below which a local search has converged
+  double initial_step = 0.25;  ///< of the box; NLopt's own default, without its exceptions
+  int population = 0;          ///< 0: NLopt's own
+  int vectors = 10;            ///< that quasi-Newton methods keep; the default allocates 20 MB
 
   bool accepts(const Problem& problem) const;
 

@@ -10,8 +10,6 @@
 namespace ricochet {
 namespace {
 
-constexpr double initial_step = 0.25;  // of the box; NLopt's own default, without its exceptions
-constexpr unsigned vectors_kept = 10;  // of quasi-Newton methods; the default allocates 20 MB
 constexpr std::int64_t direct_points = 500'000;   // NLopt's own default
 constexpr std::int64_t all_points = 200'000'000;  // ten times as many are still an int
 
@@ -51,7 +49,8 @@ NloptSearch::NloptSearch(const NloptAlgorithm& algorithm, Evaluator& evaluator)
   nlopt_set_upper_bounds1(nlopt, 1.0);
   nlopt_set_min_objective(nlopt, objective, this);
   constrain();
-  nlopt_set_initial_step1(nlopt, initial_step);
+  nlopt_set_initial_step1(nlopt, algorithm.initial_step);
+  nlopt_set_population(nlopt, static_cast<unsigned>(algorithm.population));
   if (algorithm.local) nlopt_set_local_optimizer(nlopt, made(*algorithm.local).get());
   // The evaluator ends the search.
   const bool direct = algorithm.is_original_direct();
@@ -63,7 +62,7 @@ NloptSearch::Handle NloptSearch::made(nlopt_algorithm id) const {
   const auto n = static_cast<unsigned>(evaluator_.problem().dimension());
   Handle nlopt(nlopt_create(id, n), nlopt_destroy);
   nlopt_set_xtol_abs1(nlopt.get(), algorithm_.tolerance);
-  nlopt_set_vector_storage(nlopt.get(), vectors_kept);
+  nlopt_set_vector_storage(nlopt.get(), static_cast<unsigned>(algorithm_.vectors));
   return nlopt;
 }
 

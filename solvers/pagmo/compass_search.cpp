@@ -6,21 +6,38 @@
 namespace ricochet {
 namespace {
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
+constexpr double first_step = 0.25;  // of the box
+constexpr double shrinkage = 0.5;
+
+SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
+                    Random& random) {
   UnitBox box(evaluator);
-  constexpr double first_step = 0.25;  // of the box
-  constexpr double shrinkage = 0.5;
-  pagmo::compass_search(endless, first_step, pagmo_step_tolerance, shrinkage)
+  pagmo::compass_search(endless, number_of(given, "initial_step", first_step), pagmo_step_tolerance,
+                        number_of(given, "shrinkage", shrinkage))
       .evolve(population_of(box, evaluator.problem(), start, 1, random));
   return {converged};
+}
+
+Solver compass_search(const GivenOptions& given) {
+  Solver solver = pagmo_solver("compass-search", Takes::both,
+                               [=](Evaluator& evaluator, const Vector& start, Random& random) {
+                                 return minimise(given, evaluator, start, random);
+                               });
+  solver.stochastic = false;
+  return solver;
 }
 
 }  // namespace
 
 Solver pagmo_compass_search() {
-  Solver solver = pagmo_solver("compass-search", Takes::both, minimise);
-  solver.stochastic = false;
-  return solver;
+  return compass_search({});
+}
+
+AdjustableSolver adjustable_pagmo_compass_search() {
+  return {"pagmo-compass-search",
+          {real_option("initial_step", 1e-6, 1, first_step),
+           real_option("shrinkage", 0.01, 0.99, shrinkage)},
+          compass_search};
 }
 
 }  // namespace ricochet

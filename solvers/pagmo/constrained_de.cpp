@@ -17,13 +17,17 @@ double spread(const pagmo::population& population) {
   return sum;
 }
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
+constexpr double weight = 0.8, crossover = 0.9;  // pagmo's own defaults, as is the rest
+
+SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
+                    Random& random) {
   UnitBox box(evaluator);
-  pagmo::population population =
-      population_of(box, evaluator.problem(), start, usual_size(start.size()), random);
-  constexpr double weight = 0.8, crossover = 0.9;  // pagmo's own defaults, as is the rest
+  pagmo::population population = population_of(box, evaluator.problem(), start,
+                                               size_of(given, usual_size(start.size())), random);
   constexpr unsigned rand_1_exp = 2;
-  const pagmo::de generation(1, weight, crossover, rand_1_exp, 0.0, 0.0, seed_from(random));
+  const pagmo::de generation(1, number_of(given, "weight", weight),
+                             number_of(given, "crossover", crossover), rand_1_exp, 0.0, 0.0,
+                             seed_from(random));
   const pagmo::cstrs_self_adaptive algorithm(1, generation, seed_from(random));
   // pagmo remembers the points of a generation: it asks for none where they are all alike.
   unsigned long long asked = 0;
@@ -35,10 +39,24 @@ SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
   return {converged};
 }
 
+Solver constrained_de(const GivenOptions& given) {
+  return pagmo_solver("constrained-de", Takes::constrained,
+                      [=](Evaluator& evaluator, const Vector& start, Random& random) {
+                        return minimise(given, evaluator, start, random);
+                      });
+}
+
 }  // namespace
 
 Solver pagmo_constrained_de() {
-  return pagmo_solver("constrained-de", Takes::constrained, minimise);
+  return constrained_de({});
+}
+
+AdjustableSolver adjustable_pagmo_constrained_de() {
+  return {"pagmo-constrained-de",
+          {real_option("weight", 0, 1, weight), real_option("crossover", 0, 1, crossover),
+           population_option(5, usual_size_in_words)},
+          constrained_de};
 }
 
 }  // namespace ricochet

@@ -18,23 +18,40 @@ double highest(const pagmo::population& population) {
   return highest;
 }
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
+SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
+                    Random& random) {
   UnitBox box(evaluator);
-  const Eigen::Index size = usual_size(start.size());
+  const Eigen::Index size = size_of(given, usual_size(start.size()));
   const pagmo::population population = population_of(box, evaluator.problem(), start, size, random);
   constexpr double spread = 1;                             // pagmo's own default
   constexpr double accuracy = 0;                           // two values differ, however little
   constexpr unsigned threshold = 1, marks = 7, never = 0;  // pagmo's own defaults
-  pagmo::gaco(endless, static_cast<unsigned>(size), spread, highest(population), accuracy,
+  const int kernel =
+      std::min(whole_of(given, "kernel", static_cast<int>(size)), static_cast<int>(size));
+  pagmo::gaco(endless, static_cast<unsigned>(kernel), spread, highest(population), accuracy,
               threshold, marks, never, never, 0.0, false, seed_from(random))
       .evolve(population);
   return {converged};
 }
 
+Solver gaco(const GivenOptions& given) {
+  return pagmo_solver("gaco", Takes::both,
+                      [=](Evaluator& evaluator, const Vector& start, Random& random) {
+                        return minimise(given, evaluator, start, random);
+                      });
+}
+
 }  // namespace
 
 Solver pagmo_gaco() {
-  return pagmo_solver("gaco", Takes::both, minimise);
+  return gaco({});
+}
+
+AdjustableSolver adjustable_pagmo_gaco() {
+  return {"pagmo-gaco",
+          {population_option(10, usual_size_in_words),
+           whole_option("kernel", 2, "the population; it is never more")},
+          gaco};
 }
 
 }  // namespace ricochet

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "solvers/adjustable_solver.h"
 #include "solvers/settings.h"
 #include "src/core/solver.h"
 
@@ -50,5 +53,17 @@ Solver pagmo_compass_search();
 /// population after each generation (Farmani and Wright, IEEE Trans. Evol. Comput. 7 (2003)
 /// 445-455; doi 10.1109/TEVC.2003.817236). Takes all constraints, and nothing without.
 Solver pagmo_constrained_de();
+
+/// What can be changed: of evolution strategies "initial_step", in parts of the box, and
+/// "population", of that with restarts also its "growth"; of differential evolution "weight" (F)
+/// and "crossover" (CR), pagmo's number of the "variant" of the mutation and of the "adaptation",
+/// and "population"; of the ant colony "population" and "kernel"; of compass search "initial_step"
+/// and "shrinkage".
+std::vector<AdjustableSolver> adjustable_pagmo_cmaes();
+AdjustableSolver adjustable_pagmo_xnes();
+std::vector<AdjustableSolver> adjustable_pagmo_de();
+AdjustableSolver adjustable_pagmo_gaco();
+AdjustableSolver adjustable_pagmo_compass_search();
+AdjustableSolver adjustable_pagmo_constrained_de();
 
 }  // namespace ricochet

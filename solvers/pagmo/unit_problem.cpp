@@ -5,6 +5,7 @@
 #include <iterator>
 #include <pagmo/config.hpp>
 #include <pagmo/problem.hpp>
+#include <utility>
 
 #include "src/core/instance.h"
 
@@ -75,14 +76,24 @@ Eigen::Index evolution_size(Eigen::Index n) {
   return std::max<Eigen::Index>(5, 4 + static_cast<Eigen::Index>(3 * std::log(n)));
 }
 
+Eigen::Index size_of(const GivenOptions& given, Eigen::Index usual) {
+  return whole_of(given, "population", static_cast<int>(usual));
+}
+
+SolverOption population_option(int least, const std::string& usual) {
+  SolverOption option = whole_option("population", least, usual);
+  option.most = 1e4;
+  return option;
+}
+
 Solver pagmo_solver(const std::string& name, Takes takes, Minimise minimise) {
   Solver solver;
   solver.name = "pagmo-" + name;
   solver.version = "pagmo " PAGMO_VERSION;
   solver.stochastic = true;
   solver.accepts = [takes](const Problem& problem) { return accepts(takes, problem); };
-  solver.solve = [minimise](Evaluator& evaluator, const Vector& start,
-                            Random& random) -> SolverExit {
+  solver.solve = [minimise = std::move(minimise)](Evaluator& evaluator, const Vector& start,
+                                                  Random& random) -> SolverExit {
     try {
       return minimise(evaluator, start, random);
     } catch (const Refused&) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <pagmo/population.hpp>
 #include <string>
 #include <utility>
 
+#include "solvers/adjustable_solver.h"
 #include "solvers/unit_box.h"
 #include "src/core/solver.h"
 
@@ -52,15 +54,24 @@ pagmo::population population_of(UnitBox& box, const Problem& problem, const Vect
 
 /// Points of a population: 10 n, but 20 at least and 100 at most.
 Eigen::Index usual_size(Eigen::Index n);
+inline constexpr const char* usual_size_in_words = "10 n, from 20 to 100";
 
 /// Points of an evolution strategy: 4 + floor(3 ln n), at least the 5 that pagmo wants.
 Eigen::Index evolution_size(Eigen::Index n);
+inline constexpr const char* evolution_size_in_words = "4 + floor(3 ln n), at least 5";
 
 /// Which problems a solver takes.
 enum class Takes { unconstrained, constrained, both };
 
-using Minimise = SolverExit (*)(Evaluator& evaluator, const Vector& start, Random& random);
+using Minimise =
+    std::function<SolverExit(Evaluator& evaluator, const Vector& start, Random& random)>;
 
 Solver pagmo_solver(const std::string& name, Takes takes, Minimise minimise);
+
+/// Points of a population, where they are given, or else the usual.
+Eigen::Index size_of(const GivenOptions& given, Eigen::Index usual);
+
+/// The option of that; `usual` in words.
+SolverOption population_option(int least, const std::string& usual);
 
 }  // namespace ricochet

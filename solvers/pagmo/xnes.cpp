@@ -6,21 +6,37 @@
 namespace ricochet {
 namespace {
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
+constexpr double automatic = -1;
+
+SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
+                    Random& random) {
   UnitBox box(evaluator);
-  const pagmo::population population =
-      population_of(box, evaluator.problem(), start, evolution_size(start.size()), random);
-  constexpr double automatic = -1;
-  pagmo::xnes(endless, automatic, automatic, automatic, automatic, pagmo_value_tolerance,
-              pagmo_step_tolerance, false, true, seed_from(random))
+  const pagmo::population population = population_of(
+      box, evaluator.problem(), start, size_of(given, evolution_size(start.size())), random);
+  pagmo::xnes(endless, automatic, automatic, automatic, number_of(given, "initial_step", automatic),
+              pagmo_value_tolerance, pagmo_step_tolerance, false, true, seed_from(random))
       .evolve(population);
   return {converged};
+}
+
+Solver xnes(const GivenOptions& given) {
+  return pagmo_solver("xnes", Takes::unconstrained,
+                      [=](Evaluator& evaluator, const Vector& start, Random& random) {
+                        return minimise(given, evaluator, start, random);
+                      });
 }
 
 }  // namespace
 
 Solver pagmo_xnes() {
-  return pagmo_solver("xnes", Takes::unconstrained, minimise);
+  return xnes({});
+}
+
+AdjustableSolver adjustable_pagmo_xnes() {
+  SolverOption step = real_option("initial_step", 0, 1, 0);
+  step.without_least = true;
+  step.usual = "pagmo's";
+  return {"pagmo-xnes", {step, population_option(4, evolution_size_in_words)}, xnes};
 }
 
 }  // namespace ricochet

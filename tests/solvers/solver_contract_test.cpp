@@ -42,7 +42,8 @@ void expect_same_trace(const RunRecord& a, const RunRecord& b) {
 }
 
 /// All points that a single call of `solve` asks for, from the problem's start.
-std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, std::uint64_t seed) {
+std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, std::uint64_t seed,
+                                 std::int64_t budget = 100) {
   std::vector<Vector> asked;
   Problem recorded = problem;
   recorded.evaluate = [&](const Vector& x) {
@@ -60,7 +61,7 @@ std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, s
   recorded.truth = [&](const Vector& x) { return truth_of(problem.evaluate(x)); };
   recorded.smoothed = nullptr;
   if (problem.smoothed) recorded.smoothed = [recorded](double) { return recorded; };
-  Evaluator evaluator(recorded, {100});
+  Evaluator evaluator(recorded, {budget});
   Random random(seed);
   solver.solve(evaluator, problem.start, random);
   return asked;
@@ -132,6 +133,50 @@ TEST_P(SolverContract, GivesTheSameTraceForTheSameRun) {
     const RunRecord first = run(problem, solver(), {150}, 1);
     run(problem, solver(), {40}, 2);  // leaves nothing behind in the library
     expect_same_trace(first, run(problem, solver(), {150}, 1));
+  }
+}
+
+/// Sum of 100 (x_{k+1} - x_k^2)^2 + (1 - x_k)^2 on [-5, 10]^7.
+Problem valley() {
+  Problem problem = sphere(7, -3);
+  problem.name = "valley";
+  problem.evaluate = [](const Vector& x) {
+    Values values;
+    for (Eigen::Index k = 0; k + 1 < x.size(); ++k) {
+      const double bend = x[k + 1] - x[k] * x[k];
+      values.objective += 100 * bend * bend + (1 - x[k]) * (1 - x[k]);
+    }
+    return values;
+  };
+  problem.differentiate = [](const Vector& x) {
+    Derivatives derivatives;
+    derivatives.gradient = Vector::Zero(x.size());
+    for (Eigen::Index k = 0; k + 1 < x.size(); ++k) {
+      const double bend = x[k + 1] - x[k] * x[k];
+      derivatives.gradient[k] -= 400 * bend * x[k] + 2 * (1 - x[k]);
+      derivatives.gradient[k + 1] += 200 * bend;
+    }
+    return derivatives;
+  };
+  return problem;
+}
+
+// What sums several numbers at once may sum those before an aligned address one by one.
+TEST_P(SolverContract, AsksTheSameWhereverItsMemoryLies) {
+  const Problem problem = valley();
+  if (!solver().accepts(problem)) GTEST_SKIP() << "it takes no such problem";
+  // Derivatives are paid, and models grow with what was asked.
+  const std::int64_t budget =
+      problem.differentiate && solver().name != "dlib-global-search" ? 800 : 100;
+  const std::vector<Vector> first = asked_points(solver(), problem, 1, budget);
+  Random random(1);
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    std::vector<std::vector<char>> occupied(5000);
+    for (std::vector<char>& block : occupied) block.resize(random() % 2000);
+    for (std::vector<char>& block : occupied) {
+      if (random() % 2 == 0) std::vector<char>().swap(block);
+    }
+    EXPECT_TRUE(asked_points(solver(), problem, 1, budget) == first) << "repeat " << repeat;
   }
 }
 

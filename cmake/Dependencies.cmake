@@ -36,6 +36,19 @@ macro(ricochet_backend name target)
   message(STATUS "ricochet: with ${name}: ${RICOCHET_HAS_${name}}")
 endmacro()
 
+# The reference BLAS and LAPACK, ahead of those of ATLAS that come with Ceres: they sum in another order
+# at another address, so that the last bits of Ipopt and dlib would depend on what a process did before.
+set(RICOCHET_LINEAR_ALGEBRA "")
+foreach(library lapack blas)
+  find_library(RICOCHET_REFERENCE_${library} lib${library}.so.3 NO_DEFAULT_PATH
+               PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/${library})
+  if(RICOCHET_REFERENCE_${library})
+    list(APPEND RICOCHET_LINEAR_ALGEBRA ${RICOCHET_REFERENCE_${library}})
+  endif()
+endforeach()
+message(STATUS "ricochet: reference BLAS and LAPACK: ${RICOCHET_LINEAR_ALGEBRA}")
+set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)  # where they are found when ricochet is installed, too
+
 ricochet_backend(CERES Ceres::ceres Ceres 2.1)
 ricochet_backend(DLIB dlib::dlib dlib 19.24)
 if(RICOCHET_HAS_DLIB)

@@ -68,10 +68,11 @@ VariedSolver solver_from(const toml::table& table, const std::string& place) {
   in.read("of", solver.of);
   if (solver.name.empty()) in.refuse("name", *table.get("name"), "a text that is not empty");
   const toml::table* options = table.get("options")->as_table();
-  if (options == nullptr) in.refuse("options", *table.get("options"), "a table of numbers");
-  const PlanTable numbers(*options, place + ", options");
+  if (options == nullptr)
+    in.refuse("options", *table.get("options"), "a table of numbers and texts");
+  const PlanTable values(*options, place + ", options");
   for (const auto& [key, node] : *options) {
-    numbers.read_signed(key.str(), solver.options[std::string(key.str())]);
+    values.read(key.str(), solver.options[std::string(key.str())]);
   }
   return solver;
 }
@@ -124,6 +125,11 @@ std::string quoted(const std::string& text) {
     basic += code < 0x20 || code == 0x7F ? fmt::format("\\u{:04X}", code) : std::string(1, c);
   }
   return basic + '"';
+}
+
+std::string toml_of(const OptionValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? toml_float(*number) : quoted(std::get<std::string>(value));
 }
 
 template <class List>
@@ -201,7 +207,7 @@ std::string text_of(const Plan& plan) {
   for (const VariedSolver& solver : plan.solvers) {
     std::vector<std::string> options;
     for (const auto& [key, value] : solver.options) {
-      options.push_back(fmt::format("{} = {}", quoted(key), toml_float(value)));
+      options.push_back(fmt::format("{} = {}", quoted(key), toml_of(value)));
     }
     text += fmt::format("\n[[solver]]\nname = {}\nof = {}\noptions = {{ {} }}\n",
                         quoted(solver.name), quoted(solver.of), fmt::join(options, ", "));

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "src/campaign/worker.h"
+#include "src/core/option_value.h"
 
 namespace ricochet {
 
@@ -43,8 +43,8 @@ struct PlanPart {
 /// A solver of the suite with other options, under a name of its own.
 struct VariedSolver {
   std::string name;
-  std::string of;                         ///< the solver
-  std::map<std::string, double> options;  ///< by name, in place of its own
+  std::string of;        ///< the solver
+  GivenOptions options;  ///< in place of its own
 
   bool operator==(const VariedSolver&) const = default;
 };

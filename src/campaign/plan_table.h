@@ -16,6 +16,7 @@
 
 #include "src/core/error.h"
 #include "src/core/near_names.h"
+#include "src/core/option_value.h"
 #include "src/core/toml_text.h"
 
 namespace ricochet {
@@ -59,12 +60,17 @@ class PlanTable {
     if (node != nullptr) target = finite(key, *node);
   }
 
-  /// Any finite number.
-  void read_signed(std::string_view key, double& target) const {
-    const toml::node* node = table_.get(key);
-    const auto number = node->is_number() ? node->value<double>() : std::nullopt;
-    if (!number || !std::isfinite(*number)) refuse(key, *node, "a finite number");
-    target = *number + 0.0;  // no -0
+  /// Any finite number, or a text that is not empty; it must be there.
+  void read(std::string_view key, OptionValue& target) const {
+    const toml::node& node = *table_.get(key);
+    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+    if (number && std::isfinite(*number)) {
+      target = *number + 0.0;  // no -0
+    } else if (node.is_string() && !node.as_string()->get().empty()) {
+      target = node.as_string()->get();
+    } else {
+      refuse(key, node, "a finite number or a text");
+    }
   }
 
   void read(std::string_view key, std::optional<bool>& target) const {

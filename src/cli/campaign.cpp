@@ -74,8 +74,9 @@ Store store_to_resume(const std::filesystem::path& file, const Campaign& campaig
   Store found = Store::open(file, Store::For::reading);
   CampaignDescription theirs = found.description();
   theirs.made = description.made;
-  if (theirs == description) return Store::open(file, Store::For::adding);
-  const bool whole = found.size() == static_cast<std::int64_t>(campaign.runs());
+  const bool whole = found.size() == campaign.runs();
+  if (theirs == description)
+    return whole ? std::move(found) : Store::open(file, Store::For::adding);
   const bool same_program =
       std::exchange(theirs.program, description.program) == description.program;
   if (whole && theirs == description) return found;
@@ -101,6 +102,7 @@ Store carried_out(const Campaign& campaign, const Shard& shard, const RunOptions
   const std::int64_t before = store.size();
   Progress::announce(in_words(size_of(campaign)));
   if (before > 0) Progress::announce(fmt::format("{} runs are there already", before));
+  if (options.serve.empty() && before == campaign.runs()) return store;
   if (options.serve.empty()) {
     if (before == 0) {
       const double seconds = foretold_seconds(campaign) / shard.count / cores();
@@ -161,12 +163,17 @@ int run_plan(const RunOptions& options) {
   }
   const Campaign campaign(plan_named(options.plan), studies::whole_catalogue());
   const Store store = carried_out(campaign, shard, options);
+  std::string digest;
   if (store.size() == campaign.runs()) {
     const auto study = studies::contest_study(campaign, store, false);
-    fmt::print("{}", studies::run(study, false, options.out).epilogue);
+    const studies::Finished report = studies::run(study, false, options.out);
+    fmt::print("{}", report.epilogue);
+    digest = report.data["digest"].get<std::string>();
+  } else {
+    digest = store.digest();
   }
   fmt::print("{} runs: {}\ndigest {}\n", store.size(),
-             (std::filesystem::path(options.out) / "runs.sqlite").string(), store.digest());
+             (std::filesystem::path(options.out) / "runs.sqlite").string(), digest);
   return 0;
 }
 

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "embedded/default_plan.h"
 #include "embedded/full_plan.h"
 #include "embedded/plan_template.h"
 #include "embedded/quick_plan.h"
 #include "embedded/slurm_template.h"
+#include "solvers/varied.h"
 #include "src/campaign/forecast.h"
 #include "src/cli/campaign_size.h"
 #include "src/core/error.h"
@@ -33,12 +37,48 @@ std::string in_shell_quotes(const std::string& word) {
   return quoted + "'";
 }
 
-std::string in_words(const VariedSolver& varied) {
-  std::string words = varied.of;
-  for (const auto& [option, value] : varied.options) {
-    words += fmt::format(", {} = {}", option, value);
+Json json_of(const OptionValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? Json(*number) : Json(std::get<std::string>(value));
+}
+
+std::string value_in_words(const Json& value) {
+  return value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump();
+}
+
+/// A solver with options, and what else could be given; of those that can be given much, what is.
+Json varied_solver(const VariedSolver& varied) {
+  constexpr std::size_t few = 20;
+  const std::vector<SolverOption> known = ricochet::options_of(varied.of);
+  Json options = Json::array();
+  for (const SolverOption& option : known) {
+    const auto given = varied.options.find(option.name);
+    const bool is_given = given != varied.options.end();
+    if (!is_given && known.size() > few) continue;
+    options.push_back({{"name", option.name},
+                       {"value", is_given ? json_of(given->second) : Json()},
+                       {"usual", option.usual},
+                       {"range", option.range()}});
   }
-  return words;
+  return {{"name", varied.name},
+          {"of", varied.of},
+          {"options", std::move(options)},
+          {"known_options", known.size()}};
+}
+
+std::string described(const Json& varied) {
+  std::string words = fmt::format("{}: {} with", varied["name"].get<std::string>(),
+                                  varied["of"].get<std::string>());
+  for (const Json& option : varied["options"]) {
+    const std::string usual = option["usual"].get<std::string>();
+    const bool given = !option["value"].is_null();
+    words += fmt::format("\n  {} = {}{}; {}", option["name"].get<std::string>(),
+                         given ? value_in_words(option["value"]) : usual,
+                         given ? fmt::format(", not {}", usual) : ", as usual",
+                         option["range"].get<std::string>());
+  }
+  const auto left = varied["known_options"].get<std::size_t>() - varied["options"].size();
+  return left > 0 ? words + fmt::format("\n  {} more options, as usual", left) : words;
 }
 
 }  // namespace
@@ -63,16 +103,14 @@ int check_plan(const std::string& plan, bool json) {
   size["cores"] = cores();
   Json with_options = Json::array();
   for (const VariedSolver& v : campaign.plan().solvers) {
-    with_options.push_back({{"name", v.name}, {"of", v.of}, {"options", v.options}});
+    with_options.push_back(varied_solver(v));
   }
-  size["varied_solvers"] = std::move(with_options);
+  size["varied_solvers"] = with_options;
   if (json) {
     fmt::print("{}\n", size.dump(2));
   } else {
     fmt::print("{}; about {} on {} cores\n", in_words(size), duration(seconds / cores()), cores());
-    for (const VariedSolver& varied : campaign.plan().solvers) {
-      fmt::print("{}: {}\n", varied.name, in_words(varied));
-    }
+    for (const Json& varied : with_options) fmt::print("{}\n", described(varied));
   }
   return 0;
 }

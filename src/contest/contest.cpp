@@ -41,6 +41,7 @@ std::vector<Shown> all_shown(const ContestPlan& plan) {
 /// A standing of the contest, without outcomes, and what it takes to make its runs.
 struct Entry {
   Standing standing;
+  std::vector<Outcome> outcomes;  ///< to be
   const Solver* solver;
   const Shown* shown;
 };
@@ -54,9 +55,10 @@ std::vector<Entry> entries_of(const ContestPlan& plan, const std::vector<Shown>&
         const Shown& shown = all[k];
         if (!solver.accepts(shown.problem)) continue;
         for (std::size_t b = 0; b < plan.budgets.size(); ++b) {
-          const std::vector<Outcome> outcomes(shown.instances.size());
-          entries.push_back(
-              {{shown.question, solver.name, shown.form, b, outcomes}, &solver, &shown});
+          entries.push_back({{shown.question, solver.name, shown.form, b, {}},
+                             std::vector<Outcome>(shown.instances.size()),
+                             &solver,
+                             &shown});
         }
       }
     }
@@ -80,7 +82,7 @@ std::vector<Place> places_of(const ContestPlan& plan, std::vector<Entry>& entrie
       const Problem& problem = entry.shown->instances[i];
       const std::int64_t evaluations = plan.budgets[entry.standing.budget] * problem.dimension();
       places.push_back({&entry,
-                        &entry.standing.outcomes[i],
+                        &entry.outcomes[i],
                         {&problem, entry.solver, {evaluations}, plan.run},
                         cost * static_cast<double>(evaluations)});
     }
@@ -110,7 +112,10 @@ std::vector<Standing> hold(const ContestPlan& plan) {
     progress.advance(places[j].length);
   });
   std::vector<Standing> standings;
-  for (Entry& entry : entries) standings.push_back(std::move(entry.standing));
+  for (Entry& entry : entries) {
+    entry.standing.outcomes = std::move(entry.outcomes);
+    standings.push_back(std::move(entry.standing));
+  }
   return standings;
 }
 

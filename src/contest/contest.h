@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/campaign/worker.h"
-#include "src/contest/outcome.h"
+#include "src/contest/outcomes.h"
 #include "src/core/instance.h"
 #include "src/core/question.h"
 #include "src/core/solver.h"
@@ -36,8 +36,8 @@ struct Standing {
   std::size_t question;  ///< its index in the plan
   std::string solver;
   Form form;
-  std::size_t budget;             ///< its index in the plan
-  std::vector<Outcome> outcomes;  ///< of the instances, in their order
+  std::size_t budget;  ///< its index in the plan
+  Outcomes outcomes;   ///< of the instances, in their order
 };
 
 /// Runs every solver in every form that it accepts, in other processes, on all cores;

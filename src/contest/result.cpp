@@ -25,7 +25,7 @@ bool same(const Outcome& a, const Outcome& b) {
 }
 
 /// One of each.
-std::vector<const Outcome*> distinct(const std::vector<Outcome>& outcomes) {
+std::vector<const Outcome*> distinct(const Outcomes& outcomes) {
   std::vector<const Outcome*> kept;
   for (const Outcome& outcome : outcomes) {
     const bool seen = std::any_of(kept.begin(), kept.end(),
@@ -45,7 +45,7 @@ SolvedShare share_of(const std::vector<const Outcome*>& outcomes, Solved solved)
 
 }  // namespace
 
-Result result_of(const std::vector<Outcome>& outcomes) {
+Result result_of(const Outcomes& outcomes) {
   Result result;
   result.runs = static_cast<int>(outcomes.size());
   const std::vector<const Outcome*> once = distinct(outcomes);

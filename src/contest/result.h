@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "src/contest/contest.h"
+#include "src/contest/outcomes.h"
 #include "src/statistics/interval.h"
 
 namespace ricochet::contest {
@@ -34,6 +34,6 @@ struct Result {
 };
 
 /// `outcomes` of one standing; at least one.
-Result result_of(const std::vector<Outcome>& outcomes);
+Result result_of(const Outcomes& outcomes);
 
 }  // namespace ricochet::contest

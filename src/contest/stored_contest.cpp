@@ -4,33 +4,45 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "src/core/error.h"
 
 namespace ricochet::contest {
 
-std::vector<StoredStanding> stored_standings(const Campaign& campaign, const Store& store) {
+std::vector<StoredStanding> stored_standings(const Campaign& campaign, const Store& store,
+                                             const std::function<void(const StoredRun&)>& also) {
   std::map<Cell, std::size_t> places;
   std::vector<StoredStanding> all;
-  std::vector<std::int64_t> missing;
   for (const PlannedCell& planned : campaign.cells()) {
     places[planned.cell] = all.size();
     all.push_back({&planned, {}});
-    all.back().outcomes.reserve(static_cast<std::size_t>(planned.instances) *
-                                static_cast<std::size_t>(planned.seeds));
   }
-  store.each([&](const StoredRun& run) {
-    const auto place = places.find(run.key.cell);
-    if (place == places.end()) return;
-    StoredStanding& standing = all[place->second];
-    const Question& question = campaign.questions()[standing.cell->question];
-    standing.outcomes.push_back(outcome_of(run.record, question.stated, question.tolerance));
-  });
   std::int64_t there = 0;
-  for (const StoredStanding& standing : all) {
-    there += static_cast<std::int64_t>(standing.outcomes.size());
-  }
+  std::optional<Cell> cell;  // whose runs are read
+  StoredStanding* standing = nullptr;
+  std::vector<Outcome> outcomes;
+  const auto end_cell = [&] {
+    if (standing != nullptr) standing->outcomes = std::exchange(outcomes, {});
+  };
+  store.each([&](const StoredRun& run) {
+    also(run);
+    if (cell != run.key.cell) {
+      end_cell();
+      cell = run.key.cell;
+      const auto place = places.find(*cell);
+      standing = place == places.end() ? nullptr : &all[place->second];
+      if (standing == nullptr) return;
+      outcomes.reserve(static_cast<std::size_t>(standing->cell->instances) *
+                       static_cast<std::size_t>(standing->cell->seeds));
+    }
+    if (standing == nullptr) return;
+    const Question& question = campaign.questions()[standing->cell->question];
+    outcomes.push_back(outcome_of(run.record, question.stated, question.tolerance));
+    ++there;
+  });
+  end_cell();
   if (there != campaign.runs()) {
     throw InputError(fmt::format("{} of {} runs are there: the campaign is not at its end", there,
                                  campaign.runs()));
@@ -73,15 +85,11 @@ StoredContest stored_contest(const Campaign& campaign, const std::vector<StoredS
     }
     takes_part[cell.solver] = true;
     const auto budget = std::find(part.budgets.begin(), part.budgets.end(), cell.cell.budget);
-    Standing standing{question->second,
-                      cell.cell.solver,
-                      cell.form,
+    Standing standing{question->second, cell.cell.solver, cell.form,
                       static_cast<std::size_t>(budget - part.budgets.begin()),
-                      {}};
-    for (int i = 0; i < part.instances; ++i) {
-      standing.outcomes.push_back(
-          stored.outcomes[static_cast<std::size_t>(i * cell.seeds + conditions.run)]);
-    }
+                      stored.outcomes.every(static_cast<std::size_t>(cell.seeds),
+                                            static_cast<std::size_t>(conditions.run),
+                                            static_cast<std::size_t>(part.instances))};
     contest.standings.push_back(std::move(standing));
   }
   for (std::size_t s = 0; s < takes_part.size(); ++s) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,11 +14,14 @@ namespace ricochet::contest {
 /// All runs of one cell of a campaign, judged, by instance, then run.
 struct StoredStanding {
   const PlannedCell* cell;
-  std::vector<Outcome> outcomes;
+  Outcomes outcomes;
 };
 
-/// Every cell of a campaign with its outcomes. Throws InputError where the store lacks runs.
-std::vector<StoredStanding> stored_standings(const Campaign& campaign, const Store& store);
+/// Every cell of a campaign with its outcomes. Each run of the store is read once, and handed to
+/// `also`, too, as Store::each does. Throws InputError where the store lacks runs.
+std::vector<StoredStanding> stored_standings(
+    const Campaign& campaign, const Store& store,
+    const std::function<void(const StoredRun&)>& also = [](const StoredRun&) {});
 
 /// By question, an index of the campaign's, the largest budget that it is put to anybody with.
 std::map<std::size_t, std::int64_t> largest_budgets(const std::vector<StoredStanding>& standings);

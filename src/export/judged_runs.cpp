@@ -16,7 +16,7 @@ void each_judged(const Store& store, const std::function<void(const JudgedRun&)>
   std::optional<Cell> cell;
   std::vector<contest::Outcome> outcomes;
   const auto end_cell = [&] {
-    if (cell) at_end({*cell, *questions.at(cell->question), outcomes});
+    if (cell) at_end({*cell, *questions.at(cell->question), std::move(outcomes)});
     outcomes.clear();
   };
   store.each([&](const StoredRun& run) {

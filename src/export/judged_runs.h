@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "src/contest/outcome.h"
+#include "src/contest/outcomes.h"
 #include "src/store/store.h"
 
 namespace ricochet::exports {
@@ -19,7 +19,7 @@ struct JudgedRun {
 struct JudgedCell {
   const Cell& cell;
   const StoredQuestion& question;
-  const std::vector<contest::Outcome>& outcomes;  ///< at least one
+  contest::Outcomes outcomes;  ///< at least one
 };
 
 /// Hands over every run of the store, by cell, and every cell after its last run. Only the runs of

@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "src/core/random.h"
 
 namespace ricochet {
 
 double quantile(std::vector<double> sample, double q) {
-  std::sort(sample.begin(), sample.end());
   const double place = q * static_cast<double>(sample.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(below);
-  if (share == 0.0) return sample[below];
-  const double low = sample[below];
-  const double high = sample[below + 1];
+  const auto at_low = sample.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(sample.begin(), at_low, sample.end());
+  const double low = *at_low;
+  if (share == 0.0) return low;
+  const double high = *std::min_element(at_low + 1, sample.end());
   return std::isinf(high) ? high : low + share * (high - low);
 }
 

@@ -147,7 +147,7 @@ struct Schedule {
 /// more draw from the times of a sweep costs nothing there, and is nearly as good as that of
 /// another.
 Schedule schedule_for(const Orders& all) {
-  constexpr double most_visits = 4e8;  // of a place by a sweep: some seconds
+  constexpr double most_visits = 7e7;  // of a place by a sweep: half a second
   constexpr double most_orders = 50;
   const auto places = static_cast<double>(all.solvers.size());
   const double sweeps = std::clamp(most_visits / std::max(1.0, places), 320.0, 10000.0) / chains;

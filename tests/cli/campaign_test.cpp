@@ -76,9 +76,9 @@ TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
   }
   write(folder_, "plan.toml", parts);
   run("one");
-  const std::string page = read(folder_ / "one" / "index.html");
-  for (const char* id : {"profile-count", "profile-count-part-2", "profile-count-part-3"}) {
-    EXPECT_THAT(page, HasSubstr(fmt::format("id=\"{}\"", id)));
+  for (const char* family : {"profile-count", "profile-count-part-2", "profile-count-part-3"}) {
+    EXPECT_THAT(read(folder_ / "one" / family / "index.html"),
+                HasSubstr(fmt::format("<h1>{}: which solver?</h1>", family)));
   }
 }
 
@@ -131,17 +131,20 @@ TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
       "[[solver]]\nname = \"bbfwa-40\"\nof = \"bbfwa\"\noptions = { sparks = 40 }\n"
       "[[part]]\nquestions = \"count-C4\"\nsolvers = \"bbfwa*\"\nbudgets = 50\ninstances = 2\n";
   const auto plan = write(folder_, "options.toml", text);
-  EXPECT_THAT(out_of("plan check " + plan.string()), HasSubstr("bbfwa-40: bbfwa, sparks = 40\n"));
+  EXPECT_THAT(out_of("plan check " + plan.string()),
+              HasSubstr("bbfwa-40: bbfwa with\n"
+                        "  sparks = 40, not 300; a whole number from 1 to 1000000\n"
+                        "  growth = 1.2, as usual; a number from 1 to 1000\n"));
   out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "options").string()));
   EXPECT_THAT(read(folder_ / "options" / "index.html"), HasSubstr(", bbfwa sparks 40"));
   for (const int number : {1, 2, 3, 4}) {
     out_of(fmt::format("replay {} {}", store("options"), number));
   }
   const auto bad = write(folder_, "bad.toml",
-                         "[[solver]]\nname = \"s\"\nof = \"mads\"\n"
+                         "[[solver]]\nname = \"s\"\nof = \"scan\"\n"
                          "options = { sparks = 40 }\n" +
                              text);
-  expect_refusal("plan check " + bad.string(), "solver s: mads: no such solver has options");
+  expect_refusal("plan check " + bad.string(), "solver s: scan: no such solver has options");
 }
 
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {

@@ -20,7 +20,7 @@ TEST(Outcome, KeepsFeasibleImprovementsExitsAndWhatWasThrown) {
   ASSERT_EQ(outcome.steps.size(), 2U) << "the first point was not feasible";
   EXPECT_EQ(outcome.steps[0].evaluations, 4);
   EXPECT_EQ(outcome.steps[0].regret, 0.5);
-  EXPECT_EQ(outcome.exits, (std::vector<std::string>{"lost", "done"}));
+  EXPECT_EQ(outcome.exits, (std::vector<Reason>{"lost", "done"}));
   EXPECT_EQ(outcome.failure, "broken");
   EXPECT_EQ(outcome.verdict.evaluations_to_solve, 9);
 }

@@ -144,10 +144,10 @@ const fitting = () => contest.families.map((family, index) => [family, index]).f
     (!constraints || (constraints === "none") === (family.constraints.most === 0));
 });
 
-// Where the report speaks of it; of all families together in a section of its own.
+// Where the report speaks of it: of a family on a page of its own.
 const placeOf = (row) => {
   const {name} = contest.families[row.family];
-  return `${contest.folder}/index.html#${name === "all" ? "speed-accuracy" : name}`;
+  return name === "all" ? `${contest.folder}/index.html#speed-accuracy` : `${contest.folder}/${name}/index.html`;
 };
 
 const chosen = () => {

@@ -13,12 +13,6 @@
 namespace ricochet::report {
 namespace {
 
-/// About as wide as the text is in pixels; gnuplot guesses no better.
-int text_width(const std::string& text) {
-  return static_cast<int>(7 *
-                          std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
 int widest(const std::vector<std::string>& texts) {
   int width = 0;
   for (const std::string& text : texts) width = std::max(width, text_width(text));
@@ -101,9 +95,17 @@ std::string legend_script(const Chart& chart, const Frame& frame) {
 
 }  // namespace
 
+int text_width(const std::string& text) {
+  return static_cast<int>(7 *
+                          std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
 int plot_width(const Chart& chart, const Frame& frame) {
   const int labels = chart.y.categories.empty() ? 40 : widest(chart.y.categories);
-  const int right = chart.heat_map ? 75 : legend_at_right(frame) ? widest(frame.legend) + 50 : 15;
+  const int right = chart.heat_map            ? 75
+                    : frame.room_for_ends > 0 ? frame.room_for_ends
+                    : legend_at_right(frame)  ? widest(frame.legend) + 50
+                                              : 15;
   return std::max(chart.width - 30 - labels - right, 50);
 }
 
@@ -122,6 +124,10 @@ std::string frame_script(const Chart& chart, const Frame& frame) {
   if (!chart.heat_map) script += "set grid xtics ytics back lt 1 lw 0.7 lc rgb '#e4e4e4'\n";
   script += axis_script(chart, frame, true) + axis_script(chart, frame, false);
   if (chart.heat_map) script += colour_script(*chart.heat_map, frame.colours);
+  if (frame.room_for_ends > 0) {
+    script += fmt::format("set rmargin at screen {:.4f}\n",
+                          1 - static_cast<double>(frame.room_for_ends) / chart.width);
+  }
   return script + legend_script(chart, frame);
 }
 

@@ -11,7 +11,11 @@ namespace ricochet::report {
 struct Frame {
   Range x{0, 1}, y{0, 1}, colours{0, 1};
   std::vector<std::string> legend = {};
+  int room_for_ends = 0;  ///< pixels at the right, for labels at the ends of curves
 };
+
+/// About as wide as the text is in pixels; gnuplot guesses no better.
+int text_width(const std::string& text);
 
 /// Size of the area for the data in pixels, roughly: it only decides how many labels fit.
 int plot_width(const Chart& chart, const Frame& frame);

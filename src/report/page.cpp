@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "embedded/look.h"
+#include "embedded/page_script.h"
 #include "embedded/page_template.h"
 #include "embedded/summary_template.h"
 #include "src/report/filled_text.h"
@@ -20,6 +23,20 @@ constexpr int wide_chart = 560;  // pixels
 
 /// For so many choices of a section reports/templates/look.css has rules.
 constexpr std::size_t most_choices = 24;
+
+void check(const Explorer& explorer) {
+  std::size_t combinations = 1;
+  for (const Setting& setting : explorer.settings) {
+    combinations *= setting.values.size();
+    if (setting.own >= setting.values.size())
+      throw std::invalid_argument(fmt::format("explorer \"{}\": {} has no value number {}",
+                                              explorer.caption, setting.label, setting.own));
+  }
+  if (explorer.answers.size() != combinations)
+    throw std::invalid_argument(fmt::format("explorer \"{}\": {} answers for {} combinations",
+                                            explorer.caption, explorer.answers.size(),
+                                            combinations));
+}
 
 void check(const Page& page) {
   std::set<std::string> ids, names;
@@ -37,6 +54,7 @@ void check(const Page& page) {
                                                 table.caption, row.size(), table.columns.size()));
       }
     }
+    if (section.explorer) check(*section.explorer);
     std::set<std::string> choices;
     for (const Figure& figure : section.figures) choices.insert(figure.choice);
     if (choices.size() > most_choices + choices.count(""))
@@ -82,43 +100,106 @@ Json data_of(const Figure& figure, const std::string& svg, const Writing& writin
           {"title", writing.plain(chart.title)},
           {"svg", svg},
           {"caption", writing.linked(figure.caption)},
+          {"frame", writing.plain(figure.frame)},
           {"max_width", chart.width * 115 / 100},
           {"wide", chart.width >= wide_chart}};
 }
 
-/// The list of figures of a choice, which is added where it is new.
-Json& figures_of_choice(const std::string& choice, Json& choices) {
-  for (Json& known : choices) {
-    if (known["choice"] == choice) return known["chosen"];
+/// Figures in their places: frames are one beside the others.
+Json placed(std::vector<Json> figures) {
+  Json frames = Json::array(), others = Json::array();
+  for (Json& figure : figures)
+    (figure["frame"] == "" ? others : frames).push_back(std::move(figure));
+  for (Json& frame : frames) frame["last"] = &frame == &frames.back();
+  return {{"figures", std::move(others)},
+          {"has_frames", !frames.empty()},
+          {"last_frame", frames.empty() ? 0 : frames.size() - 1},
+          {"frames", frames}};
+}
+
+/// The figures under each of their names, in the order of the names' first.
+using Named = std::vector<std::pair<std::string, std::vector<Json>>>;
+
+void add(Named& named, const std::string& name, Json figure) {
+  auto known = std::ranges::find_if(named, [&](const auto& entry) { return entry.first == name; });
+  if (known == named.end()) known = named.insert(named.end(), {name, {}});
+  known->second.push_back(std::move(figure));
+}
+
+Json list_under(const char* key, Named named) {
+  Json list = Json::array();
+  for (auto& [name, figures] : named) {
+    list.push_back(placed(std::move(figures)));
+    list.back()[key] = name;
+    list.back()["number"] = list.size() - 1;
   }
-  choices.push_back({{"choice", choice}, {"number", choices.size()}, {"chosen", Json::array()}});
-  return choices.back()["chosen"];
+  return list;
+}
+
+/// JSON that no script's end can stand in.
+std::string inside_a_script(const Json& data) {
+  std::string text;
+  for (const char c : data.dump()) text += c == '<' ? "\\u003c" : std::string(1, c);
+  return text;
+}
+
+Json data_of(const Explorer& explorer, const Writing& writing) {
+  Json settings = Json::array(), values = Json::array();
+  for (const Setting& setting : explorer.settings) {
+    settings.push_back({{"label", writing.plain(setting.label)},
+                        {"own", setting.own},
+                        {"last", setting.values.size() - 1},
+                        {"value", writing.plain(setting.values[setting.own])}});
+    values.push_back(setting.values);
+  }
+  return {{"caption", writing.linked(explorer.caption)},
+          {"settings", std::move(settings)},
+          {"data", inside_a_script({{"values", values}, {"answers", explorer.answers}})}};
+}
+
+Json data_of(const Section& section, const FileSet& files, const Writing& writing) {
+  Json tables = Json::array();
+  std::vector<Json> figures;
+  Named choices, folds;
+  for (const Table& table : section.tables) tables.push_back(data_of(table, writing));
+  for (const Figure& figure : section.figures) {
+    Json drawn = data_of(figure, files.at(figure.chart.name + ".svg"), writing);
+    if (!figure.fold.empty()) {
+      add(folds, writing.plain(figure.fold), std::move(drawn));
+    } else if (!figure.choice.empty()) {
+      add(choices, writing.plain(figure.choice), std::move(drawn));
+    } else {
+      figures.push_back(std::move(drawn));
+    }
+  }
+  Json data = placed(std::move(figures));
+  data["has_figures"] = !data["figures"].empty() || !data["frames"].empty();
+  data["id"] = section.id;
+  data["heading"] = writing.plain(section.heading);
+  data["paragraphs"] = list_of(section.paragraphs, writing.linked);
+  data["tables"] = std::move(tables);
+  data["has_choices"] = !choices.empty();
+  data["choices"] = list_under("choice", std::move(choices));
+  data["folds"] = list_under("fold", std::move(folds));
+  data["explorer"] = section.explorer ? data_of(*section.explorer, writing) : Json();
+  return data;
+}
+
+/// Whether something on the page moves, for which it needs a script.
+bool needs_script(const Page& page) {
+  return std::ranges::any_of(page.sections, [](const Section& section) {
+    return section.explorer.has_value() ||
+           std::ranges::any_of(section.figures,
+                               [](const Figure& figure) { return !figure.frame.empty(); });
+  });
 }
 
 Json data_of(const Page& page, const FileSet& files, const Writing& writing) {
   Json sections = Json::array();
-  for (const Section& section : page.sections) {
-    Json tables = Json::array(), figures = Json::array(), choices = Json::array();
-    for (const Table& table : section.tables) tables.push_back(data_of(table, writing));
-    for (const Figure& figure : section.figures) {
-      Json drawn = data_of(figure, files.at(figure.chart.name + ".svg"), writing);
-      if (figure.choice.empty()) {
-        figures.push_back(std::move(drawn));
-      } else {
-        figures_of_choice(writing.plain(figure.choice), choices).push_back(std::move(drawn));
-      }
-    }
-    sections.push_back({{"id", section.id},
-                        {"heading", writing.plain(section.heading)},
-                        {"paragraphs", list_of(section.paragraphs, writing.linked)},
-                        {"tables", std::move(tables)},
-                        {"has_figures", !figures.empty()},
-                        {"figures", std::move(figures)},
-                        {"has_choices", !choices.empty()},
-                        {"choices", std::move(choices)}});
-  }
+  for (const Section& section : page.sections) sections.push_back(data_of(section, files, writing));
   return {{"title", writing.plain(page.title)},
           {"intro", list_of(page.intro, writing.linked)},
+          {"script", needs_script(page) ? Json(embedded::page_script) : Json()},
           {"sections", std::move(sections)}};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,37 @@ struct Figure {
   /// What the reader chooses it by: of a section's choices one is seen at a time on a screen, the
   /// first of them at the beginning, and all on paper. Empty: it is always seen.
   std::string choice = {};
+  /// Of the frames of a choice one is seen at a time, the last at the beginning, and on paper; a
+  /// slider, which needs a script, goes through them, and says this. Empty: it is no frame.
+  std::string frame = {};
+  /// What it is folded under, until the reader opens that. Empty: it is not.
+  std::string fold = {};
 };
 
-/// A heading and what it heads, in this order. Text is plain; https:// addresses become links.
+/// Something that the reader may set, to one of several values.
+struct Setting {
+  std::string label;                ///< with its unit
+  std::vector<std::string> values;  ///< by rising value
+  std::size_t own;                  ///< the one that is set at the beginning
+};
+
+/// An answer for each combination of settings, of which a script shows one. What matters must be
+/// told by tables and figures, too.
+struct Explorer {
+  std::string caption;
+  std::vector<Setting> settings;
+  std::vector<std::string> answers;  ///< the last setting changes first
+};
+
+/// A heading and what it heads, in this order, an explorer before the tables. Text is plain;
+/// https:// addresses become links.
 struct Section {
   std::string id;  ///< the address of the section within the page; unique, without spaces
   std::string heading;
   std::vector<std::string> paragraphs = {};
   std::vector<Table> tables = {};
   std::vector<Figure> figures = {};  ///< narrow ones stand side by side
+  std::optional<Explorer> explorer = {};
 };
 
 struct Page {

@@ -124,9 +124,26 @@ std::string csv_of(const Json& rows) {
   return text;
 }
 
+Explorer explorer_of(const Part& part, const Scopes& scopes) {
+  Explorer explorer{filled(part.text("caption"), scopes), {}, {}};
+  for (const Json& row : found_in(scopes, part.text("settings"))) {
+    const Scopes place = with(scopes, row);
+    Setting setting{filled(part.text("setting"), place), {}, found_in(place, "own")};
+    for (const Json& value : found_in(place, part.text("values"))) {
+      setting.values.push_back(filled(part.text("value"), with(place, value)));
+    }
+    explorer.settings.push_back(std::move(setting));
+  }
+  for (const Json& row : found_in(scopes, part.text("answers"))) {
+    explorer.answers.push_back(filled(part.text("answer"), with(scopes, row)));
+  }
+  return explorer;
+}
+
 Section section_of(const Part& part, const Scopes& scopes, DrawnPage& result) {
   Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
   section.paragraphs = paragraphs_of(part, "text", scopes);
+  if (part.has("explorer")) section.explorer = explorer_of(part.part("explorer"), scopes);
   for (const Part& table : part.parts("table")) {
     for (const Scopes& place : places_of(table, scopes)) {
       section.tables.push_back(table_of(table, place));
@@ -140,7 +157,9 @@ Section section_of(const Part& part, const Scopes& scopes, DrawnPage& result) {
   for (const Part& chart : part.parts("chart")) {
     for (const Scopes& place : places_of(chart, scopes)) {
       section.figures.push_back({chart_of(chart, place), chart.filled_text("caption", place),
-                                 chart.filled_text("choice", place)});
+                                 chart.filled_text("choice", place),
+                                 chart.filled_text("frame", place),
+                                 chart.filled_text("fold", place)});
     }
   }
   return section;

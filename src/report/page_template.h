@@ -20,6 +20,7 @@ struct DrawnPage {
 ///   title = "..."             intro = ["a paragraph", ...]        epilogue = "..."
 ///   [[section]]               id, heading, text = ["a paragraph", ...]
 ///   [[section.table]]         rows, csv, most, caption, columns = [...], heads each a table
+///   [section.explorer]        caption, settings, setting, values, value, answers, answer
 ///     a column                title, value, align = "left" (default right), state
 ///   [[section.chart]]         name, title, caption, x, y, series, lines, heat_map
 ///     an axis, x or y         label with its unit, scale = "logarithmic", range = [from, to],
@@ -49,7 +50,13 @@ struct DrawnPage {
 /// y: `cells` names a list there, of an entry for each of x, and `value` a member of it, or "." for
 /// itself. A chart's name is written in small letters, with hyphens; `width` and `height` are
 /// pixels, `row_height` those more for each category of y; `description` is for those who cannot
-/// see it; by its `choice` the reader picks it among others of the section, see page.h.
+/// see it; by its `choice` the reader picks it among others of the section, by its `frame` a slider
+/// does, and what has a `fold` is folded away, see page.h.
+///
+/// Of an explorer, `settings` names a list, of an entry for each, with a member `own`, the number
+/// of the value that is set at the beginning; `setting` is its label, `values` a list in it,
+/// `value` the text of each. `answers` names the list of answers, one for each combination, of
+/// which the last setting changes first, and `answer` is the text of each.
 ///
 /// Any section, paragraph {text = "..."}, table, column, chart, series and line takes `when`, a
 /// condition like `where`, `each`, the name of a list for whose entries it is repeated, in each of

@@ -9,6 +9,9 @@
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
 #include "embedded/template_contest.h"
+#include "embedded/template_contest_failures.h"
+#include "embedded/template_contest_family.h"
+#include "embedded/template_contest_machines.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
@@ -27,6 +30,9 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"advice", embedded::template_advice},
     {"calibration", embedded::template_calibration},
     {"contest", embedded::template_contest},
+    {"contest_failures", embedded::template_contest_failures},
+    {"contest_family", embedded::template_contest_family},
+    {"contest_machines", embedded::template_contest_machines},
     {"dynamics", embedded::template_dynamics},
     {"family", embedded::template_family},
     {"fireworks", embedded::template_fireworks},

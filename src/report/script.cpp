@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "src/report/end_labels.h"
 #include "src/report/frame.h"
 #include "src/report/look.h"
 #include "src/report/names_of_points.h"
@@ -32,6 +33,10 @@ class Script {
         line_labels_.push_back(line.label);
     frame_.x = chart.x.range.value_or(data_limits(chart.x, Direction::vertical));
     frame_.y = chart.y.range.value_or(data_limits(chart.y, Direction::horizontal));
+    ends_ = end_labels(chart, frame_);
+    for (const EndLabel& end : ends_) {
+      frame_.room_for_ends = std::max(frame_.room_for_ends, text_width(end.text) + 15);
+    }
   }
 
   std::string text() {
@@ -44,7 +49,7 @@ class Script {
       // In the legend they come last, though the series are drawn over them.
       for (std::size_t i = 0; i < line_labels_.size(); ++i)
         plot("keyentry", line_style(i), line_labels_[i]);
-      text_ += names_of_points(chart_, frame_);
+      text_ += names_of_points(chart_, frame_) + end_label_script(ends_);
     }
     if (!has_values_) add("set label 'no data' at graph 0.5, graph 0.5 center tc rgb '#666666'\n");
     return fmt::format("{}{}plot {}\n", frame_script(chart_, frame_), text_, plots_);
@@ -185,7 +190,7 @@ class Script {
     } else {
       const std::string style =
           fmt::format("with lines lw 1.7 lc rgb '{}' dt {}", look.colour, look.dash);
-      plot(joined ? data : "keyentry", style, series.label);
+      plot(joined ? data : "keyentry", style, ends_.empty() ? series.label : "");
     }
     if (alone.empty()) return;
     data = begin_data();
@@ -259,6 +264,7 @@ class Script {
   const Chart& chart_;
   std::vector<std::string> line_labels_;
   Frame frame_;
+  std::vector<EndLabel> ends_;
   bool has_values_ = false;
   int blocks_ = 0;
   std::string text_;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "src/report/script.h"
+#include "src/report/short_svg.h"
 
 namespace ricochet::report {
 namespace {
@@ -60,6 +61,7 @@ std::string finish_svg(const std::string& svg, const std::string& name, const st
   if (const auto parsed = document.load_string(svg.c_str()); !parsed)
     throw std::runtime_error(fmt::format("chart {}: no SVG: {}", name, parsed.description()));
   drop_ballast(document);
+  shorten(document);
   for (const pugi::xpath_node& id : document.select_nodes("//@*")) name_id(id.attribute(), name);
   for (const pugi::xpath_node& text : document.select_nodes("//*[@font-family]"))
     drop_font(text.node());

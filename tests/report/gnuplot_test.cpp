@@ -142,7 +142,7 @@ TEST(Gnuplot, DrawsLinesAcrossPlotsWhoseLimitsHaveManyDigits) {
   chart.x.range = chart.y.range = Range{1.0 / 3, 20.0 / 3};
   chart.lines = {{Direction::horizontal, 1, "one"}, {Direction::vertical, 2, "two"}};
   const std::string svg = to_svg(chart);
-  for (const char* colour : {"34,  34,  34", "242, 184,  75"}) {
+  for (const char* colour : {"#222222", "#f2b84b"}) {
     int paths = 0;
     for (auto at = svg.find(colour); at != std::string::npos; at = svg.find(colour, at + 1))
       ++paths;
@@ -193,7 +193,7 @@ TEST(Gnuplot, IsNotFooledByLabelsThatLookLikeSvg) {
 
 TEST(Gnuplot, LeavesAGapWhereAValueIsMissing) {
   const auto strokes = [](const Chart& chart) {
-    static const std::regex pattern("stroke=\"rgb\\(  0, 114, 178\\)\"[^>]*d=\"([^\"]*)\"");
+    static const std::regex pattern("stroke=\"#0072b2\"[^>]*d=\"([^\"]*)\"");
     const std::string svg = to_svg(chart);
     std::smatch match;
     EXPECT_TRUE(std::regex_search(svg, match, pattern));

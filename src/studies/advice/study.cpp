@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "problems/carrier_track/scene/scene_doubts.h"
+#include "src/studies/advice/knob_grid.h"
+#include "src/studies/advice/model_choice.h"
 #include "src/studies/advice/quiet_speed_answer.h"
 #include "src/studies/advice/staircase_chart.h"
 #include "src/studies/path_chart.h"
@@ -95,6 +97,8 @@ Json compute(const AdviceOptions& options) {
   data["most"] = 1 + 1.1 * most;
   data["wear"] = wear_data(options.scene, found.options.fastest);
   data["changes"] = change_data(answer.sensitivities);
+  data["explorer"] = json_of(knob_grid(options.scene, found));
+  data["model"] = model_choice(options.scene, found);
   data["paths"] = Json::array();
   if (found.fastest_quiet) {
     data["paths"].push_back(

@@ -40,11 +40,68 @@ std::string command_of(const PlannedCell& cell, const Outcome& outcome, int run)
       cell.budget.evaluations, outcome.instance, run);
 }
 
+/// A machine and its factors: "C1: 0.5, 0.1, 0.05".
+std::string name_of(const std::string& machine, const std::map<std::string, double>& factors) {
+  std::string text;
+  for (const char* name : {"restitution", "friction", "disturbance"}) {
+    const auto found = factors.find(name);
+    if (found == factors.end()) continue;
+    text += fmt::format("{} {}", text.empty() ? ":" : ",", found->second);
+  }
+  return machine + text;
+}
+
+/// Machine and feature.
+using Fates = std::map<std::pair<std::string, std::string>, Fate>;
+
+/// A map of machines over features for the share solved, and one for each kind of failure.
+Json maps_of(const Fates& fates, const std::map<std::string, std::string>& names) {
+  std::vector<std::string> features;
+  for (const Feature& feature : all_features()) {
+    const bool there = std::any_of(fates.begin(), fates.end(), [&](const auto& fate) {
+      return fate.first.second == feature.name;
+    });
+    if (there) features.push_back(feature.name);
+  }
+  std::vector<std::string> kinds = {"solved"};
+  for (const auto& [key, fate] : fates) {
+    for (const auto& [kind, times] : fate.kinds) {
+      if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+    }
+  }
+  Json maps = Json::array();
+  for (const std::string& kind : kinds) {
+    Json rows = Json::array();
+    double most = 0;
+    for (const auto& [machine, name] : names) {
+      Json cells = Json::array();
+      for (const std::string& feature : features) {
+        const auto fate = fates.find({machine, feature});
+        if (fate == fates.end()) {
+          cells.push_back(nullptr);
+          continue;
+        }
+        const auto times = fate->second.kinds.find(kind);
+        const int ended = kind == "solved"                    ? fate->second.solved
+                          : times == fate->second.kinds.end() ? 0
+                                                              : times->second;
+        const double share = ended / static_cast<double>(fate->second.runs);
+        most = std::max(most, share);
+        cells.push_back(share);
+      }
+      rows.push_back({{"machine", name}, {"cells", std::move(cells)}});
+    }
+    maps.push_back(
+        {{"number", maps.size() + 1}, {"kind", kind}, {"most", most}, {"rows", std::move(rows)}});
+  }
+  return maps;
+}
+
 }  // namespace
 
 Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
   const auto largest = largest_budgets(standings);
-  std::map<std::pair<std::string, std::string>, Fate> fates;
+  Fates fates;
   std::map<std::string, std::map<std::string, double>> factors;
   for (const StoredStanding& s : standings) {
     const Question& question = campaign.questions()[s.cell->question];
@@ -68,6 +125,7 @@ Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& sta
     }
   }
   Json rows = Json::array();
+  std::map<std::string, std::string> names;
   for (const auto& [key, fate] : fates) {
     const std::string& machine = key.first;
     const std::string& feature = key.second;
@@ -75,6 +133,7 @@ Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& sta
       const auto found = factors[machine].find(name);
       return found == factors[machine].end() ? Json() : Json(found->second);
     };
+    names[machine] = name_of(machine, factors[machine]);
     Json row = {{"machine", machine},
                 {"restitution", factor("restitution")},
                 {"friction", factor("friction")},
@@ -93,7 +152,7 @@ Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& sta
     row["kinds"] = kinds;
     rows.push_back(std::move(row));
   }
-  return rows;
+  return {{"atlas", std::move(rows)}, {"atlas_maps", maps_of(fates, names)}};
 }
 
 }  // namespace ricochet::studies::contest

@@ -5,9 +5,9 @@
 #include "problems/carrier_track/questions/machine_grid.h"
 #include "problems/carrier_track/questions/scanned_best.h"
 #include "problems/families.h"
-#include "solvers/fireworks/varied_fireworks.h"
 #include "solvers/outside/outside.h"
 #include "solvers/solvers.h"
+#include "solvers/varied.h"
 
 namespace ricochet::studies {
 
@@ -19,9 +19,7 @@ Catalogue whole_catalogue() {
             return carrier_track::grid_families(
                 grid.around, {grid.restitution, grid.friction, grid.disturbance, grid.fidelity});
           },
-          [](const VariedSolver& solver) {
-            return fireworks::varied(solver.of, solver.name, solver.options);
-          },
+          [](const VariedSolver& solver) { return varied(solver.of, solver.name, solver.options); },
           [](Question question) { return carrier_track::with_scanned_best(std::move(question)); }};
 }
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/studies/contest/factor_data.h"
 #include "src/studies/contest/group.h"
+#include "src/studies/contest/machine_results.h"
 #include "src/studies/contest/order.h"
 #include "src/studies/contest/reported_part.h"
 
@@ -93,7 +93,9 @@ std::vector<double> widths_of(const StoredContest& contest, const Group& group, 
 void add_widths(Json& rows, const StoredContest& contest, const Group& group) {
   for (const bool penalised : {false, true}) {
     std::vector<Setting> settings;
-    for (const double width : widths_of(contest, group, penalised)) {
+    const std::vector<double> widths = widths_of(contest, group, penalised);
+    if (widths.size() < 2) continue;
+    for (const double width : widths) {
       std::vector<Standing> shown = contest.standings;
       const Form form{width, penalised};
       std::erase_if(shown, [&](const Standing& s) { return s.form != form; });

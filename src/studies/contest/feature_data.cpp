@@ -181,10 +181,11 @@ Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& a
     if (found != changes.end()) summaries.push_back(summary_of(*feature, found->second));
   }
   adjust(summaries);
-  return {{"features", std::move(summaries)},
-          {"feature_names", std::move(names)},
-          {"feature_rows", std::move(rows)},
-          {"atlas", atlas_data(campaign, standings)}};
+  Json data = {{"features", std::move(summaries)},
+               {"feature_names", std::move(names)},
+               {"feature_rows", std::move(rows)}};
+  data.update(atlas_data(campaign, standings));
+  return data;
 }
 
 }  // namespace ricochet::studies::contest

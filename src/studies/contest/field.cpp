@@ -95,8 +95,12 @@ std::vector<Field> fields_of(const Campaign& campaign, const std::vector<StoredS
       const bool takes_all = entrant.standings.size() == field.questions.size();
       (takes_all ? field.entrants : field.partial).push_back(std::move(entrant));
     }
-    for (const ReportedPart& part : parts) {
-      if (part.part == field.part) field.family = part.families.at(field.family);
+    const auto part = std::find_if(parts.begin(), parts.end(), [&](const ReportedPart& reported) {
+      return reported.part == field.part;
+    });
+    if (part != parts.end()) {
+      if (part->asked_again.contains(field.family)) continue;
+      field.family = part->families.at(field.family);
     }
     fields.push_back(std::move(field));
   }

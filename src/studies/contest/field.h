@@ -28,6 +28,10 @@ struct Field {
   std::vector<std::size_t> questions;
   std::vector<Entrant> entrants;  ///< that take all of the questions, by name
   std::vector<Entrant> partial;   ///< that take some of them only, by name
+
+  /// Whether its entrants are compared with each other: with the largest budget, several of them on
+  /// several questions.
+  bool compared() const { return largest && entrants.size() > 1 && questions.size() > 1; }
 };
 
 /// The fields of a campaign, by part, family and budget. The standings outlive them.

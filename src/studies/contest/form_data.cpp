@@ -8,6 +8,29 @@
 namespace ricochet::studies::contest {
 using report::Json;
 
+namespace {
+
+void add_ceilings(Json& rows, const ContestPlan& plan, const Group& group) {
+  for (const std::size_t q : group.questions) {
+    const Question& question = plan.questions[q];
+    for (const Form& form : question.forms(plan.widths)) {
+      if (form.width == 0 || form.penalised) continue;
+      const auto found = ceiling(question, form.width);
+      if (!found) continue;
+      rows.push_back({{"family", group.family},
+                      {"question", question.name()},
+                      {"width", form.width},
+                      {"optimum", found->optimum},
+                      {"best", (*question.stated.best_point)[0]},
+                      {"distance", found->distance},
+                      {"regret", found->regret},
+                      {"solves", found->regret && *found->regret <= question.tolerance}});
+    }
+  }
+}
+
+}  // namespace
+
 Json form_data(const ContestPlan& plan, const std::vector<Standing>& standings,
                const std::vector<Group>& groups) {
   Json rows = Json::array();
@@ -25,22 +48,9 @@ Json form_data(const ContestPlan& plan, const std::vector<Standing>& standings,
   return rows;
 }
 
-Json ceiling_data(const ContestPlan& plan) {
+Json ceiling_data(const ContestPlan& plan, const std::vector<Group>& groups) {
   Json rows = Json::array();
-  for (const Question& question : plan.questions) {
-    for (const Form& form : question.forms(plan.widths)) {
-      if (form.width == 0 || form.penalised) continue;
-      const auto found = ceiling(question, form.width);
-      if (!found) continue;
-      rows.push_back({{"question", question.name()},
-                      {"width", form.width},
-                      {"optimum", found->optimum},
-                      {"best", (*question.stated.best_point)[0]},
-                      {"distance", found->distance},
-                      {"regret", found->regret},
-                      {"solves", found->regret && *found->regret <= question.tolerance}});
-    }
-  }
+  for (const Group& group : groups) add_ceilings(rows, plan, group);
   return rows;
 }
 

@@ -11,6 +11,6 @@ report::Json form_data(const ContestPlan& plan, const std::vector<Standing>& sta
 
 /// How far the optimum of the surrogate is from the best point, for every width that is shown:
 /// whoever follows the surrogate to its end comes no nearer.
-report::Json ceiling_data(const ContestPlan& plan);
+report::Json ceiling_data(const ContestPlan& plan, const std::vector<Group>& groups);
 
 }  // namespace ricochet::studies::contest

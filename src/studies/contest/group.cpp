@@ -71,7 +71,7 @@ Json rating_data(const Rating& rating) {
 }
 
 /// Competitors that are shown beside each other, question by question.
-constexpr std::size_t compared = 30;
+constexpr std::size_t compared = 20;
 
 /// A row for each of the first competitors with the share of runs that it solves of every question
 /// with the largest budget; null where it does not take the question in this form.
@@ -126,15 +126,28 @@ std::vector<Group> groups_of(const StoredContest& contest) {
   return groups;
 }
 
+Ratings ratings_of(const ContestPlan& plan, const std::vector<Standing>& standings,
+                   const std::vector<Group>& groups) {
+  Ratings ratings;
+  for (const Group& group : groups) {
+    auto& of_group = ratings.emplace_back();
+    for (std::size_t b = 0; b < plan.budgets.size(); ++b) {
+      of_group.push_back(rate(plan, standings, group.questions, b));
+    }
+  }
+  return ratings;
+}
+
 Json group_data(const ContestPlan& plan, const std::vector<Standing>& standings,
-                const std::vector<Group>& groups) {
+                const std::vector<Group>& groups, const Ratings& rated) {
   // A chart can tell so many lines apart.
   constexpr std::size_t drawn = 6;
   Json all = Json::array();
-  for (const Group& group : groups) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Group& group = groups[g];
     Json budgets = Json::array();
     for (std::size_t b = 0; b < plan.budgets.size(); ++b) {
-      Json ratings = report::list_of(rate(plan, standings, group.questions, b), rating_data);
+      Json ratings = report::list_of(rated[g][b], rating_data);
       Json first = Json::array();
       for (std::size_t i = 0; i < std::min(drawn, ratings.size()); ++i) first.push_back(ratings[i]);
       for (Json& rating : ratings) rating.erase("progress");  // the first ones are drawn

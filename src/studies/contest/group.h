@@ -24,9 +24,14 @@ std::vector<Group> groups_of(const ContestPlan& plan, const std::vector<Family>&
 /// The same of a stored contest.
 std::vector<Group> groups_of(const StoredContest& contest);
 
+/// Of each group, for each budget of the plan: the best first.
+using Ratings = std::vector<std::vector<std::vector<Rating>>>;
+Ratings ratings_of(const ContestPlan& plan, const std::vector<Standing>& standings,
+                   const std::vector<Group>& groups);
+
 /// What the plan's runs say: of each group the ratings for each budget, its questions, and, where
 /// they are few, all the standings on them.
 report::Json group_data(const ContestPlan& plan, const std::vector<Standing>& standings,
-                        const std::vector<Group>& groups);
+                        const std::vector<Group>& groups, const Ratings& ratings);
 
 }  // namespace ricochet::studies::contest

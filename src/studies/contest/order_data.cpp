@@ -16,11 +16,7 @@ using report::Json;
 /// Only every second instance, from the first or the second on.
 std::vector<Standing> half(std::vector<Standing> standings, std::size_t from) {
   for (Standing& standing : standings) {
-    std::vector<Outcome> kept;
-    for (std::size_t i = from; i < standing.outcomes.size(); i += 2) {
-      kept.push_back(std::move(standing.outcomes[i]));
-    }
-    standing.outcomes = std::move(kept);
+    standing.outcomes = standing.outcomes.every(2, from, (standing.outcomes.size() + 1 - from) / 2);
   }
   return standings;
 }
@@ -41,7 +37,7 @@ Json compared(const std::string& family, const std::string& what, const Order& a
 
 Json order_data(const ContestPlan& plan, const std::vector<Standing>& standings,
                 const std::vector<Standing>& again, const ContestPlan& drawn,
-                const std::vector<Group>& groups) {
+                const std::vector<Group>& groups, const Ratings& ratings) {
   const std::size_t last = plan.budgets.size() - 1;
   ContestPlan halved = plan;
   halved.instances = plan.instances / 2;
@@ -49,11 +45,12 @@ Json order_data(const ContestPlan& plan, const std::vector<Standing>& standings,
   const auto add = [&rows](Json row) {
     if (!row.is_null()) rows.push_back(std::move(row));
   };
-  for (const Group& group : groups) {
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Group& group = groups[g];
     const auto of = [&](const ContestPlan& p, const std::vector<Standing>& all,
                         std::size_t budget) { return rate(p, all, group.questions, budget); };
-    const std::vector<Rating> first = of(plan, standings, 0);
-    const std::vector<Rating> most = of(plan, standings, last);
+    const std::vector<Rating>& first = ratings[g].front();
+    const std::vector<Rating>& most = ratings[g].back();
     if (!again.empty()) {
       add(compared(group.family, "other seeds", order_of(first), order_of(of(plan, again, 0))));
     }

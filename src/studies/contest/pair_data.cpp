@@ -168,8 +168,7 @@ Json field_data(const Campaign& campaign, const Field& field) {
 Json pair_data(const Campaign& campaign, const std::vector<Field>& fields) {
   Json all = Json::array();
   for (const Field& field : fields) {
-    if (!field.largest || field.entrants.size() < 2 || field.questions.size() < 2) continue;
-    all.push_back(field_data(campaign, field));
+    if (field.compared()) all.push_back(field_data(campaign, field));
   }
   return all;
 }

@@ -16,13 +16,6 @@ namespace {
 
 using report::Json;
 
-/// Evaluations for each variable until the question is solved, with restarts; infinite where no run
-/// solved it.
-double running_time(const Campaign& campaign, const StoredStanding& standing) {
-  const OnQuestion one = on_question(campaign, standing);
-  return one.share > 0 ? one.evaluations / one.share : std::numeric_limits<double>::infinity();
-}
-
 /// A row for each question, an entry for each entrant.
 template <class Cost>
 Costs costs_of(const Field& field, const Cost& cost) {
@@ -103,6 +96,11 @@ Json profile_of_field(const Campaign& campaign, const Field& field) {
 
 }  // namespace
 
+double running_time(const Campaign& campaign, const StoredStanding& standing) {
+  const OnQuestion one = on_question(campaign, standing);
+  return one.share > 0 ? one.evaluations / one.share : std::numeric_limits<double>::infinity();
+}
+
 double penalised_cost(const Campaign& campaign, const StoredStanding& standing) {
   double sum = 0;
   const auto budget = static_cast<double>(standing.cell->budget.evaluations);
@@ -133,8 +131,7 @@ std::vector<const Entrant*> cheapest_first(const Campaign& campaign, const Field
 Json profile_data(const Campaign& campaign, const std::vector<Field>& fields) {
   Json all = Json::array();
   for (const Field& field : fields) {
-    if (!field.largest || field.entrants.size() < 2 || field.questions.size() < 2) continue;
-    all.push_back(profile_of_field(campaign, field));
+    if (field.compared()) all.push_back(profile_of_field(campaign, field));
   }
   return all;
 }

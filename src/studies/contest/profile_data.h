@@ -5,6 +5,10 @@
 
 namespace ricochet::studies::contest {
 
+/// Evaluations for each variable until the question is solved, with restarts; infinite where no run
+/// solved it.
+double running_time(const Campaign& campaign, const StoredStanding& standing);
+
 /// What a solver needs on a question: evaluations for each variable, mean over its runs, of which
 /// one that did not solve it is charged ten times the budget (PAR10; Lindauer, van Rijn and
 /// Kotthoff 2019, doi:10.1016/j.artint.2018.10.004).

@@ -25,6 +25,12 @@ std::vector<const PlannedCell*> cells_of(const Campaign& campaign, std::size_t p
   return cells;
 }
 
+bool asks_several_features(const std::vector<const PlannedCell*>& cells) {
+  return std::any_of(cells.begin(), cells.end(), [&](const PlannedCell* cell) {
+    return cell->cell.feature != cells.front()->cell.feature;
+  });
+}
+
 }  // namespace
 
 std::vector<ReportedPart> reported_parts(const Campaign& campaign) {
@@ -43,10 +49,14 @@ std::vector<ReportedPart> reported_parts(const Campaign& campaign) {
     if (!asks(&Cell::gradient_price, mine.usual.gradient_price)) {
       mine.usual.gradient_price = first.gradient_price;
     }
+    const PlanPart& asked = campaign.plan().parts[part];
+    const bool varies =
+        asked.gradient_prices.size() > 1 || !asked.widths.empty() || asks_several_features(cells);
     for (const PlannedCell* cell : cells) {
       const std::string& family = campaign.family_of(cell->question);
-      mine.families[family] =
-          known.contains(family) ? fmt::format("{}-part-{}", family, part + 1) : family;
+      const bool again = known.contains(family);
+      mine.families[family] = again ? fmt::format("{}-part-{}", family, part + 1) : family;
+      if (again && varies) mine.asked_again.insert(family);
     }
     for (const auto& [family, name] : mine.families) known.insert(family);
     reported.push_back(std::move(mine));

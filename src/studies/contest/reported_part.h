@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct ReportedPart {
   /// How its families are called: by their names, with the part's number where a part before has
   /// them, too.
   std::map<std::string, std::string> families;
+  /// Families, by their own names, that a part before has, too, while this one asks what features,
+  /// prices or widths do to them: they are not rated once more.
+  std::set<std::string> asked_again = {};
 };
 
 /// The parts but those that only repeat another one with more seeds.

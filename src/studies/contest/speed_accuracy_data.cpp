@@ -152,6 +152,7 @@ Json chart_of(const std::string& name, const Json& rows, bool by_time) {
   Json steps = front;
   steps.push_back({{"cost", dearest}, {"share", best}});
   return {{"name", fmt::format("speed-accuracy-{}{}", name, by_time ? "-seconds" : "")},
+          {"family", name},
           {"about", by_time ? name + ", by time" : name},
           {"title", title_of(name, front, rows.size(), by_time)},
           {"axis", by_time ? "processor time until solved, or in all [s]"

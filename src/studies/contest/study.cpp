@@ -17,6 +17,8 @@
 #include "src/core/error.h"
 #include "src/core/near_names.h"
 #include "src/core/patterns.h"
+#include "src/store/stored_parts.h"
+#include "src/studies/contest/break_even_data.h"
 #include "src/studies/contest/change_data.h"
 #include "src/studies/contest/drawn_plan.h"
 #include "src/studies/contest/factor_data.h"
@@ -26,7 +28,10 @@
 #include "src/studies/contest/form_data.h"
 #include "src/studies/contest/group.h"
 #include "src/studies/contest/history_data.h"
+#include "src/studies/contest/log_ratio_data.h"
+#include "src/studies/contest/machine_data.h"
 #include "src/studies/contest/order_data.h"
+#include "src/studies/contest/pages.h"
 #include "src/studies/contest/pair_data.h"
 #include "src/studies/contest/profile_data.h"
 #include "src/studies/contest/reported_part.h"
@@ -131,6 +136,8 @@ Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& sto
   const StoredContest contest = stored_contest(campaign, stored, part.usual);
   const ContestPlan& plan = contest.plan;
   std::vector<Group> groups = groups_of(contest);
+  std::erase_if(groups,
+                [&](const Group& group) { return part.asked_again.contains(group.family); });
   for (Group& group : groups) group.family = part.families.at(group.family);
   std::vector<Standing> again;
   if (const auto other = repetition_of(campaign, part.part)) {
@@ -139,7 +146,8 @@ Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& sto
     conditions.run = 1;
     again = stored_contest(campaign, stored, conditions).standings;
   }
-  Json group_rows = group_data(plan, contest.standings, groups);
+  const Ratings ratings = ratings_of(plan, contest.standings, groups);
+  Json group_rows = group_data(plan, contest.standings, groups, ratings);
   const Json twins = wider ? twin_data(plan) : Json{{"questions", 0}, {"rows", Json::array()}};
   std::int64_t least = plan.questions.front().stated.dimension();
   std::int64_t most = least;
@@ -154,15 +162,16 @@ Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& sto
              {"several", most > 1},
              {"least", plan.budgets.front()},
              {"most", plan.budgets.back()},
+             {"two_budgets", plan.budgets.size() > 1},
              {"instances", plan.instances},
              {"twins", twins["questions"]},
              {"standings", contest.standings.size()}}}},
           {"leaders", leaders_of(group_rows)},
           {"groups", group_rows},
           {"forms", form_data(plan, contest.standings, groups)},
-          {"ceilings", ceiling_data(plan)},
+          {"ceilings", ceiling_data(plan, groups)},
           {"orders", order_data(plan, contest.standings, again,
-                                wider ? drawn_plan(plan) : ContestPlan{}, groups)},
+                                wider ? drawn_plan(plan) : ContestPlan{}, groups, ratings)},
           {"history", history_data(plan, contest.standings, groups)},
           {"twins", twins["rows"]},
           {"exits", exits_of(contest.standings)},
@@ -170,7 +179,9 @@ Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& sto
 }
 
 Json compute(const Campaign& campaign, const Store& store, bool wider) {
-  const std::vector<StoredStanding> stored = stored_standings(campaign, store);
+  Digest digest(store.description());
+  const std::vector<StoredStanding> stored = stored_standings(
+      campaign, store, [&](const StoredRun& run) { digest.add(run.key, run.record); });
   const std::vector<ReportedPart> parts = reported_parts(campaign);
   Json data;
   for (const ReportedPart& part : parts) {
@@ -184,8 +195,11 @@ Json compute(const Campaign& campaign, const Store& store, bool wider) {
   data.update(speed_accuracy_data(campaign, fields));
   data["profile_families"] = profile_data(campaign, fields);
   data["pair_families"] = pair_data(campaign, fields);
+  data["log_ratio_families"] = log_ratio_data(campaign, fields);
+  data["break_even_families"] = break_even_data(campaign, fields);
   data.update(feature_data(campaign, stored));
   data.update(factor_data(campaign, stored, parts));
+  data.update(machine_data(campaign, stored, parts));
   data["changes"] = change_data(campaign, stored, parts);
   Json solvers = Json::array();
   const std::vector<Solver> known = all_solvers();
@@ -196,9 +210,9 @@ Json compute(const Campaign& campaign, const Store& store, bool wider) {
   }
   data["campaign"] = campaign.plan().name;
   data["runs"] = campaign.runs();
-  data["digest"] = store.digest();
+  data["digest"] = digest.text();
   data["solvers"] = std::move(solvers);
-  return data;
+  return in_pages(std::move(data));
 }
 
 }  // namespace

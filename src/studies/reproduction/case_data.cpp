@@ -1,9 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "src/report/polyline.h"
-#include "src/studies/path_chart.h"
 #include "src/studies/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
@@ -28,42 +25,6 @@ Json curve_of(const CaseStudy& c) {
   return {{"quiet_limit", quiet_limit(c.score.quiet_count)},
           {"top", 1.1 * *std::max_element(scan.counts.begin(), scan.counts.end())},
           {"staircase", std::move(staircase)}};
-}
-
-Json path_of(const CaseStudy& c, double omega, const char* side, const Recording& recording) {
-  Scene scene = c.scene;
-  scene.omega = omega;
-  Json path = Json::array();
-  const report::Series line{"", report::Mark::line, path_samples(scene, recording)};
-  const auto parts = report::polylines(line);
-  for (const report::Sample& corner : parts.at(0)) {
-    path.push_back({{"at", corner.position}, {"x", corner.value}});
-  }
-  const double lower = scene.wall_lower / millimetre;
-  const double upper = scene.wall_upper / millimetre;
-  const double margin = 0.1 * (upper - lower);
-  return {{"figure", c.the_case.claim.figure->number},
-          {"side", side},
-          {"id", c.the_case.id},
-          {"omega", omega},
-          {"count", recording.count},
-          {"doubt", recording.certainty.certain ? "" : recording.certainty.reason},
-          {"lower_wall", lower},
-          {"upper_wall", upper},
-          {"bottom", lower - margin},
-          {"top", upper + margin},
-          {"path", std::move(path)}};
-}
-
-/// Impacts that count, before and after the first tenth of a turn.
-Json impacts_of(const CaseStudy& c, double omega, const Recording& recording) {
-  const double end_of_start = 0.1 * 2 * std::numbers::pi / omega;
-  int start = 0;
-  int later = 0;
-  for (const auto& impact : counted_features(c.scene, recording)) {
-    ++(impact.time < end_of_start ? start : later);
-  }
-  return {{"omega", omega}, {"start", start}, {"later", later}};
 }
 
 }  // namespace
@@ -115,25 +76,6 @@ Json curve_data(const std::vector<CaseStudy>& cases) {
   Json by_id = Json::object();
   for (const CaseStudy& c : cases) by_id[c.the_case.id] = curve_of(c);
   return by_id;
-}
-
-Json path_data(const std::vector<CaseStudy>& cases) {
-  Json impacts = Json::array();
-  Json paths = Json::array();
-  for (const CaseStudy& c : cases) {
-    if (!c.paths) continue;
-    const auto& [number, quiet, loud] = *c.the_case.claim.figure;
-    paths.push_back(path_of(c, quiet, "quiet", c.paths->quiet));
-    paths.push_back(path_of(c, loud, "loud", c.paths->loud));
-    const auto& id = c.the_case.id;
-    if (id != "C1" && id != "C2" && id != "C4") continue;
-    impacts.push_back({{"id", id},
-                       {"restitution", c.the_case.restitution},
-                       {"friction", c.the_case.friction},
-                       {"quiet", impacts_of(c, quiet, c.paths->quiet)},
-                       {"loud", impacts_of(c, loud, c.paths->loud)}});
-  }
-  return {{"impacts", std::move(impacts)}, {"paths", std::move(paths)}};
 }
 
 }  // namespace ricochet::studies::reproduction

@@ -3,8 +3,11 @@
 namespace ricochet::studies::reproduction {
 
 report::Json comparison_data(const Results& results) {
-  return {{"questions", results.contest.questions.size()},
-          {"groups", contest::group_data(results.contest, results.standings, results.groups)}};
+  const contest::Ratings ratings =
+      contest::ratings_of(results.contest, results.standings, results.groups);
+  return {
+      {"questions", results.contest.questions.size()},
+      {"groups", contest::group_data(results.contest, results.standings, results.groups, ratings)}};
 }
 
 }  // namespace ricochet::studies::reproduction

@@ -26,7 +26,8 @@ report::Json step_data(const std::vector<CaseStudy>& cases);
 /// Conclusions A, B and C on a grid of restitution, friction and disturbance.
 report::Json conclusion_data(const CountGrid& grid, const std::vector<Trend>& trends);
 
-/// x(t) as in Figures 5-14, and when the carrier hits its walls in some of them.
+/// x(t) of the cases without disturbance, at several speeds, with those of the cases that differ in
+/// their disturbance alone; of the others as in Figures 9-14; and when the carrier hits its walls.
 report::Json path_data(const std::vector<CaseStudy>& cases);
 
 /// Velocity and acceleration along the track, as in Figure 3.

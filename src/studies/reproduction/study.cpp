@@ -17,8 +17,6 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-constexpr std::size_t samples_of_a_path = 600;
-
 Recording path_at(Scene scene, double omega) {
   scene.omega = omega;
   return record(scene, default_width, samples_of_a_path);
@@ -29,8 +27,7 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
   SpeedScan scan = scan_speeds(scene, options.step, options.highest);
   const Score result = score(scene, the_case.claim, scan, options.stride);
   const LogarithmicScan whole =
-      scan_logarithmically([&](double omega) { return count_at(scene, omega); }, slowest_scanned,
-                           judged_share * options.highest);
+      scan_logarithmically(scene, slowest_scanned, judged_share * options.highest);
   std::optional<FigurePaths> paths;
   if (const auto& figure = the_case.claim.figure) {
     paths = FigurePaths{path_at(scene, figure->quiet), path_at(scene, figure->loud)};

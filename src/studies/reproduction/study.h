@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,8 @@ StudyPlan full_plan();
 
 /// Thresholds to 1e-2 rad/s, solvers as reproduction_quick.toml beside it has it: a few seconds.
 StudyPlan quick_plan();
+
+inline constexpr std::size_t samples_of_a_path = 600;
 
 /// A figure of the paper, computed: x(t) at its quiet speed and at its loud one.
 struct FigurePaths {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/campaign/planned_runs.h"
-#include "src/studies/contest/factor_data.h"
+#include "src/studies/contest/machine_results.h"
 #include "tests/campaign/made_up_catalogue.h"
 #include "tests/core/temporary_folder.h"
 

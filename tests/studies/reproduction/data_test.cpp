@@ -83,7 +83,8 @@ TEST(ReproductionData, ShowsTheStepsBesideThePapersRule) {
 TEST(ReproductionData, ShowsEveryCurveFigureMapAndContradiction) {
   const report::Page page = page_of(tiny_data());
   EXPECT_EQ(section_of(page, "counts").figures.size(), 12U);
-  EXPECT_EQ(section_of(page, "paths").figures.size(), 20U);
+  EXPECT_EQ(section_of(page, "paths").figures.size(),
+            12U + 4 + tiny_data()["paths"]["frames"].size());
   EXPECT_EQ(section_of(page, "crossing").figures.size(), 2U);
   EXPECT_EQ(section_of(page, "conclusions").figures.size(), 3U);
   EXPECT_EQ(section_of(page, "contradictions").tables.at(0).rows.size(), 11U);

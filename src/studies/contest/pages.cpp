@@ -1,0 +1,120 @@
+#include "src/studies/contest/pages.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace ricochet::studies::contest {
+namespace {
+
+using report::Json;
+
+/// Lists whose rows say of which family they are, and belong on its page.
+constexpr const char* of_a_family[] = {"speed_accuracy_charts",
+                                       "profile_families",
+                                       "pair_families",
+                                       "log_ratio_families",
+                                       "break_even_families",
+                                       "forms",
+                                       "ceilings"};
+
+Json rows_of(const Json& all, const std::string& family) {
+  Json rows = Json::array();
+  for (const Json& row : all) {
+    if (row.at("family") == family) rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Moves members of one object to another.
+Json taken(Json& from, std::initializer_list<const char*> keys) {
+  Json to = Json::object();
+  for (const char* key : keys) {
+    to[key] = std::move(from.at(key));
+    from.erase(key);
+  }
+  return to;
+}
+
+/// A row for each solver with the share of runs it solves of each family with the largest budget,
+/// in its best form; whoever takes most families first, of these who solves most.
+Json solver_map(const Json& speed_accuracy, const Json& families) {
+  std::map<std::string, Json> shares;
+  for (const Json& row : speed_accuracy) {
+    if (row.at("budget").is_null() || !row.at("largest").get<bool>()) continue;
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      if (families[f].at("family") != row.at("family")) continue;
+      Json& mine = shares[row.at("solver")];
+      if (mine.is_null()) mine = Json(families.size(), Json());
+      mine[f] = row.at("share");
+    }
+  }
+  struct Row {
+    std::string solver;
+    Json shares;
+    std::size_t taken = 0;
+    double sum = 0;
+  };
+  std::vector<Row> order;
+  for (auto& [solver, row] : shares) {
+    Row& mine = order.emplace_back(Row{solver, std::move(row)});
+    for (const Json& share : mine.shares) {
+      if (share.is_null()) continue;
+      ++mine.taken;
+      mine.sum += share.get<double>();
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), [](const Row& a, const Row& b) {
+    return std::pair(a.taken, a.sum) > std::pair(b.taken, b.sum);
+  });
+  Json rows = Json::array();
+  for (Row& row : order) {
+    rows.push_back({{"solver", row.solver}, {"shares", std::move(row.shares)}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+Json in_pages(Json all) {
+  Json pages = Json::array();
+  Json families = Json::array();
+  for (Json& group : all["groups"]) {
+    const std::string family = group["family"];
+    Json leader = group["budgets"].back()["leader"];
+    families.push_back({{"family", family},
+                        {"budget", group["budgets"].back()["budget"]},
+                        {"questions", group["questions"].size()},
+                        {"leader", std::move(leader)}});
+    Json page = std::move(group);
+    page["report"] = "contest_family";
+    for (const char* key : of_a_family) page[key] = rows_of(all[key], family);
+    pages.push_back({{"folder", family}, {"data", std::move(page)}});
+  }
+  all.erase("groups");
+  all["map"] = solver_map(all["speed_accuracy"], families);
+  all["families"] = std::move(families);
+  for (const char* key : of_a_family) {
+    if (key == std::string("speed_accuracy_charts")) continue;
+    all.erase(key);
+  }
+  // Those of single families are on their pages, too: here only where nothing joins them.
+  const Json joint = rows_of(all["speed_accuracy_charts"], "all");
+  if (!joint.empty()) all["speed_accuracy_charts"] = joint;
+  Json machines = taken(
+      all, {"machines", "machine_maps", "turns", "effects", "unsure_effects", "main_effects"});
+  if (!machines["machines"].empty() || !machines["turns"].empty()) {
+    machines["report"] = "contest_machines";
+    pages.push_back({{"folder", "across-machines"}, {"data", std::move(machines)}});
+  }
+  Json failures = taken(all, {"features", "feature_names", "feature_rows", "atlas", "atlas_maps"});
+  if (!failures["features"].empty()) {
+    failures["report"] = "contest_failures";
+    pages.push_back({{"folder", "failure-atlas"}, {"data", std::move(failures)}});
+  }
+  all["pages"] = std::move(pages);
+  return all;
+}
+
+}  // namespace ricochet::studies::contest

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "src/report/simplified.h"
+#include "src/studies/path_chart.h"
+#include "src/studies/reproduction/data.h"
+
+namespace ricochet::studies::reproduction {
+namespace {
+
+using namespace carrier_track;
+using report::Json;
+
+constexpr double of_a_pixel = 1.0 / 4000;  // of the plot's width and height: a tenth, or less
+
+/// Without digits that no picture shows.
+double short_number(double value) {
+  return std::round(value * 1e5) / 1e5;
+}
+
+/// The corners of x(t) that are enough to draw it.
+Json line_of(const Scene& scene, const Recording& recording) {
+  const std::vector<report::Sample> samples = path_samples(scene, recording);
+  const double across = samples.back().position * of_a_pixel;
+  const double up = (scene.wall_upper - scene.wall_lower) / millimetre * 4 * of_a_pixel;
+  return report::list_of(report::simplified(samples, across, up), [](const report::Sample& s) {
+    return Json{{"at", short_number(s.position)}, {"x", short_number(*s.value)}};
+  });
+}
+
+/// What every chart of a case's paths has.
+Json frame_of(const CaseStudy& c, double omega) {
+  const double lower = c.scene.wall_lower / millimetre;
+  const double upper = c.scene.wall_upper / millimetre;
+  const double margin = 0.1 * (upper - lower);
+  return {{"id", c.the_case.id},
+          {"restitution", c.the_case.restitution},
+          {"friction", c.the_case.friction},
+          {"omega", omega},
+          {"lower_wall", lower},
+          {"upper_wall", upper},
+          {"bottom", lower - margin},
+          {"top", upper + margin}};
+}
+
+Json path_of(const CaseStudy& c, double omega, const char* side, const Recording& recording) {
+  Scene scene = c.scene;
+  scene.omega = omega;
+  Json path = frame_of(c, omega);
+  path["figure"] = c.the_case.claim.figure->number;
+  path["side"] = side;
+  path["count"] = recording.count;
+  path["doubt"] = recording.certainty.certain ? "" : recording.certainty.reason;
+  path["path"] = line_of(scene, recording);
+  return path;
+}
+
+/// Impacts that count, before and after the first tenth of a turn.
+Json impacts_of(const CaseStudy& c, double omega, const Recording& recording) {
+  const double end_of_start = 0.1 * 2 * std::numbers::pi / omega;
+  int start = 0;
+  int later = 0;
+  for (const auto& impact : counted_features(c.scene, recording)) {
+    ++(impact.time < end_of_start ? start : later);
+  }
+  return {{"omega", omega}, {"start", start}, {"later", later}};
+}
+
+/// The paths at one speed of all cases that differ from this one in their disturbance alone.
+Json overlaid(const std::vector<CaseStudy>& cases, const CaseStudy& c, double omega) {
+  Json overlay = frame_of(c, omega);
+  Json lines = Json::array();
+  for (const CaseStudy& other : cases) {
+    if (other.the_case.restitution != c.the_case.restitution) continue;
+    if (other.the_case.friction != c.the_case.friction) continue;
+    const Scene scene = at_speed(other.scene, omega);
+    const Recording recording = record(scene, 0, samples_of_a_path);
+    lines.push_back({{"id", other.the_case.id},
+                     {"disturbance", other.the_case.disturbance},
+                     {"count", recording.count},
+                     {"path", line_of(scene, recording)}});
+  }
+  overlay["lines"] = std::move(lines);
+  return overlay;
+}
+
+/// From below a case's threshold to the speed that the paper shows as loud.
+Json frames_of(const std::vector<CaseStudy>& cases, const CaseStudy& c) {
+  struct Place {
+    double share;
+    const char* text;
+  };
+  constexpr std::array<Place, 4> places{{{0.9, "a tenth below the threshold"},
+                                         {0.99, "just below the threshold"},
+                                         {1.01, "just above the threshold"},
+                                         {1.1, "a tenth above the threshold"}}};
+  Json frames = Json::array();
+  const auto add = [&](double omega, const char* text) {
+    Json frame = overlaid(cases, c, omega);
+    frame["number"] = frames.size() + 1;
+    frame["where"] = text;
+    frames.push_back(std::move(frame));
+  };
+  if (c.score.threshold) {
+    for (const Place& place : places) add(place.share * *c.score.threshold, place.text);
+  }
+  add(c.the_case.claim.figure->loud, "shown as loud");
+  return frames;
+}
+
+}  // namespace
+
+Json path_data(const std::vector<CaseStudy>& cases) {
+  Json impacts = Json::array();
+  Json paths = Json::array();
+  Json quiet = Json::array();
+  Json frames = Json::array();
+  for (const CaseStudy& c : cases) {
+    if (!c.paths) continue;
+    const auto& figure = *c.the_case.claim.figure;
+    const auto& id = c.the_case.id;
+    if (c.the_case.disturbance != 0) {
+      paths.push_back(path_of(c, figure.quiet, "quiet", c.paths->quiet));
+      paths.push_back(path_of(c, figure.loud, "loud", c.paths->loud));
+      continue;
+    }
+    quiet.push_back(overlaid(cases, c, figure.quiet));
+    for (Json& frame : frames_of(cases, c)) frames.push_back(std::move(frame));
+    if (id == "C3") continue;
+    impacts.push_back({{"id", id},
+                       {"restitution", c.the_case.restitution},
+                       {"friction", c.the_case.friction},
+                       {"quiet", impacts_of(c, figure.quiet, c.paths->quiet)},
+                       {"loud", impacts_of(c, figure.loud, c.paths->loud)}});
+  }
+  return {{"impacts", std::move(impacts)},
+          {"quiet", std::move(quiet)},
+          {"frames", std::move(frames)},
+          {"paths", std::move(paths)}};
+}
+
+}  // namespace ricochet::studies::reproduction

@@ -1,0 +1,89 @@
+#include "src/studies/advice/knob.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/scene/scene_file.h"
+#include "tests/core/temporary_folder.h"
+
+namespace ricochet::studies::advice {
+namespace {
+
+using namespace carrier_track;
+using testing::ElementsAre;
+
+Scene case_scene(const char* id) {
+  return scene_of(find_case(id), default_reading().scene);
+}
+
+std::vector<std::string> names(const Scene& scene) {
+  std::vector<std::string> found;
+  for (const Knob& knob : knobs_of(scene)) found.push_back(knob.name);
+  return found;
+}
+
+TEST(Knob, IsThereForWhatTheMachineHas) {
+  Scene scene = case_scene("C1");
+  EXPECT_THAT(names(scene), ElementsAre("restitution", "friction", "clearance", "disturbance"));
+  scene.wall_upper = std::numeric_limits<double>::infinity();
+  scene.friction = scene.pull = 0;
+  EXPECT_THAT(names(scene), ElementsAre("restitution", "friction"));
+}
+
+TEST(Knob, LeavesTheMachineAsItIsAtItsOwnValue) {
+  const Scene scene = case_scene("C9");
+  for (const Knob& knob : knobs_of(scene)) {
+    EXPECT_EQ(knob.value(0), knob.own);
+    EXPECT_EQ(write_scene(knob.turned(scene, knob.own)), write_scene(scene)) << knob.name;
+  }
+}
+
+class TurnedKnob : public TemporaryFolder {};
+
+TEST_F(TurnedKnob, LeavesMachinesValid) {
+  for (const char* id : {"C1", "C2", "C9", "C11"}) {
+    for (const double friction : {0.0, 0.4, 1.0}) {
+      Scene scene = case_scene(id);
+      scene.friction = friction;
+      for (const Knob& knob : knobs_of(scene)) {
+        for (const double value : knob.levels()) {
+          const std::filesystem::path file = folder_ / "turned.toml";
+          std::ofstream(file) << write_scene(knob.turned(scene, value));
+          EXPECT_NO_THROW(read_scene(file)) << knob.name << " " << value;
+        }
+      }
+    }
+  }
+}
+
+TEST(Knob, TurnsBothWallsAndKeepsTheStartInItsPlace) {
+  Scene scene = case_scene("C1");
+  scene.restitution_lower = 0.4;
+  scene.restitution_upper = 0.8;
+  const auto knobs = knobs_of(scene);
+  const Scene softer = knobs[0].turned(scene, 0.2);
+  EXPECT_DOUBLE_EQ(softer.restitution_lower, 0.2);
+  EXPECT_DOUBLE_EQ(softer.restitution_upper, 0.4);
+  const Scene harder = knobs[0].turned(scene, 0.7);  // half way to 1
+  EXPECT_DOUBLE_EQ(harder.restitution_lower, 0.7);
+  EXPECT_DOUBLE_EQ(harder.restitution_upper, 0.9);
+  const Scene wider = knobs[2].turned(scene, knobs[2].most);
+  EXPECT_DOUBLE_EQ(wider.wall_upper, 2 * scene.wall_upper);
+  EXPECT_DOUBLE_EQ(wider.start_position, 2 * scene.start_position);
+}
+
+TEST(Knob, HasNoLevelTwice) {
+  EXPECT_THAT(knobs_of(case_scene("C9"))[3].levels(), ElementsAre(0, 1, 2));
+  EXPECT_EQ(knobs_of(case_scene("C1"))[3].levels().size(), 3U);
+  Scene elastic = case_scene("C1");
+  elastic.restitution_lower = elastic.restitution_upper = 1;
+  EXPECT_THAT(knobs_of(elastic)[0].levels(), ElementsAre(0.5, 0.75, 1));
+}
+
+}  // namespace
+}  // namespace ricochet::studies::advice

@@ -1,0 +1,59 @@
+#include "src/studies/advice/model_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+
+namespace ricochet::studies::advice {
+namespace {
+
+using namespace carrier_track;
+using report::Json;
+
+constexpr Limit seven{Measure::collisions, 7};
+
+Json choice_for(const Scene& scene) {
+  return model_choice(scene, quiet_speed(scene, {seven, 1e-2, 18}));
+}
+
+/// A machine whose carrier starts off its track in the middle of a clearance across.
+Scene machine_with_room_across() {
+  Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  scene.contact_friction = false;
+  scene.across.emplace();
+  scene.across->wall_upper = 1e-3;
+  scene.across->start_position = 5e-4;
+  return scene;
+}
+
+TEST(ModelChoice, IsAlongTheTrackWhereThereIsNoRoomAcross) {
+  const Json choice = choice_for(scene_of(find_case("C1"), default_reading().scene));
+  EXPECT_FALSE(choice["across"]);
+  EXPECT_FALSE(choice["needed"]);
+  EXPECT_TRUE(choice["planar"].is_null());
+}
+
+TEST(ModelChoice, IsAlongTheTrackWhereFrictionHoldsTheCarrier) {
+  Scene scene = machine_with_room_across();
+  scene.slider_mass_radius = 0;
+  const Json choice = choice_for(scene);
+  EXPECT_TRUE(choice["across"]);
+  EXPECT_FALSE(choice["needed"]);
+}
+
+TEST(ModelChoice, IsPlanarWhereAPullAcrossBeatsFriction) {
+  Scene scene = machine_with_room_across();
+  scene.across->pull = 10 * scene.friction * scene.normal_force;
+  const Json choice = choice_for(scene);
+  EXPECT_TRUE(choice["needed"]);
+  scene.fidelity = Fidelity::planar;
+  const QuietSpeed planar = quiet_speed(scene, {seven, 1e-2, 18});
+  ASSERT_TRUE(planar.fastest_quiet);
+  EXPECT_NEAR(choice["planar"]["quiet"].get<double>(), *planar.fastest_quiet,
+              0.03 * *planar.fastest_quiet);
+  EXPECT_TRUE(choice["along"]["quiet"].is_number());
+}
+
+}  // namespace
+}  // namespace ricochet::studies::advice

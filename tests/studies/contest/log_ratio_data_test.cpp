@@ -1,0 +1,56 @@
+#include "src/studies/contest/log_ratio_data.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/campaign/made_up_catalogue.h"
+
+namespace ricochet::studies::contest {
+namespace {
+
+using report::Json;
+
+Outcome run_of(std::optional<std::int64_t> solved) {
+  Outcome outcome;
+  outcome.evaluations = 100;
+  outcome.verdict.solved = solved.has_value();
+  outcome.verdict.evaluations_to_solve = solved;
+  return outcome;
+}
+
+// Of the first question A needs 10 evaluations and B 40, of the second only B solves it.
+TEST(LogRatio, SetsTheBestTwoAgainstEachOther) {
+  const Campaign campaign(
+      plan_from("name = \"t\"\n[[part]]\nquestions = [\"bowl-1\", \"bowl-2\"]\nsolvers = "
+                "[\"chance-*\"]\nbudgets = [100]\ninstances = 1\n",
+                "test"),
+      made_up_catalogue());
+  std::vector<StoredStanding> standings;
+  for (const PlannedCell& cell : campaign.cells()) {
+    const bool first = cell.cell.question == "bowl-1";
+    const bool is_a = cell.cell.solver == "chance-a";
+    StoredStanding standing{&cell, {}};
+    standing.outcomes = {first ? run_of(is_a ? 10 : 40)
+                               : run_of(is_a ? std::nullopt : std::optional<std::int64_t>(40))};
+    standings.push_back(std::move(standing));
+  }
+  const Json data =
+      log_ratio_data(campaign, fields_of(campaign, standings, reported_parts(campaign)));
+  ASSERT_EQ(data.size(), 1);
+  // PAR10 puts B first: it always solves.
+  EXPECT_EQ(data[0]["a"], "chance-b");
+  EXPECT_EQ(data[0]["ahead_a"], 1);
+  EXPECT_EQ(data[0]["ahead_b"], 1);
+  ASSERT_EQ(data[0]["kinds"].size(), 2);
+  const Json& both = data[0]["kinds"][0];
+  EXPECT_EQ(both["solved_by"], "both solve it");
+  EXPECT_EQ(both["bars"][0]["question"], "bowl-1");
+  EXPECT_DOUBLE_EQ(both["bars"][0]["log2_ratio"], 2);
+  EXPECT_EQ(both["bars"][0]["place"], 2);
+  const Json& only = data[0]["kinds"][1];
+  EXPECT_EQ(only["solved_by"], "only chance-b");
+  EXPECT_DOUBLE_EQ(only["bars"][0]["log2_ratio"], -2.2);
+  EXPECT_EQ(only["bars"][0]["place"], 1);
+}
+
+}  // namespace
+}  // namespace ricochet::studies::contest

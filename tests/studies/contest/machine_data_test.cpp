@@ -1,0 +1,127 @@
+#include "src/studies/contest/machine_data.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "src/studies/contest/atlas_data.h"
+#include "src/studies/contest/factor_data.h"
+#include "tests/campaign/made_up_catalogue.h"
+
+namespace ricochet::studies::contest {
+namespace {
+
+using report::Json;
+
+/// Bowls of machines: restitution 0.1 and 0.9, friction 0 and 1, these disturbances; the best value
+/// is the product of the first two.
+Campaign campaign_of(const std::vector<double>& disturbances) {
+  Catalogue catalogue = made_up_catalogue();
+  catalogue.families_of = [=](const MachineGrid&) {
+    Family family{"bowl", {}};
+    for (const double restitution : {0.1, 0.9}) {
+      for (const double friction : {0.0, 1.0}) {
+        for (const double disturbance : disturbances) {
+          const std::string machine = "M" + std::to_string(family.questions.size());
+          Question question = bowl("bowl-" + machine, 1);
+          question.machine = machine;
+          question.factors = {
+              {"restitution", restitution}, {"friction", friction}, {"disturbance", disturbance}};
+          question.stated.best_known = restitution * friction;
+          family.questions.push_back(question);
+        }
+      }
+    }
+    return std::vector{family};
+  };
+  return Campaign(
+      plan_from("name = \"t\"\n[[part]]\nquestions = \"*\"\nsolvers = [\"chance-*\"]\n"
+                "budgets = [100]\ninstances = 1\n"
+                "machines = {around = \"C1\", restitution = [0.1, 0.9], friction = [0, 1]}\n",
+                "test"),
+      catalogue);
+}
+
+/// chance-a solves at the high friction only; the others never solve, and throw.
+std::vector<StoredStanding> standings_of(const Campaign& campaign) {
+  std::vector<StoredStanding> standings;
+  for (const PlannedCell& cell : campaign.cells()) {
+    const Question& question = campaign.questions()[cell.question];
+    Outcome outcome;
+    outcome.evaluations = cell.budget.evaluations;
+    outcome.verdict.feasible = true;
+    outcome.verdict.solved = cell.cell.solver == "chance-a" && question.factors.at("friction") == 1;
+    if (cell.cell.solver != "chance-a") outcome.failure = "threw: no";
+    StoredStanding standing{&cell, {}};
+    standing.outcomes = {outcome};
+    standings.push_back(std::move(standing));
+  }
+  return standings;
+}
+
+class Machines : public testing::Test {
+ protected:
+  const Campaign campaign_ = campaign_of({0});
+  const std::vector<StoredStanding> standings_ = standings_of(campaign_);
+};
+
+TEST_F(Machines, HaveMapsOverTheirConstants) {
+  const Json data = machine_data(campaign_, standings_, reported_parts(campaign_));
+  ASSERT_EQ(data["machines"].size(), 1U);
+  const Json& known = data["machines"][0];
+  EXPECT_EQ(known["column"], "friction");
+  EXPECT_EQ(known["columns"], (Json{{{"level", "0"}}, {{"level", "1"}}}));
+  EXPECT_EQ(known["first"], "chance-a, as-stated");
+  EXPECT_EQ(known["first_share"], 0.5);
+  ASSERT_EQ(known["known"].size(), 2U);
+  EXPECT_EQ(known["known"][0]["machine"], "restitution 0.1");
+  EXPECT_EQ(known["known"][0]["cells"], (Json{0.0, 0.1}));
+  EXPECT_EQ(known["known"][1]["cells"], (Json{0.0, 0.9}));
+  ASSERT_EQ(data["machine_maps"].size(), 2U);
+  EXPECT_EQ(data["machine_maps"][0]["competitor"], "chance-a, as-stated");
+  EXPECT_EQ(data["machine_maps"][0]["rows"][1]["cells"], (Json{0.0, 1.0}));
+  EXPECT_EQ(data["machine_maps"][1]["rows"][1]["cells"], (Json{0.0, 0.0}));
+}
+
+TEST_F(Machines, HaveMainEffectsInTheOrderOfTheirLevels) {
+  const Campaign campaign = campaign_of({0, 1});
+  const auto standings = standings_of(campaign);
+  const Json data = factor_data(campaign, standings, reported_parts(campaign));
+  ASSERT_EQ(data["main_effects"].size(), 1U);
+  const Json& effects = data["main_effects"][0];
+  EXPECT_EQ(effects["levels"], (Json{{{"level", "disturbance 0"}},
+                                     {{"level", "disturbance 1"}},
+                                     {{"level", "friction 0"}},
+                                     {{"level", "friction 1"}},
+                                     {{"level", "restitution 0.1"}},
+                                     {{"level", "restitution 0.9"}}}));
+  const Json& first = effects["competitors"][0];
+  EXPECT_EQ(first["competitor"], "chance-a, as-stated");
+  ASSERT_EQ(first["effects"].size(), 6U);
+  EXPECT_DOUBLE_EQ(first["effects"][2]["effect"], -0.5);
+  EXPECT_DOUBLE_EQ(first["effects"][3]["effect"], 0.5);
+  EXPECT_NEAR(first["effects"][4]["effect"].get<double>(), 0, 1e-12);
+}
+
+TEST_F(Machines, HaveAnAtlasOfHowRunsEnded) {
+  const Json data = atlas_data(campaign_, standings_);
+  ASSERT_EQ(data["atlas_maps"].size(), 3U);
+  EXPECT_EQ(data["atlas_maps"][0]["kind"], "solved");
+  const Json& rows = data["atlas_maps"][0]["rows"];
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["machine"], "M0: 0.1, 0, 0");
+  EXPECT_EQ(rows[0]["cells"], (Json{0.0}));
+  EXPECT_EQ(rows[1]["cells"], (Json{0.5}));
+  for (const Json& map : data["atlas_maps"]) {
+    if (map["kind"] == "threw") {
+      EXPECT_EQ(map["most"], 0.5);
+    }
+    if (map["kind"] == "budget spent") {
+      EXPECT_EQ(map["rows"][0]["cells"], (Json{0.5}));
+      EXPECT_EQ(map["rows"][1]["cells"], (Json{0.0}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ricochet::studies::contest

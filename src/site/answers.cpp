@@ -63,6 +63,28 @@ void append_places(const Json& group, const std::set<std::string>& outside, Json
   }
 }
 
+/// Who solves what: the first solvers of the contest's map, in percent, with the family that a cell
+/// leads to.
+Json family_map(const FoundReport& contest) {
+  constexpr std::size_t shown = 12;
+  const Json families = contest.data.value("families", Json::array());
+  const Json map = contest.data.value("map", Json::array());
+  Json rows = Json::array();
+  for (std::size_t r = 0; r < std::min(shown, map.size()); ++r) {
+    Json cells = Json::array();
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      cells.push_back({{"family", families[f].at("family")}, {"share", map[r]["shares"][f]}});
+    }
+    rows.push_back({{"solver", map[r].at("solver")}, {"cells", std::move(cells)}});
+  }
+  Json columns = Json::array();
+  for (const Json& family : families) columns.push_back({{"family", family.at("family")}});
+  return {{"families", families.size()},
+          {"solvers", map.size()},
+          {"columns", std::move(columns)},
+          {"rows", std::move(rows)}};
+}
+
 }  // namespace
 
 const FoundReport* largest_contest(const std::vector<FoundReport>& reports) {
@@ -127,7 +149,14 @@ Json solver_answer(const std::vector<FoundReport>& reports) {
   }
   const std::set<std::string> outside = outside_solvers(contest->data);
   for (const Json& group : contest->data.at("groups")) append_places(group, outside, places);
+  const Json pages = contest->data.value("pages", Json::array());
+  const auto has = [&](const char* page) {
+    return std::find(pages.begin(), pages.end(), page) != pages.end();
+  };
   return {{"folder", contest->folder},
+          {"map", family_map(*contest)},
+          {"across_machines", has("across-machines")},
+          {"failure_atlas", has("failure-atlas")},
           {"runs", contest->data.at("runs")},
           {"leaders", leaders},
           {"places", places}};

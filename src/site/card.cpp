@@ -59,6 +59,11 @@ Json card_of(const FoundReport& report) {
   card["date"] = made.value("date", Json());
   card["seconds"] = made.value("seconds", Json());
   card["quick"] = made.value("quick", false);
+  const std::string campaign = report.data.value("campaign", "");
+  if (!campaign.empty() && !campaign.starts_with("compare")) {  // a plan's; drawn once it was made
+    card["command"] = "./ricochet run " + campaign;
+    card["seconds"] = nullptr;
+  }
   try {
     const report::Page page =
         report::drawn(report::page_template(report.kind.name), report.data).page;

@@ -23,7 +23,7 @@ Key key_of(const std::string& family, const Json& budget, const Json& row) {
 }
 
 /// Of a family and budget; the others are in the contest's report.
-constexpr std::size_t always_shown = 25;
+constexpr std::size_t always_shown = 15;
 
 /// The columns of speed against accuracy, and where a row of the contest has them.
 constexpr const char* speed_accuracy_columns[][2] = {

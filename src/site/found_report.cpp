@@ -11,6 +11,20 @@ namespace ricochet::site {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// A contest has each family on a page of its own: adds them to it as `groups`.
+void add_families(Json& data, const fs::path& folder) {
+  for (const Json& page : data.value("pages", Json::array())) {
+    std::ifstream stream(folder / page.get<std::string>() / "data.json", std::ios::binary);
+    Json family = Json::parse(stream, nullptr, false);
+    if (!family.is_object() || family.value("report", Json()) != "contest_family") continue;
+    data["groups"].push_back(std::move(family));
+  }
+}
+
+}  // namespace
+
 std::vector<FoundReport> found_reports(const fs::path& site) {
   std::set<std::string> folders;
   std::error_code none;
@@ -23,7 +37,9 @@ std::vector<FoundReport> found_reports(const fs::path& site) {
   for (const std::string& folder : folders) {
     std::ifstream stream(site / folder / "data.json", std::ios::binary);
     Json parsed = Json::parse(stream, nullptr, false);
-    if (parsed.is_object()) data[folder] = std::move(parsed);
+    if (!parsed.is_object()) continue;
+    add_families(parsed, site / folder);
+    data[folder] = std::move(parsed);
   }
   std::vector<FoundReport> reports;
   for (const ReportKind& kind : report_kinds()) {

@@ -14,7 +14,7 @@ using report::Json;
 /// A report in a folder of a site.
 struct FoundReport {
   std::string folder;  ///< its name, beside the front page
-  Json data;           ///< its data.json
+  Json data;           ///< its data.json; of a contest with its families' as `groups`
   ReportKind kind;
 };
 

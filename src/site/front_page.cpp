@@ -59,6 +59,7 @@ report::FileSet front_page(const Json& data, const std::string& navigation) {
   page["has_motion"] = !data["motion"].is_null();
   page["has_charts"] = !charts.empty();
   page["has_places"] = !page["solvers"].is_null() && !page["solvers"]["places"].empty();
+  page["has_map"] = !page["solvers"].is_null() && !page["solvers"]["map"]["rows"].empty();
   page["chart_library"] = embedded::chart_library;
   page["script"] = embedded::front_script;
   const Json summary = written(told(data), report::escape_markdown);

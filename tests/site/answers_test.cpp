@@ -50,6 +50,23 @@ TEST(SolverAnswer, PlacesSolversFromOutsideWithTheLargestBudget) {
   EXPECT_EQ(answer["places"][0]["of"], 2);
 }
 
+TEST(SolverAnswer, LeadsToWhoSolvesWhat) {
+  Json contest = small_contest();
+  contest["families"] = {{{"family", "count"}}, {{"family", "hs"}}};
+  for (int k = 0; k < 20; ++k) {
+    contest["map"].push_back({{"solver", "s" + std::to_string(k)}, {"shares", {0.5, nullptr}}});
+  }
+  contest["pages"] = {"count", "hs", "failure-atlas"};
+  const Json answer = solver_answer({made_up("contest", contest, "contest")});
+  EXPECT_EQ(answer["map"]["solvers"], 20);
+  ASSERT_EQ(answer["map"]["rows"].size(), 12);
+  EXPECT_EQ(answer["map"]["rows"][11]["solver"], "s11");
+  EXPECT_EQ(answer["map"]["rows"][0]["cells"],
+            (Json{{{"family", "count"}, {"share", 0.5}}, {{"family", "hs"}, {"share", nullptr}}}));
+  EXPECT_TRUE(answer["failure_atlas"].get<bool>());
+  EXPECT_FALSE(answer["across_machines"].get<bool>());
+}
+
 TEST(SolverAnswer, IsThatOfTheContestOfMostRuns) {
   Json large = small_contest();
   large["runs"] = 80;

@@ -5,7 +5,7 @@ import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import {createRequire} from "node:module";
-import {pathToFileURL} from "node:url";
+import {fileURLToPath, pathToFileURL} from "node:url";
 
 const [program, reports, folder] = process.argv.slice(2);
 const missing = (what) => {
@@ -25,6 +25,18 @@ fs.rmSync(folder, {recursive: true, force: true});
 execFileSync(program, ["report", reports, "--out", folder]);
 const pages = fs.readdirSync(folder, {recursive: true}).filter((name) => path.basename(name) === "index.html").sort();
 check(pages.length > 5, `only ${pages.length} pages`);
+
+// What is committed is what its data make of it, byte for byte.
+let compared = 0;
+for (const name of fs.readdirSync(reports, {recursive: true})) {
+  const dataBeside = fs.existsSync(path.join(reports, path.dirname(name), "data.json"));
+  if (!dataBeside || !/\.(md|csv|svg)$/.test(name)) continue;
+  const drawn = path.join(folder, name);
+  ++compared;
+  check(fs.existsSync(drawn) && fs.readFileSync(drawn).equals(fs.readFileSync(path.join(reports, name))),
+        `${name} is not what ./ricochet report reports/reference draws`);
+}
+check(compared > 100, `only ${compared} files compared`);
 
 const browser = await puppeteer.launch({executablePath: chromium, args: ["--no-sandbox", "--disable-gpu"]});
 
@@ -89,6 +101,78 @@ const lookAt = async (name) => {
 const left = [...pages].sort((a, b) => fs.statSync(path.join(folder, b)).size - fs.statSync(path.join(folder, a)).size);
 const lookAtRest = async () => { while (left.length) await lookAt(left.shift()); };
 await Promise.all([lookAtRest(), lookAtRest()]);
+
+// ---- what moves on pages ----
+
+const visible = (page, selector) => page.$$eval(selector, (all) => all.filter((one) => one.checkVisibility()).length);
+const slide = (page, selector, value) => page.$eval(selector, (slider, to) => {
+  slider.value = to;
+  slider.dispatchEvent(new Event("input", {bubbles: true}));
+}, value);
+
+// Of the frames one is seen, whatever the slider says, and without a script the last.
+for (const name of pages.filter((file) => fs.readFileSync(path.join(folder, file), "utf8").includes('class="frames"'))) {
+  const still = await open(name, {script: false}), moving = await open(name);  // clicks go to the page in front
+  const groups = await moving.$$eval(".frames", (all) => all.map((frames, i) => { frames.id = `frames-${i}`; return frames.querySelectorAll("figure").length; }));
+  check(await visible(moving, ".frames label") > 0, `${name}: no slider is seen`);
+  check(await visible(still, ".frames label") === 0, `${name}: a slider that does nothing is seen without a script`);
+  check(await visible(still, ".frames figure") === 1, `${name}: without a script there is not one frame`);
+  for (const [group, frames] of groups.entries()) for (let frame = 0; frame < frames; ++frame) {
+    await slide(moving, `#frames-${group} input`, frame);
+    const shown = await moving.$$eval(`#frames-${group} figure`, (all) => all.map((figure) => !figure.hidden));
+    check(shown.every((seen, i) => seen === (i === frame)), `${name}: frame ${frame} of ${group} is not the one that is seen`);
+    const said = await moving.$eval(`#frames-${group} output`, (output) => output.textContent);
+    check(await moving.$eval(`#frames-${group} figure:not([hidden])`, (figure) => figure.dataset.frame) === said, `${name}: the slider says ${said}`);
+  }
+  check(await visible(moving, "details figure") === 0, `${name}: a fold is open`);
+  if (await moving.$("details")) {
+    await moving.click("summary");
+    check(await visible(moving, "details figure") > 0, `${name}: a fold does not open`);
+  }
+  await Promise.all([moving.close(), still.close()]);
+}
+
+// A machine's page: every combination of the sliders has the answer that its data say.
+const machine = path.join(folder, "machine.toml"), advised = path.join(folder, "advice");
+fs.writeFileSync(machine, execFileSync(program, ["machine", "new"]));
+execFileSync(program, ["machine", "advise", machine, "--out", advised]);
+const {explorer} = JSON.parse(fs.readFileSync(path.join(advised, "data.json"), "utf8"));
+for (const scheme of ["light", "dark"]) {
+  const page = await open("advice/index.html", {scheme});
+  await shorten(page);
+  await page.evaluate(axe);
+  await audit(page, `advice, ${scheme}`);
+  await page.setViewport({width: 400, height: 800});
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+  check(wide <= 400, `advice: ${wide} pixels wide on a screen of 400`);
+  await page.close();
+}
+const turned = await open("advice/index.html");
+const sizes = explorer.knobs.map((knob) => knob.levels.length), answered = () => turned.$eval(".explorer .answer", (p) => p.textContent);
+check((await turned.$$(".explorer input")).length === sizes.length, "not every constant has a slider");
+check((await answered()).includes(explorer.own.quiet.toFixed(3)), "the explorer does not begin with the machine's own");
+const saidAt = await turned.$eval(".explorer", (block, levels, many) => {
+  const sliders = [...block.querySelectorAll("input")];
+  return Array.from({length: many}, (_, place) => {
+    let rest = place;  // the last slider changes first
+    for (let i = sliders.length - 1; i >= 0; --i) {
+      sliders[i].value = rest % levels[i];
+      rest = Math.floor(rest / levels[i]);
+    }
+    sliders[0].dispatchEvent(new Event("input"));
+    return block.querySelector(".answer").textContent;
+  });
+}, sizes, explorer.answers.length);
+for (const [place, answer] of explorer.answers.entries()) {
+  const text = saidAt[place];
+  check(answer.quiet === null ? /^(Loud|More)/.test(text) : text.includes(answer.quiet.toFixed(3)), `the explorer says at ${place}: ${text}`);
+}
+await turned.click(".explorer button");
+check((await answered()).includes(explorer.own.quiet.toFixed(3)), "the explorer does not go back");
+await turned.close();
+const unmoved = await open("advice/index.html", {script: false});
+check(await visible(unmoved, ".explorer") === 0 && await visible(unmoved, "#explorer table") === 1, "without a script the explorer has no table, or shows what does nothing");
+await unmoved.close();
 
 // ---- the front page ----
 
@@ -197,6 +281,13 @@ for (const [index, view] of data.motion.views.entries()) {
         `${view.id}: ${drawn.length} dots`);
 }
 
+// Every cell of the map leads to a page that is there.
+const cells = await page.$$eval(".map td a", (links) => links.map((link) => link.href));
+check(cells.length > 0, "nothing in the map of solvers and families leads anywhere");
+for (const cell of new Set(cells)) {
+  check(fs.existsSync(fileURLToPath(cell)), `the map leads to ${cell}, which is not there`);
+}
+
 // Hover tells numbers, a click leads to the report.
 const hoverAndClick = async (id, report) => {
   const canvas = await page.$(`#${id}`);
@@ -210,7 +301,8 @@ const hoverAndClick = async (id, report) => {
   check(told > 0, `${id}: nothing is told of the dot under the pointer`);
   await Promise.all([page.waitForNavigation({timeout: 5000}).catch(() => check(false, `${id}: a click leads nowhere`)),
                      page.mouse.click(box.x + dot.x, box.y + dot.y)]);
-  check(page.url().includes(`/${report}/index.html`), `${id}: a click leads to ${page.url()}`);
+  const there = new RegExp(`/${report}/([^/]+/)?index\\.html`).test(page.url()) && await page.$("h1") !== null;
+  check(there, `${id}: a click leads to ${page.url()}`);
   await page.goBack();
 };
 if (timed) await hoverAndClick("accuracy-chart", data.contest.folder);

@@ -54,5 +54,16 @@ TEST(MissingCards, NameEveryKindThatHasNoReport) {
   for (const Json& card : cards) EXPECT_NE(card["kind"], "stress");
 }
 
+TEST(Card, OfACampaignNamesItsPlan) {
+  Json data = small_contest();
+  data["campaign"] = "default";
+  data["made"] = {{"seconds", 18}};
+  const Json card = card_of(made_up("contest", data, "contest"));
+  EXPECT_EQ(card["command"], "./ricochet run default");
+  EXPECT_TRUE(card["seconds"].is_null());
+  data["campaign"] = "compare --quick";
+  EXPECT_EQ(card_of(made_up("contest", data, "contest"))["command"], "./ricochet compare");
+}
+
 }  // namespace
 }  // namespace ricochet::site

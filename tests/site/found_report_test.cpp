@@ -31,5 +31,18 @@ TEST_F(FoundReports, OfAFolderThatIsNoneAreNone) {
   EXPECT_TRUE(found_reports("/nowhere").empty());
 }
 
+TEST_F(FoundReports, HaveTheFamiliesOfAContest) {
+  keep(folder_, "contest", {{"report", "contest"}, {"pages", {"count", "hs", "failure-atlas"}}});
+  keep(folder_, "contest/count", {{"report", "contest_family"}, {"family", "count"}});
+  keep(folder_, "contest/hs", {{"report", "contest_family"}, {"family", "hs"}});
+  keep(folder_, "contest/failure-atlas", {{"report", "contest_failures"}});
+  const auto reports = found_reports(folder_);
+  ASSERT_EQ(reports.size(), 1U);
+  const Json& groups = reports[0].data["groups"];
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[0]["family"], "count");
+  EXPECT_EQ(groups[1]["family"], "hs");
+}
+
 }  // namespace
 }  // namespace ricochet::site

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "src/report/json.h"
+#include "src/report/report.h"
+
+/// Every number of every committed page stands in the data beside it, or in the template's own
+/// words.
+namespace ricochet::site {
+namespace {
+
+namespace fs = std::filesystem;
+using report::Json;
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The numbers of a text, as they are written. A hyphen between words is no minus.
+std::vector<std::string> numbers_in(const std::string& text) {
+  static const std::regex number("[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?");
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it) {
+    found.push_back(it->str());
+  }
+  return found;
+}
+
+/// What may be written.
+class Known {
+ public:
+  explicit Known(const Json& data) { add(data); }
+
+  void add(const std::string& text) {
+    for (std::string& number : numbers_in(text)) written_.insert(std::move(number));
+  }
+
+  /// To be called once all is added.
+  void sort() { std::sort(sizes_.begin(), sizes_.end()); }
+
+  /// Whether the number is one of them, rounded to its last digit; signs are left out.
+  bool has(const std::string& number) const {
+    if (written_.contains(number)) return true;
+    const auto exponent_at = number.find('e');
+    const int exponent =
+        exponent_at == std::string::npos ? 0 : std::stoi(number.substr(exponent_at + 1));
+    const std::string mantissa = number.substr(0, exponent_at);
+    const auto point = mantissa.find('.');
+    const auto decimals =
+        point == std::string::npos ? 0 : static_cast<int>(mantissa.size() - point - 1);
+    const double value = std::stod(number);
+    const double off = 0.5000001 * std::pow(10.0, exponent - decimals);
+    const auto next = std::lower_bound(sizes_.begin(), sizes_.end(), value - off);
+    return next != sizes_.end() && *next <= value + off;
+  }
+
+ private:
+  void add(const Json& data) {
+    if (data.is_string()) add(data.get_ref<const std::string&>());
+    if (data.is_number()) {
+      const double size = std::abs(data.get<double>());
+      sizes_.insert(sizes_.end(), {size, 100 * size});  // shares are shown as hundredths
+    }
+    if (data.is_array()) sizes_.push_back(static_cast<double>(data.size()));
+    if (!data.is_structured()) return;
+    for (const auto& [key, value] : data.items()) {
+      add(key);
+      add(value);
+    }
+  }
+
+  std::set<std::string> written_;
+  std::vector<double> sizes_;
+};
+
+std::vector<std::string> unknown_numbers(const std::string& page, const Json& data,
+                                         const std::string& page_template) {
+  Known known(data);
+  known.add(page_template);
+  known.sort();
+  std::vector<std::string> unknown;
+  // The escapes and links of Markdown are no numbers that are shown.
+  static const std::regex link("\\]\\([^)]*\\)|&#[0-9]+;");
+  for (const std::string& number : numbers_in(std::regex_replace(page, link, "]"))) {
+    if (!known.has(number)) unknown.push_back(number);
+  }
+  return unknown;
+}
+
+std::vector<fs::path> reports() {
+  std::vector<fs::path> folders;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(RICOCHET_SOURCE) / "reports/reference")) {
+    if (entry.path().filename() == "data.json") folders.push_back(entry.path().parent_path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+TEST(Numbers, OfEveryPageStandInTheDataBesideIt) {
+  int pages = 0;
+  for (const fs::path& folder : reports()) {
+    const Json data = Json::parse(read(folder / "data.json"));
+    const std::string kind = data.at("report");
+    if (kind == "site") continue;  // its data are of the other reports
+    const auto unknown =
+        unknown_numbers(read(folder / "summary.md"), data, report::page_template(kind));
+    std::string all;
+    for (const std::string& number : unknown) all += number + " ";
+    EXPECT_EQ(all, "") << folder;
+    ++pages;
+  }
+  EXPECT_GT(pages, 20);
+}
+
+TEST(Numbers, ThatAreNotInTheDataAreFound) {
+  const Json data = {{"speed", 8.2749}, {"share", 0.0625}, {"name", "C12"}, {"cost", -12345.0}};
+  const auto unknown = [&](const char* page) { return unknown_numbers(page, data, "step 0.001"); };
+  EXPECT_TRUE(unknown("8.27 rad/s, 8.275, 6.25 %, 6 %, C12, -1.23e+04, steps of 0.001").empty());
+  EXPECT_EQ(unknown("8.28 rad/s"), std::vector<std::string>{"8.28"});
+  EXPECT_EQ(unknown("7 %, C13"), (std::vector<std::string>{"7", "13"}));
+  EXPECT_EQ(unknown("1.24e+04"), std::vector<std::string>{"1.24e+04"});
+}
+
+}  // namespace
+}  // namespace ricochet::site

@@ -62,7 +62,7 @@ void add_request(CLI::App* command, QuietSpeedRequest& asked) {
 
 std::vector<std::string> features() {
   std::vector<std::string> names;
-  for (const Feature& feature : all_features()) names.push_back(feature.name);
+  for (const auto& feature : all_features()) names.push_back(feature.name);
   return names;
 }
 

@@ -9,10 +9,10 @@
 namespace ricochet {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double never = std::numeric_limits<double>::infinity();
 
 double ratio_of(double cost, double reference) {
-  return std::isinf(cost) ? infinity : cost / reference;
+  return std::isinf(cost) ? never : cost / reference;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace ricochet {
 namespace {
 
-constexpr std::size_t most_for_exact = 200;  // some million additions
+constexpr std::size_t most_pairs_for_exact = 200;  // some million additions
 
 /// Chance that the sum of each rank or, as often, 0 is at least as far from its mean as `distance`.
 double exact(const std::vector<double>& ranks, double mean, double distance) {
@@ -49,7 +49,7 @@ double signed_rank_test(const std::vector<double>& differences) {
   }
   if (ranks.empty()) return 1;
   const double distance = std::abs(positive - mean);
-  if (ranks.size() <= most_for_exact) return exact(ranks, mean, distance);
+  if (ranks.size() <= most_pairs_for_exact) return exact(ranks, mean, distance);
   const double z = std::max(0.0, distance - 0.5) / std::sqrt(variance);
   return std::min(1.0, 2 * cdf(complement(boost::math::normal(), z)));
 }

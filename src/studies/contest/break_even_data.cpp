@@ -202,7 +202,7 @@ std::string title_of(const Field& field, const std::vector<Stretch>& stretches) 
                      seconds_text(stretches.back().from));
 }
 
-Json data_of(const Campaign& campaign, const Field& field) {
+Json break_even_of(const Campaign& campaign, const Field& field) {
   std::vector<Spent> spent;
   std::vector<std::size_t> all;
   std::vector<double> simulations;
@@ -245,7 +245,7 @@ Json data_of(const Campaign& campaign, const Field& field) {
 Json break_even_data(const Campaign& campaign, const std::vector<Field>& fields) {
   Json all = Json::array();
   for (const Field& field : fields) {
-    if (field.compared()) all.push_back(data_of(campaign, field));
+    if (field.compared()) all.push_back(break_even_of(campaign, field));
   }
   return all;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using report::Json;
 
-Json data_of(const Campaign& campaign, const Field& field) {
+Json log_ratios_of(const Campaign& campaign, const Field& field) {
   const std::vector<const Entrant*> best = cheapest_first(campaign, field);
   const Entrant& a = *best[0];
   const Entrant& b = *best[1];
@@ -66,7 +66,7 @@ Json data_of(const Campaign& campaign, const Field& field) {
 Json log_ratio_data(const Campaign& campaign, const std::vector<Field>& fields) {
   Json all = Json::array();
   for (const Field& field : fields) {
-    if (field.compared()) all.push_back(data_of(campaign, field));
+    if (field.compared()) all.push_back(log_ratios_of(campaign, field));
   }
   return all;
 }

@@ -19,7 +19,7 @@ namespace {
 
 using report::Json;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The question's tolerance; where it has none, hardly more.
 double tolerance_of(const Question& question) {
@@ -42,7 +42,7 @@ std::vector<double> differences(const Campaign& campaign, const Entrant& a, cons
 std::vector<double> times_of(const StoredStanding& standing) {
   std::vector<double> times;
   for (const Outcome& outcome : standing.outcomes) {
-    times.push_back(outcome.verdict.solved ? evaluations_of(outcome) : infinity);
+    times.push_back(outcome.verdict.solved ? evaluations_of(outcome) : never);
   }
   return times;
 }

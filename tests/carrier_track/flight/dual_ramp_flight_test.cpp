@@ -9,8 +9,8 @@
 namespace ricochet::carrier_track {
 namespace {
 
-using Jet = ceres::Jet<double, 4>;
-using Second = ceres::Jet<ceres::Jet<double, 3>, 3>;
+using FourDual = ceres::Jet<double, 4>;
+using SecondDual = ceres::Jet<ceres::Jet<double, 3>, 3>;
 
 /// A number with derivatives of every order, or with none.
 template <class T>
@@ -56,7 +56,7 @@ void expect_near(const T& a, const T& b, double tolerance) {
 
 template <class T>
 class TangentFlightOf : public testing::Test {};
-using Duals = testing::Types<Jet, Second>;
+using Duals = testing::Types<FourDual, SecondDual>;
 TYPED_TEST_SUITE(TangentFlightOf, Duals);
 
 TYPED_TEST(TangentFlightOf, IsThatOfAPowerSeriesOfDuals) {

@@ -16,13 +16,13 @@ namespace ricochet::carrier_track {
 namespace {
 
 using std::numbers::pi;
-constexpr double omega = 30.0;
+constexpr double shaking = 30.0;
 
 /// Walls shaken with amplitude [m] that stand at `angle` when the body starts.
 Scene shaken(double amplitude, double angle, double restitution) {
   Scene scene;
   scene.mass = 2.0;
-  scene.omega = omega;
+  scene.omega = shaking;
   scene.centrifugal_mass_radius = scene.mass * amplitude;
   scene.phase = angle - pi / 2;
   scene.restitution_lower = scene.restitution_upper = restitution;
@@ -56,11 +56,11 @@ constexpr double gravity = 9.81;
 /// n-th period; contact.md.
 Scene on_table(double strength, double e, int n) {
   const double cosine = n * pi * (1 - e) / ((1 + e) * strength);
-  Scene scene = shaken(strength * gravity / (omega * omega), std::acos(cosine), e);
+  Scene scene = shaken(strength * gravity / (shaking * shaking), std::acos(cosine), e);
   scene.wall_upper = std::numeric_limits<double>::infinity();
   scene.pull = scene.mass * gravity;
-  scene.start_velocity = e / (1 + e) * gravity * 2 * pi * n / omega;
-  scene.window = Seconds{1.5 * 2 * pi * n / omega};
+  scene.start_velocity = e / (1 + e) * gravity * 2 * pi * n / shaking;
+  scene.window = Seconds{1.5 * 2 * pi * n / shaking};
   return scene;
 }
 
@@ -73,8 +73,8 @@ TEST(PeriodicOrbit, ABallOnAShakenTableStrikesOncePerPeriod) {
     for (const int n : {1, 2, 3}) {
       const Scene scene = on_table(doubling_strength(e, n) * 0.99, e, n);
       const auto watched = watch(scene);
-      expect_close(watched.hits.at(0).time, 2 * pi * n / omega);
-      expect_close(watched.hits.at(0).speed, gravity * 2 * pi * n / omega / (1 + e));
+      expect_close(watched.hits.at(0).time, 2 * pi * n / shaking);
+      expect_close(watched.hits.at(0).speed, gravity * 2 * pi * n / shaking / (1 + e));
     }
   }
 }
@@ -98,7 +98,7 @@ TEST(PeriodicOrbit, TheBallOnATableSettlesBelowTheBoundaryAndAlternatesAboveIt) 
   for (const bool above : {false, true}) {
     const double strength = doubling_strength(0.5, 1) * (above ? 1.01 : 0.99);
     Scene scene = on_table(strength, 0.5, 1);
-    const double speed = gravity * 2 * pi / omega / 1.5;
+    const double speed = gravity * 2 * pi / shaking / 1.5;
     scene.start_velocity *= 1.001;
     scene.window = Revolutions{2000};
     const auto watched = watch(scene);
@@ -111,7 +111,7 @@ TEST(PeriodicOrbit, TheBallOnATableSettlesBelowTheBoundaryAndAlternatesAboveIt) 
     } else {
       EXPECT_LT(std::abs(change), 1e-9 * speed);
       expect_close(watched.hits[last].speed, speed, 1e-9);
-      const double turns = watched.hits[last].time * omega / (2 * pi);
+      const double turns = watched.hits[last].time * shaking / (2 * pi);
       EXPECT_NEAR(turns, std::round(turns), 1e-9);
     }
   }
@@ -127,8 +127,8 @@ Scene between_walls(double ratio, double e) {
   const double a = pi * pi / 4 + rho * rho;
   const double b = pi * gap / 4;
   const double c = gap * gap / 4 - amplitude * amplitude;
-  const double u = omega * (b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
-  const double angle = std::atan2((u * pi / omega - gap) / 2, -rho * u / omega);
+  const double u = shaking * (b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
+  const double angle = std::atan2((u * pi / shaking - gap) / 2, -rho * u / shaking);
   Scene scene = shaken(amplitude, angle, e);
   scene.wall_upper = gap;
   scene.start_position = gap;
@@ -152,7 +152,7 @@ TEST(PeriodicOrbit, ABodyBetweenShakenWallsStrikesOncePerHalfPeriod) {
       const auto watched = watch(scene);
       ASSERT_GE(watched.hits.size(), 1U);
       EXPECT_EQ(watched.hits[0].wall, Wall::lower);
-      expect_close(watched.hits[0].time, pi / omega);
+      expect_close(watched.hits[0].time, pi / shaking);
       expect_close(watched.hits[0].speed, -scene.start_velocity / e);
     }
   }

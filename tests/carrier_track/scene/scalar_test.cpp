@@ -6,16 +6,16 @@
 namespace ricochet::carrier_track {
 namespace {
 
-using Jet = ceres::Jet<double, 2>;
-using Second = ceres::Jet<Jet, 2>;
+using PairDual = ceres::Jet<double, 2>;
+using PairDualOfDuals = ceres::Jet<PairDual, 2>;
 
 TEST(Scalar, VanishesOnlyWithAllItsDerivatives) {
   EXPECT_TRUE(vanishes(0.0));
   EXPECT_FALSE(vanishes(1e-300));
-  EXPECT_TRUE(vanishes(Jet(0.0)));
-  EXPECT_FALSE(vanishes(Jet(0.0, 1)));
-  EXPECT_FALSE(vanishes(Jet(1.0)));
-  Second x = constant<Second>(0.0);
+  EXPECT_TRUE(vanishes(PairDual(0.0)));
+  EXPECT_FALSE(vanishes(PairDual(0.0, 1)));
+  EXPECT_FALSE(vanishes(PairDual(1.0)));
+  PairDualOfDuals x = constant<PairDualOfDuals>(0.0);
   EXPECT_TRUE(vanishes(x));
   x.v[1].v[0] = 1;
   EXPECT_FALSE(vanishes(x));
@@ -23,15 +23,15 @@ TEST(Scalar, VanishesOnlyWithAllItsDerivatives) {
 
 TEST(Scalar, IsConstantWithoutDerivativesOfTheOutermostOrder) {
   EXPECT_TRUE(is_constant(1.0));
-  EXPECT_TRUE(is_constant(Jet(1.0)));
-  EXPECT_FALSE(is_constant(Jet(1.0, 1)));
-  EXPECT_TRUE(is_constant(Second(Jet(1.0, 1))));
+  EXPECT_TRUE(is_constant(PairDual(1.0)));
+  EXPECT_FALSE(is_constant(PairDual(1.0, 1)));
+  EXPECT_TRUE(is_constant(PairDualOfDuals(PairDual(1.0, 1))));
 }
 
 TEST(Scalar, IsScaledWithAllItsDerivatives) {
-  Second x(Jet(1.0, 0));
-  x.v[1] = Jet(3.0, 1);
-  const Second y = scaled(x, -2);
+  PairDualOfDuals x(PairDual(1.0, 0));
+  x.v[1] = PairDual(3.0, 1);
+  const PairDualOfDuals y = scaled(x, -2);
   EXPECT_EQ(y.a.a, -2);
   EXPECT_EQ(y.a.v[0], -2);
   EXPECT_EQ(y.v[1].a, -6);
@@ -42,8 +42,8 @@ TEST(Scalar, IsScaledWithAllItsDerivatives) {
 TEST(Scalar, TakesAsManyNewtonStepsAsItHasOrders) {
   EXPECT_EQ(newton_steps<double>, 0);
   EXPECT_EQ(newton_steps<long double>, 2);
-  EXPECT_EQ(newton_steps<Jet>, 1);
-  EXPECT_EQ(newton_steps<Second>, 2);
+  EXPECT_EQ(newton_steps<PairDual>, 1);
+  EXPECT_EQ(newton_steps<PairDualOfDuals>, 2);
 }
 
 }  // namespace

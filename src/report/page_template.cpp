@@ -183,4 +183,15 @@ DrawnPage drawn(const std::string& page_template, const Json& data) {
   return result;
 }
 
+Digits kept_digits(const std::string& page_template) {
+  const toml::table file = toml::parse(page_template);
+  Digits digits;
+  if (const toml::table* table = file["digits"].as_table()) {
+    for (const auto& [name, number] : *table) {
+      digits.emplace(name.str(), number.value<int>().value());
+    }
+  }
+  return digits;
+}
+
 }  // namespace ricochet::report

@@ -174,6 +174,8 @@ DrawnPage drawn(const std::string& page_template, const Json& data) {
   DrawnPage result;
   result.page.title = filled(root.text("title"), scopes);
   result.page.intro = paragraphs_of(root, "intro", scopes);
+  result.page.above = root.filled_text("above", scopes);
+  result.page.further = data.value("pages", std::vector<std::string>());
   for (const Part& section : root.parts("section")) {
     for (const Scopes& place : places_of(section, scopes)) {
       result.page.sections.push_back(section_of(section, place, result));

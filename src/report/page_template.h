@@ -19,6 +19,7 @@ struct DrawnPage {
 /// Fills a template in. The template is TOML; its texts are Mustache, see filled_text.h.
 ///
 ///   title = "..."             intro = ["a paragraph", ...]        epilogue = "..."
+///   above = "what the page in the folder above is called", where there is one
 ///   [digits]                  name = how many significant digits of it the data keep
 ///   [[section]]               id, heading, text = ["a paragraph", ...]
 ///   [[section.table]]         rows, csv, most, caption, columns = [...], heads each a table
@@ -65,6 +66,8 @@ struct DrawnPage {
 /// which names are looked up first, and `data`, the name of data in which they are looked up before
 /// that. A column with `each` takes `cells`, the name of a row's list, as long: its text looks
 /// names up there.
+///
+/// A list `pages` in the data has the folders of further pages, which the summary links.
 ///
 /// Throws std::logic_error, with what is wrong where, for a template that does not fit the data.
 DrawnPage drawn(const std::string& page_template, const Json& data);

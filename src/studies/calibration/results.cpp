@@ -257,7 +257,7 @@ Plan quick_plan(const Search& search) {
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2, 3}, 30000, 4};
+  return {{one, other}, {1, 2, 3}, 20000, 3};
 }
 
 ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {

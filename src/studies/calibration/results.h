@@ -30,8 +30,8 @@ struct Plan {
 /// All readings in under a quarter of an hour on two cores.
 Plan full_plan(const Search& search);
 
-/// Three seeds by both of two solvers, for `readings` readings and the choice; three quarters of an
-/// hour on one core.
+/// Three seeds by both of two solvers, for three readings and the choice: a quarter of an hour on
+/// one core.
 ConvergencePlan full_convergence(const Solver& one, const Solver& other);
 
 /// The same in seconds: nothing converges.

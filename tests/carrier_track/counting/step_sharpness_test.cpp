@@ -30,13 +30,13 @@ TEST(StepSharpness, OfOneJumpIsAStepWithoutWidth) {
 }
 
 TEST(StepSharpness, OfARampIsTheClimbBetweenTheMiddlesOfItsStretches) {
-  // The count 10 w at 2 rad/s: medians at 5/3 and 5/2 rad/s, where it is 16.7 and 25.
-  const auto found = step_sharpness(known_staircase([](double w) { return 10 * w; }), 2.005, 20);
+  // The count 10 w, more than 20 from 2.1 rad/s on: medians at 1.75 and 2.62 rad/s.
+  const auto found = step_sharpness(known_staircase([](double w) { return 10 * w; }), 2.095, 20);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->before, 16);
-  EXPECT_EQ(found->after, 25);
-  EXPECT_NEAR(found->width, 2.5 - 1.7, 1e-9);  // from the first 17 to the first 25
-  EXPECT_NEAR(found->persistence, (3.0 - 2.1) / 1.0, 0.01);
+  EXPECT_EQ(found->before, 17);
+  EXPECT_EQ(found->after, 26);
+  EXPECT_NEAR(found->width, 2.6 - 1.8, 1e-9);  // from the first 18 to the first 26
+  EXPECT_EQ(found->persistence, 1);
   EXPECT_EQ(found->rise, Rise::climb);
 }
 
@@ -74,7 +74,7 @@ TEST(StepSharpness, OfASmallStepThatPassesTheLimitIsAClimb) {
 
 TEST(StepSharpness, IsNotWidenedByLoneSpeeds) {
   SpeedScan scan = known_staircase([](double w) { return w < 9 ? 5 : 8; });
-  for (const std::size_t k : {700U, 800U}) scan.counts[k] = 8;
+  for (const std::size_t k : {700U, 800U}) scan.counts[k] = 6;
   for (const std::size_t k : {1000U, 1100U}) scan.counts[k] = 5;
   const auto found = step_sharpness(scan, 8.995, 7.5);
   EXPECT_EQ(found->width, 0);

@@ -27,10 +27,10 @@ Convergence told_convergence(const std::vector<std::vector<double>>& misfits) {
 }
 
 TEST(Convergence, IsWhereTheWorstSearchIsNearTheBest) {
-  const Convergence one = told_convergence({{30, 20.1, 20}, {50, 20.2, 20.2}});
+  const Convergence one = told_convergence({{30, 20.1, 20}, {50, 20.1, 20.1}});
   EXPECT_EQ(one.best().misfit, 20);
   EXPECT_DOUBLE_EQ(one.spread(0), 1.5);
-  EXPECT_DOUBLE_EQ(one.spread(1), 20.2 / 20 - 1);
+  EXPECT_DOUBLE_EQ(one.spread(1), 20.1 / 20 - 1);
   EXPECT_EQ(one.agreed_from(), 0.5);
   EXPECT_EQ(told_convergence({{20, 20, 20}, {20, 20, 20}}).agreed_from(), 0.25);
   EXPECT_FALSE(told_convergence({{20, 20, 20}, {20, 20, 20.3}}).agreed_from());

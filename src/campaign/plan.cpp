@@ -24,10 +24,14 @@ MachineGrid grid_from(const toml::table& table, const std::string& place) {
 
 PlanPart part_from(const toml::table& table, const std::string& place) {
   const PlanTable in(table, place);
-  in.check_keys({"questions", "machines", "variables", "constrained", "solvers", "forms", "widths",
-                 "features", "gradient_prices", "budgets", "instances", "seeds"});
+  in.check_keys({"name", "questions", "machines", "variables", "constrained", "solvers", "forms",
+                 "widths", "features", "gradient_prices", "budgets", "instances", "seeds"});
   for (const char* key : {"questions", "solvers", "budgets"}) in.need(key);
   PlanPart part;
+  in.read("name", part.name);
+  if (part.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos) {
+    in.refuse("name", *table.get("name"), "small letters, digits and hyphens");
+  }
   in.read("questions", part.questions);
   if (const toml::node* machines = table.get("machines")) {
     if (!machines->is_table()) in.refuse("machines", *machines, "a table");
@@ -111,7 +115,12 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
   }
   in.need("part");
   each_table(file, origin, "part", [&](const toml::table& table, const std::string& place) {
-    plan.parts.push_back(part_from(table, place));
+    PlanPart part = part_from(table, place);
+    for (const PlanPart& other : plan.parts) {
+      if (part.name.empty() || part.name != other.name) continue;
+      PlanTable(table, place).refuse("name", *table.get("name"), "unlike that of another part");
+    }
+    plan.parts.push_back(std::move(part));
   });
   return plan;
 }
@@ -154,6 +163,7 @@ std::string text_of(const PlanPart& part) {
     text += fmt::format("{} = {}\n", key, value);
   };
   const PlanPart usual;
+  if (!part.name.empty()) line("name", quoted(part.name));
   line("questions", list_of(part.questions));
   if (!part.machines.around.empty()) {
     const MachineGrid& grid = part.machines;

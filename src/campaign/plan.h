@@ -23,6 +23,7 @@ struct MachineGrid {
 /// A part of a plan: everything that is named, crossed with everything else. Patterns are those of
 /// a shell.
 struct PlanPart {
+  std::string name = {};               ///< small letters, digits, hyphens; reports use it
   std::vector<std::string> questions;  ///< patterns of names
   MachineGrid machines;                ///< that they are asked of, in place of the suite's
   std::int64_t least_variables = 1;    ///< of questions

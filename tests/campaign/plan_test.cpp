@@ -46,6 +46,8 @@ PlanPart any_part(Random& random) {
   const auto level = [&] { return random() % 5 == 0 ? 0 : static_cast<double>(random()) * 1e-19; };
   const auto yes = [&] { return random() % 2 == 0; };
   PlanPart part;
+  static int parts = 0;
+  if (yes()) part.name = "part-" + std::to_string(++parts);
   part.questions = any_list(random, 1, text);
   if (yes()) {
     part.machines = {any_text(random), any_list(random, 0, level), any_list(random, 0, level),
@@ -161,6 +163,7 @@ TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
             "finite numbers >= 0"},
            {"machines = {around = \"C1\", frictoin = 1}", place + ", machines", "frictoin",
             "friction"},
+           {"name = \"../up\"", place, "name = ", "small letters, digits and hyphens"},
            {"seed = 1", place, "there is no key seed", "seeds"}}) {
     const std::string said = complaint(least + wrong.line);
     EXPECT_THAT(said, testing::StartsWith(wrong.place + ": ")) << wrong.line;
@@ -183,6 +186,13 @@ TEST(Plan, RefusesASolverThatIsNone) {
   EXPECT_THAT(said("[[solver]]\nname = \"\"\nof = \"efwa\"\noptions = {}"),
               HasSubstr("name = '': must be a text that is not empty"));
   EXPECT_THAT(said("[solver]"), HasSubstr("one or more tables [[solver]]"));
+}
+
+TEST(Plan, RefusesPartsOfOneName) {
+  const std::string named = least + "name = \"wide\"\n";
+  EXPECT_EQ(plan_from(named + least, "my.toml").parts.front().name, "wide");
+  EXPECT_THAT(complaint(named + named),
+              HasSubstr("part 2: name = 'wide': must be unlike that of another part"));
 }
 
 TEST(Plan, RefusesBudgetsThatDoNotRise) {

@@ -74,9 +74,9 @@ TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
         "budgets = [{}]\ninstances = 1\n",
         variables, parts.size() + 10);
   }
-  write(folder_, "plan.toml", parts);
+  write(folder_, "plan.toml", parts + "name = \"again\"\n");
   run("one");
-  for (const char* family : {"profile-count", "profile-count-part-2", "profile-count-part-3"}) {
+  for (const char* family : {"profile-count", "profile-count-part-2", "profile-count-again"}) {
     EXPECT_THAT(read(folder_ / "one" / family / "index.html"),
                 HasSubstr(fmt::format("<h1>{}: which solver?</h1>", family)));
   }

@@ -140,7 +140,7 @@ TEST_P(SolverContract, GivesTheSameTraceForTheSameRun) {
 Problem valley() {
   Problem problem = sphere(7, -3);
   problem.name = "valley";
-  problem.evaluate = [](const Vector& x) {
+  const auto values_at = [](const Vector& x) {
     Values values;
     for (Eigen::Index k = 0; k + 1 < x.size(); ++k) {
       const double bend = x[k + 1] - x[k] * x[k];
@@ -148,9 +148,9 @@ Problem valley() {
     }
     return values;
   };
-  problem.differentiate = [](const Vector& x) {
-    Derivatives derivatives;
-    derivatives.gradient = Vector::Zero(x.size());
+  problem.evaluate = values_at;
+  problem.differentiate = [values_at](const Vector& x) {
+    Derivatives derivatives{values_at(x), Vector::Zero(x.size()), Matrix(0, x.size())};
     for (Eigen::Index k = 0; k + 1 < x.size(); ++k) {
       const double bend = x[k + 1] - x[k] * x[k];
       derivatives.gradient[k] -= 400 * bend * x[k] + 2 * (1 - x[k]);

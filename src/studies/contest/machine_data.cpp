@@ -17,13 +17,15 @@ namespace {
 using report::Json;
 
 constexpr std::size_t mapped_competitors = 4;
+constexpr int landscape_points = 25;  // of a box
 
 using Factors = std::map<std::string, std::vector<double>>;
 
-/// The machine's place: "restitution 0.1, friction 0.4", without the factor of the columns.
-std::string row_name(const Question& question, const Factors& factors) {
+/// The machine's place: "restitution 0.1, friction 0.4", from the factor given on.
+std::string row_name(const Question& question, Factors::const_iterator factor,
+                     const Factors& factors) {
   std::string name;
-  for (auto factor = std::next(factors.begin()); factor != factors.end(); ++factor) {
+  for (; factor != factors.end(); ++factor) {
     name += fmt::format("{}{} {}", name.empty() ? "" : ", ", factor->first,
                         level_name(factor->first, question.factors.at(factor->first)));
   }
@@ -45,7 +47,7 @@ Json map_rows(const std::vector<MachineResult>& results, const Factors& factors,
       place.push_back(result.question->factors.at(factor->first));
     }
     auto& [name, cells] = rows[place];
-    name = row_name(*result.question, factors);
+    name = row_name(*result.question, std::next(factors.begin()), factors);
     cells.resize(levels.size());
     const auto level = std::find(levels.begin(), levels.end(), result.question->factors.at(column));
     Cell& cell = cells[static_cast<std::size_t>(level - levels.begin())];
@@ -103,15 +105,53 @@ void add_solved(Json& maps, const std::string& family, const ByCompetitor& compe
   }
 }
 
+/// Of the competitor that takes most questions, and so knows most machines.
+const std::vector<MachineResult>& widest(const ByCompetitor& competitors) {
+  return std::max_element(
+             competitors.begin(), competitors.end(),
+             [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); })
+      ->second;
+}
+
+/// What questions of one variable, without constraints, are truly worth over their box: a row a
+/// machine.
+void add_landscape(Json& landscapes, const std::string& family, const ByCompetitor& competitors,
+                   const Factors& factors) {
+  const std::vector<MachineResult>& machines = widest(competitors);
+  const Problem& first = machines.front().question->stated;
+  if (first.dimension() != 1 || first.constraints > 0) return;
+  const Variable variable = first.variables.empty() ? Variable{"x", ""} : first.variables.front();
+  const auto point = [&](int k) {
+    return Vector::Constant(
+        1, first.lower[0] + (first.upper[0] - first.lower[0]) * k / (landscape_points - 1));
+  };
+  Json columns = Json::array();
+  for (int k = 0; k < landscape_points; ++k) {
+    columns.push_back({{"at", fmt::format("{:.3g}", point(k)[0])}});
+  }
+  Json rows = Json::array();
+  for (const MachineResult& machine : machines) {
+    Json cells = Json::array();
+    for (int k = 0; k < landscape_points; ++k) {
+      cells.push_back(truth_at(machine.question->stated, point(k)).objective);
+    }
+    rows.push_back({{"machine", row_name(*machine.question, factors.begin(), factors)},
+                    {"cells", std::move(cells)}});
+  }
+  landscapes.push_back(
+      {{"family", family},
+       {"axis", variable.unit.empty() ? variable.name
+                                      : fmt::format("{} [{}]", variable.name, variable.unit)},
+       {"columns", std::move(columns)},
+       {"rows", std::move(rows)},
+       {"value_label", family.starts_with("count") ? "collisions" : "objective"}});
+}
+
 Json family_data(const std::string& family, const ByCompetitor& competitors,
                  const Factors& factors) {
   const auto order = best_first(competitors);
-  // Whoever takes most questions knows most machines.
-  const auto widest = std::max_element(
-      order.begin(), order.end(),
-      [](const auto* a, const auto* b) { return a->second.size() < b->second.size(); });
   const bool is_speed = family.starts_with("top-speed");
-  Json known = map_rows((*widest)->second, factors, best_known);
+  Json known = map_rows(widest(competitors), factors, best_known);
   const Json range = extent(known);
   return {
       {"family", family},
@@ -131,6 +171,7 @@ Json machine_data(const Campaign& campaign, const std::vector<StoredStanding>& s
                   const std::vector<ReportedPart>& parts) {
   Json machines = Json::array();
   Json maps = Json::array();
+  Json landscapes = Json::array();
   for (const ReportedPart& part : parts) {
     if (campaign.plan().parts[part.part].machines.around.empty()) continue;  // no grid
     for (const auto& [family, competitors] : machine_results(campaign, standings, part)) {
@@ -138,9 +179,12 @@ Json machine_data(const Campaign& campaign, const std::vector<StoredStanding>& s
       if (factors.size() < 2) continue;
       machines.push_back(family_data(family, competitors, factors));
       add_solved(maps, family, competitors, factors);
+      add_landscape(landscapes, family, competitors, factors);
     }
   }
-  return {{"machines", std::move(machines)}, {"machine_maps", std::move(maps)}};
+  return {{"machines", std::move(machines)},
+          {"machine_maps", std::move(maps)},
+          {"landscapes", std::move(landscapes)}};
 }
 
 }  // namespace ricochet::studies::contest

@@ -102,8 +102,8 @@ Json in_pages(Json all) {
   // Those of single families are on their pages, too: here only where nothing joins them.
   const Json joint = rows_of(all["speed_accuracy_charts"], "all");
   if (!joint.empty()) all["speed_accuracy_charts"] = joint;
-  Json machines = taken(
-      all, {"machines", "machine_maps", "turns", "effects", "unsure_effects", "main_effects"});
+  Json machines = taken(all, {"machines", "machine_maps", "landscapes", "turns", "effects",
+                              "unsure_effects", "main_effects"});
   if (!machines["machines"].empty() || !machines["turns"].empty()) {
     machines["report"] = "contest_machines";
     pages.push_back({{"folder", "across-machines"}, {"data", std::move(machines)}});

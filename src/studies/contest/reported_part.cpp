@@ -52,10 +52,11 @@ std::vector<ReportedPart> reported_parts(const Campaign& campaign) {
     const PlanPart& asked = campaign.plan().parts[part];
     const bool varies =
         asked.gradient_prices.size() > 1 || !asked.widths.empty() || asks_several_features(cells);
+    const std::string suffix = asked.name.empty() ? fmt::format("part-{}", part + 1) : asked.name;
     for (const PlannedCell* cell : cells) {
       const std::string& family = campaign.family_of(cell->question);
       const bool again = known.contains(family);
-      mine.families[family] = again ? fmt::format("{}-part-{}", family, part + 1) : family;
+      mine.families[family] = again ? fmt::format("{}-{}", family, suffix) : family;
       if (again && varies) mine.asked_again.insert(family);
     }
     for (const auto& [family, name] : mine.families) known.insert(family);

@@ -19,8 +19,8 @@ struct ReportedPart {
   /// What is compared within it: nothing disturbed and a gradient at the price n, where it asks for
   /// that, else the first feature and price that it asks for.
   Conditions usual;
-  /// How its families are called: by their names, with the part's number where a part before has
-  /// them, too.
+  /// How its families are called: by their names, with the part's name or number where a part
+  /// before has them, too.
   std::map<std::string, std::string> families;
   /// Families, by their own names, that a part before has, too, while this one asks what features,
   /// prices or widths do to them: they are not rated once more.

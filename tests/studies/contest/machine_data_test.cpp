@@ -1,5 +1,6 @@
 #include "src/studies/contest/machine_data.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -81,6 +82,21 @@ TEST_F(Machines, HaveMapsOverTheirConstants) {
   EXPECT_EQ(data["machine_maps"][0]["competitor"], "chance-a, as-stated");
   EXPECT_EQ(data["machine_maps"][0]["rows"][1]["cells"], (Json{0.0, 1.0}));
   EXPECT_EQ(data["machine_maps"][1]["rows"][1]["cells"], (Json{0.0, 0.0}));
+}
+
+TEST_F(Machines, HaveALandscapeEach) {
+  const Json data = machine_data(campaign_, standings_, reported_parts(campaign_));
+  ASSERT_EQ(data["landscapes"].size(), 1U);
+  const Json& landscape = data["landscapes"][0];
+  const Problem& stated = campaign_.questions().front().stated;
+  EXPECT_EQ(landscape["columns"].front()["at"], fmt::format("{:.3g}", stated.lower[0]));
+  EXPECT_EQ(landscape["columns"].back()["at"], fmt::format("{:.3g}", stated.upper[0]));
+  ASSERT_EQ(landscape["rows"].size(), 4U);
+  const Json& row = landscape["rows"][2];
+  EXPECT_EQ(row["machine"], "friction 0, restitution 0.9");
+  ASSERT_EQ(row["cells"].size(), landscape["columns"].size());
+  EXPECT_EQ(row["cells"].front(), truth_at(stated, stated.lower).objective);
+  EXPECT_EQ(row["cells"].back(), truth_at(stated, stated.upper).objective);
 }
 
 TEST_F(Machines, HaveMainEffectsInTheOrderOfTheirLevels) {

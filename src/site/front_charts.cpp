@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "src/site/pairs.h"
+
 namespace ricochet::site {
 namespace {
 
@@ -111,6 +113,39 @@ Chart motion_chart(const Json& view) {
   return chart;
 }
 
+/// Of each simulation the pair with the solver that is fastest there; the others lie to its right.
+Chart pairs_chart(const Json& data) {
+  const std::vector<SolverSimulation> pairs = pairs_of(data), front = front_of_pairs(pairs);
+  Chart chart{.name = "front-solver-and-simulation",
+              .title = "Solver and simulation: the fastest solver with each",
+              .x = {"processor time to the threshold [s]", Scale::logarithmic},
+              .y = {"error of the threshold, at most [rad/s]", Scale::logarithmic},
+              .width = width,
+              .height = height,
+              .description = pairs_finding(data)};
+  Series others{.label = "others", .mark = Mark::points, .samples = {}, .pale = true};
+  for (std::size_t m = 0; m < data.at("simulations").size(); ++m) {
+    const SolverSimulation* fastest = nullptr;
+    for (const SolverSimulation& pair : pairs) {
+      if (pair.simulation != m) continue;
+      if (fastest == nullptr || pair.seconds < fastest->seconds) fastest = &pair;
+    }
+    const bool leads = std::any_of(front.begin(), front.end(), [&](const SolverSimulation& pair) {
+      return pair.simulation == m;
+    });
+    if (leads || fastest == nullptr) continue;
+    others.samples.push_back(
+        {fastest->seconds, fastest->error, {}, data["simulations"][m].at("name")});
+  }
+  Series line{.label = "no other is as fast and as accurate", .mark = Mark::points, .samples = {}};
+  for (const SolverSimulation& pair : front) {
+    line.samples.push_back({pair.seconds, pair.error, {}, name_of_pair(data, pair)});
+  }
+  chart.series = {std::move(line), std::move(others)};
+  std::erase_if(chart.series, [](const Series& series) { return series.samples.empty(); });
+  return chart;
+}
+
 }  // namespace
 
 std::vector<Chart> front_charts(const Json& data) {
@@ -123,6 +158,7 @@ std::vector<Chart> front_charts(const Json& data) {
   if (const Json& motion = data.at("motion"); !motion.is_null()) {
     charts.push_back(motion_chart(motion.at("views").front()));
   }
+  if (const Json& pairs = data.at("pairs"); !pairs.is_null()) charts.push_back(pairs_chart(pairs));
   std::erase_if(charts, [](const Chart& chart) { return chart.series.empty(); });
   return charts;
 }

@@ -113,18 +113,26 @@ Chart motion_chart(const Json& view) {
   return chart;
 }
 
-/// Of each simulation the pair with the solver that is fastest there; the others lie to its right.
+/// Of each simulation the pair with the solver that is fastest there, as all that lead are; the
+/// others lie to its right.
 Chart pairs_chart(const Json& data) {
   const std::vector<SolverSimulation> pairs = pairs_of(data), front = front_of_pairs(pairs);
-  Chart chart{.name = "front-solver-and-simulation",
-              .title = "Solver and simulation: the fastest solver with each",
-              .x = {"processor time to the threshold [s]", Scale::logarithmic},
-              .y = {"error of the threshold, at most [rad/s]", Scale::logarithmic},
-              .width = width,
-              .height = height,
-              .description = pairs_finding(data)};
-  Series others{.label = "others", .mark = Mark::points, .samples = {}, .pale = true};
+  Chart chart{
+      .name = "front-solver-and-simulation",
+      .title = pairs_title(data),
+      .x = {"processor time to the threshold, with the fastest solver [s]", Scale::logarithmic},
+      .y = {"error of the threshold, at most [rad/s]", Scale::logarithmic},
+      .width = 780,
+      .height = 420,
+      .description = pairs_finding(data)};
+  Series line{.label = "none is as fast and as accurate", .mark = Mark::steps, .samples = {}};
+  for (const SolverSimulation& pair : front) line.samples.push_back({pair.seconds, pair.error});
+  if (front.size() > 1) chart.series.push_back(std::move(line));
   for (std::size_t m = 0; m < data.at("simulations").size(); ++m) {
+    const std::string name = data["simulations"][m].at("name");
+    if (m == 0 || data["simulations"][m - 1]["name"] != name) {
+      chart.series.push_back({.label = name, .mark = Mark::points, .samples = {}});
+    }
     const SolverSimulation* fastest = nullptr;
     for (const SolverSimulation& pair : pairs) {
       if (pair.simulation != m) continue;
@@ -133,16 +141,10 @@ Chart pairs_chart(const Json& data) {
     const bool leads = std::any_of(front.begin(), front.end(), [&](const SolverSimulation& pair) {
       return pair.simulation == m;
     });
-    if (leads || fastest == nullptr) continue;
-    others.samples.push_back(
-        {fastest->seconds, fastest->error, {}, data["simulations"][m].at("name")});
+    Sample dot{fastest->seconds, fastest->error};
+    if (leads) dot.name = name_of_pair(data, *fastest);
+    chart.series.back().samples.push_back(std::move(dot));
   }
-  Series line{.label = "no other is as fast and as accurate", .mark = Mark::points, .samples = {}};
-  for (const SolverSimulation& pair : front) {
-    line.samples.push_back({pair.seconds, pair.error, {}, name_of_pair(data, pair)});
-  }
-  chart.series = {std::move(line), std::move(others)};
-  std::erase_if(chart.series, [](const Series& series) { return series.samples.empty(); });
   return chart;
 }
 

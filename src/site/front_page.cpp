@@ -55,7 +55,13 @@ report::FileSet front_page(const Json& data, const std::string& navigation) {
       {"contest", data.at("contest")}, {"motion", data.at("motion")}, {"pairs", data.at("pairs")}};
   Json page = written(told(data), report::escape_html);
   page["navigation"] = navigation;
-  page["charts"] = report::to_svgs(charts);
+  std::vector<std::string> drawn = report::to_svgs(charts);
+  page["pairs_chart"] = nullptr;
+  if (!data.at("pairs").is_null()) {  // the last
+    page["pairs_chart"] = std::move(drawn.back());
+    drawn.pop_back();
+  }
+  page["charts"] = std::move(drawn);
   page["look"] = embedded::look;
   page["data"] = inside_a_script(shown);
   page["has_contest"] = !data["contest"].is_null();

@@ -126,6 +126,12 @@ std::string name_of_pair(const Json& data, const SolverSimulation& pair) {
                      simulation.at("name").get<std::string>(), control.empty() ? "" : " ", control);
 }
 
+std::string pairs_title(const Json& data) {
+  const SolverSimulation best = front_of_pairs(pairs_of(data)).back();
+  return fmt::format("The most accurate pair is {}: {:.2g} rad/s in {}", name_of_pair(data, best),
+                     best.error, time_text(best.seconds));
+}
+
 std::string pairs_finding(const Json& data) {
   const std::vector<SolverSimulation> pairs = pairs_of(data), front = front_of_pairs(pairs);
   const auto told = [&](const SolverSimulation& pair) {
@@ -136,8 +142,8 @@ std::string pairs_finding(const Json& data) {
   if (front.size() == 1) {
     return fmt::format("Of {} pairs {} is the fastest and the most accurate.", pairs.size(), best);
   }
-  return fmt::format("Of {} pairs the most accurate is {}; the fastest is {}.",
-                     pairs.size(), best, told(front.front()));
+  return fmt::format("Of {} pairs the most accurate is {}; the fastest is {}.", pairs.size(), best,
+                     told(front.front()));
 }
 
 }  // namespace ricochet::site

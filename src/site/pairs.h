@@ -36,7 +36,8 @@ std::vector<SolverSimulation> front_of_pairs(std::vector<SolverSimulation> pairs
 /// "bisection, event-driven", with the control where there is one.
 std::string name_of_pair(const Json& data, const SolverSimulation& pair);
 
-/// What the pairs say, in a sentence.
+/// What the pairs say, as a title and in a sentence.
+std::string pairs_title(const Json& data);
 std::string pairs_finding(const Json& data);
 
 }  // namespace ricochet::site

@@ -48,6 +48,10 @@ class Studies : public CommandLine {
     command->add_flag("--all-readings", calibration_.all_readings, "Every reading, compared");
     command->add_flag("--check", calibration_.check,
                       "Rank the readings by another seed and by another solver too");
+    command->add_flag(
+        "--converge", calibration_.converge,
+        "Search the best readings at length, from three seeds by two solvers: do they "
+        "end alike?");
     command->add_option("--seed", calibration_.seed, "Of the searches")->capture_default_str();
     command->add_option("--solver", calibration_.solver, "That searches the whole of the bounds")
         ->capture_default_str();

@@ -16,7 +16,7 @@ using namespace carrier_track;
 
 CaseAppraisal appraise_case(const Case& the_case, const Fit& fit, double step) {
   const CountAt count = counts_of(the_case, fit.reading, fit.constants);
-  SpeedScan scan = scan_speeds(count, step, fastest_speed);
+  SpeedScan scan = scan_of(the_case, fit.reading, fit.constants, step);
   Score result = score(count, the_case.claim, scan, 1);
   return {the_case, std::move(scan), std::move(result)};
 }
@@ -31,6 +31,14 @@ CountAt counts_of(const Case& a_case, const Reading& reading, const Constants& c
   return [&, scene = scene_of(a_case, reading, constants)](double omega) {
     return static_cast<int>(objective(scene_at(scene, reading, constants, omega), 0.0));
   };
+}
+
+SpeedScan scan_of(const Case& a_case, const Reading& reading, const Constants& constants,
+                  double step) {
+  if (reading.transition == Transition::plain) {
+    return scan_speeds(scene_of(a_case, reading, constants), step, fastest_speed);
+  }
+  return scan_speeds(counts_of(a_case, reading, constants), step, fastest_speed);
 }
 
 double selection_criterion(double sum_of_squares, int errors, int constants) {

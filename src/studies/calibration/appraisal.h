@@ -14,6 +14,11 @@ carrier_track::CountAt counts_of(const carrier_track::Case& a_case,
                                  const carrier_track::Reading& reading,
                                  const carrier_track::Constants& constants);
 
+/// Those counts at evenly spaced speeds up to 18 rad/s, side by side where the reading allows it.
+carrier_track::SpeedScan scan_of(const carrier_track::Case& a_case,
+                                 const carrier_track::Reading& reading,
+                                 const carrier_track::Constants& constants, double step);
+
 /// A case, judged: the six parts of its score over evenly spaced speeds.
 struct CaseAppraisal {
   carrier_track::Case the_case;

@@ -204,6 +204,26 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
   return appraised(std::move(fits), plan.step);
 }
 
+/// The choice, and the best few readings with all their constants.
+std::vector<Convergence> convergence_of(const Results& results, const ConvergencePlan& plan,
+                                        FitStore& store) {
+  const auto searched = [](const Fit& fit) {
+    Freedom freedom{fit.reading, fit.freed, fit.constants};
+    // From no place that another search has found.
+    for (const Open open : fit.freed) {
+      const auto i = static_cast<std::size_t>(open);
+      freedom.held[i] = natural_constants()[i];
+    }
+    return freedom;
+  };
+  std::vector<Freedom> freedoms = {searched(results.choice().fit)};
+  for (const RankedFit& r : results.readings) {
+    if (freedoms.size() > plan.readings) break;
+    if (is_one_scene(r.fit.reading)) freedoms.push_back(searched(r.fit));
+  }
+  return converge(freedoms, plan, store);
+}
+
 /// A fit as free as the choice that has not seen a case. The search begins at the choice, so that
 /// it does not fail for want of time, and is over the whole of the bounds.
 std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitStore& store) {
@@ -236,6 +256,14 @@ Plan quick_plan(const Search& search) {
   return {with_evaluations(search, 30), 60, 12, 12, 6, 2, {}, 0.1, core_readings()};
 }
 
+ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
+  return {{one, other}, {1, 2, 3}, 20000, 3};
+}
+
+ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {
+  return {{one, other}, {1, 2}, 40, 1};
+}
+
 Results calibrate(const Plan& plan, FitStore& store) {
   Results results;
   results.plan = plan;
@@ -247,6 +275,14 @@ Results calibrate(const Plan& plan, FitStore& store) {
                                          return a.appraisal.criterion < b.appraisal.criterion;
                                        });
   results.chosen = static_cast<std::size_t>(lowest - results.frontier.begin());
+  if (plan.convergence) {
+    results.convergence = convergence_of(results, *plan.convergence, store);
+    std::vector<Fit> best;
+    for (const Convergence& one : results.convergence) best.push_back(one.best());
+    results.converged = appraised(std::move(best), plan.step);
+    RankedFit& chosen = results.frontier[results.chosen];
+    if (better(results.converged.front().fit, chosen.fit)) chosen = results.converged.front();
+  }
   const Fit& choice = results.choice().fit;
   results.predictions = predictions_of(choice, plan, store);
   results.sensitivities = sensitivities(choice, plan.step);

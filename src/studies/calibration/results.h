@@ -5,6 +5,7 @@
 
 #include "src/report/json.h"
 #include "src/studies/calibration/appraisal.h"
+#include "src/studies/calibration/convergence.h"
 #include "src/studies/calibration/fit_store.h"
 #include "src/studies/calibration/sensitivity.h"
 
@@ -23,10 +24,18 @@ struct Plan {
   std::vector<carrier_track::Reading> readings;  ///< to be compared; of the best one the variations
                                                  ///< are compared too, if there are several, and
                                                  ///< then those of the best of these
+  std::optional<ConvergencePlan> convergence = {};  ///< where one is asked for
 };
 
 /// All readings in under a quarter of an hour on two cores.
 Plan full_plan(const Search& search);
+
+/// Three seeds by both of two solvers, for three readings and the choice: a quarter of an hour on
+/// one core.
+ConvergencePlan full_convergence(const Solver& one, const Solver& other);
+
+/// The same in seconds: nothing converges.
+ConvergencePlan quick_convergence(const Solver& one, const Solver& other);
 
 /// The same study in half a minute, for a first look: nothing converges.
 Plan quick_plan(const Search& search);
@@ -60,6 +69,10 @@ struct Results {
   /// costs least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
+  /// Of the choice, which is then the best fit of these searches where they find a better one, and
+  /// of the best readings whose cases share a scene.
+  std::vector<Convergence> convergence;
+  std::vector<RankedFit> converged;  ///< the best fit of each
   std::vector<Prediction> predictions;
   std::vector<CaseSensitivity> sensitivities;
   std::vector<Profile> profiles;

@@ -86,6 +86,35 @@ Json rankings_of(const Results& results) {
   return {{"searches", std::move(searches)}, {"rows", std::move(rows)}};
 }
 
+/// A row a freedom: what each search found.
+Json convergence_of(const Results& results) {
+  const auto evaluations = static_cast<double>(results.plan.convergence->evaluations);
+  int agreed = 0;
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < results.convergence.size(); ++i) {
+    const Convergence& one = results.convergence[i];
+    const auto from = one.agreed_from();
+    agreed += from ? 1 : 0;
+    Json row = data_of(results.converged[i]);
+    row["agreed"] = from.has_value();
+    row["agreed_from"] = from ? Json(*from * evaluations) : Json();
+    row["spreads"] = Json::array();
+    for (std::size_t k = 0; k < std::size(looked_at); ++k) row["spreads"].push_back(one.spread(k));
+    row["searches"] = list_of(one.searches, [](const LongSearch& s) -> Json {
+      return {{"misfits", list_of(s.fits, &Fit::misfit)}, {"last", s.last().misfit}};
+    });
+    rows.push_back(std::move(row));
+  }
+  const OrderOfPairs order = order_of_pairs(results.convergence);
+  const auto searches = list_of(results.convergence.front().searches, [](const LongSearch& s) {
+    return Json{{"solver", s.solver}, {"seed", s.seed}};
+  });
+  return {{"rows", std::move(rows)},  {"all", results.convergence.size()},
+          {"agreed", agreed},         {"searches", searches},
+          {"count", searches.size()}, {"evaluations", evaluations},
+          {"pairs", order.pairs},     {"alike", order.alike}};
+}
+
 /// What a fit holds of its reading's constants, which of them the one before it fitted, and where
 /// it reaches the goals.
 Json frontier_row(const RankedFit& r, const std::vector<Open>& fitted_before) {
@@ -208,6 +237,7 @@ Json data_of(const Results& results) {
                {"others", Json::array()},
                {"answers", answers_of(results.readings)},
                {"rankings", results.rankings.empty() ? Json() : rankings_of(results)},
+               {"convergence", results.convergence.empty() ? Json() : convergence_of(results)},
                {"frontier", frontier_of(results.frontier)},
                {"constants", constants_of(results.choice().fit)},
                {"prediction_error", unseen},

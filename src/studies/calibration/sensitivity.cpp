@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "problems/carrier_track/questions/speed_range.h"
 #include "src/studies/calibration/appraisal.h"
 
 namespace ricochet::studies::calibration {
@@ -18,8 +17,8 @@ constexpr double change = 0.02;
 
 std::optional<double> threshold_of(const Fit& fit, const Constants& constants, const Case& c,
                                    double step) {
-  const CountAt count = counts_of(c, fit.reading, constants);
-  return score(count, c.claim, scan_speeds(count, step, fastest_speed), 1).threshold;
+  const SpeedScan scan = scan_of(c, fit.reading, constants, step);
+  return score(counts_of(c, fit.reading, constants), c.claim, scan, 1).threshold;
 }
 
 /// The slope of ln(threshold); see CaseSensitivity.

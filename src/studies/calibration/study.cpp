@@ -52,6 +52,10 @@ Plan plan_of(const CalibrationOptions& options, bool quick) {
     other.global = solver_named(options.solver == "nlopt-crs2" ? "pagmo-sade" : "nlopt-crs2");
     plan.checks = {std::move(reseeded), std::move(other)};
   }
+  if (options.converge) {
+    const auto convergence = quick ? quick_convergence : full_convergence;
+    plan.convergence = convergence(solver_named("pagmo-cmaes-ipop"), solver_named("mads"));
+  }
   return plan;
 }
 
@@ -59,9 +63,10 @@ void write_reading(const Fit& fit, const CalibrationOptions& options,
                    const std::filesystem::path& file) {
   const auto fitted = carrier_track::fitted_reading(
       fit.reading, fit.constants, fit.freed,
-      fmt::format("ricochet calibrate{}{} --seed {} --solver {}",
+      fmt::format("ricochet calibrate{}{}{} --seed {} --solver {}",
                   options.all_readings ? " --all-readings" : " --reading ",
-                  options.all_readings ? "" : name_of(fit.reading), options.seed, options.solver),
+                  options.all_readings ? "" : name_of(fit.reading),
+                  options.converge ? " --converge" : "", options.seed, options.solver),
       "the choice");
   write_text_file(file, write_fitted_reading(fitted));
 }

@@ -11,6 +11,8 @@ struct CalibrationOptions {
   std::string reading;  ///< empty: the default one
   bool all_readings = false;
   bool check = false;  ///< ranks the readings by another seed and by another solver too
+  bool converge =
+      false;  ///< searches the best readings from other seeds, by other solvers, at length
   int seed = 1;
   std::string solver = "pagmo-sade";  ///< that searches the whole of the bounds
   std::filesystem::path folder;       ///< the report's

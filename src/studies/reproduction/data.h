@@ -20,6 +20,9 @@ report::Json theory_data(const std::vector<CaseStudy>& cases);
 /// Collision count against speed, one chart a case.
 report::Json curve_data(const std::vector<CaseStudy>& cases);
 
+/// Whether the count makes a step at the threshold of every case.
+report::Json sharpness_data(const std::vector<CaseStudy>& cases);
+
 /// The steps of every case's staircase, beside the threshold by the paper's rule.
 report::Json step_data(const std::vector<CaseStudy>& cases);
 

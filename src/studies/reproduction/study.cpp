@@ -115,6 +115,7 @@ Json data_of(const Results& results) {
           {"thresholds", threshold_data(results.cases)},
           {"theory", theory_data(results.cases)},
           {"counts", curve_data(results.cases)},
+          {"sharpness", sharpness_data(results.cases)},
           {"steps", step_data(results.cases)},
           {"conclusions", conclusion_data(results.grid, results.trends)},
           {"paths", path_data(results.cases)},

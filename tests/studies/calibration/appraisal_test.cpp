@@ -36,6 +36,21 @@ TEST(Appraisal, IsTheScoreOfEveryCase) {
   EXPECT_GE(a.worst_threshold, a.threshold_error);
 }
 
+TEST(Appraisal, ScansWhatItCountsOneByOne) {
+  for (const char* name :
+       {"projected-constant-revolutions", "projected-constant-revolutions-crossing"}) {
+    const Reading reading = find_reading(name);
+    const Constants constants = natural_constants();
+    const Case c = find_case("C9");
+    const SpeedScan scan = scan_of(c, reading, constants, 0.5);
+    const CountAt count = counts_of(c, reading, constants);
+    ASSERT_EQ(scan.counts.size(), 36U);
+    for (std::size_t k = 0; k < scan.counts.size(); ++k) {
+      EXPECT_EQ(scan.counts[k], count(scan.omega(k))) << name << " at " << scan.omega(k);
+    }
+  }
+}
+
 TEST(Appraisal, WeighsErrorAgainstConstants) {
   // n ln(s / n) + 2 p + 2 p (p + 1) / (n - p - 1) by hand: n = 20, s = 0.2, p = 6.
   EXPECT_NEAR(selection_criterion(0.2, 20, 5), 20 * std::log(0.01) + 12 + 84.0 / 13, 1e-12);

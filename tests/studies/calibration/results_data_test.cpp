@@ -31,6 +31,14 @@ Results some_results() {
                       ranked(Reading{}, {Open::pull, Open::slowest}, 21)};
   results.chosen = 1;
   results.rankings = {{some_search(2), {Reading{}}, {22.5}, 0.75}};
+  results.plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 800, 1};
+  for (const RankedFit& r : {results.frontier[1], results.readings[0]}) {
+    Convergence& one = results.convergence.emplace_back();
+    Fit far = r.fit;
+    far.misfit *= 1.5;
+    one.searches = {{"nlopt-crs2", 1, {far, r.fit, r.fit}}, {"nlopt-crs2", 2, {far, far, r.fit}}};
+    results.converged.push_back(r);
+  }
   results.predictions = {{"C1", 9, 8.5}, {"C2", 2, std::nullopt}};
   results.sensitivities = {{"C1", {0.5, std::nullopt}}, {"C2", {-1, 2}}};
   results.profiles = {{Open::pull, 1, 0.5, 2, false, true, {{0.5, 22}, {1, 21}, {2, 21.5}}},
@@ -77,8 +85,9 @@ TEST(ResultsData, FillTablesAndChartsThatHoldTogether) {
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
     }
   }
-  EXPECT_EQ(ids_of(page), (std::set<std::string>{"readings", "answers", "rankings", "frontier",
-                                                 "predictions", "constants", "origin"}));
+  EXPECT_EQ(ids_of(page),
+            (std::set<std::string>{"readings", "answers", "rankings", "convergence", "frontier",
+                                   "predictions", "constants", "origin"}));
   EXPECT_EQ(charts, (std::set<std::string>{"error-against-freedom", "sensitivity", "profile-pull",
                                            "profile-slowest"}));
 }
@@ -118,6 +127,21 @@ TEST(ResultsData, ShowTheRanksByEverySearch) {
   EXPECT_EQ(rows[2][2].text, "–");
 }
 
+TEST(ResultsData, ShowWhereSearchesEndAlike) {
+  Results results = some_results();
+  results.convergence[1].searches[1].fits.back().misfit = 24;
+  const auto rows = rows_of(drawing_of(results).page, "convergence");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0][1].text, "2");
+  EXPECT_EQ(rows[0][2].text, "21.00");
+  EXPECT_EQ(rows[0][4].text, "50, 50, 0");
+  EXPECT_EQ(rows[0][5].text, "800");
+  EXPECT_EQ(rows[0][5].state, report::State::good);
+  EXPECT_EQ(rows[1][3].text, "24.00");
+  EXPECT_EQ(rows[1][5].text, "–");
+  EXPECT_EQ(rows[1][5].state, report::State::bad);
+}
+
 TEST(ResultsData, EndTheCommandWithTheRankedTable) {
   const std::string epilogue = drawing_of(some_results()).epilogue;
   const std::string name = name_of(Reading{});
@@ -130,6 +154,7 @@ TEST(ResultsData, LeaveOutWhatOneReadingDoesNotHave) {
   Results results = some_results();
   results.readings.pop_back();
   results.rankings.clear();
+  results.convergence.clear();
   EXPECT_EQ(ids_of(drawing_of(results).page),
             (std::set<std::string>{"frontier", "predictions", "constants", "origin"}));
 }

@@ -36,6 +36,12 @@ TEST(Results, RanksReadingsHoldsConstantsAndPredicts) {
   for (const RankedFit& r : results.frontier) {
     EXPECT_GE(r.appraisal.criterion, results.choice().appraisal.criterion);
   }
+  ASSERT_EQ(results.convergence.size(), 2U);
+  ASSERT_EQ(results.converged.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(results.converged[i].fit.misfit, results.convergence[i].best().misfit);
+  }
+  EXPECT_LE(results.choice().fit.misfit, results.converged.front().fit.misfit);
   EXPECT_EQ(results.predictions.size(), 10U);
   EXPECT_EQ(results.sensitivities.size(), 10U);
   EXPECT_EQ(results.profiles.size(), results.choice().fit.freed.size());

@@ -80,6 +80,26 @@ TEST(ReproductionData, ShowsTheStepsBesideThePapersRule) {
   EXPECT_EQ(rows[1][4].text, "–");
 }
 
+TEST(ReproductionData, SaysWhichThresholdsAreSteps) {
+  const report::Page page = page_of(tiny_data());
+  const auto& rows = section_of(page, "sharpness").tables.at(0).rows;
+  ASSERT_EQ(rows.size(), 12U);
+  int steps = 0;
+  for (const auto& row : rows) {
+    EXPECT_EQ(row[2].text, shown(tiny_data()["cases"][row[0].text]["threshold"], "{:.3f}"));
+    steps += row[9].text == "a step" ? 1 : 0;
+    EXPECT_EQ(row[9].text == "a step", row[9].state == report::State::good) << row[0].text;
+  }
+  const Json& rises = tiny_data()["sharpness"]["rises"];
+  EXPECT_EQ(rises[0]["steps"].get<int>() + rises[1]["steps"].get<int>(), steps);
+  EXPECT_EQ(rises[0]["all"], 6);
+  EXPECT_EQ(rises[1]["all"], 6);
+  // From 5 to 8 at once.
+  EXPECT_EQ(rows[0][3].text, "5");
+  EXPECT_EQ(rows[0][4].text, "8");
+  EXPECT_EQ(rows[0][9].text, "a step");
+}
+
 TEST(ReproductionData, ShowsEveryCurveFigureMapAndContradiction) {
   const report::Page page = page_of(tiny_data());
   EXPECT_EQ(section_of(page, "counts").figures.size(), 12U);

@@ -200,6 +200,9 @@ Json data_of(const Page& page, const FileSet& files, const Writing& writing) {
   return {{"title", writing.plain(page.title)},
           {"intro", list_of(page.intro, writing.linked)},
           {"script", needs_script(page) ? Json(embedded::page_script) : Json()},
+          {"above", writing.plain(page.above)},
+          {"has_further", !page.further.empty()},
+          {"further", page.further},
           {"sections", std::move(sections)}};
 }
 

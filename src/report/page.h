@@ -54,6 +54,9 @@ struct Page {
   std::string title;
   std::vector<std::string> intro;  ///< paragraphs
   std::vector<Section> sections;
+  // The summary links these, as the navigation of the site does for the page:
+  std::string above = {};                 ///< what the page in the folder above is called, if any
+  std::vector<std::string> further = {};  ///< folders of further pages
 };
 
 /// Writes index.html, which needs no other file and no network, summary.md and one SVG a chart into

@@ -174,6 +174,8 @@ DrawnPage drawn(const std::string& page_template, const Json& data) {
   DrawnPage result;
   result.page.title = filled(root.text("title"), scopes);
   result.page.intro = paragraphs_of(root, "intro", scopes);
+  result.page.above = root.filled_text("above", scopes);
+  result.page.further = data.value("pages", std::vector<std::string>());
   for (const Part& section : root.parts("section")) {
     for (const Scopes& place : places_of(section, scopes)) {
       result.page.sections.push_back(section_of(section, place, result));
@@ -181,6 +183,17 @@ DrawnPage drawn(const std::string& page_template, const Json& data) {
   }
   result.epilogue = root.filled_text("epilogue", scopes);
   return result;
+}
+
+Digits kept_digits(const std::string& page_template) {
+  const toml::table file = toml::parse(page_template);
+  Digits digits;
+  if (const toml::table* table = file["digits"].as_table()) {
+    for (const auto& [name, number] : *table) {
+      digits.emplace(name.str(), number.value<int>().value());
+    }
+  }
+  return digits;
 }
 
 }  // namespace ricochet::report

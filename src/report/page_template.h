@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 
+#include "src/report/data_text.h"
 #include "src/report/json.h"
 #include "src/report/page.h"
 
@@ -18,6 +19,8 @@ struct DrawnPage {
 /// Fills a template in. The template is TOML; its texts are Mustache, see filled_text.h.
 ///
 ///   title = "..."             intro = ["a paragraph", ...]        epilogue = "..."
+///   above = "what the page in the folder above is called", where there is one
+///   [digits]                  name = how many significant digits of it the data keep
 ///   [[section]]               id, heading, text = ["a paragraph", ...]
 ///   [[section.table]]         rows, csv, most, caption, columns = [...], heads each a table
 ///   [section.explorer]        caption, settings, setting, values, value, answers, answer
@@ -64,7 +67,12 @@ struct DrawnPage {
 /// that. A column with `each` takes `cells`, the name of a row's list, as long: its text looks
 /// names up there.
 ///
+/// A list `pages` in the data has the folders of further pages, which the summary links.
+///
 /// Throws std::logic_error, with what is wrong where, for a template that does not fit the data.
 DrawnPage drawn(const std::string& page_template, const Json& data);
+
+/// How many digits of numbers the template's report keeps, by name: what its table `digits` says.
+Digits kept_digits(const std::string& page_template);
 
 }  // namespace ricochet::report

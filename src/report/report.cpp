@@ -21,6 +21,7 @@
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
 #include "src/core/error.h"
+#include "src/report/data_text.h"
 #include "src/report/page_template.h"
 
 namespace ricochet::report {
@@ -45,10 +46,11 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
 
 constexpr const char* data_file = "data.json";
 
-std::string write_text(const std::string& text, const std::filesystem::path& folder) {
+std::string write_kept(const Json& computed, const std::filesystem::path& folder) {
+  const std::string sheet = page_template(computed.at("report").get<std::string>());
+  const std::string text = data_text(computed, kept_digits(sheet));
   // What is drawn is what was kept: the data as they are read back, not as they were computed.
-  const Json data = Json::parse(text);
-  DrawnPage drawing = drawn(page_template(data.at("report").get<std::string>()), data);
+  DrawnPage drawing = drawn(sheet, data_in(text));
   FileSet files = std::move(drawing.tables);
   files[data_file] = text;
   write_page(drawing.page, folder, std::move(files));
@@ -65,7 +67,7 @@ std::string write_report(Json data, const std::filesystem::path& folder) {
       page = name;
     }
   }
-  return write_text(data.dump(0) + "\n", folder);
+  return write_kept(data, folder);
 }
 
 std::string redraw_report(const std::filesystem::path& from, const std::filesystem::path& folder) {
@@ -77,10 +79,11 @@ std::string redraw_report(const std::filesystem::path& from, const std::filesyst
   }
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   try {
-    for (const Json& name : Json::parse(text).value("pages", Json::array())) {
+    const Json data = data_in(text);
+    for (const Json& name : data.value("pages", Json::array())) {
       redraw_report(from / name.get<std::string>(), folder / name.get<std::string>());
     }
-    return write_text(text, folder);
+    return write_kept(data, folder);
   } catch (const Json::exception& error) {
     throw InputError(
         fmt::format("{}: must be the data of a report: {}", file.string(), error.what()));

@@ -34,9 +34,7 @@ class Script {
     frame_.x = chart.x.range.value_or(data_limits(chart.x, Direction::vertical));
     frame_.y = chart.y.range.value_or(data_limits(chart.y, Direction::horizontal));
     ends_ = end_labels(chart, frame_);
-    for (const EndLabel& end : ends_) {
-      frame_.room_for_ends = std::max(frame_.room_for_ends, text_width(end.text) + 15);
-    }
+    frame_.room_for_ends = room_for(chart, ends_);
   }
 
   std::string text() {
@@ -49,7 +47,9 @@ class Script {
       // In the legend they come last, though the series are drawn over them.
       for (std::size_t i = 0; i < line_labels_.size(); ++i)
         plot("keyentry", line_style(i), line_labels_[i]);
-      text_ += names_of_points(chart_, frame_) + end_label_script(ends_);
+      std::vector<std::string> colours;
+      for (std::size_t i = 0; i < chart_.series.size(); ++i) colours.push_back(look_of(i).colour);
+      text_ += names_of_points(chart_, frame_) + end_label_script(chart_, ends_, colours);
     }
     if (!has_values_) add("set label 'no data' at graph 0.5, graph 0.5 center tc rgb '#666666'\n");
     return fmt::format("{}{}plot {}\n", frame_script(chart_, frame_), text_, plots_);

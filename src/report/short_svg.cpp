@@ -2,97 +2,178 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <regex>
-#include <string>
-#include <string_view>
-#include <utility>
+#include <algorithm>
+#include <cmath>
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "src/report/path_data.h"
+#include "src/report/script.h"
 
 namespace ricochet::report {
 namespace {
 
-/// What gnuplot says of every group, though it is what SVG has anyway.
-constexpr std::pair<const char*, std::string_view> needless[] = {
-    {"stroke-width", "1.00"}, {"stroke-linecap", "butt"}, {"stroke-linejoin", "miter"}};
+constexpr const char* usual_size = "12";
 
-/// What it says of every group, which the one around all may say for them.
-constexpr std::pair<const char*, std::string_view> common[] = {
-    {"fill", "none"}, {"color", "black"}, {"stroke", "currentColor"}};
-
-void remove_where(pugi::xml_node element, const char* name, std::string_view value) {
-  const pugi::xml_attribute attribute = element.attribute(name);
-  if (attribute.value() == value) element.remove_attribute(attribute);
+void say(pugi::xml_node element, const char* name, const std::string& value) {
+  if (!value.empty()) element.append_attribute(name) = value.c_str();
 }
 
-void say_once(pugi::xml_document& document) {
-  pugi::xml_node all = document.select_node("//g[@id = 'gnuplot_canvas']").node();
-  for (const pugi::xpath_node& found : document.select_nodes("//g[@stroke = 'currentColor']")) {
-    for (const auto& [name, value] : needless) remove_where(found.node(), name, value);
-    for (const auto& [name, value] : common) remove_where(found.node(), name, value);
+class Writer {
+ public:
+  Writer(const Picture& picture, const std::string& name) : picture_(picture), name_(name) {
+    root_ = document_.append_child("svg");
   }
-  if (!all) return;
-  for (const auto& [name, value] : common) {
-    all.append_attribute(name) = std::string(value).c_str();
-  }
-  if (pugi::xml_node paper = all.child("rect")) paper.append_attribute("stroke") = "none";
-}
 
-/// Puts what a group without attributes holds in its place.
-void open_bare_groups(pugi::xml_document& document) {
-  for (const pugi::xpath_node& found : document.select_nodes("//g[not(@*)]")) {
-    pugi::xml_node group = found.node();
-    while (const pugi::xml_node child = group.first_child()) {
-      group.parent().insert_move_before(child, group);
+  std::string write(const std::string& title, const std::string& description) {
+    begin(title, description);
+    if (picture_.bar) write_bar(*picture_.bar);
+    write_patterns();
+    pugi::xml_node drawn = root_.append_child("g");
+    drawn.append_attribute("fill") = "none";
+    for (const Layer& layer : picture_.layers) write_layer(drawn, layer);
+    write_texts();
+    std::ostringstream stream;
+    document_.save(stream, "", pugi::format_indent | pugi::format_no_declaration);
+    return stream.str();
+  }
+
+ private:
+  void begin(const std::string& title, const std::string& description) {
+    const std::string width = std::to_string(picture_.width);
+    const std::string height = std::to_string(picture_.height);
+    say(root_, "class", "ricochet-chart");
+    say(root_, "width", width);
+    say(root_, "height", height);
+    say(root_, "viewBox", fmt::format("0 0 {} {}", width, height));
+    say(root_, "xmlns", "http://www.w3.org/2000/svg");
+    say(root_, "role", "img");
+    say(root_, "aria-labelledby", fmt::format("{0}-title {0}-desc", name_));
+    say(root_, "font-family", "system-ui, sans-serif");
+    say(root_, "font-size", usual_size);
+    for (const auto& [element, text] : {std::pair{"title", title}, {"desc", description}}) {
+      pugi::xml_node told = root_.append_child(element);
+      say(told, "id", fmt::format("{}-{}", name_, element));
+      told.text() = text.c_str();
     }
-    group.parent().remove_child(group);
+    pugi::xml_node paper = root_.append_child("rect");
+    say(paper, "width", width);
+    say(paper, "height", height);
+    say(paper, "fill", "#ffffff");
   }
-}
 
-/// Gives a text what the group around it says, where it is alone in there.
-void join_groups_of_texts(pugi::xml_document& document) {
-  for (const pugi::xpath_node& found :
-       document.select_nodes("//g[@transform and count(*) = 1 and text[not(@*)]]")) {
-    pugi::xml_node group = found.node();
-    pugi::xml_node text = group.child("text");
-    for (const pugi::xml_attribute attribute : group.attributes()) {
-      text.append_copy(attribute);
+  void write_bar(const ColourBar& bar) {
+    const std::string id = name_ + "-bar";
+    pugi::xml_node gradient = root_.append_child("linearGradient");
+    say(gradient, "id", id);
+    for (const char* across : {"x1", "x2", "y2"}) say(gradient, across, "0");
+    say(gradient, "y1", "1");
+    for (std::size_t i = 0; i < bar.colours.size(); ++i) {
+      pugi::xml_node stop = gradient.append_child("stop");
+      say(stop, "offset",
+          fmt::format("{:.3g}",
+                      static_cast<double>(i) / static_cast<double>(bar.colours.size() - 1)));
+      say(stop, "stop-color", bar.colours[i]);
     }
-    group.parent().insert_move_before(text, group);
-    group.parent().remove_child(group);
+    pugi::xml_node box = root_.append_child("path");
+    say(box, "fill", "url(#" + id + ")");
+    say(box, "d", path_data({bar.box}));
   }
-}
 
-void shorten_colour(pugi::xml_attribute colour) {
-  unsigned red = 0, green = 0, blue = 0;
-  if (std::sscanf(colour.value(), "rgb(%u,%u,%u)", &red, &green, &blue) != 3) return;
-  colour = fmt::format("#{:02x}{:02x}{:02x}", red, green, blue).c_str();
-}
+  /// Those with the same content are one.
+  void write_patterns() {
+    for (const auto& [use, pattern] : picture_.patterns) {
+      std::ostringstream content;
+      for (const pugi::xml_node child : pattern.children())
+        child.print(content, "", pugi::format_raw);
+      auto [known, is_new] = pattern_of_content_.try_emplace(
+          content.str(), fmt::format("{}-{}", name_, pattern.attribute("id").value()));
+      pattern_of_use_[use] = "url(#" + known->second + ")";
+      if (!is_new) continue;
+      root_.append_copy(pattern).attribute("id") = known->second.c_str();
+    }
+  }
 
-/// Cuts coordinates after their first decimal, which is less than a pixel of any screen.
-void shorten_numbers(pugi::xml_attribute attribute) {
-  static const std::regex decimals(R"((\.\d)\d+)");
-  static const std::regex zero(R"(\.0\b)");
-  static const std::regex spaces(R"(\s*([LM])\s*|\s+$)");
-  std::string text = std::regex_replace(attribute.value(), decimals, "$1");
-  text = std::regex_replace(text, zero, "");
-  attribute = std::regex_replace(text, spaces, "$1").c_str();
-}
+  void write_layer(pugi::xml_node drawn, const Layer& layer) {
+    pugi::xml_node crisp;
+    for (const auto& [brush, outlines] : layer) {
+      if (brush.crisp && !crisp) {
+        crisp = drawn.append_child("g");
+        say(crisp, "shape-rendering", "crispEdges");
+      }
+      write_path(brush.crisp ? crisp : drawn, brush, outlines);
+    }
+  }
+
+  void write_path(pugi::xml_node drawn, const Brush& brush, const std::vector<Outline>& outlines) {
+    const std::string data = path_data(brush.fill.empty() ? outlines : joined_rectangles(outlines));
+    if (data.empty()) return;
+    pugi::xml_node path = drawn.append_child("path");
+    const auto pattern = pattern_of_use_.find(brush.fill);
+    say(path, "fill", pattern == pattern_of_use_.end() ? brush.fill : pattern->second);
+    say(path, "fill-opacity", brush.opacity);
+    say(path, "stroke", brush.stroke);
+    say(path, "stroke-width", brush.width);
+    say(path, "stroke-dasharray", brush.dash);
+    say(path, "stroke-linecap", brush.cap);
+    say(path, "d", data);
+  }
+
+  void write_texts() {
+    std::vector<std::vector<const Writing*>> groups;
+    for (const Writing& writing : picture_.writings) {
+      const auto alike = [&](const auto& group) {
+        return group.front()->style() == writing.style();
+      };
+      auto found = std::ranges::find_if(groups, alike);
+      if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+      found->push_back(&writing);
+    }
+    for (const auto& group : groups) {
+      const bool alone = group.size() == 1;
+      pugi::xml_node around = alone ? root_ : root_.append_child("g");
+      if (!alone) say_style(around, *group.front());
+      for (const Writing* writing : group) {
+        pugi::xml_node text = around.append_child("text");
+        if (alone) say_style(text, *writing);
+        write_place(text, *writing);
+        text.text() = writing->text.c_str();
+      }
+    }
+  }
+
+  static void say_style(pugi::xml_node element, const Writing& writing) {
+    say(element, "fill", writing.fill);
+    if (writing.size != usual_size) say(element, "font-size", writing.size);
+    if (writing.anchor != "start") say(element, "text-anchor", writing.anchor);
+    if (writing.weight == title_font) say(element, "font-weight", "600");
+  }
+
+  static void write_place(pugi::xml_node text, const Writing& writing) {
+    const std::string x = fmt::format("{:.0f}", writing.place.x);
+    const std::string y = fmt::format("{:.0f}", writing.place.y);
+    if (writing.turned.empty()) {
+      say(text, "x", x);
+      say(text, "y", y);
+    } else {
+      say(text, "transform", fmt::format("translate({},{}){}", x, y, writing.turned));
+    }
+  }
+
+  const Picture& picture_;
+  const std::string& name_;
+  pugi::xml_document document_;
+  pugi::xml_node root_;
+  std::map<std::string, std::string> pattern_of_content_, pattern_of_use_;
+};
 
 }  // namespace
 
-void shorten(pugi::xml_document& document) {
-  say_once(document);
-  open_bare_groups(document);
-  join_groups_of_texts(document);
-  for (const pugi::xpath_node& found : document.select_nodes("//@fill | //@stroke | //@color")) {
-    shorten_colour(found.attribute());
-  }
-  // Marks are drawn larger than they are defined, and keep their digits.
-  for (const pugi::xpath_node& found : document.select_nodes(
-           "//@transform | //@font-size | //@stroke-width[not(ancestor::defs)] | "
-           "//path[not(ancestor::defs)]/@d | //polygon[not(ancestor::defs)]/@points")) {
-    shorten_numbers(found.attribute());
-  }
+std::string short_svg(const Picture& picture, const std::string& name, const std::string& title,
+                      const std::string& description) {
+  return Writer(picture, name).write(title, description);
 }
 
 }  // namespace ricochet::report

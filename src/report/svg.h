@@ -5,10 +5,8 @@
 
 namespace ricochet::report {
 
-/// Makes gnuplot's SVG fit for a page: every id starts with `name`, so that several share one page;
-/// title and description are for screen readers; fonts are the reader's own; what draws nothing is
-/// dropped. The result has no XML declaration and starts with <svg class="ricochet-chart".
-/// Throws std::runtime_error if it is not XML.
+/// Makes gnuplot's SVG fit for a page, see short_svg. Throws std::runtime_error if it is not XML,
+/// or has elements that are unknown.
 std::string finish_svg(const std::string& svg, const std::string& name, const std::string& title,
                        const std::string& description);
 

@@ -7,6 +7,8 @@
 #include <set>
 #include <system_error>
 
+#include "src/report/record_table.h"
+
 namespace ricochet::site {
 
 namespace fs = std::filesystem;
@@ -17,9 +19,9 @@ namespace {
 void add_families(Json& data, const fs::path& folder) {
   for (const Json& page : data.value("pages", Json::array())) {
     std::ifstream stream(folder / page.get<std::string>() / "data.json", std::ios::binary);
-    Json family = Json::parse(stream, nullptr, false);
+    const Json family = report::unpacked(Json::parse(stream, nullptr, false));
     if (!family.is_object() || family.value("report", Json()) != "contest_family") continue;
-    data["groups"].push_back(std::move(family));
+    data["groups"].push_back(family);
   }
 }
 
@@ -36,7 +38,7 @@ std::vector<FoundReport> found_reports(const fs::path& site) {
   std::map<std::string, Json> data;
   for (const std::string& folder : folders) {
     std::ifstream stream(site / folder / "data.json", std::ios::binary);
-    Json parsed = Json::parse(stream, nullptr, false);
+    Json parsed = report::unpacked(Json::parse(stream, nullptr, false));
     if (!parsed.is_object()) continue;
     add_families(parsed, site / folder);
     data[folder] = std::move(parsed);

@@ -2,15 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "src/report/data_text.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
 namespace {
 
-using nlohmann::json;
+using report::Json;
 
 TEST(Compare, WritesAReportOfEverySolverInEveryForm) {
   const auto folder = fresh_folder() / "mine";
@@ -22,11 +22,11 @@ TEST(Compare, WritesAReportOfEverySolverInEveryForm) {
   EXPECT_THAT(outcome.out, testing::HasSubstr("top-speed, 20 evaluations a variable:"));
   EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
   EXPECT_TRUE(std::filesystem::exists(folder / "leaders.csv"));
-  const json data = json::parse(read(folder / "data.json"));
-  EXPECT_EQ(data["pages"], (json{"top-speed", "profile-count"}));
-  const json family = json::parse(read(folder / "top-speed" / "data.json"));
+  const Json data = report::data_in(read(folder / "data.json"));
+  EXPECT_EQ(data["pages"], (Json{"top-speed", "profile-count"}));
+  const Json family = report::data_in(read(folder / "top-speed" / "data.json"));
   std::set<std::string> cobyla;
-  for (const json& standing : family["standings"]) {
+  for (const Json& standing : family["standings"]) {
     if (standing["solver"] == "nlopt-cobyla") cobyla.insert(standing["form"].get<std::string>());
     EXPECT_EQ(standing["runs"], 2);
     EXPECT_LE(standing["found"]["lower"], standing["found"]["share"]);
@@ -46,7 +46,7 @@ TEST(Compare, ChoosesForms) {
       "--instances 1 --out " +
       folder.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json data = json::parse(read(folder / "top-speed" / "data.json"));
+  const Json data = report::data_in(read(folder / "top-speed" / "data.json"));
   EXPECT_EQ(data["standings"].size(), 2U);
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "src/report/data_text.h"
 #include "tests/cli/tool.h"
 
 /// Solvers that a user brings along, by the examples.
@@ -90,9 +91,9 @@ TEST(OwnSolver, IsComparedWithOthers) {
       library, python("hill_climber"), folder.string());
   const Outcome outcome = call(arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json data = json::parse(read(folder / "count" / "data.json"));
+  const report::Json data = report::data_in(read(folder / "count" / "data.json"));
   std::set<std::string> names;
-  for (const json& standing : data["standings"]) {
+  for (const report::Json& standing : data["standings"]) {
     names.insert(standing["solver"].get<std::string>());
     EXPECT_EQ(standing["failed"], 0);
   }

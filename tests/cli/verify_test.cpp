@@ -61,7 +61,7 @@ TEST(Verify, TellsOfTheCoresThatItMayUse) {
   const auto folder = fresh_folder();
   call("verify --scenes 1 --out " + folder.string());
   sched_setaffinity(0, sizeof all, &all);
-  EXPECT_THAT(read(folder / "data.json"), testing::HasSubstr("\"threads\": 1,"));
+  EXPECT_THAT(read(folder / "data.json"), testing::HasSubstr("\"threads\":1,"));
 }
 
 }  // namespace

@@ -29,23 +29,46 @@ std::size_t number_for(const Chart& chart) {
 TEST(EndLabels, StandWhereCurvesEndApart) {
   EXPECT_EQ(number_for(two_curves(9)), 2U);
   const std::string script = gnuplot_script(two_curves(9));
-  EXPECT_THAT(script, HasSubstr("set label 'high' at graph 1, graph 0.9000 left"));
+  EXPECT_THAT(script, HasSubstr("set label 'high' at screen 0.91042, graph 0.9000 left"));
   EXPECT_THAT(script, HasSubstr("unset key"));
 }
 
-TEST(EndLabels, LeaveTheLegendWhereCurvesEndTogether) {
-  Chart third = two_curves(1.1);
-  third.series.push_back({"third", Mark::line, {{0, 5}, {10, 1.2}}});
-  EXPECT_EQ(number_for(third), 0U);
-  EXPECT_THAT(gnuplot_script(third), Not(HasSubstr("unset key")));
+TEST(EndLabels, LeaveTheLegendWhereThereAreManyOrTheyWouldBeFar) {
+  Chart many = two_curves(9);
+  for (int i = 2; i < 6; ++i) {
+    many.series.push_back({"more", Mark::line, {{0, 5}, {10, 1.5 * i}}});
+  }
+  EXPECT_EQ(number_for(many), 6U);
+  many.series.push_back({"one too many", Mark::line, {{0, 5}, {10, 5}}});
+  EXPECT_EQ(number_for(many), 0U);
+  EXPECT_THAT(gnuplot_script(many), Not(HasSubstr("unset key")));
+  Chart far = two_curves(1);
+  for (int i = 0; i < 4; ++i) far.series.push_back({"too", Mark::line, {{0, 5}, {10, 0}}});
+  EXPECT_EQ(number_for(far), 0U);  // the highest of six at the bottom is 70 pixels from its curve
 }
 
-TEST(EndLabels, AreMovedApartALittle) {
+TEST(EndLabels, AreMovedApartAndLedTo) {
   const Chart chart = two_curves(1.5);
   const auto labels = end_labels(chart, {*chart.x.range, *chart.y.range});
   ASSERT_EQ(labels.size(), 2U);
-  EXPECT_EQ(labels[0].place, 0.1);
-  EXPECT_NEAR(labels[1].place, 0.1 + 14.0 / 200, 1e-12);  // of a plot 200 pixels high
+  // A plot is 200 pixels high: both give way by the same.
+  EXPECT_NEAR(labels[0].place, 0.125 - 7.0 / 200, 1e-12);
+  EXPECT_NEAR(labels[1].place, 0.125 + 7.0 / 200, 1e-12);
+  EXPECT_FALSE(need_leaders(chart, labels));  // by 2 pixels
+  Chart close = two_curves(1.1);
+  close.series.push_back({"third", Mark::line, {{0, 5}, {10, 1.2}}});
+  const auto led = end_labels(close, {*close.x.range, *close.y.range});
+  ASSERT_EQ(led.size(), 3U);
+  EXPECT_NEAR(led[2].place - led[1].place, 14.0 / 200, 1e-12);
+  EXPECT_TRUE(need_leaders(close, led));
+  EXPECT_THAT(gnuplot_script(close), HasSubstr("graph 0.1200 to screen"));
+  // Where the plot ends they do, too.
+  Chart low = two_curves(0.1);
+  low.series[0].samples.back().value = 0;
+  const auto lowest = end_labels(low, {*low.x.range, *low.y.range});
+  ASSERT_EQ(lowest.size(), 2U);
+  EXPECT_EQ(lowest[0].place, 0);
+  EXPECT_NEAR(lowest[1].place, 14.0 / 200, 1e-12);
 }
 
 TEST(EndLabels, AreOfAllCurvesOrOfNone) {

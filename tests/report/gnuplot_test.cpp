@@ -49,6 +49,18 @@ std::vector<std::string> ids(const std::string& svg) {
   return found;
 }
 
+/// How many lines or areas the paths with an attribute have.
+int moves_of(const std::string& svg, const std::string& attribute) {
+  int moves = 0;
+  for (auto at = svg.find(attribute); at != std::string::npos; at = svg.find(attribute, at + 1)) {
+    const auto from = svg.find(" d=\"", at) + 4;
+    const std::string data = svg.substr(from, svg.find('"', from) - from);
+    moves +=
+        static_cast<int>(std::ranges::count_if(data, [](char c) { return c == 'M' || c == 'm'; }));
+  }
+  return moves;
+}
+
 /// One of every kind.
 std::vector<Chart> gallery() {
   Chart steps = line_chart({{1, 1, Range{0.5, 2}}, {10, 5, Range{4, 6}}, {100, {}}, {1000, 7}});
@@ -102,7 +114,7 @@ TEST(Gnuplot, GivesEveryIdOfEveryChartAName) {
   std::set<std::string> all;
   for (const std::string& svg : to_svgs(gallery())) {
     const std::vector<std::string> found = ids(svg);
-    EXPECT_GE(found.size(), 3U);
+    EXPECT_GE(found.size(), 2U);
     for (const std::string& id : found) EXPECT_TRUE(all.insert(id).second) << id;
   }
 }
@@ -133,7 +145,7 @@ TEST(Gnuplot, PointsOnlyToIdsThatExist) {
       ++references;
     }
   }
-  EXPECT_GT(references, 11);
+  EXPECT_EQ(references, 3);  // the bar of colours and hatched cells of the heat map, and its legend
 }
 
 TEST(Gnuplot, DrawsLinesAcrossPlotsWhoseLimitsHaveManyDigits) {
@@ -143,10 +155,7 @@ TEST(Gnuplot, DrawsLinesAcrossPlotsWhoseLimitsHaveManyDigits) {
   chart.lines = {{Direction::horizontal, 1, "one"}, {Direction::vertical, 2, "two"}};
   const std::string svg = to_svg(chart);
   for (const char* colour : {"#222222", "#f2b84b"}) {
-    int paths = 0;
-    for (auto at = svg.find(colour); at != std::string::npos; at = svg.find(colour, at + 1))
-      ++paths;
-    EXPECT_EQ(paths, 2) << colour;  // in the plot and in the legend
+    EXPECT_EQ(moves_of(svg, std::string("stroke=\"") + colour), 2) << colour;  // and in the legend
   }
 }
 
@@ -193,11 +202,7 @@ TEST(Gnuplot, IsNotFooledByLabelsThatLookLikeSvg) {
 
 TEST(Gnuplot, LeavesAGapWhereAValueIsMissing) {
   const auto strokes = [](const Chart& chart) {
-    static const std::regex pattern("stroke=\"#0072b2\"[^>]*d=\"([^\"]*)\"");
-    const std::string svg = to_svg(chart);
-    std::smatch match;
-    EXPECT_TRUE(std::regex_search(svg, match, pattern));
-    return std::ranges::count(match[1].str(), 'M');
+    return moves_of(to_svg(chart), "stroke=\"#0072b2\"");
   };
   EXPECT_EQ(strokes(line_chart({{0, 1}, {1, 2}, {2, 3}, {3, 1}, {4, 2}})), 1);
   EXPECT_EQ(strokes(line_chart({{0, 1}, {1, 2}, {2, {}}, {3, 1}, {4, 2}})), 2);
@@ -205,8 +210,7 @@ TEST(Gnuplot, LeavesAGapWhereAValueIsMissing) {
 
 TEST(Gnuplot, HatchesCellsWithoutAValueAndSaysSo) {
   const auto hatched = [](const std::string& svg) {
-    static const std::regex pattern("fill=\"url\\(#");
-    return std::distance(std::sregex_iterator(svg.begin(), svg.end(), pattern), {});
+    return moves_of(svg, "fill=\"url(#map-gpPat");
   };
   const std::string svg = to_svg(heat_map_chart({{1, {}, 3}, {{}, 5, 6}}));
   EXPECT_EQ(hatched(svg), 2 + 1);  // and one in the legend

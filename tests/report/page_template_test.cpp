@@ -194,5 +194,10 @@ TEST(PageTemplate, RefusesWhatTheDataDoNotHave) {
   EXPECT_THAT([&] { drawn(sheet, data); }, ThrowsMessage<std::logic_error>(HasSubstr("solvers")));
 }
 
+TEST(PageTemplate, SaysHowManyDigitsAreKept) {
+  EXPECT_TRUE(kept_digits("title = \"t\"").empty());
+  EXPECT_EQ(kept_digits("[digits]\nshare = 4\nspeed = 17"), (Digits{{"share", 4}, {"speed", 17}}));
+}
+
 }  // namespace
 }  // namespace ricochet::report

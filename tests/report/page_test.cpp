@@ -234,6 +234,19 @@ TEST_F(PageFiles, EscapeTablesEverywhere) {
   EXPECT_THAT(read(root_ / "summary.md"), AllOf(HasSubstr("| a\\|b |"), HasSubstr("| c d\\|e |")));
 }
 
+TEST_F(PageFiles, LinkOtherPagesInTheSummary) {
+  Page page = page_with({"one"});
+  write_page(page, root_);
+  EXPECT_THAT(read(root_ / "summary.md"), Not(HasSubstr("summary.md")));
+  page.further = {"count", "top-speed"};
+  page.above = "The problems";
+  write_page(page, root_);
+  EXPECT_THAT(read(root_ / "summary.md"),
+              AllOf(HasSubstr("\n## Further pages\n\n- [count](count/summary.md)\n"
+                              "- [top-speed](top-speed/summary.md)\n"),
+                    HasSubstr("\nPart of [The problems](../summary.md).\n")));
+}
+
 TEST_F(PageFiles, HaveNoRowOfTheWrongLength) {
   EXPECT_THROW(write_page(page_of({"t", {{"a"}, {"b"}}, {{{"1"}}}}), root_), std::invalid_argument);
   EXPECT_TRUE(fs::is_empty(root_));

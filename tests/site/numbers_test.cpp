@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "src/report/data_text.h"
 #include "src/report/json.h"
 #include "src/report/report.h"
 
@@ -110,7 +111,7 @@ std::vector<fs::path> reports() {
 TEST(Numbers, OfEveryPageStandInTheDataBesideIt) {
   int pages = 0;
   for (const fs::path& folder : reports()) {
-    const Json data = Json::parse(read(folder / "data.json"));
+    const Json data = report::data_in(read(folder / "data.json"));
     const std::string kind = data.at("report");
     if (kind == "site") continue;  // its data are of the other reports
     const auto unknown =

@@ -4,6 +4,7 @@
 
 #include <iterator>
 
+#include "src/report/data_text.h"
 #include "tests/site/made_up_reports.h"
 
 namespace ricochet::site {
@@ -19,7 +20,8 @@ std::string read(const fs::path& file) {
 }
 
 Json verification_data() {
-  return Json::parse(read(fs::path(RICOCHET_SOURCE) / "reports/reference/verification/data.json"));
+  return report::data_in(
+      read(fs::path(RICOCHET_SOURCE) / "reports/reference/verification/data.json"));
 }
 
 class Site : public TemporaryFolder {};

@@ -1,0 +1,64 @@
+#include "src/report/path_data.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ricochet::report {
+namespace {
+
+TEST(PathData, GoesFromCornerToCorner) {
+  EXPECT_EQ(path_data({{{{60.2, 218.34}, {60.2, 54}}}, {{{70, 54}, {80, 54}, {79.5, 60}}}}),
+            "M60.2 218.3v-164.3m9.8 0h10l-.5 6");
+  EXPECT_EQ(path_data({{{{1, 1}, {3, 1}, {3, 2}}, true}, {{{1.5, 1}, {2, 1.5}}}}),
+            "M1 1h2v1zm.5 0l.5.5");
+}
+
+TEST(PathData, IsNowhereMoreThanATenthOff) {
+  Outline spiral;
+  for (int i = 0; i <= 2000; ++i) {
+    const double turn = i / 100.0;
+    spiral.corners.push_back({200 + 9 * turn * std::cos(turn), 200 + 9 * turn * std::sin(turn)});
+  }
+  const std::string data = path_data({spiral});
+  EXPECT_LT(data.size(), 5000U);
+  // Rounding has not added up by the end, however many steps there were.
+  double x = 0, y = 0;
+  const char* at = data.c_str();
+  while (*at != '\0') {
+    const char command = *at;
+    if (std::isalpha(command) != 0) ++at;
+    char* end = nullptr;
+    const double first = std::strtod(at, &end);
+    at = end;
+    static char last = 'M';
+    if (std::isalpha(command) != 0) last = command;
+    if (last == 'h') {
+      x += first;
+    } else if (last == 'v') {
+      y += first;
+    } else {
+      const double second = std::strtod(at, &end);
+      at = end;
+      x += first;
+      y += second;
+    }
+  }
+  EXPECT_NEAR(x, spiral.corners.back().x, 0.051);
+  EXPECT_NEAR(y, spiral.corners.back().y, 0.051);
+}
+
+TEST(PathData, MakesADotOfOneCornerAndArcsOfACircle) {
+  EXPECT_EQ(path_data({{{{3, 4}}}, {{{5, 4}}}}), "M3 4h0m2 0h0");
+  EXPECT_EQ(path_data({{{{3, 4}}, true, 2}, {{{4, 4}, {4, 5}}}}),
+            "M3 4m-2 0a2 2 0 1 0 4 0 2 2 0 1 0-4 0zm3 0v1");
+}
+
+TEST(PathData, IsEmptyForNothing) {
+  EXPECT_EQ(path_data({}), "");
+  EXPECT_EQ(in_pixels(-0.04), "0");
+  EXPECT_EQ(in_pixels(12.96), "13");
+}
+
+}  // namespace
+}  // namespace ricochet::report

@@ -26,7 +26,7 @@ const namesAndIntervals = {
     ctx.save();
     ctx.font = `12px ${Chart.defaults.font.family}`;
     ctx.textBaseline = "middle";
-    const taken = chart.data.datasets.filter((set, index) => set.pointRadius > 0 && chart.isDatasetVisible(index))
+    const taken = chart.data.datasets.filter((set, index) => set.pointRadius > 0 && !set.crowd && chart.isDatasetVisible(index))
       .flatMap((set) => set.data.map((point) => [x.getPixelForValue(point.x), y.getPixelForValue(point.y)]))
       .map(([left, top]) => ({left: left - 3, top: top - 3, right: left + 3, bottom: top + 3}));
     chart.data.datasets.forEach((set, index) => {
@@ -38,6 +38,10 @@ const namesAndIntervals = {
         ctx.beginPath();
         ctx.moveTo(x.getPixelForValue(point.x), y.getPixelForValue(Math.max(point.low, y.min)));
         ctx.lineTo(x.getPixelForValue(point.x), y.getPixelForValue(Math.min(point.high, y.max)));
+        if (point.from !== undefined) {
+          ctx.moveTo(x.getPixelForValue(Math.max(point.from, x.min)), y.getPixelForValue(point.y));
+          ctx.lineTo(x.getPixelForValue(Math.min(point.to, x.max)), y.getPixelForValue(point.y));
+        }
         ctx.stroke();
       }
     });
@@ -69,12 +73,13 @@ const namesAndIntervals = {
 };
 
 // Labels of a logarithmic axis: the powers of ten; where there are fewer than three, 2 and 5 of each too.
+// The ends of the axis are no ticks of their own: rounded, they would look like their neighbours.
 const tidyTicks = (scale) => {
   const decades = Math.log10(scale.max / scale.min), every = Math.ceil(decades / 8);
   const kept = decades > 2.5 ? [1] : decades > 1 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
   scale.ticks = scale.ticks.filter(({value}) => {
-    const exponent = Math.floor(Math.log10(value) + 1e-9);
-    return kept.includes(Math.round(value / 10 ** exponent)) && (kept.length > 1 || exponent % every === 0);
+    const exponent = Math.floor(Math.log10(value) + 1e-9), digit = value / 10 ** exponent;
+    return kept.some((one) => Math.abs(digit - one) < 1e-6) && (kept.length > 1 || exponent % every === 0);
   });
 };
 const tickLabel = (value) => value >= 1e-3 && value < 1e6 ? String(Number(value.toPrecision(2))) : value.toExponential().replace("e+", "e");
@@ -281,16 +286,19 @@ const drawBoard = () => {
   offer(list);
 };
 
-// The rows that are shown, with all their columns, as files.
+// A list of rows as files that two links offer.
+const offerFiles = (what, names, list) => {
+  const quoted = (value) => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
+  const lines = [names.join(",")].concat(list.map((row) => names.map((name) => quoted(String(row[name] ?? ""))).join(",")));
+  element(`${what}-csv`).href = "data:text/csv;charset=utf-8," + encodeURIComponent(lines.join("\n") + "\n");
+  element(`${what}-json`).href = "data:application/json;charset=utf-8," + encodeURIComponent(JSON.stringify(list, null, 1));
+};
+
+// The rows that are shown, with all their columns.
 const offer = (list) => {
   const names = contest.columns.filter((name) => name !== "family");
   const family = contest.families[Number(element("family").value)]?.name;
-  const quoted = (value) => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
-  const lines = [["family", ...names].join(",")].concat(list.map((row) =>
-    [family, ...names.map((name) => row[name])].map((value) => quoted(String(value ?? ""))).join(",")));
-  const json = list.map((row) => ({family, ...Object.fromEntries(names.map((name) => [name, row[name]]))}));
-  element("as-csv").href = "data:text/csv;charset=utf-8," + encodeURIComponent(lines.join("\n") + "\n");
-  element("as-json").href = "data:application/json;charset=utf-8," + encodeURIComponent(JSON.stringify(json, null, 1));
+  offerFiles("board", ["family", ...names], list.map((row) => ({family, ...Object.fromEntries(names.map((name) => [name, row[name]]))})));
 };
 
 // ---- targets reached ----
@@ -337,9 +345,18 @@ const drawCurves = () => {
     return {label: full(curve), data, hidden: unpicked.has(full(curve)), showLine: true, stepped: "before", borderColor: own,
             backgroundColor: own, borderWidth: 2, pointRadius: 0, pointHitRadius: 8, borderDash: i % 2 ? [6, 3] : []};
   });
-  draw("curve-chart", datasets, axis("evaluations for each variable", true), axis("targets reached [%]", false, shareAxis),
+  if (!element("reached").hidden) draw("curve-chart", datasets, axis("evaluations for each variable", true), axis("targets reached [%]", false, shareAxis),
     (point) => `${full(point.curve)}: ${Math.round(point.y)} % after ${number(point.x)}`);
   element("curve-chart").setAttribute("aria-label", `Share of targets reached over evaluations, of ${curves.length} solvers.`);
+};
+
+// The leaderboard or the targets reached.
+const showBeside = (id) => {
+  for (const [place, button] of [["leaderboard", "show-board"], ["reached", "show-reached"]]) {
+    element(place).hidden = place !== id;
+    element(button).setAttribute("aria-pressed", String(place === id));
+  }
+  drawCurves();
 };
 
 // ---- the motion ----
@@ -366,6 +383,100 @@ const drawMotion = () => {
     });
   element("motion-chart").setAttribute("aria-label",
     `${view.name}: ${view.y} over ${view.x}, of ${view.series.map((series) => series.name).join(", ")}.`);
+};
+
+// ---- solver and simulation ----
+
+const pairs = site.pairs;
+const simulationNames = pairs ? [...new Set(pairs.simulations.map(({name}) => name))] : [];
+const unpickedSimulations = new Set();
+const resolution = 1e-10;  // [rad/s]: a logarithmic axis has no 0, and no threshold is known better
+
+// The same colours as where the motion stands alone; its levels have shapes of their own.
+const lookOf = (name) => {
+  const colours = palette(), methods = site.motion ? site.motion.views[0].series.map((series) => series.name) : [];
+  const one = pairs.simulations.find((simulation) => simulation.name === name), place = methods.indexOf(name);
+  if (one.reference) return {own: colour("--ink"), shape: "rectRot"};
+  if (place >= 0) return {own: colours[place % colours.length], shape: "circle"};
+  const level = simulationNames.filter((other) => !methods.includes(other)).indexOf(name);
+  return {own: [colours[0], colour("--quiet")][level % 2], shape: "triangle"};
+};
+
+// What a solver spends with a simulation until it has the threshold, and how wrong that then is.
+const pairOf = (solver, simulation, alone) => {
+  const spent = solver.own + solver.evaluations * simulation.seconds;
+  const error = (own) => alone ? Math.max(own, resolution) : own + pairs.tolerance;
+  return {solver, simulation, x: spent / solver.solved, from: spent / solver.solved_upper, to: spent / solver.solved_lower,
+          y: error(simulation.error), low: error(simulation.error_least), high: error(simulation.error)};
+};
+
+const pairName = ({solver, simulation}) => `${solver.solver}, ${simulation.name}${simulation.control ? ` ${simulation.control}` : ""}`;
+const timeText = (seconds) => seconds < 0.1 ? `${number(1000 * seconds, 2)} ms` : `${number(seconds, 2)} s`;
+
+const findingOfPairs = (count, front) => {
+  const told = (point) => `${pairName(point)} (within ${number(point.y, 2)} rad/s after ${timeText(point.x)})`;
+  if (!front.length) return "No simulation is chosen.";
+  if (front.length === 1) return `Of ${count} pairs ${told(front[0])} is the fastest and the most accurate.`;
+  return `Of ${count} pairs the most accurate is ${told(front.at(-1))}; the fastest is ${told(front[0])}.`;
+};
+
+const offerPairs = (points) => {
+  const list = points.map(({solver, simulation, x, from, to}) => ({
+    solver: solver.solver, form: solver.form, simulation: simulation.name, control: simulation.control, evaluations: solver.evaluations,
+    solver_seconds: solver.own, solved: solver.solved, simulation_seconds: simulation.seconds, seconds: x, seconds_lower: from,
+    seconds_upper: to, simulation_error: simulation.error, simulation_error_least: simulation.error_least,
+    error: simulation.error + pairs.tolerance}));
+  offerFiles("pairs", list.length ? Object.keys(list[0]) : [], list);
+};
+
+const drawPairs = () => {
+  const alone = element("pair-error").value === "simulation", wanted = element("pair-solver").value;
+  const points = pairs.solvers.filter((solver) => !wanted || solver.solver === wanted).flatMap((solver) =>
+    pairs.simulations.filter(({name}) => !unpickedSimulations.has(name)).map((simulation) => pairOf(solver, simulation, alone)));
+  const front = frontOf(points, (a, b) => a < b), onFront = new Set(front);
+  const bare = ({solver, simulation, x, y}) => ({solver, simulation, x, y});
+  const ink = colour("--ink");
+  const dots = simulationNames.map((name) => {
+    const {own, shape} = lookOf(name);
+    return {label: name, data: points.filter((point) => point.simulation.name === name && !onFront.has(point)).map(bare), showLine: false,
+            borderColor: own, backgroundColor: own + (own.length === 7 ? "99" : ""), pointStyle: shape, pointRadius: 2.5, pointHoverRadius: 6, crowd: true};
+  });
+  const leading = {label: "front", data: front.map((point) => ({...point, name: pairName(point)})), showLine: true, stepped: "before",
+                   borderColor: ink, borderWidth: 1.5, nameColour: ink, pointRadius: 5, pointHoverRadius: 7,
+                   pointBackgroundColor: front.map((point) => lookOf(point.simulation.name).own),
+                   pointStyle: front.map((point) => lookOf(point.simulation.name).shape)};
+  const {min, max} = around(points.map(({y}) => y));
+  draw("pairs-chart", [leading, ...dots], axis("processor time to the threshold [s]", true, around(points.map(({x}) => x))),
+    axis(alone ? "error of the simulation [rad/s]" : "error of the threshold, at most [rad/s]", true, {min: min / 1.5, max}),
+    ({solver, simulation, x, y}) => [pairName({solver, simulation}),
+      `${timeText(x)}: ${number(solver.evaluations)} evaluations of ${number(1e6 * simulation.seconds, 2)} µs, ${timeText(solver.own)} of its own`,
+      `solved ${percent(solver.solved)} [${percent(solver.solved_lower)}, ${percent(solver.solved_upper)}]`,
+      `error at most ${number(y, 2)} rad/s; the simulation's: ${simulation.reference ? "none, it is the reference" : `${number(simulation.error_least, 2)} to ${number(simulation.error, 2)}`}`],
+    () => { location.href = `${pairs.folder}/index.html#thresholds`; });
+  element("pairs-finding").textContent = findingOfPairs(points.length, front);
+  element("pairs-note").textContent = `Of ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the contest; runs that fail are repeated. Error: the simulation's ` +
+    `largest of the cases${alone ? "" : ` + ${pairs.tolerance} rad/s, within which a threshold counts as found`}. Bars: the interval of the share solved; down to the smallest of the cases.`;
+  element("pairs-chart").setAttribute("aria-label", `Error of the threshold over processor time, ${points.length} dots. ${element("pairs-finding").textContent}`);
+  offerPairs(points);
+};
+
+const offerSimulations = () => {
+  element("pair-picks").replaceChildren(...simulationNames.map((name) => {
+    const item = document.createElement("li"), label = document.createElement("label");
+    const box = document.createElement("input"), swatch = document.createElement("span");
+    box.type = "checkbox";
+    box.checked = !unpickedSimulations.has(name);
+    box.addEventListener("change", () => {
+      unpickedSimulations[box.checked ? "delete" : "add"](name);
+      drawPairs();
+    });
+    const {own, shape} = lookOf(name);
+    swatch.className = `swatch ${shape}`;
+    swatch.style.background = own;
+    label.append(box, " ", swatch, name);
+    item.append(label);
+    return item;
+  }));
 };
 
 // ---- all of it ----
@@ -397,7 +508,15 @@ const start = () => {
     element("family").addEventListener("change", offerBudgets);
     for (const id of ["budget", "shown"]) element(id).addEventListener("change", drawContest);
     for (const id of ["speed", "accuracy"]) element(id).addEventListener("change", drawAccuracy);
+    element("show-board").addEventListener("click", () => showBeside("leaderboard"));
+    element("show-reached").addEventListener("click", () => showBeside("reached"));
     offerFamilies();
+  }
+  if (pairs) {
+    fill(element("pair-solver"), [["", "each"], ...pairs.solvers.map(({solver}) => [solver, solver])]);
+    for (const id of ["pair-solver", "pair-error"]) element(id).addEventListener("change", drawPairs);
+    offerSimulations();
+    drawPairs();
   }
   if (site.motion) {
     fill(element("scene"), site.motion.views.map((view, index) => [index, view.name]));
@@ -407,6 +526,10 @@ const start = () => {
   dark.addEventListener("change", () => {
     if (contest) drawContest();
     if (site.motion) drawMotion();
+    if (pairs) {
+      offerSimulations();
+      drawPairs();
+    }
   });
 };
 

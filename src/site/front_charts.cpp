@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "src/site/pairs.h"
+
 namespace ricochet::site {
 namespace {
 
@@ -111,6 +113,41 @@ Chart motion_chart(const Json& view) {
   return chart;
 }
 
+/// Of each simulation the pair with the solver that is fastest there, as all that lead are; the
+/// others lie to its right.
+Chart pairs_chart(const Json& data) {
+  const std::vector<SolverSimulation> pairs = pairs_of(data), front = front_of_pairs(pairs);
+  Chart chart{
+      .name = "front-solver-and-simulation",
+      .title = pairs_title(data),
+      .x = {"processor time to the threshold, with the fastest solver [s]", Scale::logarithmic},
+      .y = {"error of the threshold, at most [rad/s]", Scale::logarithmic},
+      .width = 780,
+      .height = 420,
+      .description = pairs_finding(data)};
+  Series line{.label = "none is as fast and as accurate", .mark = Mark::steps, .samples = {}};
+  for (const SolverSimulation& pair : front) line.samples.push_back({pair.seconds, pair.error});
+  if (front.size() > 1) chart.series.push_back(std::move(line));
+  for (std::size_t m = 0; m < data.at("simulations").size(); ++m) {
+    const std::string name = data["simulations"][m].at("name");
+    if (m == 0 || data["simulations"][m - 1]["name"] != name) {
+      chart.series.push_back({.label = name, .mark = Mark::points, .samples = {}});
+    }
+    const SolverSimulation* fastest = nullptr;
+    for (const SolverSimulation& pair : pairs) {
+      if (pair.simulation != m) continue;
+      if (fastest == nullptr || pair.seconds < fastest->seconds) fastest = &pair;
+    }
+    const bool leads = std::any_of(front.begin(), front.end(), [&](const SolverSimulation& pair) {
+      return pair.simulation == m;
+    });
+    Sample dot{fastest->seconds, fastest->error};
+    if (leads) dot.name = name_of_pair(data, *fastest);
+    chart.series.back().samples.push_back(std::move(dot));
+  }
+  return chart;
+}
+
 }  // namespace
 
 std::vector<Chart> front_charts(const Json& data) {
@@ -123,6 +160,7 @@ std::vector<Chart> front_charts(const Json& data) {
   if (const Json& motion = data.at("motion"); !motion.is_null()) {
     charts.push_back(motion_chart(motion.at("views").front()));
   }
+  if (const Json& pairs = data.at("pairs"); !pairs.is_null()) charts.push_back(pairs_chart(pairs));
   std::erase_if(charts, [](const Chart& chart) { return chart.series.empty(); });
   return charts;
 }

@@ -11,6 +11,8 @@
 #include "src/site/front_page.h"
 #include "src/site/motion.h"
 #include "src/site/navigation.h"
+#include "src/site/pairs.h"
+#include "src/site/questions.h"
 
 namespace ricochet::site {
 namespace {
@@ -26,6 +28,8 @@ Json collected(const std::vector<FoundReport>& reports) {
           {"solvers", solver_answer(reports)},
           {"contest", contest_data(reports)},
           {"motion", motion_data(reports)},
+          {"pairs", pairs_data(reports)},
+          {"questions", questions_data(reports)},
           {"cards", report::list_of(reports, card_of)},
           {"missing", missing_cards(reports)}};
 }

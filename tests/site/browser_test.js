@@ -183,8 +183,10 @@ check(fs.statSync(path.join(folder, front)).size <= 600_000, "the front page has
 
 const page = await open(front);
 const seconds = await page.evaluate(() => performance.getEntriesByType("navigation")[0].loadEventEnd / 1000);
-const screens = await page.evaluate(() => document.documentElement.scrollHeight / 900);
+await page.setViewport({width: 1280, height: 800});
+const screens = await page.evaluate(() => document.documentElement.scrollHeight / innerHeight);
 check(screens <= 3, `the front page has ${screens} screens`);
+await page.setViewport({width: 1440, height: 900});
 
 // The points of a chart, in pixels too.
 const points = (id) => page.evaluate((canvas) => {
@@ -206,6 +208,15 @@ const inView = async () => {
 const dotsOf = async (speed, accuracy) => (await inView()).filter((row) => row[speed] > 0 && row[accuracy] !== null).length;
 const board = () => page.$$eval("#board tbody tr", (lines) => lines.map((line) => [...line.children].map((c) => c.textContent)));
 
+// Labels of an axis beside each other, none over another.
+const overlapping = (id) => page.evaluate((canvas) => {
+  const chart = Chart.getChart(canvas), {x, y} = chart.scales;
+  chart.ctx.font = `12px ${Chart.defaults.font.family}`;
+  const clash = (scale, size) => scale.ticks.some((tick, i) => i > 0 &&
+    Math.abs(scale.getPixelForTick(i) - scale.getPixelForTick(i - 1)) < (size(tick.label) + size(scale.ticks[i - 1].label)) / 2);
+  return clash(x, (label) => chart.ctx.measureText(label).width) || clash(y, () => 10);
+}, id);
+
 const timed = rows.some((row) => row.evaluations !== null);
 for (const id of [...(timed ? ["accuracy-chart"] : []), "motion-chart"]) check(await inked(id), `${id} is blank`);
 const families = await page.$$eval("#family option", (all) => all.map((option) => option.value));
@@ -220,6 +231,7 @@ for (const family of families) {
       const drawn = await points("accuracy-chart"), expected = await dotsOf(speed, accuracy);
       check(drawn.length === expected && drawn.every((p) => p.inside),
             `${speed} and ${accuracy} of family ${family}, ${budget}: ${drawn.length} dots for ${expected} rows`);
+      if (drawn.length) check(!(await overlapping("accuracy-chart")), `${speed} and ${accuracy} of family ${family}, ${budget}: labels of an axis overlap`);
     }
     check((await board()).length === (await inView()).length, `family ${family}, ${budget}: the leaderboard has not every row`);
   }
@@ -256,12 +268,18 @@ for (const column of await page.$$eval("#board thead button", (all) => all.map((
 
 // Downloads: what is offered is what the data say.
 const offered = (id) => page.$eval(`#${id}`, (link) => decodeURIComponent(link.href.slice(link.href.indexOf(",") + 1)));
-const json = JSON.parse(await offered("as-json")), csv = (await offered("as-csv")).trim().split("\n");
+const json = JSON.parse(await offered("board-json")), csv = (await offered("board-csv")).trim().split("\n");
 check(json.length === (await inView()).length && csv.length === json.length + 1, "the downloads have not every row");
 for (const row of await inView()) {
   const same = json.find((r) => r.solver === row.solver && r.form === row.form);
   check(same && data.contest.columns.every((name) => name === "family" || same[name] === row[name]), `the download says otherwise of ${row.solver}`);
 }
+
+// Beside the chart the leaderboard or the curves.
+const seen = (id) => page.$eval(`#${id}`, (part) => part.checkVisibility());
+check(await seen("leaderboard") && !(await seen("reached")), "beside the chart there is not the leaderboard alone");
+await page.click("#show-reached");
+check(await seen("reached") && !(await seen("leaderboard")), "beside the chart there are not the curves alone");
 
 // The legend picks curves.
 const curves = (await points("curve-chart")).length;
@@ -280,6 +298,42 @@ for (const [index, view] of data.motion.views.entries()) {
   check(drawn.length === view.series.flatMap((series) => series.points).filter(([x, y]) => x !== null && y !== null).length,
         `${view.id}: ${drawn.length} dots`);
 }
+
+// Solver and simulation: a dot for every pair, where its data say; what is picked; the files.
+const {pairs} = data;
+const sum = (list) => list.reduce((a, b) => a + b, 0);
+const expectPairs = async (solvers, simulations, alone, what) => {
+  const drawn = await points("pairs-chart");
+  const all = solvers.flatMap((solver) => simulations.map((simulation) => ({
+    seconds: (solver.own + solver.evaluations * simulation.seconds) / solver.solved,
+    error: alone ? Math.max(simulation.error, 1e-10) : simulation.error + pairs.tolerance})));
+  const same = (a, b) => Math.abs(a - b) <= 1e-9 * Math.abs(b);
+  check(drawn.length === all.length && drawn.every((dot) => dot.inside), `${what}: ${drawn.length} dots for ${all.length} pairs`);
+  check(same(sum(drawn.map((dot) => Math.log(dot.value))), sum(all.map(({error}) => Math.log(error)))), `${what}: the errors are not those of the data`);
+  check(!(await overlapping("pairs-chart")), `${what}: labels of an axis overlap`);
+  const fastest = all.reduce((a, b) => b.seconds < a.seconds ? b : a), best = Math.min(...all.map(({error}) => error));
+  const front = await page.evaluate(() => Chart.getChart("pairs-chart").data.datasets[0].data.map(({x, y}) => ({x, y})));
+  check(same(front[0].x, fastest.seconds) && same(front.at(-1).y, best), `${what}: the front is not the data's`);
+  check(front.every(({x, y}, i) => i === 0 || (x >= front[i - 1].x && y < front[i - 1].y)), `${what}: the front is none`);
+  const files = JSON.parse(await offered("pairs-json"));
+  check(files.length === all.length && files.every((row, i) => same(row.seconds, all[i].seconds)), `${what}: the file says otherwise`);
+  check((await offered("pairs-csv")).trim().split("\n").length === all.length + 1, `${what}: the CSV file has not every pair`);
+  return page.$eval("#pairs-finding", (told) => told.textContent);
+};
+const eachPair = await expectPairs(pairs.solvers, pairs.simulations, false, "pairs");
+check(eachPair.startsWith(`Of ${pairs.solvers.length * pairs.simulations.length} pairs`), `the pairs say: ${eachPair}`);
+await page.select("#pair-error", "simulation");
+await expectPairs(pairs.solvers, pairs.simulations, true, "simulations alone");
+await page.select("#pair-error", "answer");
+const lastSolver = pairs.solvers.at(-1);
+await page.select("#pair-solver", lastSolver.solver);
+await expectPairs([lastSolver], pairs.simulations, false, "one solver");
+await page.select("#pair-solver", "");
+const unpicked = pairs.simulations[0].name;
+await page.click("#pair-picks input");
+await expectPairs(pairs.solvers, pairs.simulations.filter(({name}) => name !== unpicked), false, "without a simulation");
+await page.click("#pair-picks input");
+await expectPairs(pairs.solvers, pairs.simulations, false, "pairs again");
 
 // Every cell of the map leads to a page that is there.
 const cells = await page.$$eval(".map td a", (links) => links.map((link) => link.href));
@@ -307,7 +361,36 @@ const hoverAndClick = async (id, report) => {
 };
 if (timed) await hoverAndClick("accuracy-chart", data.contest.folder);
 await hoverAndClick("motion-chart", data.motion.folder);
+await hoverAndClick("pairs-chart", data.pairs.folder);
 await page.close();
+
+// What a stranger asks: a click on the question, and at most two screens below where it leads the answer.
+const walks = [];
+const answersTo = {
+  "How fast may C3 run?": ["#thresholds tbody th", /^C3$/],
+  "Which solver for 16 variables and 500 evaluations?": ["main p, header p", /^Found: .*most probably/],
+  "What does a gradient buy?": ["#changes tbody tr", /price of a gradient/],
+  "Where does Ipopt fail?": ["#map svg text", /^ipopt$/],
+  "Is the planar model needed for my machine?": ["#levels p", /Both directions are needed only where/],
+};
+for (const [question, [selector, words]] of Object.entries(answersTo)) {
+  const walk = await open(front);
+  await walk.setViewport({width: 1280, height: 800});
+  await walk.emulateMediaFeatures([{name: "prefers-reduced-motion", value: "reduce"}]);
+  const link = await walk.evaluateHandle((text) => [...document.querySelectorAll("a")].find((a) => a.textContent === text), question);
+  if (!link.asElement()) { check(false, `nobody asks: ${question}`); await walk.close(); continue; }
+  const before = await link.evaluate((a) => a.getBoundingClientRect().bottom / innerHeight);
+  await Promise.all([walk.waitForNavigation(), link.click()]);
+  await new Promise((resolve) => setTimeout(resolve, 200));
+  const after = await walk.$$eval(selector, (parts, source) => {
+    const words = new RegExp(source);
+    return parts.filter((part) => words.test(part.textContent.trim())).map((part) => part.getBoundingClientRect().bottom / innerHeight)[0] ?? null;
+  }, words.source);
+  check(after !== null, `${question} is not answered on ${walk.url()}`);
+  check(before <= 2 && after <= 2, `${question}: ${before.toFixed(1)} screens to the click, ${after?.toFixed(1)} after it`);
+  walks.push(`${question} 1 click; screens: ${before.toFixed(1)} to it, ${after?.toFixed(1)} to the answer`);
+  await walk.close();
+}
 
 // Without a script, and on paper, the pictures that stand still.
 const still = await open(front, {script: false});
@@ -317,10 +400,14 @@ await still.close();
 const paper = await open(front);
 await paper.emulateMediaType("print");
 check(await paper.$eval("#still-charts", (section) => section.checkVisibility()), "on paper there are no charts");
-check(!(await paper.$eval("#motion-chart", (canvas) => canvas.checkVisibility())), "on paper there are charts that move");
+for (const id of ["motion-chart", "pairs-chart"]) {
+  check(!(await paper.$eval(`#${id}`, (canvas) => canvas.checkVisibility())), "on paper there are charts that move");
+}
+const stands = await paper.$$eval("#still-charts svg", (all) => all.some((svg) => /front-solver-and-simulation/.test(svg.outerHTML)));
+check(stands, "on paper there is no chart of solver and simulation");
 await paper.close();
 
 await browser.close();
-for (const what of wrong) console.log(what);
+for (const what of [...walks, ...wrong]) console.log(what);
 console.log(`${pages.length} pages, ${wrong.length} complaints; the front page loads in ${seconds.toFixed(2)} s and has ${screens.toFixed(1)} screens; ${((Date.now() - started) / 1000).toFixed(0)} s`);
 process.exit(wrong.length ? 1 : 0);

@@ -1,12 +1,16 @@
 #include "solvers/nlopt/nlopt.h"
 
 #include <gmock/gmock.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "problems/classic/multimodal.h"
+#include "src/core/instance.h"
 #include "src/core/run.h"
 #include "tests/solvers/test_problems.h"
 
@@ -115,6 +119,22 @@ TEST_P(NloptLocal, EndsAStartAtANumberThatIsNotFinite) {
   const RunRecord record = run(half_a_number(), named(GetParam()), {300}, 0);
   EXPECT_EQ(record.exits.front().reason, "a number is not finite");
   EXPECT_GE(record.exits.size(), 2U);
+}
+
+// What reads memory that it has not set finds there what others have left.
+TEST_P(NloptLocal, RepeatsItselfWhateverMemoryHolds) {
+  const Problem problem = instance(classic::rastrigin(5), 2);
+  std::set<std::vector<std::int64_t>> improved_after;
+  for (int filling = 1; filling < 256; filling += 12) {
+    mallopt(M_PERTURB, filling);  // of new memory
+    std::vector<std::int64_t> evaluations;
+    for (const Improvement& step : run(problem, named(GetParam()), {1500}, 2).trace) {
+      evaluations.push_back(step.evaluations);
+    }
+    improved_after.insert(evaluations);
+  }
+  mallopt(M_PERTURB, 0);
+  EXPECT_EQ(improved_after.size(), 1U);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, NloptLocal,

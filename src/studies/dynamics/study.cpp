@@ -28,7 +28,13 @@ StudyPlan full_plan() {
           full_stability_plan(),
           {evenly(1, 18, 1), 100, evenly(1, 12, 0.1), 32},
           {8, 10000, 30, 8},
-          {0.02, {0, 0.25, 0.5, 0.75, 1, 1.5}, 1.5e10, 25}};
+          {0.02, {0, 0.25, 0.5, 0.75, 1, 1.5}, 1.5e10, 25},
+          {{"C1", "C2", "C3", "C4"},
+           0.25,
+           1,
+           {1e10, 1e12, 1e14, 1e16, 1e18},
+           {1e-3, 1e-5, 1e-7, 1e-9, 1e-11},
+           {1e-2, 1e-3, 1e-4, 1e-5}}};
 }
 
 /// Coarser: seconds.
@@ -40,7 +46,8 @@ StudyPlan quick_plan() {
           quick_stability_plan(),
           {evenly(3, 18, 3), 20, evenly(1, 12, 0.5), 8},
           {3, 1000, 5, 4},
-          {1, {0, 0.5, 1}, 1.5e10, 6}};
+          {1, {0, 0.5, 1}, 1.5e10, 6},
+          {{"C1", "C2"}, 1, 6, {1e14}, {1e-4, 1e-8}, {1e-3}}};
 }
 
 std::vector<SceneWork> works_in(const std::vector<BenchmarkScene>& scenes, const WorkPlan& plan,
@@ -81,6 +88,7 @@ Json results_of(const StudyPlan& plan) {
   data["lyapunov"] = data_of(study_lyapunov(plan.lyapunov));
   data["fidelity"] = data_of(study_fidelity(plan.fidelity));
   data["levels"] = data_of(study_levels(plan.levels));
+  data["thresholds"] = data_of(study_thresholds(plan.thresholds, integrators));
   data["controls"] = {{"per_decade", plan.work.per_decade},
                       {"tolerance", plan.work.tolerance},
                       {"steps", plan.work.steps}};

@@ -7,12 +7,13 @@
 #include "src/studies/dynamics/levels.h"
 #include "src/studies/dynamics/lyapunov.h"
 #include "src/studies/dynamics/stability.h"
+#include "src/studies/dynamics/thresholds.h"
 #include "src/studies/dynamics/work.h"
 #include "src/studies/study.h"
 
 namespace ricochet::studies {
 
-/// Contact laws, numerical methods and levels of the model. Half a minute on one processor; times
+/// Contact laws, numerical methods and levels of the model. A minute on one processor; times
 /// are measured, so one thing at a time.
 Study dynamics_study();
 
@@ -27,6 +28,7 @@ struct StudyPlan {
   LyapunovPlan lyapunov;
   FailureModePlan failure_modes;
   LevelPlan levels;
+  ThresholdPlan thresholds;
 };
 
 /// All but the times is the same every time.

@@ -39,8 +39,9 @@ Json found() {
                           "break_even_families", "forms", "ceilings"}) {
     all[key] = {{{"family", "hs"}, {"of", key}}};
   }
-  for (const char* key : {"machines", "machine_maps", "turns", "effects", "main_effects",
-                          "features", "feature_names", "feature_rows", "atlas", "atlas_maps"}) {
+  for (const char* key :
+       {"machines", "machine_maps", "landscapes", "turns", "effects", "main_effects", "features",
+        "feature_names", "feature_rows", "atlas", "atlas_maps"}) {
     all[key] = Json::array();
   }
   return all;

@@ -28,7 +28,8 @@ const Json& data() {
                             {{1e8, 1e12}, {1e-4, 1e-5}, {1e-4}, 4},
                             {{6}, 4, {5}, 1},
                             {2, 100, 2, 1},
-                            {9, {0, 1}, 1e10, 1}}));
+                            {9, {0, 1}, 1e10, 1},
+                            {{"C1"}, 2, 9, {1e14}, {1e-6}, {1e-3}}}));
     return Json::parse(data.dump());
   }();
   return kept;
@@ -74,6 +75,8 @@ TEST(DynamicsStudy, ShowsTheNumbersOfItsData) {
                 "{:.0f}");
   const Table& levels = section("levels").tables.at(0);
   expect_column(levels, 2, data()["levels"]["cases"], "certain", "{:.2f}", 100);
+  expect_column(section("thresholds").tables.at(0), 5, data()["thresholds"]["simulations"], "error",
+                "{:.1e}");
 }
 
 TEST(DynamicsStudy, SaysOfEveryMethodHowItFails) {
@@ -112,7 +115,7 @@ TEST(DynamicsStudy, DrawsEveryChartOfItsData) {
 }
 
 TEST(DynamicsStudy, BeginsEverySectionWithWhatItFound) {
-  ASSERT_EQ(drawing().page.sections.size(), 15U);
+  ASSERT_EQ(drawing().page.sections.size(), 16U);
   for (const Section& section : drawing().page.sections) {
     if (section.id == "origin") continue;
     EXPECT_EQ(section.paragraphs.at(0).rfind("Found: ", 0), 0U) << section.id;
@@ -159,7 +162,7 @@ TEST(DynamicsStudy, IsDrawnAgainFromItsData) {
     ++files;
   }
   // The page and its summary, the data, the manifest, a file for every chart and every table.
-  EXPECT_EQ(files, 4U + 24 + 20);
+  EXPECT_EQ(files, 4U + 24 + 21);
 }
 
 }  // namespace

@@ -1,0 +1,227 @@
+#include "src/studies/dynamics/thresholds.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/reference_integrators/accuracy.h"
+#include "src/campaign/progress.h"
+#include "src/core/processor_time.h"
+
+namespace ricochet::studies::dynamics {
+namespace {
+
+using namespace carrier_track;
+using report::Json;
+
+constexpr double fastest = 18;          // [rad/s]
+constexpr double resolved = 1e-10;      // [rad/s], where the bisection ends
+constexpr double repeated_below = 0.1;  // [s]: shorter measurements are made three times
+
+/// The count; nothing where the simulation does not come to an end.
+using CountOf = std::function<std::optional<int>(const Scene& scene, double omega)>;
+
+struct TimedSimulation {
+  std::string name, kind, control;
+  CountOf count;
+};
+
+std::string power_of_ten(double value) {
+  return fmt::format("1e{:.0f}", std::log10(value));
+}
+
+/// A level of the model; `change` sets it.
+TimedSimulation level_simulation(const std::string& name, const std::string& control,
+                                 const std::function<void(Scene&)>& change) {
+  return {name, "level", control, [change](const Scene& scene, double omega) -> std::optional<int> {
+            Scene there = scene;
+            change(there);
+            try {
+              return count_at(there, omega);
+            } catch (const std::runtime_error&) {
+              return std::nullopt;
+            }
+          }};
+}
+
+TimedSimulation method_simulation(const Integrator& integrator, double control) {
+  const bool fixed = integrator.control == "step [s]";
+  return {integrator.name, fixed ? "fixed steps" : "variable steps",
+          fmt::format("{} {}", fixed ? "step" : "tolerance", power_of_ten(control)),
+          [integrator, control](const Scene& scene, double omega) -> std::optional<int> {
+            const Scene there = at_speed(scene, omega);
+            const Outcome outcome = integrator.run(there, control);
+            return outcome.finished ? std::optional(collisions(there, outcome)) : std::nullopt;
+          }};
+}
+
+std::vector<TimedSimulation> simulations_of(const ThresholdPlan& plan,
+                                            const std::vector<Integrator>& integrators) {
+  std::vector<TimedSimulation> all = {
+      level_simulation("event-driven", "", [](Scene& scene) { scene.fidelity = Fidelity::impact; }),
+      level_simulation("auto", "", [](Scene& scene) { scene.fidelity = Fidelity::automatic; })};
+  for (const double stiffness : plan.stiffnesses) {
+    all.push_back(level_simulation("compliant", "stiffness " + power_of_ten(stiffness),
+                                   [stiffness](Scene& scene) {
+                                     scene.fidelity = Fidelity::compliant;
+                                     scene.contact_law = ContactLaw::exact_restitution;
+                                     scene.stiffness = stiffness;
+                                   }));
+  }
+  for (const Integrator& integrator : integrators) {
+    if (integrator.control == "none") continue;  // the event-driven one
+    const bool fixed = integrator.control == "step [s]";
+    for (const double control : fixed ? plan.steps : plan.tolerances) {
+      all.push_back(method_simulation(integrator, control));
+    }
+  }
+  return all;
+}
+
+/// A machine whose fastest quiet speed is looked for.
+struct QuietQuestion {
+  Scene scene;
+  double quiet_limit;
+};
+
+CaseThreshold searched(const CountOf& count, const QuietQuestion& question, double grid) {
+  CaseThreshold found;
+  const auto is_quiet = [&](double omega) {
+    const auto there = count(question.scene, omega);
+    ++found.simulations;
+    found.unfinished += there ? 0 : 1;
+    return there && *there <= question.quiet_limit;
+  };
+  double loud = std::numeric_limits<double>::infinity();
+  double quiet = fastest;
+  for (; quiet > grid / 2 && !is_quiet(quiet); quiet -= grid) loud = quiet;
+  if (quiet <= grid / 2) return found;
+  while (std::isfinite(loud) && loud - quiet > resolved) {
+    const double middle = (quiet + loud) / 2;
+    (is_quiet(middle) ? quiet : loud) = middle;
+  }
+  found.speed = quiet;
+  return found;
+}
+
+/// The least of three measurements, or one that is long, for each simulation.
+double seconds_of(const CountOf& count, const Scene& scene, double grid) {
+  const int speeds = static_cast<int>(std::lround(fastest / grid));
+  double least = std::numeric_limits<double>::infinity();
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const double start = processor_seconds();
+    for (int k = 1; k <= speeds; ++k) count(scene, k * grid);
+    const double seconds = processor_seconds() - start;
+    least = std::min(least, seconds);
+    if (seconds > repeated_below) break;
+  }
+  return least / speeds;
+}
+
+/// How far a case is from the reference; nothing where either has no threshold.
+std::optional<double> error_in(const ThresholdStudy& study, std::size_t s, std::size_t c) {
+  const auto& found = study.simulations[s].cases[c].speed;
+  const auto& right = study.simulations.front().cases[c].speed;
+  return found && right ? std::optional(std::abs(*found - *right)) : std::nullopt;
+}
+
+Json row_of(const ThresholdStudy& study, std::size_t s) {
+  const SimulatedThresholds& one = study.simulations[s];
+  std::optional<double> least_error, error, least, most;
+  double logarithms = 0;
+  int missing = 0, unfinished = 0;
+  for (std::size_t c = 0; c < one.cases.size(); ++c) {
+    const CaseThreshold& there = one.cases[c];
+    unfinished += there.unfinished;
+    logarithms += std::log(there.seconds) / static_cast<double>(one.cases.size());
+    least = std::min(least.value_or(there.seconds), there.seconds);
+    most = std::max(most.value_or(there.seconds), there.seconds);
+    if (const auto off = error_in(study, s, c)) {
+      least_error = std::min(least_error.value_or(*off), *off);
+      error = std::max(error.value_or(*off), *off);
+    } else {
+      ++missing;
+    }
+  }
+  if (missing > 0) error = least_error = std::nullopt;
+  return {{"simulation", one.simulation},
+          {"kind", one.kind},
+          {"control", one.control},
+          {"reference", s == 0},
+          {"seconds", std::exp(logarithms)},
+          {"seconds_least", least},
+          {"seconds_most", most},
+          {"error", error},
+          {"error_least", least_error},
+          {"missing", missing},
+          {"unfinished", unfinished},
+          {"within", error && *error <= found_within}};
+}
+
+}  // namespace
+
+ThresholdStudy study_thresholds(const ThresholdPlan& plan,
+                                const std::vector<Integrator>& integrators) {
+  ThresholdStudy study{plan, {}};
+  std::vector<QuietQuestion> questions;
+  for (const std::string& id : plan.cases) {
+    const Case the_case = find_case(id);
+    const Scene scene = scene_of(the_case, default_reading().scene);
+    questions.push_back({scene, quiet_limit(quiet_count(scene, the_case.claim, ScanOptions{}))});
+  }
+  const std::vector<TimedSimulation> simulations = simulations_of(plan, integrators);
+  for (const TimedSimulation& one : simulations) {
+    study.simulations.push_back(
+        {one.name, one.kind, one.control, std::vector<CaseThreshold>(questions.size())});
+  }
+  Progress progress("thresholds", static_cast<double>(2 * simulations.size()));
+  tbb::parallel_for(std::size_t{0}, simulations.size(), [&](std::size_t s) {
+    for (std::size_t c = 0; c < questions.size(); ++c) {
+      study.simulations[s].cases[c] = searched(simulations[s].count, questions[c], plan.grid);
+    }
+    progress.advance(1);
+  });
+  for (std::size_t s = 0; s < simulations.size(); ++s) {  // one thing at a time
+    for (std::size_t c = 0; c < questions.size(); ++c) {
+      study.simulations[s].cases[c].seconds =
+          seconds_of(simulations[s].count, questions[c].scene, plan.timed_grid);
+    }
+    progress.advance(1);
+  }
+  return study;
+}
+
+Json data_of(const ThresholdStudy& study) {
+  Json data = {{"cases", Json::array()},
+               {"tolerance", found_within},
+               {"simulations", Json::array()},
+               {"cheapest", nullptr},
+               {"level", 0}};
+  for (std::size_t c = 0; c < study.plan.cases.size(); ++c) {
+    data["cases"].push_back(
+        {{"case", study.plan.cases[c]}, {"threshold", study.simulations.front().cases[c].speed}});
+  }
+  int within = 0;
+  for (std::size_t s = 0; s < study.simulations.size(); ++s) {
+    Json row = row_of(study, s);
+    if (row["within"].get<bool>()) {
+      ++within;
+      Json& cheapest = data["cheapest"];
+      if (cheapest.is_null() || row["seconds"] < cheapest["seconds"]) cheapest = row;
+    }
+    data["simulations"].push_back(std::move(row));
+  }
+  data["within"] = within;
+  data["tried"] = study.simulations.size();
+  return data;
+}
+
+}  // namespace ricochet::studies::dynamics

@@ -54,6 +54,12 @@ TEST(PathData, MakesADotOfOneCornerAndArcsOfACircle) {
             "M3 4m-2 0a2 2 0 1 0 4 0 2 2 0 1 0-4 0zm3 0v1");
 }
 
+TEST(PathData, DrawsOnceWhatLiesOnEachOther) {
+  EXPECT_EQ(path_data({{{{3, 4}}}, {{{3.04, 3.96}}}, {{{3.1, 4}}}}), "M3 4h0m.1 0h0");
+  const Outline box{{{0, 0}, {4, 0}, {4, 4}}, true};
+  EXPECT_EQ(path_data({box, box}), path_data({box}));
+}
+
 TEST(PathData, IsEmptyForNothing) {
   EXPECT_EQ(path_data({}), "");
   EXPECT_EQ(in_pixels(-0.04), "0");

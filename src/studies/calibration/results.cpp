@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/questions/misfit.h"
 #include "src/campaign/progress.h"
 #include "src/statistics/rank_correlation.h"
 
@@ -204,24 +205,43 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
   return appraised(std::move(fits), plan.step);
 }
 
-/// The choice, and the best few readings with all their constants.
-std::vector<Convergence> convergence_of(const Results& results, const ConvergencePlan& plan,
-                                        FitStore& store) {
-  const auto searched = [](const Fit& fit) {
-    Freedom freedom{fit.reading, fit.freed, fit.constants};
-    // From no place that another search has found.
-    for (const Open open : fit.freed) {
-      const auto i = static_cast<std::size_t>(open);
-      freedom.held[i] = natural_constants()[i];
-    }
-    return freedom;
-  };
-  std::vector<Freedom> freedoms = {searched(results.choice().fit)};
-  for (const RankedFit& r : results.readings) {
-    if (freedoms.size() > plan.readings) break;
-    if (is_one_scene(r.fit.reading)) freedoms.push_back(searched(r.fit));
+/// The constants that a fit has moved, from no place that another search has found.
+Freedom forgotten(const Reading& reading, const std::vector<Open>& freed,
+                  const Constants& constants) {
+  Freedom freedom{reading, freed, constants};
+  for (const Open open : freed) {
+    const auto i = static_cast<std::size_t>(open);
+    freedom.held[i] = natural_constants()[i];
   }
-  return converge(freedoms, plan, store);
+  return freedom;
+}
+
+/// The choice, what every command computes with, and the best few readings with all their
+/// constants. A reading that fits exactly as well as one before it owes nothing to what it differs
+/// in.
+std::vector<Freedom> freedoms_to_converge(const Results& results, std::size_t readings) {
+  const Fit& choice = results.choice().fit;
+  std::vector<Freedom> freedoms = {forgotten(choice.reading, choice.freed, choice.constants)};
+  const FittedReading& usual = default_reading();
+  if (usual.reading != choice.reading || usual.freed != choice.freed) {
+    freedoms.push_back(forgotten(usual.reading, usual.freed, usual.constants));
+  }
+  const std::size_t most = freedoms.size() + readings;
+  double last = 0;
+  for (const RankedFit& r : results.readings) {
+    if (freedoms.size() == most) break;
+    if (!is_one_scene(r.fit.reading) || r.fit.misfit == last) continue;
+    freedoms.push_back(forgotten(r.fit.reading, r.fit.freed, r.fit.constants));
+    last = r.fit.misfit;
+  }
+  return freedoms;
+}
+
+RankedFit usual_reading(const Plan& plan) {
+  const FittedReading& usual = default_reading();
+  Fit fit{usual.reading, usual.freed, usual.constants, misfit(usual.reading, usual.constants), ""};
+  Appraisal appraisal = appraise(fit, plan.step);
+  return {std::move(fit), std::move(appraisal)};
 }
 
 /// A fit as free as the choice that has not seen a case. The search begins at the choice, so that
@@ -276,18 +296,23 @@ Results calibrate(const Plan& plan, FitStore& store) {
                                        });
   results.chosen = static_cast<std::size_t>(lowest - results.frontier.begin());
   if (plan.convergence) {
-    results.convergence = convergence_of(results, *plan.convergence, store);
+    const auto freedoms = freedoms_to_converge(results, plan.convergence->readings);
+    results.convergence = converge(freedoms, *plan.convergence, store);
     std::vector<Fit> best;
     for (const Convergence& one : results.convergence) best.push_back(one.best());
     results.converged = appraised(std::move(best), plan.step);
-    RankedFit& chosen = results.frontier[results.chosen];
-    if (better(results.converged.front().fit, chosen.fit)) chosen = results.converged.front();
   }
+  results.usual = usual_reading(plan);
   const Fit& choice = results.choice().fit;
   results.predictions = predictions_of(choice, plan, store);
   results.sensitivities = sensitivities(choice, plan.step);
   results.profiles = profiles(choice, with_evaluations(plan.search, plan.profile_evaluations));
   return results;
+}
+
+const RankedFit* Results::better_choice() const {
+  if (converged.empty() || !better(converged.front().fit, choice().fit)) return nullptr;
+  return &converged.front();
 }
 
 double prediction_error(const std::vector<Prediction>& predictions) {

@@ -30,8 +30,8 @@ struct Plan {
 /// All readings in under a quarter of an hour on two cores.
 Plan full_plan(const Search& search);
 
-/// Three seeds by both of two solvers, for three readings and the choice: a quarter of an hour on
-/// one core.
+/// Three seeds by both of two solvers, for three readings beside the choice: about twenty minutes
+/// on one core.
 ConvergencePlan full_convergence(const Solver& one, const Solver& other);
 
 /// The same in seconds: nothing converges.
@@ -69,13 +69,18 @@ struct Results {
   /// costs least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
-  /// Of the choice, which is then the best fit of these searches where they find a better one, and
-  /// of the best readings whose cases share a scene.
+  /// Of the choice's constants, of those of the default reading, where they are others, and of the
+  /// best readings whose cases share a scene. The choice stays what it is.
   std::vector<Convergence> convergence;
   std::vector<RankedFit> converged;  ///< the best fit of each
+  RankedFit usual;                   ///< the default reading, by today's misfit
   std::vector<Prediction> predictions;
   std::vector<CaseSensitivity> sensitivities;
   std::vector<Profile> profiles;
+
+  /// A fit of the choice's constants that is better than the choice, where one was searched for
+  /// and found.
+  const RankedFit* better_choice() const;
 
   const RankedFit& choice() const { return frontier[chosen]; }
 };

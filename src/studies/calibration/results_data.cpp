@@ -86,6 +86,15 @@ Json rankings_of(const Results& results) {
   return {{"searches", std::move(searches)}, {"rows", std::move(rows)}};
 }
 
+/// What every other command computes with, and whether that is the choice.
+Json usual_of(const Results& results) {
+  const Fit& usual = results.usual.fit;
+  const Fit& choice = results.choice().fit;
+  Json data = data_of(results.usual);
+  data["is_choice"] = usual.reading == choice.reading && usual.constants == choice.constants;
+  return data;
+}
+
 /// A row a freedom: what each search found.
 Json convergence_of(const Results& results) {
   const auto evaluations = static_cast<double>(results.plan.convergence->evaluations);
@@ -109,10 +118,15 @@ Json convergence_of(const Results& results) {
   const auto searches = list_of(results.convergence.front().searches, [](const LongSearch& s) {
     return Json{{"solver", s.solver}, {"seed", s.seed}};
   });
-  return {{"rows", std::move(rows)},  {"all", results.convergence.size()},
-          {"agreed", agreed},         {"searches", searches},
-          {"count", searches.size()}, {"evaluations", evaluations},
-          {"pairs", order.pairs},     {"alike", order.alike}};
+  return {{"rows", std::move(rows)},
+          {"all", results.convergence.size()},
+          {"agreed", agreed},
+          {"searches", searches},
+          {"count", searches.size()},
+          {"evaluations", evaluations},
+          {"better", results.better_choice() ? data_of(*results.better_choice()) : Json()},
+          {"pairs", order.pairs},
+          {"alike", order.alike}};
 }
 
 /// What a fit holds of its reading's constants, which of them the one before it fitted, and where
@@ -232,6 +246,7 @@ Json data_of(const Results& results) {
   Json data = {{"plan", plan_of(results.plan)},
                {"choice", data_of(results.choice())},
                {"best", data_of(results.readings.front())},
+               {"usual", usual_of(results)},
                {"compared", results.readings.size() > 1},
                {"nearest", Json::array()},
                {"others", Json::array()},

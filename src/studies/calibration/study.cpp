@@ -59,14 +59,14 @@ Plan plan_of(const CalibrationOptions& options, bool quick) {
   return plan;
 }
 
-void write_reading(const Fit& fit, const CalibrationOptions& options,
+void write_reading(const Fit& fit, const CalibrationOptions& options, const std::string& converge,
                    const std::filesystem::path& file) {
   const auto fitted = carrier_track::fitted_reading(
       fit.reading, fit.constants, fit.freed,
       fmt::format("ricochet calibrate{}{}{} --seed {} --solver {}",
                   options.all_readings ? " --all-readings" : " --reading ",
-                  options.all_readings ? "" : name_of(fit.reading),
-                  options.converge ? " --converge" : "", options.seed, options.solver),
+                  options.all_readings ? "" : name_of(fit.reading), converge, options.seed,
+                  options.solver),
       "the choice");
   write_text_file(file, write_fitted_reading(fitted));
 }
@@ -85,7 +85,10 @@ Study calibration_study(const CalibrationOptions& options) {
     const Results results = calibrate(plan, store);
     const Fit& choice = results.choice().fit;
     if (carrier_track::is_one_scene(choice.reading)) {
-      write_reading(choice, options, options.folder / "reading.toml");
+      write_reading(choice, options, "", options.folder / "reading.toml");
+      if (const RankedFit* better = results.better_choice()) {
+        write_reading(better->fit, options, " --converge", options.folder / "converged.toml");
+      }
     }
     return data_of(results);
   };

@@ -31,6 +31,7 @@ Results some_results() {
                       ranked(Reading{}, {Open::pull, Open::slowest}, 21)};
   results.chosen = 1;
   results.rankings = {{some_search(2), {Reading{}}, {22.5}, 0.75}};
+  results.usual = ranked(default_reading().reading, default_reading().freed, 29);
   results.plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 800, 1};
   for (const RankedFit& r : {results.frontier[1], results.readings[0]}) {
     Convergence& one = results.convergence.emplace_back();
@@ -140,6 +141,36 @@ TEST(ResultsData, ShowWhereSearchesEndAlike) {
   EXPECT_EQ(rows[1][3].text, "24.00");
   EXPECT_EQ(rows[1][5].text, "–");
   EXPECT_EQ(rows[1][5].state, report::State::bad);
+}
+
+TEST(ResultsData, SayWithWhatOtherCommandsCompute) {
+  Results results = some_results();
+  const auto paragraph = [&] {
+    for (const report::Section& section : drawing_of(results).page.sections) {
+      if (section.id == "frontier") return section.paragraphs.at(1);
+    }
+    return std::string();
+  };
+  EXPECT_NE(
+      paragraph().find(name_of(default_reading().reading) + " with 5 constants: misfit 29.00"),
+      std::string::npos)
+      << paragraph();
+  results.usual = results.choice();
+  EXPECT_NE(paragraph().find("it is what every other command computes with"), std::string::npos);
+}
+
+TEST(ResultsData, TellOfABetterFitOfTheChosenConstants) {
+  Results results = some_results();
+  EXPECT_EQ(results.better_choice(), nullptr);
+  EXPECT_TRUE(data_of(results)["convergence"]["better"].is_null());
+  results.converged.front().fit.misfit = 19.5;
+  ASSERT_NE(results.better_choice(), nullptr);
+  EXPECT_EQ(data_of(results)["convergence"]["better"]["misfit"], 19.5);
+  for (const report::Section& section : drawing_of(results).page.sections) {
+    if (section.id != "convergence") continue;
+    EXPECT_NE(section.paragraphs.at(1).find("misfit 19.50 in place of 21.00"), std::string::npos)
+        << section.paragraphs.at(1);
+  }
 }
 
 TEST(ResultsData, EndTheCommandWithTheRankedTable) {

@@ -36,12 +36,19 @@ TEST(Results, RanksReadingsHoldsConstantsAndPredicts) {
   for (const RankedFit& r : results.frontier) {
     EXPECT_GE(r.appraisal.criterion, results.choice().appraisal.criterion);
   }
-  ASSERT_EQ(results.convergence.size(), 2U);
-  ASSERT_EQ(results.converged.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) {
+  // The choice, the default reading, and the best one.
+  ASSERT_EQ(results.convergence.size(), 3U);
+  ASSERT_EQ(results.converged.size(), 3U);
+  EXPECT_EQ(results.convergence[1].freedom.freed, carrier_track::default_reading().freed);
+  for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(results.converged[i].fit.misfit, results.convergence[i].best().misfit);
   }
-  EXPECT_LE(results.choice().fit.misfit, results.converged.front().fit.misfit);
+  if (const RankedFit* better = results.better_choice()) {
+    EXPECT_LT(better->fit.misfit, results.choice().fit.misfit);
+    EXPECT_EQ(better->fit.freed, results.choice().fit.freed);
+  } else {
+    EXPECT_GE(results.converged.front().fit.misfit, results.choice().fit.misfit);
+  }
   EXPECT_EQ(results.predictions.size(), 10U);
   EXPECT_EQ(results.sensitivities.size(), 10U);
   EXPECT_EQ(results.profiles.size(), results.choice().fit.freed.size());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <set>
 
 #include "src/report/simplified.h"
 
@@ -107,6 +108,15 @@ std::vector<Pixel> needed(const Outline& outline) {
   return corners;
 }
 
+/// Where an outline is, as it is written.
+std::vector<long> places_of(const std::vector<Pixel>& corners, const Outline& outline) {
+  std::vector<long> places = {outline.closed ? 1 : 0, tenths(outline.radius)};
+  for (const Pixel& corner : corners) {
+    places.insert(places.end(), {tenths(corner.x), tenths(corner.y)});
+  }
+  return places;
+}
+
 }  // namespace
 
 std::string in_pixels(double pixels) {
@@ -115,9 +125,10 @@ std::string in_pixels(double pixels) {
 
 std::string path_data(const std::vector<Outline>& outlines) {
   Pen pen;
+  std::set<std::vector<long>> drawn;
   for (const Outline& outline : outlines) {
     const std::vector<Pixel> corners = needed(outline);
-    if (corners.empty()) continue;
+    if (corners.empty() || !drawn.insert(places_of(corners, outline)).second) continue;
     pen.move(corners.front());
     if (outline.radius > 0) {
       pen.circle(outline.radius);

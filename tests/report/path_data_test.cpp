@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 
 namespace ricochet::report {
 namespace {
@@ -14,7 +16,26 @@ TEST(PathData, GoesFromCornerToCorner) {
             "M1 1h2v1zm.5 0l.5.5");
 }
 
-TEST(PathData, IsNowhereMoreThanATenthOff) {
+/// Where the data of one open line end.
+Pixel end_of(const std::string& data) {
+  Pixel place{0, 0};
+  char command = 'M';
+  const char* at = data.c_str();
+  const auto number = [&at] {
+    char* end = nullptr;
+    const double value = std::strtod(at, &end);
+    at = end;
+    return value;
+  };
+  while (*at != '\0') {
+    if (std::isalpha(*at) != 0) command = *at++;
+    if (command != 'v') place.x += number();
+    if (command != 'h') place.y += number();
+  }
+  return place;
+}
+
+TEST(PathData, EndsWhereTheLineDoesHoweverManyStepsThereAre) {
   Outline spiral;
   for (int i = 0; i <= 2000; ++i) {
     const double turn = i / 100.0;
@@ -22,36 +43,20 @@ TEST(PathData, IsNowhereMoreThanATenthOff) {
   }
   const std::string data = path_data({spiral});
   EXPECT_LT(data.size(), 5000U);
-  // Rounding has not added up by the end, however many steps there were.
-  double x = 0, y = 0;
-  const char* at = data.c_str();
-  while (*at != '\0') {
-    const char command = *at;
-    if (std::isalpha(command) != 0) ++at;
-    char* end = nullptr;
-    const double first = std::strtod(at, &end);
-    at = end;
-    static char last = 'M';
-    if (std::isalpha(command) != 0) last = command;
-    if (last == 'h') {
-      x += first;
-    } else if (last == 'v') {
-      y += first;
-    } else {
-      const double second = std::strtod(at, &end);
-      at = end;
-      x += first;
-      y += second;
-    }
-  }
-  EXPECT_NEAR(x, spiral.corners.back().x, 0.051);
-  EXPECT_NEAR(y, spiral.corners.back().y, 0.051);
+  EXPECT_NEAR(end_of(data).x, spiral.corners.back().x, 0.051);
+  EXPECT_NEAR(end_of(data).y, spiral.corners.back().y, 0.051);
 }
 
 TEST(PathData, MakesADotOfOneCornerAndArcsOfACircle) {
   EXPECT_EQ(path_data({{{{3, 4}}}, {{{5, 4}}}}), "M3 4h0m2 0h0");
   EXPECT_EQ(path_data({{{{3, 4}}, true, 2}, {{{4, 4}, {4, 5}}}}),
             "M3 4m-2 0a2 2 0 1 0 4 0 2 2 0 1 0-4 0zm3 0v1");
+}
+
+TEST(PathData, DrawsOnceWhatLiesOnEachOther) {
+  EXPECT_EQ(path_data({{{{3, 4}}}, {{{3.04, 3.96}}}, {{{3.1, 4}}}}), "M3 4h0m.1 0h0");
+  const Outline box{{{0, 0}, {4, 0}, {4, 4}}, true};
+  EXPECT_EQ(path_data({box, box}), path_data({box}));
 }
 
 TEST(PathData, IsEmptyForNothing) {

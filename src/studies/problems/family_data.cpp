@@ -8,6 +8,7 @@
 #include "embedded/families.h"
 #include "src/core/verdict.h"
 #include "src/report/filled_text.h"
+#include "src/report/simplified.h"
 
 namespace ricochet::studies::problems {
 namespace {
@@ -75,19 +76,43 @@ Json row_of(const Question& question, double sign) {
   return row;
 }
 
-/// The question as a form of it is, over its one variable.
+/// What a line through the samples needs, to be drawn as if it had all of them.
+std::vector<report::Sample> corners_of(const std::vector<report::Sample>& samples) {
+  constexpr double fineness = 2000;  // of the chart: half a pixel of a large screen
+  const auto [least, most] =
+      std::ranges::minmax_element(samples, {}, [](const auto& sample) { return *sample.value; });
+  const double up = (*most->value - *least->value) / fineness;
+  const double across = (samples.back().position - samples.front().position) / fineness;
+  if (!(up > 0)) return {samples.front(), samples.back()};
+  return report::simplified(samples, across, up);
+}
+
+/// What steps need: where they begin, and the end.
+std::vector<report::Sample> steps_of(const std::vector<report::Sample>& samples) {
+  std::vector<report::Sample> steps;
+  for (const report::Sample& sample : samples) {
+    const bool last = &sample == &samples.back();
+    if (steps.empty() || last || sample.value != steps.back().value) steps.push_back(sample);
+  }
+  return steps;
+}
+
+/// The question as a form of it is, over its one variable: a count's steps, a surrogate's line.
 Json curve_of(const Question& question, const Form& form) {
   const Problem problem = question.problem(form);
   const bool constrained = problem.constraints > 0;
-  Json points = Json::array();
+  std::vector<report::Sample> samples;
   for (int k = 0; k <= chart_samples; ++k) {
     const Vector x =
         problem.lower + (problem.upper - problem.lower) * static_cast<double>(k) / chart_samples;
     const Values values = problem.evaluate(x);
-    points.push_back(
-        {{"x", x[0]}, {"value", constrained ? values.constraints[0] : values.objective}});
+    samples.push_back({x[0], constrained ? values.constraints[0] : values.objective});
   }
-  return {{"form", question.name_of(form)}, {"points", std::move(points)}};
+  const auto points = form.width > 0 ? corners_of(samples) : steps_of(samples);
+  return {{"form", question.name_of(form)},
+          {"points", report::list_of(points, [](const report::Sample& point) {
+             return Json{{"x", point.position}, {"value", point.value}};
+           })}};
 }
 
 /// What is true of a question of one variable, and what a solver sees where it is smoothed.

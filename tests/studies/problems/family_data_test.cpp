@@ -30,6 +30,38 @@ report::Section facts_of(const Family& family) {
   return report::drawn(report::page_template("family"), family_data(family)).page.sections.at(0);
 }
 
+/// The value of a chart's curve at a position; of steps the last one's.
+double value_on(const report::Json& points, double x, bool steps) {
+  std::size_t right = 1;
+  while (right + 1 < points.size() && points[right]["x"].get<double>() <= x) ++right;
+  const auto at = [&](std::size_t i, const char* key) { return points[i][key].get<double>(); };
+  if (x >= at(right, "x")) return at(right, "value");
+  if (steps) return at(right - 1, "value");
+  const double share = (x - at(right - 1, "x")) / (at(right, "x") - at(right - 1, "x"));
+  return at(right - 1, "value") + share * (at(right, "value") - at(right - 1, "value"));
+}
+
+TEST(FamilyData, ChartsNeedFewPointsAndShowAll) {
+  for (const Family& family : families()) {
+    if (family.name != "count" && family.name != "top-speed") continue;
+    const report::Json data = family_data(family);
+    const report::Json& chart = data["charts"].at(0);
+    const Question& question = family.questions.front();
+    for (const bool smooth : {false, true}) {
+      const report::Json& points = chart[smooth ? "smoothed" : "truth"]["points"];
+      EXPECT_LT(points.size(), 300U) << family.name;
+      const Problem problem = question.problem({smooth ? question.width : 0});
+      for (int k = 0; k <= 720; k += 7) {
+        const Vector x = problem.lower + (problem.upper - problem.lower) * k / 720.0;
+        const Values values = problem.evaluate(x);
+        const double truth = problem.constraints > 0 ? values.constraints[0] : values.objective;
+        EXPECT_NEAR(value_on(points, x[0], !smooth), truth, smooth ? 0.05 : 0)
+            << family.name << " at " << x[0];
+      }
+    }
+  }
+}
+
 /// What is said agrees with what there is.
 TEST(FamilyData, SayWhatEveryFamilyAsks) {
   for (const Family& whole : all_families()) {

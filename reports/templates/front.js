@@ -413,8 +413,10 @@ const pairOf = (solver, simulation, alone) => {
 const pairName = ({solver, simulation}) => `${solver.solver}, ${simulation.name}${simulation.control ? ` ${simulation.control}` : ""}`;
 const timeText = (seconds) => seconds < 0.1 ? `${number(1000 * seconds, 2)} ms` : `${number(seconds, 2)} s`;
 
+const errorText = (error) => error > 0 && error < 1e-4 ? error.toExponential(0) : number(error, 2);
+
 const findingOfPairs = (count, front) => {
-  const told = (point) => `${pairName(point)} (within ${number(point.y, 2)} rad/s after ${timeText(point.x)})`;
+  const told = (point) => `${pairName(point)} (within ${errorText(point.y)} rad/s after ${timeText(point.x)})`;
   if (!front.length) return "No simulation is chosen.";
   if (front.length === 1) return `Of ${count} pairs ${told(front[0])} is the fastest and the most accurate.`;
   return `Of ${count} pairs the most accurate is ${told(front.at(-1))}; the fastest is ${told(front[0])}.`;
@@ -451,7 +453,7 @@ const drawPairs = () => {
     ({solver, simulation, x, y}) => [pairName({solver, simulation}),
       `${timeText(x)}: ${number(solver.evaluations)} evaluations of ${number(1e6 * simulation.seconds, 2)} µs, ${timeText(solver.own)} of its own`,
       `solved ${percent(solver.solved)} [${percent(solver.solved_lower)}, ${percent(solver.solved_upper)}]`,
-      `error at most ${number(y, 2)} rad/s; the simulation's: ${simulation.reference ? "none, it is the reference" : `${number(simulation.error_least, 2)} to ${number(simulation.error, 2)}`}`],
+      `error at most ${errorText(y)} rad/s; the simulation's: ${simulation.reference ? "none, it is the reference" : `${errorText(simulation.error_least)} to ${errorText(simulation.error)}`}`],
     () => { location.href = `${pairs.folder}/index.html#thresholds`; });
   element("pairs-finding").textContent = findingOfPairs(points.length, front);
   element("pairs-note").textContent = `Of ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the contest; runs that fail are repeated. Error: the simulation's ` +

@@ -27,7 +27,7 @@ struct Plan {
   std::optional<ConvergencePlan> convergence = {};  ///< where one is asked for
 };
 
-/// All readings in under a quarter of an hour on two cores.
+/// All readings in some seven minutes on two cores.
 Plan full_plan(const Search& search);
 
 /// Three seeds by both of two solvers, for three readings beside the choice: about twenty minutes

@@ -40,7 +40,7 @@ TEST(Appraisal, ScansWhatItCountsOneByOne) {
   for (const char* name :
        {"projected-constant-revolutions", "projected-constant-revolutions-crossing"}) {
     const Reading reading = find_reading(name);
-    const Constants constants = natural_constants();
+    const Constants& constants = default_reading().constants;
     const Case c = find_case("C9");
     const SpeedScan scan = scan_of(c, reading, constants, 0.5);
     const CountAt count = counts_of(c, reading, constants);

@@ -69,6 +69,15 @@ TEST(Convergence, SearchesFromEverySeedAndGoesOnFromTheStore) {
   }
   EXPECT_NE(all[0].searches[0].last().constants, all[0].searches[1].last().constants);
 
+  // A look is what a search of so many evaluations ends with.
+  ConvergencePlan half = plan;
+  half.evaluations = 12;
+  const auto shorter = converge({freedom}, half, store);
+  for (std::size_t s = 0; s < 2; ++s) {
+    EXPECT_EQ(all[0].searches[s].fits[1].constants, shorter[0].searches[s].last().constants);
+    EXPECT_EQ(all[0].searches[s].fits[1].misfit, shorter[0].searches[s].last().misfit);
+  }
+
   const auto written = std::filesystem::last_write_time(file);
   FitStore again(file);
   const auto resumed = converge({freedom}, plan, again);

@@ -119,7 +119,7 @@ double seconds_of(const CountOf& count, const Scene& scene, double grid) {
   for (int repeat = 0; repeat < 3; ++repeat) {
     const double start = processor_seconds();
     for (int k = 1; k <= speeds; ++k) count(scene, k * grid);
-    const double seconds = processor_seconds() - start;
+    const double seconds = std::max(processor_seconds() - start, 1e-9);
     least = std::min(least, seconds);
     if (seconds > repeated_below) break;
   }
@@ -152,11 +152,13 @@ Json row_of(const ThresholdStudy& study, std::size_t s) {
     }
   }
   if (missing > 0) error = least_error = std::nullopt;
+  // Of equal ones, rounding may put the mean beyond.
+  const double mean = std::clamp(std::exp(logarithms), *least, *most);
   return {{"simulation", one.simulation},
           {"kind", one.kind},
           {"control", one.control},
           {"reference", s == 0},
-          {"seconds", std::exp(logarithms)},
+          {"seconds", mean},
           {"seconds_least", least},
           {"seconds_most", most},
           {"error", error},

@@ -19,7 +19,7 @@ std::string text_of(long tenths) {
   return text;
 }
 
-long tenths(double pixels) {
+long whole_tenths(double pixels) {
   return std::lround(10 * pixels);
 }
 
@@ -29,7 +29,7 @@ class Pen {
   void move(const Pixel& to) { go('M', 'm', to); }
 
   void draw(const Pixel& to) {
-    const long across = tenths(to.x) - x_, down = tenths(to.y) - y_;
+    const long across = whole_tenths(to.x) - x_, down = whole_tenths(to.y) - y_;
     if (across == 0 && down == 0) return;
     if (down == 0) {
       write('h', {across});
@@ -45,7 +45,7 @@ class Pen {
   void dot() { write('h', {0}); }
 
   void circle(double radius) {
-    const long r = tenths(radius);
+    const long r = whole_tenths(radius);
     write('m', {-r, 0});
     write('a', {r, r, 0, 10, 0, 2 * r, 0});
     write('a', {r, r, 0, 10, 0, -2 * r, 0});
@@ -58,15 +58,15 @@ class Pen {
   void close(const Pixel& start) {
     text_ += 'z';
     last_ = 'z';
-    x_ = tenths(start.x);
-    y_ = tenths(start.y);
+    x_ = whole_tenths(start.x);
+    y_ = whole_tenths(start.y);
   }
 
   const std::string& text() const { return text_; }
 
  private:
   void go(char absolute, char relative, const Pixel& to) {
-    const long x = tenths(to.x), y = tenths(to.y);
+    const long x = whole_tenths(to.x), y = whole_tenths(to.y);
     if (text_.empty()) {
       write(absolute, {x, y});
     } else {
@@ -110,9 +110,9 @@ std::vector<Pixel> needed(const Outline& outline) {
 
 /// Where an outline is, as it is written.
 std::vector<long> places_of(const std::vector<Pixel>& corners, const Outline& outline) {
-  std::vector<long> places = {outline.closed ? 1 : 0, tenths(outline.radius)};
+  std::vector<long> places = {outline.closed ? 1 : 0, whole_tenths(outline.radius)};
   for (const Pixel& corner : corners) {
-    places.insert(places.end(), {tenths(corner.x), tenths(corner.y)});
+    places.insert(places.end(), {whole_tenths(corner.x), whole_tenths(corner.y)});
   }
   return places;
 }
@@ -120,7 +120,7 @@ std::vector<long> places_of(const std::vector<Pixel>& corners, const Outline& ou
 }  // namespace
 
 std::string in_pixels(double pixels) {
-  return text_of(tenths(pixels));
+  return text_of(whole_tenths(pixels));
 }
 
 std::string path_data(const std::vector<Outline>& outlines) {

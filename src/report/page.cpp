@@ -67,12 +67,12 @@ void check(const Page& page) {
 }
 
 /// How a text is written into the page, or into its summary: a plain one, and one with links.
-struct Drafting {
+struct TextWriters {
   std::string (*plain)(std::string_view);
   std::string (*linked)(std::string_view);
 };
 
-Json data_of(const Table& table, const Drafting& writing) {
+Json data_of(const Table& table, const TextWriters& writing) {
   Json columns = Json::array(), rows = Json::array();
   for (const Column& column : table.columns) {
     columns.push_back(
@@ -94,7 +94,7 @@ Json data_of(const Table& table, const Drafting& writing) {
           {"rows", std::move(rows)}};
 }
 
-Json data_of(const Figure& figure, const std::string& svg, const Drafting& writing) {
+Json data_of(const Figure& figure, const std::string& svg, const TextWriters& writing) {
   const Chart& chart = figure.chart;
   return {{"name", chart.name},
           {"title", writing.plain(chart.title)},
@@ -143,7 +143,7 @@ std::string inside_a_script(const Json& data) {
   return text;
 }
 
-Json data_of(const Explorer& explorer, const Drafting& writing) {
+Json data_of(const Explorer& explorer, const TextWriters& writing) {
   Json settings = Json::array(), values = Json::array();
   for (const Setting& setting : explorer.settings) {
     settings.push_back({{"label", writing.plain(setting.label)},
@@ -157,7 +157,7 @@ Json data_of(const Explorer& explorer, const Drafting& writing) {
           {"data", inside_a_script({{"values", values}, {"answers", explorer.answers}})}};
 }
 
-Json data_of(const Section& section, const FileSet& files, const Drafting& writing) {
+Json data_of(const Section& section, const FileSet& files, const TextWriters& writing) {
   Json tables = Json::array();
   std::vector<Json> figures;
   Named choices, folds;
@@ -194,7 +194,7 @@ bool needs_script(const Page& page) {
   });
 }
 
-Json data_of(const Page& page, const FileSet& files, const Drafting& writing) {
+Json data_of(const Page& page, const FileSet& files, const TextWriters& writing) {
   Json sections = Json::array();
   for (const Section& section : page.sections) sections.push_back(data_of(section, files, writing));
   return {{"title", writing.plain(page.title)},

@@ -51,7 +51,7 @@ std::vector<Outline> outlines_of(const std::string& data) {
 }
 
 /// A mark around the origin, as gnuplot defines it.
-struct Mark {
+struct Symbol {
   std::vector<Outline> outlines;
   bool filled = false;
   double width = 0;  ///< of its line
@@ -165,13 +165,13 @@ class Reader {
   }
 
   /// The mark of that id, from those that gnuplot defines: shapes, and uses of other marks.
-  Mark mark_of(const std::string& id) const {
+  Symbol mark_of(const std::string& id) const {
     const pugi::xml_node node =
         document_.select_node(fmt::format("//defs/*[@id = '{}']", id).c_str()).node();
     const std::string name = node.name();
     const auto number = [&](const char* key) { return node.attribute(key).as_double(); };
     if (name == "use") {
-      Mark mark = mark_of(node.attribute("xlink:href").value() + 1);
+      Symbol mark = mark_of(node.attribute("xlink:href").value() + 1);
       double turned = 0;
       std::sscanf(node.attribute("transform").value(), "rotate(%lf)", &turned);
       turn(mark.outlines, turned);
@@ -199,7 +199,7 @@ class Reader {
   void read_mark(pugi::xml_node node) {
     const std::string id = node.attribute("xlink:href").value() + 1;
     const auto found = marks_.find(id);
-    const Mark& mark = found != marks_.end() ? found->second : marks_[id] = mark_of(id);
+    const Symbol& mark = found != marks_.end() ? found->second : marks_[id] = mark_of(id);
     double x = 0, y = 0, scale = 0;
     if (std::sscanf(node.attribute("transform").value(), "translate(%lf,%lf) scale(%lf)", &x, &y,
                     &scale) != 3) {
@@ -254,7 +254,7 @@ class Reader {
 
   const pugi::xml_document& document_;
   Picture picture_;
-  std::map<std::string, Mark> marks_;
+  std::map<std::string, Symbol> marks_;
   std::vector<std::pair<Outline, std::string>> bar_;
   bool in_frame_ = true;
 };

@@ -137,9 +137,9 @@ TEST_P(SolverContract, GivesTheSameTraceForTheSameRun) {
 }
 
 /// Sum of 100 (x_{k+1} - x_k^2)^2 + (1 - x_k)^2 on [-5, 10]^7.
-Problem valley() {
+Problem bent_valley() {
   Problem problem = sphere(7, -3);
-  problem.name = "valley";
+  problem.name = "bent valley";
   const auto values_at = [](const Vector& x) {
     Values values;
     for (Eigen::Index k = 0; k + 1 < x.size(); ++k) {
@@ -163,7 +163,7 @@ Problem valley() {
 
 // What sums several numbers at once may sum those before an aligned address one by one.
 TEST_P(SolverContract, AsksTheSameWhereverItsMemoryLies) {
-  const Problem problem = valley();
+  const Problem problem = bent_valley();
   if (!solver().accepts(problem)) GTEST_SKIP() << "it takes no such problem";
   // Derivatives are paid, and models grow with what was asked.
   const std::int64_t budget =

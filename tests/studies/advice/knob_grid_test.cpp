@@ -2,17 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "tests/studies/advice/case_scene.h"
 
 namespace ricochet::studies::advice {
 namespace {
 
 using namespace carrier_track;
-
-Scene case_scene(const char* id) {
-  return scene_of(find_case(id), default_reading().scene);
-}
 
 /// Up to where every speed of a fine scan is quiet.
 double fine_quiet(const Scene& scene, const Limit& limit, double from, double to) {

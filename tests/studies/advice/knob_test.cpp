@@ -6,20 +6,15 @@
 #include <fstream>
 #include <limits>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/studies/advice/case_scene.h"
 
 namespace ricochet::studies::advice {
 namespace {
 
 using namespace carrier_track;
 using testing::ElementsAre;
-
-Scene case_scene(const char* id) {
-  return scene_of(find_case(id), default_reading().scene);
-}
 
 std::vector<std::string> names(const Scene& scene) {
   std::vector<std::string> found;

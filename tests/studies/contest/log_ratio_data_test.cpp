@@ -9,7 +9,7 @@ namespace {
 
 using report::Json;
 
-Outcome run_of(std::optional<std::int64_t> solved) {
+Outcome ended_after(std::optional<std::int64_t> solved) {
   Outcome outcome;
   outcome.evaluations = 100;
   outcome.verdict.solved = solved.has_value();
@@ -29,8 +29,9 @@ TEST(LogRatio, SetsTheBestTwoAgainstEachOther) {
     const bool first = cell.cell.question == "bowl-1";
     const bool is_a = cell.cell.solver == "chance-a";
     StoredStanding standing{&cell, {}};
-    standing.outcomes = {first ? run_of(is_a ? 10 : 40)
-                               : run_of(is_a ? std::nullopt : std::optional<std::int64_t>(40))};
+    standing.outcomes = {first
+                             ? ended_after(is_a ? 10 : 40)
+                             : ended_after(is_a ? std::nullopt : std::optional<std::int64_t>(40))};
     standings.push_back(std::move(standing));
   }
   const Json data =

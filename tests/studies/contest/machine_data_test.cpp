@@ -44,7 +44,7 @@ Campaign campaign_of(const std::vector<double>& disturbances) {
 }
 
 /// chance-a solves at the high friction only; the others never solve, and throw.
-std::vector<StoredStanding> standings_of(const Campaign& campaign) {
+std::vector<StoredStanding> machine_standings(const Campaign& campaign) {
   std::vector<StoredStanding> standings;
   for (const PlannedCell& cell : campaign.cells()) {
     const Question& question = campaign.questions()[cell.question];
@@ -63,7 +63,7 @@ std::vector<StoredStanding> standings_of(const Campaign& campaign) {
 class Machines : public testing::Test {
  protected:
   const Campaign campaign_ = campaign_of({0});
-  const std::vector<StoredStanding> standings_ = standings_of(campaign_);
+  const std::vector<StoredStanding> standings_ = machine_standings(campaign_);
 };
 
 TEST_F(Machines, HaveMapsOverTheirConstants) {
@@ -101,7 +101,7 @@ TEST_F(Machines, HaveALandscapeEach) {
 
 TEST_F(Machines, HaveMainEffectsInTheOrderOfTheirLevels) {
   const Campaign campaign = campaign_of({0, 1});
-  const auto standings = standings_of(campaign);
+  const auto standings = machine_standings(campaign);
   const Json data = factor_data(campaign, standings, reported_parts(campaign));
   ASSERT_EQ(data["main_effects"].size(), 1U);
   const Json& effects = data["main_effects"][0];

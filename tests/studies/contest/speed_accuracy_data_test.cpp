@@ -15,7 +15,7 @@ namespace {
 using report::Json;
 
 /// A run of 100 evaluations that solved after so many, or not at all.
-Outcome run_of(std::optional<std::int64_t> solved) {
+Outcome run_solved_after(std::optional<std::int64_t> solved) {
   Outcome outcome;
   outcome.evaluations = 100;
   outcome.seconds = 2;
@@ -40,11 +40,14 @@ std::vector<StoredStanding> standings_of(const Campaign& campaign) {
   std::vector<StoredStanding> standings;
   for (const PlannedCell& cell : campaign.cells()) {
     StoredStanding standing{&cell, {}};
-    if (cell.cell.solver == "luck") standing.outcomes = {run_of({}), run_of({})};
-    if (cell.cell.solver == "chance-b") standing.outcomes = {run_of(50), run_of(50)};
+    if (cell.cell.solver == "luck")
+      standing.outcomes = {run_solved_after({}), run_solved_after({})};
+    if (cell.cell.solver == "chance-b")
+      standing.outcomes = {run_solved_after(50), run_solved_after(50)};
     if (cell.cell.solver == "chance-a") {
-      standing.outcomes = cell.cell.question == "bowl-1" ? std::vector{run_of(10), run_of({})}
-                                                         : std::vector{run_of(40), run_of(40)};
+      standing.outcomes = cell.cell.question == "bowl-1"
+                              ? std::vector{run_solved_after(10), run_solved_after({})}
+                              : std::vector{run_solved_after(40), run_solved_after(40)};
     }
     standings.push_back(std::move(standing));
   }

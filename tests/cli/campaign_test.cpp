@@ -4,11 +4,11 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "src/core/folder_lock.h"
+#include "src/report/json.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
@@ -17,7 +17,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-using Json = nlohmann::json;
+using report::Json;
 
 /// Some hundred runs, of a solver that repeats itself and of two that draw; half a second.
 constexpr auto small_plan = R"(name = "small"

@@ -6,11 +6,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdint>
+#include <fstream>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -76,18 +79,41 @@ std::unique_ptr<SQLite::Database> empty_store() {
   return store;
 }
 
+/// What the header of a database says, https://www.sqlite.org/fileformat2.html#the_database_header.
+struct Header {
+  std::uint32_t user_version;
+  std::uint32_t application_id;
+};
+
+/// Read without SQLite: it would have to finish first what a killed writer has left, and nothing is
+/// changed in a file of others. These numbers stay as they were when the store was made.
+Header header_of(const fs::path& file) {
+  std::array<char, 72> bytes{};
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(bytes.data(), bytes.size()) ||
+      std::string_view(bytes.data(), 16) != std::string_view("SQLite format 3\0", 16)) {
+    throw Damage("file is not a database");
+  }
+  const auto number_at = [&](std::size_t place) {
+    std::uint32_t number = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      number = number << 8 | static_cast<unsigned char>(bytes[place + k]);
+    }
+    return number;
+  };
+  return {number_at(60), number_at(68)};
+}
+
 void check_identity(const fs::path& file, const SQLite::Database& model) {
   check_kind(file);
-  const auto as_it_is = opened_as_it_is(file);
-  const SQLite::Database& database = *as_it_is;
-  if (pragma(database, "application_id") != pragma(model, "application_id")) {
+  const Header header = header_of(file);
+  if (header.application_id != pragma(model, "application_id")) {
     throw Damage("another program made it");
   }
-  const std::int64_t version = pragma(database, "user_version");
   const std::int64_t ours = pragma(model, "user_version");
-  if (version != ours) {
-    throw Damage(
-        fmt::format("its tables are of version {}, this program knows version {}", version, ours));
+  if (header.user_version != ours) {
+    throw Damage(fmt::format("its tables are of version {}, this program knows version {}",
+                             header.user_version, ours));
   }
 }
 

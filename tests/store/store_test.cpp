@@ -308,6 +308,26 @@ TEST_F(StoreFile, HasAllRunsThatWereAddedBeforeItsWriterWasKilled) {
   EXPECT_GT(there, 0);
 }
 
+// The first page, which tells the size of all, is moved from the log to the file before the rest.
+TEST_F(StoreFile, IsReadWhereItsWriterWasKilledAsItMovedTheFirstPage) {
+  Store::create(file, a_description());
+  const pid_t writer = fork();
+  ASSERT_GE(writer, 0);
+  if (writer == 0) {
+    std::mt19937_64 random(6);
+    Store store = Store::open(file, Store::For::adding);
+    for (int k = 0; k < 100; ++k) store.add(a_key(k), any_record(random));
+    raise(SIGKILL);
+  }
+  waitpid(writer, nullptr, 0);
+  std::string moved = bytes();
+  constexpr std::size_t pages = 28;  // https://www.sqlite.org/fileformat2.html, 1.3
+  ASSERT_EQ(moved[pages], 0);
+  moved[pages + 2] = 1;
+  write(moved);
+  EXPECT_EQ(Store::open(file, Store::For::reading).keys().size(), 100U);
+}
+
 TEST_F(StoreFile, IsReadWhereNothingCanBeWritten) {
   filled(4);
   const auto expect_readable = [&] {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <string>
 
@@ -74,13 +73,8 @@ struct OfKnots {
 template <class Function, class Work>
 void derivative(benchmark::State& state, const Function& f, double allowed, const Work& work) {
   const Vector x = f.start();
-  double value = std::numeric_limits<double>::infinity();
-  double whole = value;
-  for (int i = 0; i < 10; ++i) {
-    value =
-        std::min(value, processor_time([&] { benchmark::DoNotOptimize(value_of(f, x)); }, 5e-3));
-    whole = std::min(whole, processor_time([&] { benchmark::DoNotOptimize(work(f, x)); }, 5e-3));
-  }
+  const auto [value, whole] = fastest_of([&] { benchmark::DoNotOptimize(value_of(f, x)); },
+                                         [&] { benchmark::DoNotOptimize(work(f, x)); }, 10, 5e-3);
   for (auto _ : state) benchmark::DoNotOptimize(work(f, x));
   state.counters["over_value"] = whole / value;
   state.counters["allowed"] = allowed;

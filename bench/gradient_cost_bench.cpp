@@ -2,8 +2,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -44,12 +42,7 @@ void cost(benchmark::State& state, const Question& question, const Problem& prob
       }
     }
   };
-  double of_value = std::numeric_limits<double>::infinity();
-  double of_both = of_value;
-  for (int i = 0; i < 5; ++i) {
-    of_value = std::min(of_value, processor_time(value, 1e-3));
-    of_both = std::min(of_both, processor_time(both, 1e-3));
-  }
+  const auto [of_value, of_both] = fastest_of(value, both, 5, 1e-3);
   for (auto _ : state) both();
   const double n = static_cast<double>(problem.dimension());
   state.counters["gradient"] = of_both / of_value - 1;

@@ -2,11 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/processor_time.h"
@@ -24,18 +21,8 @@ namespace {
 
 using namespace carrier_track;
 
-/// The fastest processor time [s] of either, by turns, as other work on the machine slows now this
-/// and now that.
-template <class One, class Other>
-std::pair<double, double> fastest_of(const One& one, const Other& other) {
-  double of_one = std::numeric_limits<double>::infinity();
-  double of_other = of_one;
-  for (int i = 0; i < 7; ++i) {
-    of_one = std::min(of_one, processor_time(one, 5e-3));
-    of_other = std::min(of_other, processor_time(other, 5e-3));
-  }
-  return {of_one, of_other};
-}
+constexpr int rounds = 7;
+constexpr double at_least = 5e-3;  // [s] a round
 
 /// Speeds of a scan at 1e-3 rad/s: 32 neighbours from every whole speed on.
 std::vector<std::vector<double>> scanned_blocks() {
@@ -58,7 +45,8 @@ void scan(benchmark::State& state, const Scene& scene) {
       },
       [&] {
         for (const auto& block : blocks) benchmark::DoNotOptimize(counts_at(scene, block));
-      });
+      },
+      rounds, at_least);
   for (auto _ : state) benchmark::DoNotOptimize(counts_at(scene, blocks.front()));
   const double speeds = 32.0 * static_cast<double>(blocks.size());
   state.counters["single_us"] = 1e6 * single / speeds;
@@ -71,9 +59,9 @@ void complete_scan(benchmark::State& state, const Scene& scene) {
   std::vector<double> speeds;
   for (int k = 100; k <= 18'000; ++k) speeds.push_back(1e-3 * k);
   std::int64_t simulations = 0;
-  const auto [even, complete] =
-      fastest_of([&] { benchmark::DoNotOptimize(counts_at(scene, speeds)); },
-                 [&] { simulations = scan_completely(scene, 0.1, 18).value().simulations; });
+  const auto [even, complete] = fastest_of(
+      [&] { benchmark::DoNotOptimize(counts_at(scene, speeds)); },
+      [&] { simulations = scan_completely(scene, 0.1, 18).value().simulations; }, rounds, at_least);
   for (auto _ : state) benchmark::DoNotOptimize(scan_completely(scene, 0.1, 18));
   state.counters["simulations"] = static_cast<double>(simulations);
   state.counters["over_even"] = complete / even;
@@ -87,7 +75,7 @@ void draws(benchmark::State& state, const Scene& scene) {
       [&] {
         for (const Scene& s : scenes) benchmark::DoNotOptimize(objective(s, 0.0));
       },
-      [&] { benchmark::DoNotOptimize(objectives(scenes, 0.0)); });
+      [&] { benchmark::DoNotOptimize(objectives(scenes, 0.0)); }, rounds, at_least);
   for (auto _ : state) benchmark::DoNotOptimize(objectives(scenes, 0.0));
   state.counters["ratio"] = single / lanes;
 }
@@ -99,7 +87,8 @@ void certainty(benchmark::State& state, const Scene& scene) {
   };
   const auto [count, both] = fastest_of(
       [&] { at_all([](const Scene& s) { benchmark::DoNotOptimize(objective(s, 0.0)); }); },
-      [&] { at_all([](const Scene& s) { benchmark::DoNotOptimize(record(s, 0, 0)); }); });
+      [&] { at_all([](const Scene& s) { benchmark::DoNotOptimize(record(s, 0, 0)); }); }, rounds,
+      at_least);
   for (auto _ : state) benchmark::DoNotOptimize(record(at_speed(scene, 5.0), 0, 0));
   state.counters["over_count"] = both / count;
 }

@@ -32,6 +32,12 @@ Scalar step(const Scalar& z, double width) {
   return constant<Scalar>(1.0) / (constant<Scalar>(1.0) + exp(-scaled));
 }
 
+/// Whether an impact counts, under the rule of impacts: step() of its margin at width 0, without
+/// the logarithm.
+inline bool is_counted(double speed, double slowest) {
+  return speed / slowest > 1;
+}
+
 /// How much of the window, for each unit of smoothing width, a surrogate fades at the end.
 inline constexpr double fading_share = 0.1;
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/models/observer.h"
 #include "problems/carrier_track/scene/scene.h"
 
@@ -11,7 +12,7 @@
 /// that can be done, which is some times as fast. Neighbours should be similar.
 namespace ricochet::carrier_track::inline counting {
 
-/// Counts as objective() does under the rule of impacts, without its logarithm: ln z > 0 is z > 1.
+/// Counts as objective() does under the rule of impacts, without its logarithm.
 struct ImpactCount : Observer {
   static constexpr bool hears_impacts_alone = true;
 
@@ -22,7 +23,7 @@ struct ImpactCount : Observer {
   int count = 0;
 
   void impact(double /*time*/, Wall /*wall*/, double speed) {
-    if (speed / slowest > 1 && ++count > most) throw Enough();
+    if (is_counted(speed, slowest) && ++count > most) throw Enough();
   }
 };
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <variant>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/scene/window.h"
 
@@ -40,7 +41,7 @@ class MotionSketch::Watch : public Observer {
   void impact(const Jet& time, Wall wall, const Jet& speed) {
     ahead_.reset();
     const bool within = time.a <= duration_.a;
-    sketch_.count_ += within && speed.a / scene_.slowest.a > 1 ? 1 : 0;
+    sketch_.count_ += within && is_counted(speed.a, scene_.slowest.a) ? 1 : 0;
     if (!(speed.a > 0)) return;
     const Jet margin = log(speed / scene_.slowest);
     if (margin.a < followed) return;

@@ -243,11 +243,7 @@ Json break_even_of(const Campaign& campaign, const Field& field) {
 }  // namespace
 
 Json break_even_data(const Campaign& campaign, const std::vector<Field>& fields) {
-  Json all = Json::array();
-  for (const Field& field : fields) {
-    if (field.compared()) all.push_back(break_even_of(campaign, field));
-  }
-  return all;
+  return of_compared(fields, [&](const Field& field) { return break_even_of(campaign, field); });
 }
 
 }  // namespace ricochet::studies::contest

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/contest/stored_contest.h"
+#include "src/report/json.h"
 #include "src/studies/contest/reported_part.h"
 
 namespace ricochet::studies::contest {
@@ -41,6 +42,16 @@ std::vector<Field> fields_of(const Campaign& campaign, const std::vector<StoredS
 /// The fields of the largest budgets of which at least half of all solvers take all, as one, whose
 /// family is "all" and whose budget is 0. Of fewer than two fields none: no questions.
 Field joint_field(const Campaign& campaign, const std::vector<Field>& fields);
+
+/// What `tell` says of each field whose entrants are compared.
+template <class Tell>
+report::Json of_compared(const std::vector<Field>& fields, const Tell& tell) {
+  report::Json all = report::Json::array();
+  for (const Field& field : fields) {
+    if (field.compared()) all.push_back(tell(field));
+  }
+  return all;
+}
 
 /// Evaluations that a run spent until it solved the question, or in all.
 double evaluations_of(const Outcome& outcome);

@@ -64,11 +64,7 @@ Json log_ratios_of(const Campaign& campaign, const Field& field) {
 }  // namespace
 
 Json log_ratio_data(const Campaign& campaign, const std::vector<Field>& fields) {
-  Json all = Json::array();
-  for (const Field& field : fields) {
-    if (field.compared()) all.push_back(log_ratios_of(campaign, field));
-  }
-  return all;
+  return of_compared(fields, [&](const Field& field) { return log_ratios_of(campaign, field); });
 }
 
 }  // namespace ricochet::studies::contest

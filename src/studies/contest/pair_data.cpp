@@ -166,11 +166,7 @@ Json field_data(const Campaign& campaign, const Field& field) {
 }  // namespace
 
 Json pair_data(const Campaign& campaign, const std::vector<Field>& fields) {
-  Json all = Json::array();
-  for (const Field& field : fields) {
-    if (field.compared()) all.push_back(field_data(campaign, field));
-  }
-  return all;
+  return of_compared(fields, [&](const Field& field) { return field_data(campaign, field); });
 }
 
 }  // namespace ricochet::studies::contest

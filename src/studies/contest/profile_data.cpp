@@ -129,11 +129,7 @@ std::vector<const Entrant*> cheapest_first(const Campaign& campaign, const Field
 }
 
 Json profile_data(const Campaign& campaign, const std::vector<Field>& fields) {
-  Json all = Json::array();
-  for (const Field& field : fields) {
-    if (field.compared()) all.push_back(profile_of_field(campaign, field));
-  }
-  return all;
+  return of_compared(fields, [&](const Field& field) { return profile_of_field(campaign, field); });
 }
 
 }  // namespace ricochet::studies::contest

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/campaign/made_up_catalogue.h"
+#include "tests/studies/contest/made_up_standings.h"
 
 namespace ricochet::studies::contest {
 namespace {
@@ -34,14 +35,11 @@ Json rows_of(const Outcome& a, const Outcome& b) {
                 "budgets = [100]\ninstances = 1\n",
                 "test"),
       made_up_catalogue());
-  std::vector<StoredStanding> standings;
-  for (const PlannedCell& cell : campaign.cells()) {
-    StoredStanding standing{&cell, {}};
+  const auto standings = made_up_standings(campaign, [&](const PlannedCell& cell) {
     const std::string& solver = cell.cell.solver;
-    standing.outcomes = {solver == "luck" ? run_of(100, 0, 0.1, false)
-                                          : (solver == "chance-a" ? a : b)};
-    standings.push_back(std::move(standing));
-  }
+    return std::vector{solver == "luck" ? run_of(100, 0, 0.1, false)
+                                        : (solver == "chance-a" ? a : b)};
+  });
   const Json data =
       break_even_data(campaign, fields_of(campaign, standings, reported_parts(campaign)));
   EXPECT_EQ(data.size(), 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/campaign/made_up_catalogue.h"
+#include "tests/studies/contest/made_up_standings.h"
 
 namespace ricochet::studies::contest {
 namespace {
@@ -24,16 +25,12 @@ TEST(LogRatio, SetsTheBestTwoAgainstEachOther) {
                 "[\"chance-*\"]\nbudgets = [100]\ninstances = 1\n",
                 "test"),
       made_up_catalogue());
-  std::vector<StoredStanding> standings;
-  for (const PlannedCell& cell : campaign.cells()) {
+  const auto standings = made_up_standings(campaign, [](const PlannedCell& cell) {
     const bool first = cell.cell.question == "bowl-1";
     const bool is_a = cell.cell.solver == "chance-a";
-    StoredStanding standing{&cell, {}};
-    standing.outcomes = {first
-                             ? ended_after(is_a ? 10 : 40)
+    return std::vector{first ? ended_after(is_a ? 10 : 40)
                              : ended_after(is_a ? std::nullopt : std::optional<std::int64_t>(40))};
-    standings.push_back(std::move(standing));
-  }
+  });
   const Json data =
       log_ratio_data(campaign, fields_of(campaign, standings, reported_parts(campaign)));
   ASSERT_EQ(data.size(), 1);

@@ -8,6 +8,7 @@
 #include "src/studies/contest/atlas_data.h"
 #include "src/studies/contest/factor_data.h"
 #include "tests/campaign/made_up_catalogue.h"
+#include "tests/studies/contest/made_up_standings.h"
 
 namespace ricochet::studies::contest {
 namespace {
@@ -45,19 +46,15 @@ Campaign campaign_of(const std::vector<double>& disturbances) {
 
 /// chance-a solves at the high friction only; the others never solve, and throw.
 std::vector<StoredStanding> machine_standings(const Campaign& campaign) {
-  std::vector<StoredStanding> standings;
-  for (const PlannedCell& cell : campaign.cells()) {
+  return made_up_standings(campaign, [&](const PlannedCell& cell) {
     const Question& question = campaign.questions()[cell.question];
     Outcome outcome;
     outcome.evaluations = cell.budget.evaluations;
     outcome.verdict.feasible = true;
     outcome.verdict.solved = cell.cell.solver == "chance-a" && question.factors.at("friction") == 1;
     if (cell.cell.solver != "chance-a") outcome.failure = "threw: no";
-    StoredStanding standing{&cell, {}};
-    standing.outcomes = {outcome};
-    standings.push_back(std::move(standing));
-  }
-  return standings;
+    return std::vector{outcome};
+  });
 }
 
 class Machines : public testing::Test {

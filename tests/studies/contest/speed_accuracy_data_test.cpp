@@ -8,6 +8,7 @@
 #include "src/studies/contest/pair_data.h"
 #include "src/studies/contest/profile_data.h"
 #include "tests/campaign/made_up_catalogue.h"
+#include "tests/studies/contest/made_up_standings.h"
 
 namespace ricochet::studies::contest {
 namespace {
@@ -37,21 +38,14 @@ Campaign campaign_of(const std::string& questions, const std::string& solvers) {
 /// All cells with two runs each: chance-a solves one of the first question after 10 evaluations,
 /// and both of others after 40; chance-b all after 50; luck none.
 std::vector<StoredStanding> standings_of(const Campaign& campaign) {
-  std::vector<StoredStanding> standings;
-  for (const PlannedCell& cell : campaign.cells()) {
-    StoredStanding standing{&cell, {}};
-    if (cell.cell.solver == "luck")
-      standing.outcomes = {run_solved_after({}), run_solved_after({})};
-    if (cell.cell.solver == "chance-b")
-      standing.outcomes = {run_solved_after(50), run_solved_after(50)};
-    if (cell.cell.solver == "chance-a") {
-      standing.outcomes = cell.cell.question == "bowl-1"
-                              ? std::vector{run_solved_after(10), run_solved_after({})}
-                              : std::vector{run_solved_after(40), run_solved_after(40)};
+  return made_up_standings(campaign, [](const PlannedCell& cell) {
+    if (cell.cell.solver == "luck") return std::vector{run_solved_after({}), run_solved_after({})};
+    if (cell.cell.solver == "chance-b") {
+      return std::vector{run_solved_after(50), run_solved_after(50)};
     }
-    standings.push_back(std::move(standing));
-  }
-  return standings;
+    return cell.cell.question == "bowl-1" ? std::vector{run_solved_after(10), run_solved_after({})}
+                                          : std::vector{run_solved_after(40), run_solved_after(40)};
+  });
 }
 
 std::vector<Field> fields_of(const Campaign& campaign,

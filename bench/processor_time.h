@@ -1,22 +1,23 @@
 #pragma once
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <utility>
 
+#include "src/core/processor_time.h"
+
 namespace ricochet::bench {
 
-/// Processor time [s] of one call of `work`, the mean over at least so long [s].
+/// Processor time [s] of this thread for one call of `work`, the mean over at least so long [s].
 template <class Work>
 double processor_time(const Work& work, double at_least) {
   int calls = 0;
-  const std::clock_t start = std::clock();
+  const double start = processor_seconds();
   double passed = 0;
   do {
     work();
     ++calls;
-    passed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    passed = processor_seconds() - start;
   } while (passed < at_least);
   return passed / calls;
 }

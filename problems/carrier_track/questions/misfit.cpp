@@ -94,8 +94,9 @@ CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
 /// The counts at some speeds, or most_counted + 1 where they are higher: most constants that a
 /// search tries first make a carrier hammer for thousands of impacts, and nobody need wait for the
 /// last of them.
-std::vector<int> counts_of(const Scene& scene, const Reading& reading, const Constants& constants,
+std::vector<int> counts_by(const Reading& reading, const Constants& constants, const Case& a_case,
                            const std::vector<double>& speeds) {
+  const Scene scene = scene_of(a_case, reading, constants);
   std::vector<Scene> scenes;
   for (const double omega : speeds) scenes.push_back(scene_at(scene, reading, constants, omega));
   std::vector<int> counts;
@@ -135,6 +136,12 @@ std::vector<int> counts_of(const Scene& scene, const Reading& reading, const Con
   return counts;
 }
 
+CountsOf counts_by(const Reading& reading, const Constants& constants) {
+  return [&](const Case& a_case, const std::vector<double>& speeds) {
+    return counts_by(reading, constants, a_case, speeds);
+  };
+}
+
 std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
   std::vector<double> speeds;
   for (const SpeedCell& cell : cells) speeds.push_back(cell.omega);
@@ -142,10 +149,9 @@ std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
 }
 
 /// The share of 0..18 rad/s at which C11 would be quiet in C4.
-double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
-  const Scene scene = scene_of(find_case("C11"), reading, constants);
+double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
   std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
-  const std::vector<int> counts = counts_of(scene, reading, constants, speeds_of(cells));
+  const std::vector<int> counts = counts_of(find_case("C11"), speeds_of(cells));
   double share = 0;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (counts[k] <= quiet_limit(quiet)) share += cells[k].width / fastest_speed;
@@ -229,9 +235,12 @@ double misfit_of(const CoarseScore& s, const Claim& claim) {
 }
 
 CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case) {
+  return coarse_score(counts_by(reading, constants), a_case);
+}
+
+CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case) {
   const double threshold = a_case.claim.threshold.value();
   const int claimed = a_case.claim.quiet_count.value();
-  const Scene scene = scene_of(a_case, reading, constants);
   std::vector<Cell> cells, below, above;
   double below_shape = 0;
   double above_shape = 0;
@@ -239,7 +248,7 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
   std::vector<double> speeds = speeds_of(speed_cell);
   const auto& figure = a_case.claim.figure;
   if (figure) speeds.insert(speeds.end(), {figure->quiet, figure->loud});
-  const std::vector<int> counts = counts_of(scene, reading, constants, speeds);
+  const std::vector<int> counts = counts_of(a_case, speeds);
   for (std::size_t k = 0; k < speed_cell.size(); ++k) {
     const SpeedCell& c = speed_cell[k];
     const Cell cell{c.omega, c.width, counts[k]};
@@ -272,16 +281,20 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
 }
 
 double misfit(const Reading& reading, const Constants& constants, const std::string& left_out) {
+  return misfit(counts_by(reading, constants), left_out);
+}
+
+double misfit(const CountsOf& counts_of, const std::string& left_out) {
   double sum = 0;
   int quiet_of_c4 = 1;
   for (const Case& a_case : all_cases()) {
     if (!a_case.claim.threshold) continue;
     if (a_case.id == left_out && a_case.id != "C4") continue;
-    const CoarseScore s = coarse_score(reading, constants, a_case);
+    const CoarseScore s = coarse_score(counts_of, a_case);
     if (a_case.id != left_out) sum += misfit_of(s, a_case.claim);
     if (a_case.id == "C4") quiet_of_c4 = std::max(s.quiet_count, 1);
   }
-  return sum + 4 * quiet_share_of_c11(reading, constants, quiet_of_c4);
+  return sum + 4 * quiet_share_of_c11(counts_of, quiet_of_c4);
 }
 
 SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,

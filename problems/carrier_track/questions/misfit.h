@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "problems/carrier_track/paper/open_constants.h"
@@ -43,10 +45,15 @@ struct CoarseScore {
 /// To them come 3 shapes, which tell a search the way where the others are flat.
 double misfit_of(const CoarseScore& score, const Claim& claim);
 
+/// The counts of a case at some speeds [rad/s], or most_counted + 1 where they are higher.
+using CountsOf = std::function<std::vector<int>(const Case&, const std::vector<double>& speeds)>;
+
+CoarseScore coarse_score(const CountsOf& counts, const Case& a_case);
 CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case);
 
 /// The sum over C1..C10, and 4 times the share of speeds at which C11, of which the paper says that
 /// it is never quiet, has a count that is quiet in C4. A case may be left out.
+double misfit(const CountsOf& counts, const std::string& left_out = "");
 double misfit(const Reading& reading, const Constants& constants, const std::string& left_out = "");
 
 /// The smooth stand-in, for least squares: with surrogate counts s of `width` in place of counts,

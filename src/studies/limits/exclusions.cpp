@@ -9,6 +9,7 @@ namespace {
 using namespace carrier_track;
 
 constexpr std::size_t gains_told = 3;
+constexpr double least_gain = 0.05;  // of a tolerance
 
 Target target_without(const ClaimGroup& dropped) {
   return {"without " + dropped.name, false, [dropped](const CoarseJudgement& judgement) {
@@ -50,7 +51,8 @@ std::vector<Exclusion::Gain> gains_of(const Exclusion& e, const CoarseJudgement&
     gains.push_back({claims[i].name(), before[i] - after[i]});
   }
   std::ranges::stable_sort(gains, std::greater(), &Exclusion::Gain::gain);
-  gains.resize(gains_told);
+  std::erase_if(gains, [](const Exclusion::Gain& g) { return g.gain < least_gain; });
+  if (gains.size() > gains_told) gains.resize(gains_told);
   return gains;
 }
 

@@ -21,7 +21,7 @@ struct Exclusion {
   double its_share;     ///< what it adds to the misfit of the control's end
   double rest;          ///< the misfit of all others, where a control with as many evaluations ends
   double rest_without;  ///< the same, where the search that drops it ends
-  /// What gains most from it, with how much, by falling gain.
+  /// What gains most from it, with how much, by falling gain; not what gains next to nothing.
   struct Gain {
     std::string name;
     double gain;

@@ -40,6 +40,7 @@ Plan full_plan() {
           .long_evaluations = 6000,
           .asked_evaluations = 6000,
           .exclusion = {solver_named("pagmo-cmaes-tuned"), 1500, {1, 2, 3}},
+          .worth = {1, 0.25},
           .grid_steps = 20,
           .symmetry_draws = 250,
           .step = 0.01};
@@ -56,6 +57,7 @@ Plan quick_plan() {
   plan.asked_evaluations = 60;
   plan.exclusion.evaluations = 20;
   plan.exclusion.control_seeds = {1, 2};
+  plan.worth = {10, 1};
   plan.grid_steps = 4;
   plan.symmetry_draws = 10;
   plan.step = 0.1;

@@ -15,8 +15,7 @@ using namespace carrier_track;
 constexpr double symmetry_factor = 2;  // by which rounding is not changed
 constexpr std::size_t scanned_constants = 3;
 constexpr std::size_t few_constants = 5;  // of the other readings' first fronts
-constexpr Worth worth{1, 0.25};
-constexpr double curve_step = 0.1;  // [N]
+constexpr double curve_step = 0.1;        // [N]
 
 std::vector<Open> first_of(const std::vector<Open>& order, std::size_t size) {
   return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(size)};
@@ -42,7 +41,7 @@ std::vector<FrontChain> chains_of(const Plan& plan) {
 }
 
 /// For every reading and number of constants, the seeds together.
-std::vector<Fit> points_of(const std::vector<ChainedFront>& fronts) {
+std::vector<Fit> points_of(const std::vector<ChainedFront>& fronts, const Worth& worth) {
   std::vector<Fit> fits;
   std::vector<bool> taken(fronts.size(), false);
   for (std::size_t i = 0; i < fronts.size(); ++i) {
@@ -209,7 +208,7 @@ Results limits(const Plan& plan, FitStore& store) {
   results.proportional = proportional_bound(results.responses, results.cases.size());
   results.symmetries = check_symmetries(plan.main, symmetry_factor, plan.symmetry_draws, 1);
   results.fronts = searched_fronts(chains_of(plan), store);
-  results.points = judged(points_of(results.fronts), plan.step);
+  results.points = judged(points_of(results.fronts, plan.worth), plan.step);
   results.doubt = doubt_of(results.points);
   results.long_searches = long_searches(plan, store);
   results.asked = asked_alone(plan, store);

@@ -28,6 +28,7 @@ struct Plan {
   std::int64_t long_evaluations;
   std::int64_t asked_evaluations;  ///< of each search for some claims alone
   ExclusionPlan exclusion;
+  Worth worth;
   int grid_steps;
   int symmetry_draws;
   double step;  ///< [rad/s] between the speeds of a judgement

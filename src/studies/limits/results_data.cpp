@@ -52,8 +52,7 @@ std::vector<Group> groups_of(const std::vector<Judged>& points) {
   return groups;
 }
 
-/// The lowest by a few numbers, one after the other, of those with all examples right, or of all
-/// where there is none.
+/// The lowest by a few numbers, one after the other.
 template <class Order>
 const Judged* first_by(const Group& group, Order order) {
   const Judged* best = nullptr;
@@ -123,7 +122,7 @@ Json seeds_of(const Results& results) {
     const auto [lowest, highest] = std::minmax_element(of_seeds.begin(), of_seeds.end());
     rows.push_back({{"constants", constants},
                     {"shares", of_seeds},
-                    {"apart", (*highest - *lowest) / *highest}});
+                    {"apart", *highest > 0 ? (*highest - *lowest) / *highest : 0}});
   }
   return rows;
 }
@@ -196,10 +195,11 @@ Json json_of(const Response& response) {
     cases += fmt::format("{}{}", cases.empty() ? "" : ", ", c.id);
     thresholds += fmt::format("{}{}", thresholds.empty() ? "" : ", ", *c.claim.threshold);
   }
+  const bool falls = response.cases.back().claim.threshold < response.cases.front().claim.threshold;
   return {{"cases", cases},
           {"thresholds", thresholds},
-          {"first_share", response.first_share},
-          {"falls", response.first_share > 0},
+          {"first_share", falls ? Json(response.first_share) : Json(nullptr)},
+          {"falls", falls},
           {"below_chord", response.below_chord},
           {"bound", response.below_chord / 2}};
 }

@@ -30,7 +30,7 @@ struct Plan {
 /// All readings in some seven minutes on two cores.
 Plan full_plan(const Search& search);
 
-/// Three seeds by both of two solvers, for three readings beside the choice: about an hour on two
+/// Three seeds by both of two solvers, for the best reading beside the choice: some forty minutes on two
 /// cores.
 ConvergencePlan full_convergence(const Solver& one, const Solver& other);
 

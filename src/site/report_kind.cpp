@@ -16,6 +16,7 @@ std::span<const ReportKind> report_kinds() {
       {"problems", "The problems", "What is asked of the solvers?", "./ricochet problems"},
       {"calibration", "The constants", "Which constants give the paper's thresholds?",
        "./ricochet calibrate --all-readings"},
+      {"limits", "The limits", "How near can any reading come to the paper?", "./ricochet limits"},
       {"verification", "The proof", "Is every impact found?", "./ricochet verify"},
       {"stress", "Ill problems", "What does a solver do where a problem is ill?",
        "./ricochet stress"},

@@ -17,9 +17,9 @@ namespace {
 
 /// Of 500 machines around each case, the twenty hardest.
 int look_for_hard_machines(const std::string& file) {
-  const auto machines = studies::best_values::find_hard_machines(500, 20);
-  write_text_file(file, carrier_track::write_hard_machines(machines));
-  fmt::print("{} hard machines; the file: {}\n", machines.size(),
+  const auto found = studies::best_values::find_hard_machines(500, 20);
+  write_text_file(file, carrier_track::write_hard_machines(found));
+  fmt::print("{} hard machines; the file: {}\n", found.machines.size(),
              std::filesystem::absolute(file).lexically_normal().string());
   return 0;
 }

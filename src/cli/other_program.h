@@ -16,6 +16,7 @@ struct OtherCommand {
 inline constexpr OtherCommand other_commands[] = {
     {"calibrate", "ricochet-studies",
      "Which reading of the paper, and which constants, give its thresholds"},
+    {"limits", "ricochet-studies", "How near any reading can come to the paper, as a report"},
     {"dynamics", "ricochet-studies",
      "Contact laws, numerical methods, hard and compliant walls, as a report"},
     {"surrogate", "ricochet-studies",

@@ -10,6 +10,7 @@
 #include "src/studies/calibration/study.h"
 #include "src/studies/dynamics/study.h"
 #include "src/studies/fireworks/study.h"
+#include "src/studies/limits/study.h"
 #include "src/studies/problems/study.h"
 #include "src/studies/stress/study.h"
 #include "src/studies/surrogate/study.h"
@@ -24,6 +25,7 @@ class Studies : public CommandLine {
  public:
   Studies() {
     add_calibrate();
+    add_limits();
     add_trials();
     add_study("dynamics", summary_of("dynamics"), studies::dynamics_study,
               "  ricochet dynamics --quick");
@@ -71,6 +73,19 @@ class Studies : public CommandLine {
     StudyOptions& options = add_study_options(command, studies::trials_study({}));
     on_call(command, [&options] {
       const studies::Study study = studies::trials_study(options.out);
+      std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+      return 0;
+    });
+  }
+
+  void add_limits() {
+    CLI::App* command =
+        add("limits", summary_of("limits"),
+            "  ricochet limits --quick\n"
+            "  ricochet limits --out mine  # and the same again, to go on where it was stopped");
+    StudyOptions& options = add_study_options(command, studies::limits_study({}));
+    on_call(command, [&options] {
+      const studies::Study study = studies::limits_study(options.out);
       std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
       return 0;
     });

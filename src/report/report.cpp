@@ -15,6 +15,7 @@
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
+#include "embedded/template_limits.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
@@ -38,6 +39,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"dynamics", embedded::template_dynamics},
     {"family", embedded::template_family},
     {"fireworks", embedded::template_fireworks},
+    {"limits", embedded::template_limits},
     {"problems", embedded::template_problems},
     {"reproduction", embedded::template_reproduction},
     {"stress", embedded::template_stress},

@@ -16,6 +16,7 @@ std::span<const ReportKind> report_kinds() {
       {"problems", "The problems", "What is asked of the solvers?", "./ricochet problems"},
       {"calibration", "The constants", "Which constants give the paper's thresholds?",
        "./ricochet calibrate --all-readings"},
+      {"limits", "The limits", "How near can any reading come to the paper?", "./ricochet limits"},
       {"trials", "Untried readings", "Would a reading that nobody has tried come nearer?",
        "./ricochet trials"},
       {"verification", "The proof", "Is every impact found?", "./ricochet verify"},

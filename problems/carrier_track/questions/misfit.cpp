@@ -73,17 +73,19 @@ double median_count(std::vector<Cell> cells) {
 
 struct CoarseSplit {
   double speed, misclassified;
+  std::size_t quiet_cells;  ///< so many are below
 };
 
 CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
   double wrong = 0;  // with everything called loud
   for (const Cell& c : cells) wrong += c.count <= limit ? c.width : 0;
-  CoarseSplit best{0, wrong};
+  CoarseSplit best{0, wrong, 0};
   double edge = 0;
-  for (const Cell& c : cells) {
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Cell& c = cells[k];
     edge += c.width;
     wrong += c.count > limit ? c.width : -c.width;
-    if (wrong < best.misclassified - 1e-9) best = {edge, wrong};
+    if (wrong < best.misclassified - 1e-9) best = {edge, wrong, k + 1};
   }
   best.misclassified /= edge;
   best.speed =
@@ -148,15 +150,22 @@ std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
   return speeds;
 }
 
-/// The share of 0..18 rad/s at which C11 would be quiet in C4.
-double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
-  std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
-  const std::vector<int> counts = counts_of(find_case("C11"), speeds_of(cells));
-  double share = 0;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (counts[k] <= quiet_limit(quiet)) share += cells[k].width / fastest_speed;
+/// The cells on either side of a split, each in `parts`, counted anew.
+std::vector<Cell> finer_cells(const std::vector<Cell>& cells, std::size_t quiet_cells, int parts,
+                              const Case& a_case, const CountsOf& counts_of) {
+  const std::size_t first = quiet_cells - 1;
+  std::vector<SpeedCell> fine;
+  for (std::size_t k = first; k <= quiet_cells; ++k) {
+    const Cell& c = cells[k];
+    add_cells(fine, c.omega - c.width / 2, c.omega + c.width / 2, c.width / parts);
   }
-  return share;
+  const std::vector<int> counts = counts_of(a_case, speeds_of(fine));
+  std::vector<Cell> all(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(first));
+  for (std::size_t k = 0; k < fine.size(); ++k) {
+    all.push_back({fine[k].omega, fine[k].width, counts[k]});
+  }
+  all.insert(all.end(), cells.begin() + static_cast<std::ptrdiff_t>(quiet_cells) + 1, cells.end());
+  return all;
 }
 
 struct ClaimedCell {
@@ -224,21 +233,42 @@ std::vector<SpeedCell> speed_cells(double threshold) {
   return cells;
 }
 
-double misfit_of(const CoarseScore& s, const Claim& claim) {
+MisfitParts misfit_parts(const CoarseScore& s, const Claim& claim) {
   const double quiet = *claim.quiet_count;
-  return tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15) +
-         tamed(std::max(0.0, 0.9 - s.purity) / 0.15) +
-         tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05) +
-         tamed(std::max(0.0, s.misclassified - 0.02) / 0.05) +
-         tamed(std::max(0.0, std::log(1.5 / std::max(s.loudness, 0.3))) / 0.2) +
-         2.0 * s.wrong_examples + 3 * s.shape;
+  return {tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15),
+          tamed(std::max(0.0, 0.9 - s.purity) / 0.15),
+          tamed(std::abs(std::log(s.threshold / *claim.threshold)) / 0.05),
+          tamed(std::max(0.0, s.misclassified - 0.02) / 0.05),
+          tamed(std::max(0.0, std::log(1.5 / std::max(s.loudness, 0.3))) / 0.2),
+          2.0 * s.wrong_examples,
+          3 * s.shape};
 }
 
-CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case) {
-  return coarse_score(counts_by(reading, constants), a_case);
+double misfit_of(const CoarseScore& score, const Claim& claim) {
+  const MisfitParts p = misfit_parts(score, claim);
+  return p.count + p.purity + p.threshold + p.misclassified + p.loudness + p.examples + p.shape;
 }
 
-CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case) {
+double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
+  return quiet_share_of_c11(counts_by(reading, constants), quiet);
+}
+
+double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
+  std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
+  const std::vector<int> counts = counts_of(find_case("C11"), speeds_of(cells));
+  double share = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (counts[k] <= quiet_limit(quiet)) share += cells[k].width / fastest_speed;
+  }
+  return share;
+}
+
+CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case,
+                         int finer) {
+  return coarse_score(counts_by(reading, constants), a_case, finer);
+}
+
+CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int finer) {
   const double threshold = a_case.claim.threshold.value();
   const int claimed = a_case.claim.quiet_count.value();
   std::vector<Cell> cells, below, above;
@@ -263,7 +293,11 @@ CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case) {
   }
   const int quiet = widest_count(below);
   const double limit = quiet_limit(quiet);
-  const CoarseSplit split = coarse_split(cells, limit);
+  CoarseSplit split = coarse_split(cells, limit);
+  if (finer > 1 && split.quiet_cells > 0 && split.quiet_cells < cells.size()) {
+    cells = finer_cells(cells, split.quiet_cells, finer, a_case, counts_of);
+    split = coarse_split(cells, limit);
+  }
   double pure = 0;
   for (const Cell& c : below) pure += std::abs(c.count - quiet) <= 1 ? c.width : 0;
   int wrong = 0;

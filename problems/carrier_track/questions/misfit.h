@@ -45,11 +45,25 @@ struct CoarseScore {
 /// To them come 3 shapes, which tell a search the way where the others are flat.
 double misfit_of(const CoarseScore& score, const Claim& claim);
 
+/// The same, part by part, in the order in which they are added.
+struct MisfitParts {
+  double count, purity, threshold, misclassified, loudness, examples, shape;
+};
+MisfitParts misfit_parts(const CoarseScore& score, const Claim& claim);
+
 /// The counts of a case at some speeds [rad/s], or most_counted + 1 where they are higher.
 using CountsOf = std::function<std::vector<int>(const Case&, const std::vector<double>& speeds)>;
 
-CoarseScore coarse_score(const CountsOf& counts, const Case& a_case);
-CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case);
+/// With `finer` above 1 the two cells next to the threshold are looked at again in so many parts
+/// each: the threshold is then known to that part of a cell.
+CoarseScore coarse_score(const CountsOf& counts, const Case& a_case, int finer = 1);
+CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case,
+                         int finer = 1);
+
+/// The share of 0..18 rad/s at which C11, of which the paper says that it is never quiet, has a
+/// count that is quiet where `quiet` is C4's quiet count.
+double quiet_share_of_c11(const CountsOf& counts, int quiet);
+double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet);
 
 /// The sum over C1..C10, and 4 times the share of speeds at which C11, of which the paper says that
 /// it is never quiet, has a count that is quiet in C4. A case may be left out.

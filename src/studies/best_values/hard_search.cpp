@@ -109,7 +109,7 @@ bool bisection_misses(const Machine& machine, double best, Hardness& hardness) {
 
 }  // namespace
 
-Machine random_machine(const std::string& around, int draw) {
+Machine random_machine(const Scene& reading, const std::string& around, int draw) {
   Random random(seed_of(around, "hard machine", draw, 0));
   const auto between = [&random](double low, double high) {
     return low * std::pow(high / low, uniform(random));
@@ -117,7 +117,7 @@ Machine random_machine(const std::string& around, int draw) {
   Machine machine;
   machine.id = fmt::format("{}~{}", around, draw);
   Scene& scene = machine.scene;
-  scene = scene_of(find_case(around), default_reading().scene);
+  scene = scene_of(find_case(around), reading);
   for (const std::string& key : constants_of(scene)) {
     scene = scaled(std::move(scene), key, between(0.5, 2));
   }
@@ -147,7 +147,7 @@ std::optional<HardMachine> judged_hard(const Machine& machine) {
   return hard;
 }
 
-std::vector<HardMachine> find_hard_machines(int draws, std::size_t wanted) {
+HardMachines find_hard_machines(int draws, std::size_t wanted) {
   const std::vector<Case> cases = all_cases();
   const std::size_t size = cases.size() * static_cast<std::size_t>(draws);
   std::vector<std::optional<HardMachine>> judged(size);
@@ -156,7 +156,7 @@ std::vector<HardMachine> find_hard_machines(int draws, std::size_t wanted) {
     tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) {
       const std::string& around = cases[i % cases.size()].id;
       const int draw = static_cast<int>(i / cases.size());
-      judged[i] = judged_hard(random_machine(around, draw));
+      judged[i] = judged_hard(random_machine(default_reading().scene, around, draw));
       if (judged[i]) {
         judged[i]->around = around;
         judged[i]->draw = draw;
@@ -179,7 +179,7 @@ std::vector<HardMachine> find_hard_machines(int draws, std::size_t wanted) {
     hard.machine.id = fmt::format("{:02}", kept.size() + 1);
     kept.push_back(std::move(hard));
   }
-  return kept;
+  return {default_reading(), std::move(kept)};
 }
 
 }  // namespace ricochet::studies::best_values

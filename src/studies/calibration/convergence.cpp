@@ -76,6 +76,14 @@ const Fit& Convergence::best() const {
       ->last();
 }
 
+std::vector<Fit> Convergence::as_good() const {
+  std::vector<Fit> fits;
+  for (const LongSearch& s : searches) {
+    if (s.last().misfit <= (1 + agreement) * best().misfit) fits.push_back(s.last());
+  }
+  return fits;
+}
+
 double Convergence::spread(std::size_t look) const {
   double worst = 0;
   for (const LongSearch& s : searches) worst = std::max(worst, s.fits.at(look).misfit);

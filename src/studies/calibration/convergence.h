@@ -41,6 +41,9 @@ struct Convergence {
 
   const Fit& best() const;
 
+  /// What the searches end with that is within `agreement` of the best of them.
+  std::vector<Fit> as_good() const;
+
   /// By how much the worst misfit of the searches is above the best of them, as a share of that.
   double spread(std::size_t look) const;
 

@@ -102,8 +102,12 @@ std::optional<Fit> FitStore::find(const std::string& key) const {
 }
 
 void FitStore::add(const std::string& key, const Fit& fit) {
+  add(std::vector{std::pair{key, fit}});
+}
+
+void FitStore::add(const std::vector<std::pair<std::string, Fit>>& fits) {
   const std::lock_guard lock(mutex_);
-  fits_.insert_or_assign(key, fit);
+  for (const auto& [key, fit] : fits) fits_.insert_or_assign(key, fit);
   toml::array tables;
   for (const auto& [each_key, each] : fits_) tables.push_back(table_of(each_key, each));
   std::ostringstream text;

@@ -5,6 +5,8 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "src/studies/calibration/fit.h"
 
@@ -25,6 +27,9 @@ class FitStore {
 
   /// Keeps the fit and replaces the file, all or nothing. Throws InputError where it cannot.
   void add(const std::string& key, const Fit& fit);
+
+  /// The same with several, each by its key: all of them or none.
+  void add(const std::vector<std::pair<std::string, Fit>>& fits);
 
  private:
   std::filesystem::path file_;

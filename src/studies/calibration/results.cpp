@@ -82,6 +82,10 @@ bool better(const Fit& a, const Fit& b) {
   return a.misfit < b.misfit;
 }
 
+bool lower_criterion(const RankedFit& a, const RankedFit& b) {
+  return a.appraisal.criterion < b.appraisal.criterion;
+}
+
 /// The best of the fits whose cases share a scene: others are dearer, and no machine of a user's.
 Fit best_scene(const std::vector<Fit>& fits) {
   const Fit* best = &fits.front();
@@ -170,10 +174,9 @@ Fit most_sparing(const std::vector<RankedFit>& readings) {
     if (is_one_scene(r.fit.reading) && candidates.size() < finalists) candidates.push_back(&r);
   }
   if (candidates.empty()) return readings.front().fit;
-  return (*std::min_element(candidates.begin(), candidates.end(),
-                            [](const RankedFit* a, const RankedFit* b) {
-                              return a->appraisal.criterion < b->appraisal.criterion;
-                            }))
+  return (*std::min_element(
+              candidates.begin(), candidates.end(),
+              [](const RankedFit* a, const RankedFit* b) { return lower_criterion(*a, *b); }))
       ->fit;
 }
 
@@ -216,11 +219,11 @@ Freedom forgotten(const Reading& reading, const std::vector<Open>& freed,
   return freedom;
 }
 
-/// The choice, what every command computes with, and the best few readings with all their
-/// constants. A reading that fits exactly as well as one before it owes nothing to what it differs
-/// in.
+/// What the frontier chooses, what every command computes with, and the best few readings with all
+/// their constants. A reading that fits exactly as well as one before it owes nothing to what it
+/// differs in.
 std::vector<Freedom> freedoms_to_converge(const Results& results, std::size_t readings) {
-  const Fit& choice = results.choice().fit;
+  const Fit& choice = results.frontier[results.chosen].fit;
   std::vector<Freedom> freedoms = {forgotten(choice.reading, choice.freed, choice.constants)};
   const FittedReading& usual = default_reading();
   if (usual.reading != choice.reading || usual.freed != choice.freed) {
@@ -277,7 +280,7 @@ Plan quick_plan(const Search& search) {
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2, 3}, 20000, 3};
+  return {{one, other}, {1, 2, 3}, 100000, 1};
 }
 
 ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {
@@ -290,17 +293,17 @@ Results calibrate(const Plan& plan, FitStore& store) {
   results.readings = compared_readings(plan, store);
   if (results.readings.size() > 1) results.rankings = rankings_of(results, plan, store);
   results.frontier = frontier_of(most_sparing(results.readings), plan, store);
-  const auto lowest = std::min_element(results.frontier.begin(), results.frontier.end(),
-                                       [](const RankedFit& a, const RankedFit& b) {
-                                         return a.appraisal.criterion < b.appraisal.criterion;
-                                       });
+  const auto lowest =
+      std::min_element(results.frontier.begin(), results.frontier.end(), lower_criterion);
   results.chosen = static_cast<std::size_t>(lowest - results.frontier.begin());
   if (plan.convergence) {
     const auto freedoms = freedoms_to_converge(results, plan.convergence->readings);
     results.convergence = converge(freedoms, *plan.convergence, store);
-    std::vector<Fit> best;
-    for (const Convergence& one : results.convergence) best.push_back(one.best());
-    results.converged = appraised(std::move(best), plan.step);
+    for (const Convergence& one : results.convergence) {
+      std::vector<RankedFit>& fits = results.converged.emplace_back();
+      fits = appraised(one.as_good(), plan.step);
+      std::stable_sort(fits.begin(), fits.end(), lower_criterion);
+    }
   }
   results.usual = usual_reading(plan);
   const Fit& choice = results.choice().fit;
@@ -310,9 +313,12 @@ Results calibrate(const Plan& plan, FitStore& store) {
   return results;
 }
 
-const RankedFit* Results::better_choice() const {
-  if (converged.empty() || !better(converged.front().fit, choice().fit)) return nullptr;
-  return &converged.front();
+const RankedFit& Results::choice() const {
+  if (converged.empty()) return frontier[chosen];
+  return std::min_element(
+             converged.begin(), converged.end(),
+             [](const auto& a, const auto& b) { return lower_criterion(a.front(), b.front()); })
+      ->front();
 }
 
 double prediction_error(const std::vector<Prediction>& predictions) {

@@ -30,8 +30,8 @@ struct Plan {
 /// All readings in some seven minutes on two cores.
 Plan full_plan(const Search& search);
 
-/// Three seeds by both of two solvers, for three readings beside the choice: about twenty minutes
-/// on one core.
+/// Three seeds by both of two solvers, for the best reading beside the choice: some forty minutes on two
+/// cores.
 ConvergencePlan full_convergence(const Solver& one, const Solver& other);
 
 /// The same in seconds: nothing converges.
@@ -69,20 +69,20 @@ struct Results {
   /// costs least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
-  /// Of the choice's constants, of those of the default reading, where they are others, and of the
-  /// best readings whose cases share a scene. The choice stays what it is.
+  /// Of the constants chosen in the frontier, of those of the default reading, where they are
+  /// others, and of the best readings whose cases share a scene.
   std::vector<Convergence> convergence;
-  std::vector<RankedFit> converged;  ///< the best fit of each
-  RankedFit usual;                   ///< the default reading, by today's misfit
+  /// Of each of these the fits that are as good as the best, by rising criterion: the misfit, which
+  /// looks at few speeds, does not tell them apart.
+  std::vector<std::vector<RankedFit>> converged;
+  RankedFit usual;  ///< the default reading, by today's misfit
   std::vector<Prediction> predictions;
   std::vector<CaseSensitivity> sensitivities;
   std::vector<Profile> profiles;
 
-  /// A fit of the choice's constants that is better than the choice, where one was searched for
-  /// and found.
-  const RankedFit* better_choice() const;
-
-  const RankedFit& choice() const { return frontier[chosen]; }
+  /// The fit with the lowest criterion: of those that searches have converged to, where there are
+  /// such, or else of the frontier.
+  const RankedFit& choice() const;
 };
 
 /// Computes everything that the store does not hold yet. The same plan gives the same results, in

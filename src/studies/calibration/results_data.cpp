@@ -104,7 +104,15 @@ Json convergence_of(const Results& results) {
     const Convergence& one = results.convergence[i];
     const auto from = one.agreed_from();
     agreed += from ? 1 : 0;
-    Json row = data_of(results.converged[i]);
+    const std::vector<RankedFit>& fits = results.converged[i];
+    Json row = data_of(fits.front());
+    const auto error = [](const RankedFit& r) { return r.appraisal.threshold_error; };
+    const auto [least, most] =
+        std::minmax_element(fits.begin(), fits.end(),
+                            [&](const auto& a, const auto& b) { return error(a) < error(b); });
+    row["as_good"] = fits.size();
+    row["errors"] = {{"least", error(*least)}, {"most", error(*most)}};
+    row["chosen"] = &fits.front() == &results.choice() ? Json(true) : Json();
     row["agreed"] = from.has_value();
     row["agreed_from"] = from ? Json(*from * evaluations) : Json();
     row["spreads"] = Json::array();
@@ -118,15 +126,10 @@ Json convergence_of(const Results& results) {
   const auto searches = list_of(results.convergence.front().searches, [](const LongSearch& s) {
     return Json{{"solver", s.solver}, {"seed", s.seed}};
   });
-  return {{"rows", std::move(rows)},
-          {"all", results.convergence.size()},
-          {"agreed", agreed},
-          {"searches", searches},
-          {"count", searches.size()},
-          {"evaluations", evaluations},
-          {"better", results.better_choice() ? data_of(*results.better_choice()) : Json()},
-          {"pairs", order.pairs},
-          {"alike", order.alike}};
+  return {{"rows", std::move(rows)},  {"all", results.convergence.size()},
+          {"agreed", agreed},         {"searches", searches},
+          {"count", searches.size()}, {"evaluations", evaluations},
+          {"pairs", order.pairs},     {"alike", order.alike}};
 }
 
 /// What a fit holds of its reading's constants, which of them the one before it fitted, and where

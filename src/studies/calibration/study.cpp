@@ -54,21 +54,20 @@ Plan plan_of(const CalibrationOptions& options, bool quick) {
   }
   if (options.converge) {
     const auto convergence = quick ? quick_convergence : full_convergence;
-    plan.convergence = convergence(solver_named("pagmo-cmaes-ipop"), solver_named("mads"));
+    plan.convergence = convergence(solver_named("pagmo-sade"), solver_named("pagmo-de1220"));
   }
   return plan;
 }
 
-void write_reading(const Fit& fit, const CalibrationOptions& options, const std::string& converge,
-                   const std::filesystem::path& file) {
+void write_reading(const Fit& fit, const CalibrationOptions& options) {
   const auto fitted = carrier_track::fitted_reading(
       fit.reading, fit.constants, fit.freed,
       fmt::format("ricochet calibrate{}{}{} --seed {} --solver {}",
                   options.all_readings ? " --all-readings" : " --reading ",
-                  options.all_readings ? "" : name_of(fit.reading), converge, options.seed,
-                  options.solver),
+                  options.all_readings ? "" : name_of(fit.reading),
+                  options.converge ? " --converge" : "", options.seed, options.solver),
       "the choice");
-  write_text_file(file, write_fitted_reading(fitted));
+  write_text_file(options.folder / "reading.toml", write_fitted_reading(fitted));
 }
 
 }  // namespace
@@ -84,12 +83,7 @@ Study calibration_study(const CalibrationOptions& options) {
         fmt::format("finished fits are kept in {}: the same command goes on", fits.string()));
     const Results results = calibrate(plan, store);
     const Fit& choice = results.choice().fit;
-    if (carrier_track::is_one_scene(choice.reading)) {
-      write_reading(choice, options, "", options.folder / "reading.toml");
-      if (const RankedFit* better = results.better_choice()) {
-        write_reading(better->fit, options, " --converge", options.folder / "converged.toml");
-      }
-    }
+    if (carrier_track::is_one_scene(choice.reading)) write_reading(choice, options);
     return data_of(results);
   };
   return {"calibration", "A first look, in half a minute", compute};

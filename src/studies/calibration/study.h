@@ -18,8 +18,7 @@ struct CalibrationOptions {
 };
 
 /// Fits the open constants to the paper's claims. Goes on from the fits that fits.toml of the
-/// folder holds, and writes reading.toml there, which other commands may compute with, and
-/// converged.toml where longer searches have found a better fit of the same constants. Its
+/// folder holds, and writes reading.toml there, which other commands may compute with. Its
 /// computation throws InputError for options that are none.
 Study calibration_study(const CalibrationOptions& options);
 

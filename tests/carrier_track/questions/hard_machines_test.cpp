@@ -16,7 +16,11 @@ namespace {
 
 TEST(HardMachines, AreReadAsTheyWereWritten) {
   const std::vector<HardMachine>& all = hard_machines();
-  const std::vector<HardMachine> read = parse_hard_machines(write_hard_machines(all), "text");
+  const HardMachines found =
+      parse_hard_machines(write_hard_machines(found_hard_machines()), "text");
+  EXPECT_EQ(write_fitted_reading(found.reading),
+            write_fitted_reading(found_hard_machines().reading));
+  const std::vector<HardMachine>& read = found.machines;
   ASSERT_EQ(read.size(), all.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     EXPECT_EQ(read[k].around, all[k].around);
@@ -32,10 +36,14 @@ TEST(HardMachines, AreReadAsTheyWereWritten) {
 }
 
 TEST(HardMachines, RefuseWhatIsNoSuchText) {
+  const FittedReading& reading = found_hard_machines().reading;
+  const std::string empty = write_hard_machines({reading, {}});
+  EXPECT_TRUE(parse_hard_machines(empty, "text").machines.empty());
   for (const char* text : {"01 = 3", "[01]\naround = \"C1\"", "[01]\naround = 1"}) {
-    EXPECT_THROW(parse_hard_machines(text, "text"), InputError) << text;
+    EXPECT_THROW(parse_hard_machines(empty + text, "text"), InputError) << text;
   }
-  std::string text = write_hard_machines({hard_machines()[0]});
+  EXPECT_THROW(parse_hard_machines("# no reading", "text"), InputError);
+  std::string text = write_hard_machines({reading, {hard_machines()[0]}});
   text.replace(text.find("mass = "), 7, "mass = -");
   EXPECT_THROW(parse_hard_machines(text, "text"), InputError);
 }

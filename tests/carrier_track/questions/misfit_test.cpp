@@ -74,6 +74,36 @@ TEST(Misfit, SeesWhatAJudgementSees) {
   }
 }
 
+TEST(Misfit, KnowsAThresholdToAPartOfACellWhereItLooksFiner) {
+  const FittedReading& fitted = default_reading();
+  double coarse = 0;
+  double fine = 0;
+  for (const Case& c : all_cases()) {
+    if (!c.claim.threshold) continue;
+    const Scene scene = scene_of(c, fitted.reading, fitted.constants);
+    const double judged = score(scene, c.claim, ScanOptions{0.01, 1, 18.0}).threshold.value();
+    const CoarseScore seen = coarse_score(fitted.reading, fitted.constants, c);
+    const CoarseScore closer = coarse_score(fitted.reading, fitted.constants, c, 8);
+    coarse = std::max(coarse, std::abs(std::log(seen.threshold / judged)));
+    fine = std::max(fine, std::abs(std::log(closer.threshold / judged)));
+    EXPECT_EQ(closer.quiet_count, seen.quiet_count) << c.id;
+    EXPECT_EQ(closer.purity, seen.purity) << c.id;
+  }
+  EXPECT_LT(fine, 0.01);
+  EXPECT_GT(coarse, 0.01) << "else nothing is gained";
+}
+
+TEST(Misfit, IsTheSumOfItsParts) {
+  const FittedReading& fitted = default_reading();
+  const Case c = find_case("C3");
+  const CoarseScore s = coarse_score(fitted.reading, fitted.constants, c);
+  const MisfitParts p = misfit_parts(s, c.claim);
+  EXPECT_DOUBLE_EQ(p.shape, 3 * s.shape);
+  EXPECT_DOUBLE_EQ(
+      p.count + p.purity + p.threshold + p.misclassified + p.loudness + p.examples + p.shape,
+      misfit_of(s, c.claim));
+}
+
 TEST(Misfit, OfALeftOutCaseIsTheRest) {
   const FittedReading& fitted = default_reading();
   const double all = misfit(fitted.reading, fitted.constants);

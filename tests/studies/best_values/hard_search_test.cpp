@@ -36,17 +36,20 @@ Found look_everywhere(const Machine& machine, double step) {
 }
 
 TEST(HardSearch, DrawsTheSameMachineAgain) {
-  const Machine machine = random_machine("C9", 7);
+  const Machine machine = random_machine(default_reading().scene, "C9", 7);
   EXPECT_NO_THROW(check(machine.scene, "random"));
-  EXPECT_EQ(write_scene(machine.scene), write_scene(random_machine("C9", 7).scene));
-  EXPECT_NE(write_scene(machine.scene), write_scene(random_machine("C9", 8).scene));
+  EXPECT_EQ(write_scene(machine.scene),
+            write_scene(random_machine(default_reading().scene, "C9", 7).scene));
+  EXPECT_NE(write_scene(machine.scene),
+            write_scene(random_machine(default_reading().scene, "C9", 8).scene));
   EXPECT_EQ(machine.quiet_limit, machine_of(machine.scene, "random").quiet_limit);
 }
 
 /// The file is of these draws; std::pow may round its last digit otherwise elsewhere.
 TEST(HardSearch, DrewTheMachinesOfTheFile) {
   for (const HardMachine& hard : hard_machines()) {
-    const Machine drawn = random_machine(hard.around, hard.draw);
+    const Machine drawn =
+        random_machine(found_hard_machines().reading.scene, hard.around, hard.draw);
     const Scene& scene = hard.machine.scene;
     EXPECT_EQ(drawn.quiet_limit, hard.machine.quiet_limit) << hard.machine.id;
     EXPECT_NEAR(drawn.scene.mass, scene.mass, 1e-12 * scene.mass) << hard.machine.id;

@@ -32,6 +32,8 @@ TEST(Convergence, IsWhereTheWorstSearchIsNearTheBest) {
   EXPECT_DOUBLE_EQ(one.spread(0), 1.5);
   EXPECT_DOUBLE_EQ(one.spread(1), 20.1 / 20 - 1);
   EXPECT_EQ(one.agreed_from(), 0.5);
+  EXPECT_EQ(one.as_good().size(), 2U);
+  EXPECT_EQ(told_convergence({{20, 20, 20}, {20, 20, 20.3}}).as_good().size(), 1U);
   EXPECT_EQ(told_convergence({{20, 20, 20}, {20, 20, 20}}).agreed_from(), 0.25);
   EXPECT_FALSE(told_convergence({{20, 20, 20}, {20, 20, 20.3}}).agreed_from());
 }

@@ -13,7 +13,7 @@ using namespace carrier_track;
 TEST(Fit, IsNoWorseThanItsStartAndTellsItsMisfit) {
   Freedom freedom = some_freedom();
   freedom.held[static_cast<std::size_t>(Open::slowest)] *= 3;
-  const Fit found = fit(freedom, some_search(18));
+  const Fit found = fit(freedom, some_search(90));
   EXPECT_LT(found.misfit, misfit(freedom.reading, freedom.held));
   EXPECT_DOUBLE_EQ(found.misfit, misfit(found.reading, found.constants));
   for (std::size_t i = 0; i < open_size; ++i) {

@@ -38,7 +38,7 @@ Results some_results() {
     Fit far = r.fit;
     far.misfit *= 1.5;
     one.searches = {{"nlopt-crs2", 1, {far, r.fit, r.fit}}, {"nlopt-crs2", 2, {far, far, r.fit}}};
-    results.converged.push_back(r);
+    results.converged.push_back({r});
   }
   results.predictions = {{"C1", 9, 8.5}, {"C2", 2, std::nullopt}};
   results.sensitivities = {{"C1", {0.5, std::nullopt}}, {"C2", {-1, 2}}};
@@ -159,18 +159,21 @@ TEST(ResultsData, SayWithWhatOtherCommandsCompute) {
   EXPECT_NE(paragraph().find("it is what every other command computes with"), std::string::npos);
 }
 
-TEST(ResultsData, TellOfABetterFitOfTheChosenConstants) {
+TEST(ResultsData, ChooseOfTheConvergedRowsTheOneWithTheLowestCriterion) {
   Results results = some_results();
-  EXPECT_EQ(results.better_choice(), nullptr);
-  EXPECT_TRUE(data_of(results)["convergence"]["better"].is_null());
-  results.converged.front().fit.misfit = 19.5;
-  ASSERT_NE(results.better_choice(), nullptr);
-  EXPECT_EQ(data_of(results)["convergence"]["better"]["misfit"], 19.5);
-  for (const report::Section& section : drawing_of(results).page.sections) {
-    if (section.id != "convergence") continue;
-    EXPECT_NE(section.paragraphs.at(1).find("misfit 19.50 in place of 21.00"), std::string::npos)
-        << section.paragraphs.at(1);
-  }
+  results.converged[0][0].appraisal.criterion = -20;
+  results.converged[1][0].appraisal.criterion = -30;
+  results.converged[0].push_back(results.converged[0][0]);
+  results.converged[0][0].appraisal.threshold_error = 0.04;
+  results.converged[0][1].appraisal.threshold_error = 0.123;
+  EXPECT_EQ(&results.choice(), &results.converged[1][0]);
+  const auto rows = rows_of(drawing_of(results).page, "convergence");
+  EXPECT_EQ(rows[0][6].text, "2");
+  EXPECT_EQ(rows[0][7].text, "4.0 to 12.3");
+  EXPECT_EQ(rows[0].back().state, report::State::neutral);
+  EXPECT_EQ(rows[1].back().state, report::State::good);
+  results.converged.clear();
+  EXPECT_EQ(&results.choice(), &results.frontier[1]);
 }
 
 TEST(ResultsData, EndTheCommandWithTheRankedTable) {

@@ -1,0 +1,67 @@
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/studies/limits/results.h"
+
+namespace ricochet::studies::limits {
+namespace {
+
+using namespace carrier_track;
+
+/// From what costs most to hold at its natural value to what costs least, as the calibration held
+/// one after the other when it made reading.toml.
+const std::vector<Open> by_cost = {Open::slowest,        Open::centrifugal_mass_radius,
+                                   Open::start_velocity, Open::revolutions,
+                                   Open::clearance,      Open::pull,
+                                   Open::normal_force,   Open::start_share,
+                                   Open::phase};
+
+/// The readings that came nearest by long searches, the usual one left out.
+std::vector<Reading> other_readings(const Reading& main) {
+  std::vector<Reading> others(4);
+  others[0].normal_force = NormalForce::contact;
+  others[2].base = Base::spindle;
+  others[3].disturbance = DisturbanceKind::acceleration;
+  std::erase(others, main);
+  return others;
+}
+
+}  // namespace
+
+Plan full_plan() {
+  const Reading& main = default_reading().reading;
+  const Solver cmaes = solver_named("pagmo-cmaes-ipop");
+  return {.main = main,
+          .others = other_readings(main),
+          .order = by_cost,
+          .first_constants = 3,
+          .seeds = {1, 2, 3},
+          .population = 80,
+          .generations = 99,
+          .solvers = {cmaes, solver_named("pagmo-sade")},
+          .long_evaluations = 6000,
+          .asked_evaluations = 6000,
+          .exclusion = {solver_named("pagmo-cmaes-tuned"), 1500, {1, 2, 3}},
+          .worth = {1, 0.25},
+          .grid_steps = 20,
+          .symmetry_draws = 250,
+          .step = 0.01};
+}
+
+Plan quick_plan() {
+  Plan plan = full_plan();
+  plan.others.resize(1);
+  plan.first_constants = 8;
+  plan.seeds = {1, 2};
+  plan.population = 16;
+  plan.generations = 4;
+  plan.long_evaluations = 60;
+  plan.asked_evaluations = 60;
+  plan.exclusion.evaluations = 20;
+  plan.exclusion.control_seeds = {1, 2};
+  plan.worth = {10, 1};
+  plan.grid_steps = 4;
+  plan.symmetry_draws = 10;
+  plan.step = 0.1;
+  return plan;
+}
+
+}  // namespace ricochet::studies::limits

@@ -1,0 +1,226 @@
+#include "src/studies/limits/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/studies/limits/claims.h"
+
+namespace ricochet::studies::limits {
+namespace {
+
+using namespace carrier_track;
+
+constexpr double symmetry_factor = 2;  // by which rounding is not changed
+constexpr std::size_t scanned_constants = 3;
+constexpr std::size_t few_constants = 5;  // of the other readings' first fronts
+constexpr double curve_step = 0.1;        // [N]
+
+std::vector<Open> first_of(const std::vector<Open>& order, std::size_t size) {
+  return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+std::vector<FrontChain> chains_of(const Plan& plan) {
+  std::vector<FrontChain> chains;
+  for (const int seed : plan.seeds) {
+    FrontChain& chain =
+        chains.emplace_back(FrontChain{plan.main, {}, seed, plan.population, plan.generations});
+    for (std::size_t k = plan.first_constants; k <= plan.order.size(); ++k) {
+      chain.freed.push_back(first_of(plan.order, k));
+    }
+  }
+  for (const Reading& reading : plan.others) {
+    chains.push_back({reading,
+                      {first_of(plan.order, few_constants), plan.order},
+                      plan.seeds.front(),
+                      plan.population,
+                      plan.generations});
+  }
+  return chains;
+}
+
+/// For every reading and number of constants, the seeds together.
+std::vector<Fit> points_of(const std::vector<ChainedFront>& fronts, const Worth& worth) {
+  std::vector<Fit> fits;
+  std::vector<bool> taken(fronts.size(), false);
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    if (taken[i]) continue;
+    std::vector<const ChainedFront*> alike;
+    for (std::size_t j = i; j < fronts.size(); ++j) {
+      const Freedom& a = fronts[i].freedom;
+      const Freedom& b = fronts[j].freedom;
+      if (a.reading != b.reading || a.freed != b.freed) continue;
+      alike.push_back(&fronts[j]);
+      taken[j] = true;
+    }
+    std::ranges::move(worth_judging(alike, worth), std::back_inserter(fits));
+  }
+  return fits;
+}
+
+Target error_target() {
+  return {"threshold-error", true,
+          [](const CoarseJudgement& j) { return goals_of(j).threshold_error; }};
+}
+
+Target worst_target() {
+  return {"worst-threshold", true,
+          [](const CoarseJudgement& j) { return goals_of(j).worst_threshold; }};
+}
+
+Target asked_target(const ClaimGroup& group) {
+  return {"asked " + group.name, false,
+          [group](const CoarseJudgement& j) { return misfit_of_only(j, group); }};
+}
+
+const Fit& lowest_of(const std::vector<GoalFound>& found) {
+  return std::ranges::min_element(found, {}, [](const GoalFound& f) { return f.whole.misfit; })
+      ->whole;
+}
+
+/// The main reading by every solver and seed for either number, the others by the first solver for
+/// the first.
+std::vector<LongSearches> planned_long_searches(const Plan& plan) {
+  std::vector<LongSearches> all;
+  const auto plan_for = [&](const Reading& reading, const Target& target,
+                            const std::vector<Solver>& solvers) {
+    LongSearches& one = all.emplace_back();
+    one.reading = reading;
+    one.target = target.name;
+    for (const Solver& solver : solvers) {
+      for (const int seed : plan.seeds) {
+        one.searches.push_back(
+            {freedom_of(reading, plan.order), target, solver, seed, plan.long_evaluations});
+      }
+    }
+  };
+  plan_for(plan.main, error_target(), plan.solvers);
+  plan_for(plan.main, worst_target(), plan.solvers);
+  for (const Reading& reading : plan.others) {
+    plan_for(reading, error_target(), {plan.solvers.front()});
+  }
+  return all;
+}
+
+std::vector<LongSearches> long_searches(const Plan& plan, FitStore& store) {
+  std::vector<LongSearches> all = planned_long_searches(plan);
+  std::vector<GoalSearch> searches;
+  for (const LongSearches& one : all) {
+    searches.insert(searches.end(), one.searches.begin(), one.searches.end());
+  }
+  const std::vector<GoalFound> found = searched(searches, "thresholds alone", store);
+  std::vector<Fit> best;
+  auto next = found.begin();
+  for (LongSearches& one : all) {
+    const auto end = next + static_cast<std::ptrdiff_t>(one.searches.size());
+    one.found.assign(next, end);
+    next = end;
+    best.push_back(lowest_of(one.found));
+  }
+  const std::vector<Judged> judged_best = judged(best, plan.step);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].best = judged_best[i];
+  return all;
+}
+
+std::vector<Asked> asked_alone(const Plan& plan, FitStore& store) {
+  std::vector<Asked> all;
+  std::vector<GoalSearch> searches;
+  const std::size_t seeds = std::min<std::size_t>(2, plan.seeds.size());
+  for (const ClaimGroup& group : asked_groups()) {
+    all.push_back({group, {}, {}});
+    for (std::size_t s = 0; s < seeds; ++s) {
+      searches.push_back({freedom_of(plan.main, plan.order), asked_target(group),
+                          plan.solvers.front(), plan.seeds[s], plan.asked_evaluations});
+    }
+  }
+  const std::vector<GoalFound> found = searched(searches, "some claims alone", store);
+  std::vector<Fit> best;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto first = found.begin() + static_cast<std::ptrdiff_t>(i * seeds);
+    all[i].found.assign(first, first + static_cast<std::ptrdiff_t>(seeds));
+    best.push_back(lowest_of(all[i].found));
+  }
+  const std::vector<Judged> judged_best = judged(best, plan.step);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].best = judged_best[i];
+  return all;
+}
+
+/// The best by all claims of what each seed's last front of the main reading holds, with all
+/// constants, and the best of the searches that asked for all claims: best first, two of them.
+std::vector<Fit> starts_of(const Results& results) {
+  const Target all_claims = asked_target(asked_groups().back());
+  std::vector<Fit> starts;
+  const auto add_best = [&](std::vector<Fit> fits) {
+    for (Fit& fit : fits) fit.misfit = value_of(all_claims, fit);
+    starts.push_back(*std::ranges::min_element(fits, {}, &Fit::misfit));
+  };
+  for (const ChainedFront& front : results.fronts) {
+    const bool last = front.freedom.freed.size() == results.plan.order.size();
+    if (last && front.freedom.reading == results.plan.main) add_best(front.fits);
+  }
+  for (const GoalFound& found : results.asked.back().found) starts.push_back(found.whole);
+  std::ranges::stable_sort(starts, {}, &Fit::misfit);
+  starts.resize(2);
+  return starts;
+}
+
+/// The judged point with the lowest misfit of all claims among those of the main reading with so
+/// many constants, or with more where there is none.
+const Judged& nearest(const Results& results, std::size_t constants) {
+  const Judged* best = nullptr;
+  for (const Judged& point : results.points) {
+    if (point.fit.reading != results.plan.main || point.fit.freed.size() != constants) continue;
+    if (best == nullptr || point.claims < best->claims) best = &point;
+  }
+  return best == nullptr ? results.asked.back().best : *best;
+}
+
+ResponseCurve curve_of(const std::string& name, const Fit& fit, const Response& response) {
+  ResponseCurve curve{name, {}, {}};
+  Case a_case = response.cases.front();
+  const double last = response.cases.back().disturbance;
+  for (int k = 0; k * curve_step <= last + 1e-9; ++k) {
+    a_case.disturbance = k * curve_step;
+    curve.disturbances.push_back(a_case.disturbance);
+    curve.thresholds.push_back(coarse_score(fit.reading, fit.constants, a_case, finer).threshold);
+  }
+  return curve;
+}
+
+}  // namespace
+
+double LongSearches::lowest() const {
+  return lowest_of(found).misfit;
+}
+
+double LongSearches::highest() const {
+  return std::ranges::max_element(found, {}, [](const GoalFound& f) { return f.whole.misfit; })
+      ->whole.misfit;
+}
+
+Results limits(const Plan& plan, FitStore& store) {
+  Results results;
+  results.plan = plan;
+  results.cases = cases_with_threshold();
+  results.ordered = isotonic_bound(log_thresholds(results.cases), concluded_order(results.cases));
+  results.responses = responses(results.cases);
+  results.proportional = proportional_bound(results.responses, results.cases.size());
+  results.symmetries = check_symmetries(plan.main, symmetry_factor, plan.symmetry_draws, 1);
+  results.fronts = searched_fronts(chains_of(plan), store);
+  results.points = judged(points_of(results.fronts, plan.worth), plan.step);
+  results.doubt = doubt_of(results.points);
+  results.long_searches = long_searches(plan, store);
+  results.asked = asked_alone(plan, store);
+  results.exclusion = exclusions(starts_of(results), plan.exclusion, store);
+  results.grid = scanned_grid(nearest(results, few_constants).fit,
+                              first_of(plan.order, scanned_constants), plan.grid_steps);
+  const Response& response = results.responses.front();
+  results.curves = {
+      curve_of("least rms error", results.long_searches[0].best.fit, response),
+      curve_of("least worst error", results.long_searches[1].best.fit, response),
+      curve_of("nearest by all claims", nearest(results, plan.order.size()).fit, response)};
+  return results;
+}
+
+}  // namespace ricochet::studies::limits

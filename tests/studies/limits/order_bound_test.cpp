@@ -1,0 +1,138 @@
+#include "src/studies/limits/order_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/core/random.h"
+
+namespace ricochet::studies::limits {
+namespace {
+
+using namespace carrier_track;
+
+bool is_ordered(const std::vector<double>& values, const std::vector<AtMost>& order) {
+  return std::all_of(order.begin(), order.end(),
+                     [&](const AtMost& o) { return values[o.lower] <= values[o.upper] + 1e-12; });
+}
+
+double squared_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+double largest_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// Every list of `size` numbers out of 0, 1/2, ..., 4.
+std::vector<std::vector<double>> all_lists(std::size_t size) {
+  if (size == 0) return {{}};
+  std::vector<std::vector<double>> lists;
+  for (const auto& shorter : all_lists(size - 1)) {
+    for (int k = 0; k <= 8; ++k) {
+      lists.push_back(shorter);
+      lists.back().push_back(0.5 * k);
+    }
+  }
+  return lists;
+}
+
+/// A random order among four: pairs by rising place, so that there is no circle.
+std::vector<AtMost> random_order(Random& random) {
+  std::vector<AtMost> order;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      if (uniform(random) < 0.5) order.push_back({i, j});
+    }
+  }
+  return order;
+}
+
+TEST(IsotonicBound, IsThatOfAllOrderedLists) {
+  const auto lists = all_lists(4);
+  Random random(1);
+  for (int trial = 0; trial < 30; ++trial) {
+    const std::vector<AtMost> order = random_order(random);
+    std::vector<double> values(4);
+    for (double& v : values) v = std::floor(5 * uniform(random));
+    const OrderBound bound = isotonic_bound(values, order);
+    EXPECT_TRUE(is_ordered(bound.nearest, order));
+    const double nearest = squared_distance(bound.nearest, values);
+    EXPECT_NEAR(bound.root_mean_square, std::sqrt(nearest / 4), 1e-12);
+    double least_squares = 1e9, least_largest = 1e9;
+    for (const auto& list : lists) {
+      if (!is_ordered(list, order)) continue;
+      least_squares = std::min(least_squares, squared_distance(list, values));
+      least_largest = std::min(least_largest, largest_distance(list, values));
+      // Nearest in a convex set: no other way from it leads nearer.
+      double turn = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        turn += (values[i] - bound.nearest[i]) * (list[i] - bound.nearest[i]);
+      }
+      EXPECT_LE(turn, 1e-9);
+    }
+    EXPECT_LE(nearest, least_squares + 1e-9);
+    EXPECT_NEAR(bound.largest, least_largest, 1e-12);  // a half of whole numbers' difference
+  }
+}
+
+TEST(IsotonicBound, OfThePaperIsThatOfC10AboveC6) {
+  const auto cases = cases_with_threshold();
+  ASSERT_EQ(cases.size(), 10U);
+  const OrderBound bound = isotonic_bound(log_thresholds(cases), concluded_order(cases));
+  const double half = std::log(2.0 / 1.9) / 2;
+  EXPECT_NEAR(bound.largest, half, 1e-12);
+  EXPECT_NEAR(bound.root_mean_square, std::sqrt(2 * half * half / 10), 1e-12);
+}
+
+TEST(ConcludedOrder, ComparesWhatDiffersInOneThing) {
+  const auto cases = cases_with_threshold();
+  const auto holds = [&](const char* lower, const char* upper) {
+    const auto order = concluded_order(cases);
+    return std::any_of(order.begin(), order.end(), [&](const AtMost& o) {
+      return cases[o.lower].id == lower && cases[o.upper].id == upper;
+    });
+  };
+  EXPECT_TRUE(holds("C2", "C1"));  // (A)
+  EXPECT_TRUE(holds("C1", "C3"));  // (B)
+  EXPECT_TRUE(holds("C10", "C6"));
+  EXPECT_TRUE(holds("C9", "C1"));
+  EXPECT_FALSE(holds("C1", "C9"));
+  EXPECT_FALSE(holds("C5", "C7")) << "(B) is without disturbance";
+  EXPECT_FALSE(holds("C2", "C3")) << "two things differ";
+}
+
+TEST(ProportionalBound, IsThatOfAllConcaveThresholds) {
+  const auto all = responses(cases_with_threshold());
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].cases[1].id, "C5");
+  EXPECT_EQ(all[1].cases[2].id, "C10");
+  EXPECT_NEAR(all[0].first_share, std::log(9.0 / 8) / std::log(9 / 7.3), 1e-12);
+  const OrderBound bound = proportional_bound({all[0]}, 3);
+  const std::vector<double> y = log_thresholds(all[0].cases);
+  double least_squares = 1e9, least_largest = 1e9;
+  constexpr int steps = 100;
+  const auto near = [&](std::size_t i, int k) { return y[i] + 0.12 * (2.0 * k / steps - 1); };
+  for (int a = 0; a <= steps; ++a) {
+    for (int b = 0; b <= steps; ++b) {
+      for (int c = 0; c <= steps; ++c) {
+        const std::vector<double> list = {near(0, a), near(1, b), near(2, c)};
+        if (list[1] < 0.9 * list[0] + 0.1 * list[2]) continue;
+        least_squares = std::min(least_squares, squared_distance(list, y));
+        least_largest = std::min(least_largest, largest_distance(list, y));
+      }
+    }
+  }
+  EXPECT_NEAR(bound.root_mean_square, std::sqrt(least_squares / 3), 0.0015);
+  EXPECT_LE(bound.root_mean_square, std::sqrt(least_squares / 3) + 1e-12);
+  EXPECT_NEAR(bound.largest, least_largest, 0.0025);
+  EXPECT_LE(bound.largest, least_largest + 1e-12);
+}
+
+}  // namespace
+}  // namespace ricochet::studies::limits

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "gtest/gtest.h"
+#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/studies/limits/goal_search.h"
+
+namespace ricochet::studies::limits {
+
+/// The default reading as a fit.
+inline Fit usual_fit() {
+  const carrier_track::FittedReading& fitted = carrier_track::default_reading();
+  return {fitted.reading, fitted.freed, fitted.constants, 0, ""};
+}
+
+/// The file of a store that does not exist yet.
+inline std::filesystem::path no_file_yet() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    ("limits_" + std::to_string(getpid()) + test->name() + ".toml");
+  std::filesystem::remove(file);
+  return file;
+}
+
+}  // namespace ricochet::studies::limits

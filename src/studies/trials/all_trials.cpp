@@ -67,10 +67,13 @@ int impacts_of(const Scene& scene, const WhatIf& what_if, const Patience& patien
   return heard.count;
 }
 
+/// The readings that are changed: that with friction on the walls' own force, and that without.
+Reading with_contact_friction() {
+  return find_reading("projected-constant-revolutions-contact-friction");
+}
+
 Reading plain() {
-  Reading reading = default_reading().reading;
-  reading.normal_force = NormalForce::constant;
-  return reading;
+  return find_reading("projected-constant-revolutions");
 }
 
 std::vector<Open> without(std::vector<Open> open, Open constant) {
@@ -118,7 +121,7 @@ Trial heights(const std::string& name, double low) {
       "Hits on the outer wall and maxima count from 3 mm on, hits on the inner wall and minima up "
       "to {:g} mm, with the inner wall somewhere.",
       1e3 * low);
-  trial.base = default_reading().reading;
+  trial.base = with_contact_friction();
   trial.freed = open_of(trial.base);
   trial.own = {inner_wall()};
   trial.counts = [base = trial.base, low](const Case& a_case, const TrialConstants& constants,
@@ -156,7 +159,7 @@ Trial sampled(const std::string& name, const std::string& what_counts, bool limi
   trial.description =
       "The path is recorded at fixed steps, and findpeaks finds its maxima, some way apart: " +
       what_counts;
-  trial.base = default_reading().reading;
+  trial.base = with_contact_friction();
   trial.freed = without(open_of(trial.base), Open::slowest);
   trial.own = {
       {"sample_step", "s", 1e-3, 0.3, true, 0.01,
@@ -213,7 +216,7 @@ Trial restitution_by_speed(const Reading& base) {
 }
 
 Scene compliant_scene(const Case& a_case, const TrialConstants& constants) {
-  Scene scene = scene_of(a_case, default_reading().reading, constants.base);
+  Scene scene = scene_of(a_case, with_contact_friction(), constants.base);
   scene.fidelity = Fidelity::compliant;
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = constants.own.at(0);
@@ -252,7 +255,7 @@ Trial stepped_walls(const std::string& name, const OdeTolerances& tolerances) {
       "at "
       "relative {:g} and absolute {:g}.",
       tolerances.relative, tolerances.absolute);
-  trial.base = default_reading().reading;
+  trial.base = with_contact_friction();
   trial.freed = default_reading().freed;
   trial.own = {{"stiffness", "N/m^1.5", 1e7, 1e12, true, 1e10,
                 "pressed in by the weight from 0.1 mm to 0.05 micrometres"}};
@@ -271,7 +274,7 @@ CountAt exact_walls(const Case& a_case, const TrialConstants& constants) {
 }
 
 std::vector<Trial> baselines() {
-  const Reading own = default_reading().reading;
+  const Reading own = with_contact_friction();
   Trial brief = nothing_changed(own);
   brief.name += "-brief";
   brief.freed = default_reading().freed;
@@ -280,7 +283,7 @@ std::vector<Trial> baselines() {
 }
 
 std::vector<Trial> all_trials() {
-  const Reading own = default_reading().reading;
+  const Reading own = with_contact_friction();
   return {heights("heights-1mm", low_limit),
           heights("heights-0.1mm", lower_limit),
           sampled("sampled-peaks", "those from 3 mm on and those up to 1 mm count.", true),

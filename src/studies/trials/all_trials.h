@@ -8,9 +8,9 @@
 
 namespace ricochet::studies::trials {
 
-/// What the trials change, with nothing changed: the default reading, that without friction on the
-/// walls' own force, and the default one searched as briefly as the dear trials. Counts are those
-/// of the event-driven model.
+/// What the trials change, with nothing changed: the projected centrifugal force, constant tension
+/// and a number of turns, with friction on the walls' own force, and without; and the former once
+/// more, searched as briefly as the dear trials. Counts are those of the event-driven model.
 std::vector<Trial> baselines();
 
 /// All that is tried.

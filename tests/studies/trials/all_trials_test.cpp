@@ -63,9 +63,12 @@ TEST(AllTrials, AreMeasuredByTheCountsOfTheEventDrivenModel) {
 }
 
 TEST(AllTrials, HaveTheMisfitOfTheReadingWhereNothingIsChanged) {
-  const Trial& nothing = called("nothing");
-  EXPECT_EQ(misfit_of(nothing, fitted(nothing)),
-            misfit(default_reading().reading, default_reading().constants));
+  for (const char* name : {"nothing", "nothing-plain", "nothing-brief"}) {
+    const Trial& nothing = called(name);
+    EXPECT_EQ(misfit_of(nothing, fitted(nothing)),
+              misfit(nothing.base, default_reading().constants))
+        << name;
+  }
 }
 
 TEST(AllTrials, AreTheReadingWhereTheirOwnConstantsMakeThemSo) {

@@ -98,13 +98,6 @@ void judge_all(std::vector<JudgedTrial>& all, const TrialPlan& plan) {
   }
 }
 
-const JudgedTrial& named(const std::vector<JudgedTrial>& all, const std::string& name) {
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const JudgedTrial& each) { return each.trial.name == name; });
-  if (found == all.end()) throw std::out_of_range(name);
-  return *found;
-}
-
 std::vector<DrawnThresholds> draws_of(const JudgedTrial& fitted, const TrialPlan& plan) {
   std::vector<DrawnThresholds> draws;
   Progress progress("drawing disturbances", static_cast<double>(plan.draws.size()));
@@ -122,11 +115,11 @@ std::vector<DrawnThresholds> draws_of(const JudgedTrial& fitted, const TrialPlan
   return draws;
 }
 
-SameConstants three_ways(const JudgedTrial& fitted, const std::vector<JudgedTrial>& all,
-                         const TrialPlan& plan) {
+SameConstants three_ways(const JudgedTrial& fitted, const Results& results) {
+  const TrialPlan& plan = results.plan;
   const TrialConstants& constants = fitted.best().constants;
   const auto by = [&](const char* name) {
-    return judged_at(named(all, name).trial, constants, plan);
+    return judged_at(results.trial(name).trial, constants, plan);
   };
   return {
       fitted.trial.name, constants, by("ode45-default"), by("ode45-tight"),
@@ -136,7 +129,7 @@ SameConstants three_ways(const JudgedTrial& fitted, const std::vector<JudgedTria
 }  // namespace
 
 TrialPlan full_trial_plan(const Solver& global, const Solver& local) {
-  return {{global, local, 5000}, 150, {1, 2}, 0.02, 0.2, {1, 2, 3, 4, 5, 6, 7, 8}};
+  return {{global, local, 5000}, 150, {1, 2}, 0.02, 0.1, {1, 2, 3, 4, 5, 6, 7, 8}};
 }
 
 TrialPlan quick_trial_plan(const Solver& global, const Solver& local) {
@@ -161,6 +154,13 @@ std::vector<Case> disturbed_cases() {
   return cases;
 }
 
+const JudgedTrial& Results::trial(const std::string& name) const {
+  for (const JudgedTrial& each : trials) {
+    if (each.trial.name == name) return each;
+  }
+  throw std::out_of_range(name);
+}
+
 const JudgedTrial& Results::baseline_of(const JudgedTrial& trial) const {
   return *std::find_if(baselines.begin(), baselines.end(), [&](const JudgedTrial& each) {
     return each.trial.base == trial.trial.base && each.trial.brief == trial.trial.brief;
@@ -182,15 +182,15 @@ Results try_all(const TrialPlan& plan, TrialFitStore& store) {
   results.baselines.assign(found.begin(), found.begin() + baseline_count);
   results.trials.assign(found.begin() + baseline_count, found.end());
 
-  const JudgedTrial& one = named(results.trials, "random-disturbance");
-  const JudgedTrial& other = named(results.trials, "random-disturbance-plain");
+  const JudgedTrial& one = results.trial("random-disturbance");
+  const JudgedTrial& other = results.trial("random-disturbance-plain");
   const JudgedTrial& drawn = other.best().misfit < one.best().misfit ? other : one;
   results.drawn = drawn.trial.name;
   results.draws = draws_of(drawn, plan);
 
   Progress progress("integrating three ways", 2);
   for (const char* name : {"ode45-default", "ode45-tight"}) {
-    results.integrations.push_back(three_ways(named(results.trials, name), results.trials, plan));
+    results.integrations.push_back(three_ways(results.trial(name), results));
     progress.advance(1);
   }
   return results;

@@ -64,6 +64,9 @@ struct Results {
   std::vector<DrawnThresholds> draws;
   std::vector<SameConstants> integrations;
 
+  /// Throws std::out_of_range for a name that none has.
+  const JudgedTrial& trial(const std::string& name) const;
+
   /// What a trial is measured by: the same base, searched as long.
   const JudgedTrial& baseline_of(const JudgedTrial& trial) const;
 

@@ -11,7 +11,7 @@ void FeatureTrace::impact(double time, Wall wall, double speed) {
   now_ = time;
   const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
   impacts_[kind].push_back(time);
-  const auto keep = [&](double z, double /*left*/) { tell(kind, z); };
+  const auto keep = [&](double z, double /*left*/) { tell(kind, z, speed / scene_.slowest - 1); };
   Features<double, decltype(keep)>(scene_, keep).impact(time, wall, speed);
 }
 
@@ -19,7 +19,7 @@ void FeatureTrace::peak(double time, double position) {
   // It is told when the body moves down from it, which is now.
   std::size_t kind = high_peak;
   const auto keep = [&](double z, double /*left*/) {
-    tell(kind++, z);
+    tell(kind++, z, std::expm1(z));
     counting_peak_ = counting_peak_ || (z > 0 && position < scene_.wall_upper);
   };
   Features<double, decltype(keep)>(scene_, keep).peak(time, position);
@@ -40,9 +40,9 @@ void FeatureTrace::contact(double time, double position, double velocity) {
   swung_out_ = swung_out_ || inward < 0;
 }
 
-void FeatureTrace::tell(std::size_t kind, double margin) {
+void FeatureTrace::tell(std::size_t kind, double margin, double missing) {
   finite_ = finite_ && std::isfinite(now_ + margin);
-  features_[kind].push_back({now_, margin, margin > 0 ? margin : std::expm1(margin)});
+  features_[kind].push_back({now_, margin, margin > 0 ? margin : missing});
 }
 
 void FeatureTrace::turn(double time, double position) {

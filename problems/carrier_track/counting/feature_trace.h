@@ -34,7 +34,11 @@ class FeatureTrace : public Observer {
   enum Kind : std::size_t { lower_impact, upper_impact, high_peak, low_peak, kinds };
 
   /// Of a scene that outlives the trace.
-  explicit FeatureTrace(const Scene& scene) : scene_(scene) {}
+  explicit FeatureTrace(const Scene& scene) : scene_(scene) {
+    for (std::vector<double>& times : impacts_) times.reserve(usual_impacts);
+    if (scene.rule != CountRule::impacts) return;
+    for (const Kind kind : {lower_impact, upper_impact}) features_[kind].reserve(usual_impacts);
+  }
 
   void impact(double time, Wall wall, double speed);
   void peak(double time, double position);
@@ -84,7 +88,10 @@ class FeatureTrace : public Observer {
   bool finite() const { return finite_; }
 
  private:
-  void tell(std::size_t kind, double margin);
+  static constexpr std::size_t usual_impacts = 64;  // on one wall
+
+  /// `missing` is exp(margin) - 1.
+  void tell(std::size_t kind, double margin, double missing);
   void turn(double time, double position);
 
   const Scene& scene_;

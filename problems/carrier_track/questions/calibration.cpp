@@ -92,9 +92,11 @@ Question calibration_question(const FittedReading& fitted) {
   Problem problem = calibration_problem(freedom);
   problem.name = "calibration-default";
   know_best(problem, fitted.name);
-  if (!problem.best_known) {
-    problem.best_point = point_of(freedom, fitted.constants);
-    problem.best_known = problem.evaluate(*problem.best_point).objective;
+  const Vector point = point_of(freedom, fitted.constants);
+  const double fitted_misfit = problem.evaluate(point).objective;
+  if (!problem.best_known || fitted_misfit < *problem.best_known) {
+    problem.best_point = point;
+    problem.best_known = fitted_misfit;
     problem.provenance = fitted.provenance;
   }
   return {

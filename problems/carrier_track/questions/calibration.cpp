@@ -88,7 +88,11 @@ Problem calibration_problem(const Freedom& freedom, const std::string& left_out)
 }
 
 Question calibration_question(const FittedReading& fitted) {
-  const Freedom freedom{fitted.reading, fitted.freed, natural_constants()};
+  Freedom freedom{fitted.reading, fitted.freed, fitted.constants};
+  for (const Open open : fitted.freed) {
+    const auto i = static_cast<std::size_t>(open);
+    freedom.held[i] = natural_constants()[i];
+  }
   Problem problem = calibration_problem(freedom);
   problem.name = "calibration-default";
   know_best(problem, fitted.name);

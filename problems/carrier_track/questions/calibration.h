@@ -25,7 +25,8 @@ Freedom full_freedom(const Reading& reading);
 /// `default_width`; it is judged by the misfit. It starts from the held constants.
 Problem calibration_problem(const Freedom& freedom, const std::string& left_out = "");
 
-/// The calibration of a reading: the constants that were fitted, from their natural values on.
+/// The calibration of a reading: the constants that were fitted, from their natural values on, with
+/// the others as the reading holds them.
 Question calibration_question(const FittedReading& fitted);
 
 /// The constants of a point of that problem.

@@ -13,6 +13,7 @@ namespace ricochet::carrier_track::inline questions {
 namespace {
 
 constexpr double bisected_to = 1e-7;
+constexpr int neighbours = 10;
 
 }  // namespace
 
@@ -31,14 +32,32 @@ BestKnown scan_for_best(const Problem& problem, double step) {
       best_truth = found;
     }
   }
-  for (const double side : {-step, step}) {
-    double other = std::clamp(best + side, problem.lower[0], problem.upper[0]);
-    while (std::abs(other - best) > bisected_to) {
-      const double middle = (best + other) / 2;
-      const Truth found = truth(middle);
-      const bool gains = better(found, best_truth);
-      (gains ? best : other) = middle;
-      if (gains) best_truth = found;
+  const auto bisect = [&] {
+    for (const double side : {-step, step}) {
+      double other = std::clamp(best + side, problem.lower[0], problem.upper[0]);
+      while (std::abs(other - best) > bisected_to) {
+        const double middle = (best + other) / 2;
+        const Truth found = truth(middle);
+        const bool gains = better(found, best_truth);
+        (gains ? best : other) = middle;
+        if (gains) best_truth = found;
+      }
+    }
+  };
+  // Bisection ends between two places of the scan: those a step apart from there may lie in
+  // pockets that the scan has stepped over.
+  for (bool moved = true; moved;) {
+    bisect();
+    moved = false;
+    const double from = best;
+    for (int k = -neighbours; k <= neighbours; ++k) {
+      const double x = from + k * step;
+      if (k == 0 || x < problem.lower[0] || x > problem.upper[0]) continue;
+      const Truth found = truth(x);
+      if (!better(found, best_truth)) continue;
+      best = x;
+      best_truth = found;
+      moved = true;
     }
   }
   std::string provenance = fmt::format("exhaustive scan, step {}, then bisection", step);

@@ -52,8 +52,9 @@ struct GrazeRow {
   std::vector<std::optional<double>> exponents;
 
   /// Whether anything that counts follows the graze before the motion forgets it: the slope then
-  /// grows without limit.
-  bool followed() const { return exponents.front() && *exponents.front() < 0; }
+  /// grows without limit, with an exponent of -0.5. It is 1 where the slopes come together, and 0
+  /// where one side keeps another slope than the other.
+  bool followed() const { return exponents.front() && *exponents.front() < -0.25; }
 };
 
 struct GrazeStudy {

@@ -33,6 +33,13 @@ TEST(Calibration, MinimisesTheMisfit) {
               1e-6);
 }
 
+TEST(Calibration, AsksForTheConstantsOfAReadingThatHoldsTheOthers) {
+  const FittedReading& fitted = default_reading();
+  const Problem problem = calibration_question(fitted).stated;
+  EXPECT_NEAR(problem.best_known.value(), misfit(fitted.reading, fitted.constants), 1e-6);
+  EXPECT_LT(*problem.best_known, problem.evaluate(problem.start).objective);
+}
+
 TEST(Calibration, HasResidualsWithSlopesInTheBox) {
   const Freedom freedom = some_freedom();
   const Problem problem = calibration_problem(freedom);

@@ -42,6 +42,16 @@ TEST(ScannedBest, IsBisectedToTheEdgeOfWhatIsFeasible) {
   EXPECT_EQ(best.value, -best.point[0]);
 }
 
+TEST(ScannedBest, LooksAStepApartFromWhereBisectionEnds) {
+  Problem problem = speeds();
+  // The last stretch lies between two places of the scan, two steps beyond the end of the first.
+  problem.evaluate = [](const Vector& x) {
+    const bool feasible = x[0] <= 2.2121 || (x[0] > 2.2315 && x[0] <= 2.2325);
+    return Values{-x[0], Vector::Constant(1, feasible ? 0.0 : 1.0)};
+  };
+  EXPECT_NEAR(scan_for_best(problem, 0.01).point[0], 2.2325, 1e-7);
+}
+
 TEST(ScannedBest, IsInfiniteWhereNothingIsFeasible) {
   Problem problem = speeds();
   problem.evaluate = [](const Vector& x) { return Values{-x[0], Vector::Constant(1, 1.0)}; };

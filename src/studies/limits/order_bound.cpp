@@ -104,6 +104,18 @@ std::vector<AtMost> concluded_order(const std::vector<Case>& cases) {
   return order;
 }
 
+std::vector<AtMost> indifferent_order(const std::vector<Case>& cases) {
+  std::vector<AtMost> order;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (std::size_t j = 0; j < cases.size(); ++j) {
+      const bool same =
+          cases[i].restitution == cases[j].restitution && cases[i].friction == cases[j].friction;
+      if (same && i != j) order.push_back({i, j});
+    }
+  }
+  return order;
+}
+
 std::vector<Response> responses(const std::vector<Case>& cases) {
   std::vector<Response> all;
   for (const Case& first : cases) {

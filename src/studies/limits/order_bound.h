@@ -32,6 +32,10 @@ OrderBound isotonic_bound(const std::vector<double>& values, const std::vector<A
 /// with the disturbance, whatever the rest is (C). Between cases that differ in nothing else.
 std::vector<AtMost> concluded_order(const std::vector<carrier_track::Case>& cases);
 
+/// That thresholds do not depend on the disturbance at all: for cases that differ in nothing else,
+/// both ways.
+std::vector<AtMost> indifferent_order(const std::vector<carrier_track::Case>& cases);
+
 /// A machine of the paper at three disturbances.
 struct Response {
   std::vector<carrier_track::Case> cases;  ///< by rising disturbance: 0, 0.1 and 1 N

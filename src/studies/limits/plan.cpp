@@ -1,4 +1,5 @@
 #include "problems/carrier_track/paper/fitted_reading.h"
+#include "solvers/varied.h"
 #include "src/studies/limits/results.h"
 
 namespace ricochet::studies::limits {
@@ -28,6 +29,7 @@ std::vector<Reading> other_readings(const Reading& main) {
 
 Plan full_plan() {
   const Reading& main = default_reading().reading;
+  const Solver near = varied("pagmo-cmaes", "pagmo-cmaes, small steps", {{"initial_step", 0.05}});
   const Solver cmaes = solver_named("pagmo-cmaes-ipop");
   return {.main = main,
           .others = other_readings(main),
@@ -38,8 +40,10 @@ Plan full_plan() {
           .generations = 99,
           .solvers = {cmaes, solver_named("pagmo-sade")},
           .long_evaluations = 6000,
+          .near = near,
+          .near_evaluations = 3000,
           .asked_evaluations = 6000,
-          .exclusion = {solver_named("pagmo-cmaes-tuned"), 1500, {1, 2, 3}},
+          .exclusion = {near, 1500, {1, 2, 3}},
           .worth = {1, 0.25},
           .grid_steps = 20,
           .symmetry_draws = 250,
@@ -54,6 +58,7 @@ Plan quick_plan() {
   plan.population = 16;
   plan.generations = 4;
   plan.long_evaluations = 60;
+  plan.near_evaluations = 30;
   plan.asked_evaluations = 60;
   plan.exclusion.evaluations = 20;
   plan.exclusion.control_seeds = {1, 2};

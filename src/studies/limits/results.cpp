@@ -79,6 +79,43 @@ const Fit& lowest_of(const std::vector<GoalFound>& found) {
       ->whole;
 }
 
+double range_of(const std::vector<GoalFound>& found) {
+  const auto [lowest, highest] =
+      std::ranges::minmax_element(found, {}, [](const GoalFound& f) { return f.whole.misfit; });
+  return highest->whole.misfit - lowest->whole.misfit;
+}
+
+/// The last front of each seed, with all constants of the main reading.
+std::vector<const ChainedFront*> last_fronts(const Results& results) {
+  std::vector<const ChainedFront*> last;
+  for (const ChainedFront& front : results.fronts) {
+    const bool all = front.freedom.freed.size() == results.plan.order.size();
+    if (all && front.freedom.reading == results.plan.main) last.push_back(&front);
+  }
+  return last;
+}
+
+Fit best_by(const Target& target, std::vector<Fit> fits) {
+  for (Fit& fit : fits) fit.misfit = value_of(target, fit);
+  return *std::ranges::min_element(fits, {}, &Fit::misfit);
+}
+
+/// From the best of each seed's last front on.
+std::vector<GoalFound> found_from_fronts(const Target& target, const Results& results,
+                                         FitStore& store) {
+  std::vector<GoalSearch> searches;
+  for (const ChainedFront* front : last_fronts(results)) {
+    const Fit start = best_by(target, front->fits);
+    searches.push_back({{start.reading, start.freed, start.constants},
+                        target,
+                        results.plan.near,
+                        front->seed,
+                        results.plan.near_evaluations,
+                        true});
+  }
+  return searched(searches, "thresholds alone, from the fronts", store);
+}
+
 /// The main reading by every solver and seed for either number, the others by the first solver for
 /// the first.
 std::vector<LongSearches> planned_long_searches(const Plan& plan) {
@@ -103,7 +140,8 @@ std::vector<LongSearches> planned_long_searches(const Plan& plan) {
   return all;
 }
 
-std::vector<LongSearches> long_searches(const Plan& plan, FitStore& store) {
+std::vector<LongSearches> long_searches(const Results& results, FitStore& store) {
+  const Plan& plan = results.plan;
   std::vector<LongSearches> all = planned_long_searches(plan);
   std::vector<GoalSearch> searches;
   for (const LongSearches& one : all) {
@@ -116,7 +154,12 @@ std::vector<LongSearches> long_searches(const Plan& plan, FitStore& store) {
     const auto end = next + static_cast<std::ptrdiff_t>(one.searches.size());
     one.found.assign(next, end);
     next = end;
-    best.push_back(lowest_of(one.found));
+    std::vector<GoalFound> ends = one.found;
+    if (one.reading == plan.main) {
+      one.from_fronts = found_from_fronts(one.searches.front().target, results, store);
+      ends.insert(ends.end(), one.from_fronts.begin(), one.from_fronts.end());
+    }
+    best.push_back(lowest_of(ends));
   }
   const std::vector<Judged> judged_best = judged(best, plan.step);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].best = judged_best[i];
@@ -151,13 +194,8 @@ std::vector<Asked> asked_alone(const Plan& plan, FitStore& store) {
 std::vector<Fit> starts_of(const Results& results) {
   const Target all_claims = asked_target(asked_groups().back());
   std::vector<Fit> starts;
-  const auto add_best = [&](std::vector<Fit> fits) {
-    for (Fit& fit : fits) fit.misfit = value_of(all_claims, fit);
-    starts.push_back(*std::ranges::min_element(fits, {}, &Fit::misfit));
-  };
-  for (const ChainedFront& front : results.fronts) {
-    const bool last = front.freedom.freed.size() == results.plan.order.size();
-    if (last && front.freedom.reading == results.plan.main) add_best(front.fits);
+  for (const ChainedFront* front : last_fronts(results)) {
+    starts.push_back(best_by(all_claims, front->fits));
   }
   for (const GoalFound& found : results.asked.back().found) starts.push_back(found.whole);
   std::ranges::stable_sort(starts, {}, &Fit::misfit);
@@ -191,12 +229,15 @@ ResponseCurve curve_of(const std::string& name, const Fit& fit, const Response& 
 }  // namespace
 
 double LongSearches::lowest() const {
-  return lowest_of(found).misfit;
+  return best.fit.misfit;
 }
 
-double LongSearches::highest() const {
-  return std::ranges::max_element(found, {}, [](const GoalFound& f) { return f.whole.misfit; })
-      ->whole.misfit;
+double LongSearches::apart() const {
+  return range_of(found);
+}
+
+double LongSearches::fronts_apart() const {
+  return from_fronts.empty() ? 0 : range_of(from_fronts);
 }
 
 Results limits(const Plan& plan, FitStore& store) {
@@ -206,11 +247,13 @@ Results limits(const Plan& plan, FitStore& store) {
   results.ordered = isotonic_bound(log_thresholds(results.cases), concluded_order(results.cases));
   results.responses = responses(results.cases);
   results.proportional = proportional_bound(results.responses, results.cases.size());
+  results.indifferent =
+      isotonic_bound(log_thresholds(results.cases), indifferent_order(results.cases));
   results.symmetries = check_symmetries(plan.main, symmetry_factor, plan.symmetry_draws, 1);
   results.fronts = searched_fronts(chains_of(plan), store);
   results.points = judged(points_of(results.fronts, plan.worth), plan.step);
   results.doubt = doubt_of(results.points);
-  results.long_searches = long_searches(plan, store);
+  results.long_searches = long_searches(results, store);
   results.asked = asked_alone(plan, store);
   results.exclusion = exclusions(starts_of(results), plan.exclusion, store);
   results.grid = scanned_grid(nearest(results, few_constants).fit,

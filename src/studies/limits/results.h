@@ -26,6 +26,8 @@ struct Plan {
   std::vector<Solver>
       solvers;  ///< of the long searches; the first also of the others' and the rest
   std::int64_t long_evaluations;
+  Solver near;                     ///< goes on from where another search ended, with small steps
+  std::int64_t near_evaluations;   ///< of each of these
   std::int64_t asked_evaluations;  ///< of each search for some claims alone
   ExclusionPlan exclusion;
   Worth worth;
@@ -46,11 +48,14 @@ struct LongSearches {
   std::string target;
   std::vector<GoalSearch> searches;
   std::vector<GoalFound> found;
+  std::vector<GoalFound> from_fronts;  ///< from the best by the number of each seed's front
   Judged best;
 
-  /// The number itself, by coarse cells: the lowest and the highest that searches end with.
+  /// The number itself, by coarse cells: the lowest that a search ends with, and how far the
+  /// highest is from the lowest of the searches from anywhere, or from the fronts.
   double lowest() const;
-  double highest() const;
+  double apart() const;
+  double fronts_apart() const;
 };
 
 /// Some claims asked for alone, with all constants of the main reading.
@@ -73,6 +78,7 @@ struct Results {
   OrderBound ordered;                      ///< by what the paper concludes
   std::vector<Response> responses;
   OrderBound proportional;
+  OrderBound indifferent;  ///< did the disturbance have no effect
   SymmetryChecks symmetries;
   std::vector<ChainedFront> fronts;
   std::vector<Judged> points;  ///< of the fronts, worth judging

@@ -137,12 +137,15 @@ Json json_of(const LongSearches& one, const Plan& plan) {
         {{"end", i < one.found.size() ? Json(one.found[i].whole.misfit) : Json(nullptr)}});
   }
   Json row = json_of(one.best);
-  row.update({{"target", error ? "rms error" : "worst error"},
-              {"ends", ends},
-              {"lowest", one.lowest()},
-              {"apart", one.highest() - one.lowest()},
-              {"half", half},
-              {"judged", error ? one.best.fine.threshold_error : one.best.fine.worst_threshold}});
+  row.update(
+      {{"target", error ? "rms error" : "worst error"},
+       {"ends", ends},
+       {"lowest", one.lowest()},
+       {"from_fronts", list_of(one.from_fronts, [](const GoalFound& f) { return f.whole.misfit; })},
+       {"apart", one.apart()},
+       {"fronts_apart", one.fronts_apart()},
+       {"half", half},
+       {"judged", error ? one.best.fine.threshold_error : one.best.fine.worst_threshold}});
   return row;
 }
 
@@ -270,6 +273,9 @@ std::int64_t evaluations_of(const Plan& plan, const Results& results) {
   for (const Asked& one : results.asked) {
     sum += static_cast<std::int64_t>(one.found.size()) * plan.asked_evaluations;
   }
+  for (const LongSearches& one : results.long_searches) {
+    sum += static_cast<std::int64_t>(one.from_fronts.size()) * plan.near_evaluations;
+  }
   sum +=
       static_cast<std::int64_t>(results.fronts.size()) * plan.population * (plan.generations + 1);
   sum += static_cast<std::int64_t>(
@@ -299,6 +305,8 @@ Json json_of(const Plan& plan, const Results& results) {
           {"front_evaluations", plan.population * (plan.generations + 1)},
           {"population", plan.population},
           {"long_evaluations", plan.long_evaluations},
+          {"near", plan.near.name},
+          {"near_evaluations", plan.near_evaluations},
           {"asked_evaluations", plan.asked_evaluations},
           {"exclusion_solver", plan.exclusion.solver.name},
           {"exclusion_evaluations", plan.exclusion.evaluations},
@@ -346,6 +354,8 @@ Json data_of(const Results& results) {
         {"rows", ordered_rows(results)}}},
       {"proportional",
        {{"rms", results.proportional.root_mean_square}, {"largest", results.proportional.largest}}},
+      {"indifferent",
+       {{"rms", results.indifferent.root_mean_square}, {"largest", results.indifferent.largest}}},
       {"responses", list_of(results.responses, [](const Response& r) { return json_of(r); })},
       {"first_response", json_of(results.responses.front())},
       {"symmetries",

@@ -39,6 +39,18 @@ TEST(GoalSearch, EndsWithTheLowestItsTargetHasHad) {
   }
 }
 
+TEST(GoalSearch, LooksAtTheBestAfterAHalf) {
+  FitStore store(no_file_yet());
+  GoalSearch shorter = some_goal_search(1, false);
+  shorter.freedom.held[static_cast<std::size_t>(Open::slowest)] = 0.1;
+  GoalSearch longer = shorter;
+  longer.evaluations *= 4;
+  shorter.evaluations *= 2;
+  const auto found = searched({shorter, longer}, "test", store);
+  EXPECT_EQ(found[1].half.constants, found[0].whole.constants);
+  EXPECT_LT(found[1].whole.misfit, found[0].half.misfit);
+}
+
 TEST(GoalSearch, GoesOnFromTheStoreToTheSameBits) {
   const auto file = no_file_yet();
   FitStore store(file);

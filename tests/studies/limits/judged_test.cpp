@@ -29,7 +29,7 @@ TEST(WorthJudging, IsWhatNothingElseIsAsGoodAs) {
   };
   ChainedFront one, other;
   one.goals = {{0.1, 0, 2, 0.3, 0.5, 0},     // kept
-               {0.1, 0, 2, 0.1, 0.5, 0},     // the same but for the counts' distance
+               {0.105, 0, 2, 0.1, 0.5, 0},   // worse but for the counts' distance
                {0.05, 0, 2, 0.1, 0.6, 2},    // too many examples missed
                {0.4, 0, 0, 0.1, 0.5, 0}};    // too far off
   other.goals = {{0.11, 0, 2, 0.1, 0.5, 0},  // worse than the first

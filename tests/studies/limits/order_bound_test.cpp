@@ -90,6 +90,24 @@ TEST(IsotonicBound, OfThePaperIsThatOfC10AboveC6) {
   EXPECT_NEAR(bound.root_mean_square, std::sqrt(2 * half * half / 10), 1e-12);
 }
 
+TEST(IsotonicBound, OfIndifferenceIsThatOfTheMeansOfEachMachine) {
+  const auto cases = cases_with_threshold();
+  const std::vector<double> logs = log_thresholds(cases);
+  const OrderBound bound = isotonic_bound(logs, indifferent_order(cases));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    double sum = 0;
+    int alike = 0;
+    for (std::size_t j = 0; j < cases.size(); ++j) {
+      if (cases[j].restitution != cases[i].restitution) continue;
+      if (cases[j].friction != cases[i].friction) continue;
+      sum += logs[j];
+      ++alike;
+    }
+    EXPECT_NEAR(bound.nearest[i], sum / alike, 1e-12) << cases[i].id;
+  }
+  EXPECT_NEAR(bound.largest, std::log(9 / 7.3) / 2, 1e-12);
+}
+
 TEST(ConcludedOrder, ComparesWhatDiffersInOneThing) {
   const auto cases = cases_with_threshold();
   const auto holds = [&](const char* lower, const char* upper) {

@@ -16,9 +16,10 @@ Plan tiny_plan() {
   plan.first_constants = plan.order.size();
   plan.population = 8;
   plan.generations = 1;
-  plan.long_evaluations = plan.asked_evaluations = 4;
+  plan.long_evaluations = plan.asked_evaluations = plan.near_evaluations = 4;
   plan.solvers = {solver_named("nlopt-crs2")};
-  plan.exclusion = {solver_named("nlopt-sbplx"), 2, {1, 2}};
+  plan.near = solver_named("nlopt-sbplx");
+  plan.exclusion = {plan.near, 2, {1, 2}};
   plan.grid_steps = 2;
   plan.symmetry_draws = 2;
   plan.step = 1;
@@ -63,8 +64,12 @@ TEST(LimitsData, TellWhatTheBoundsAndSearchesSay) {
   EXPECT_EQ(data["asked"].size(), asked_groups().size());
   ASSERT_EQ(data["long_searches"].size(), 2U + results.plan.others.size());
   EXPECT_EQ(data["main_error"]["lowest"], results.long_searches[0].lowest());
-  EXPECT_EQ(data["main_error"]["apart"],
-            results.long_searches[0].highest() - results.long_searches[0].lowest());
+  for (const LongSearches& one : results.long_searches) {
+    for (const auto* ends : {&one.found, &one.from_fronts}) {
+      for (const GoalFound& end : *ends) EXPECT_LE(one.lowest(), end.whole.misfit);
+    }
+    EXPECT_EQ(one.from_fronts.size(), one.reading == results.plan.main ? 2U : 0U);
+  }
   double least = results.long_searches[0].best.fine.threshold_error;
   for (const Judged& point : results.points) least = std::min(least, point.fine.threshold_error);
   EXPECT_LE(data["best_error"]["threshold_error"], least);

@@ -21,6 +21,8 @@ inline constexpr OtherCommand other_commands[] = {
      "Contact laws, numerical methods, hard and compliant walls, as a report"},
     {"surrogate", "ricochet-studies",
      "Where the smooth surrogate and its gradient can be trusted, as a report"},
+    {"trials", "ricochet-studies",
+     "Would a reading of the paper that nobody has tried come nearer, as a report"},
     {"fireworks", "ricochet-studies",
      "The fireworks family beside what is published of it, as a report"},
     {"verify", "ricochet-studies", "The impact model against an oracle in extended precision"},

@@ -14,6 +14,7 @@
 #include "src/studies/problems/study.h"
 #include "src/studies/stress/study.h"
 #include "src/studies/surrogate/study.h"
+#include "src/studies/trials/study.h"
 #include "src/studies/verification/study.h"
 
 namespace ricochet::cli {
@@ -25,6 +26,7 @@ class Studies : public CommandLine {
   Studies() {
     add_calibrate();
     add_limits();
+    add_trials();
     add_study("dynamics", summary_of("dynamics"), studies::dynamics_study,
               "  ricochet dynamics --quick");
     add_study("surrogate", summary_of("surrogate"), studies::surrogate_study,
@@ -61,6 +63,16 @@ class Studies : public CommandLine {
     on_call(command, [this, &options] {
       calibration_.folder = options.out;
       const studies::Study study = studies::calibration_study(calibration_);
+      std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+      return 0;
+    });
+  }
+
+  void add_trials() {
+    CLI::App* command = add("trials", summary_of("trials"), "  ricochet trials --quick");
+    StudyOptions& options = add_study_options(command, studies::trials_study({}));
+    on_call(command, [&options] {
+      const studies::Study study = studies::trials_study(options.out);
       std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
       return 0;
     });

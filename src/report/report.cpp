@@ -20,6 +20,7 @@
 #include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
 #include "embedded/template_surrogate.h"
+#include "embedded/template_trials.h"
 #include "embedded/template_verification.h"
 #include "src/core/error.h"
 #include "src/report/data_text.h"
@@ -43,6 +44,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"reproduction", embedded::template_reproduction},
     {"stress", embedded::template_stress},
     {"surrogate", embedded::template_surrogate},
+    {"trials", embedded::template_trials},
     {"verification", embedded::template_verification},
 };
 

@@ -17,6 +17,8 @@ std::span<const ReportKind> report_kinds() {
       {"calibration", "The constants", "Which constants give the paper's thresholds?",
        "./ricochet calibrate --all-readings"},
       {"limits", "The limits", "How near can any reading come to the paper?", "./ricochet limits"},
+      {"trials", "Untried readings", "Would a reading that nobody has tried come nearer?",
+       "./ricochet trials"},
       {"verification", "The proof", "Is every impact found?", "./ricochet verify"},
       {"stress", "Ill problems", "What does a solver do where a problem is ill?",
        "./ricochet stress"},

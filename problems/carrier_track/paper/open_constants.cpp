@@ -1,10 +1,22 @@
 #include "problems/carrier_track/paper/open_constants.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "problems/carrier_track/paper/crossing_motion.h"
 
 namespace ricochet::carrier_track::inline paper {
+
+double value_at(const OpenConstant& c, double share) {
+  if (c.logarithmic) return c.lower * std::pow(c.upper / c.lower, share);
+  return c.lower + share * (c.upper - c.lower);
+}
+
+double share_of(const OpenConstant& c, double value) {
+  const double share = c.logarithmic ? std::log(value / c.lower) / std::log(c.upper / c.lower)
+                                     : (value - c.lower) / (c.upper - c.lower);
+  return std::clamp(share, 0.0, 1.0);
+}
 
 const std::vector<OpenConstant>& open_constants() {
   constexpr double turn = 2 * std::numbers::pi;

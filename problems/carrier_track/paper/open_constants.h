@@ -26,6 +26,12 @@ struct OpenConstant {
   std::string_view why;           ///< these bounds, and this natural value
 };
 
+/// Its value at a place within its bounds, in [0, 1].
+double value_at(const OpenConstant& constant, double share);
+
+/// And back; the nearer end for a value beyond the bounds.
+double share_of(const OpenConstant& constant, double value);
+
 /// All of them, in the order in which constants are kept everywhere.
 const std::vector<OpenConstant>& open_constants();
 

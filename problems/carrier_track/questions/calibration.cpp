@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "problems/carrier_track/gradients/surrogate.h"
@@ -15,17 +14,6 @@ namespace {
 
 const OpenConstant& bounds_of(Open open) {
   return open_constants()[static_cast<std::size_t>(open)];
-}
-
-double value_at(const OpenConstant& c, double share) {
-  if (c.logarithmic) return c.lower * std::pow(c.upper / c.lower, share);
-  return c.lower + share * (c.upper - c.lower);
-}
-
-double share_of(const OpenConstant& c, double value) {
-  const double share = c.logarithmic ? std::log(value / c.lower) / std::log(c.upper / c.lower)
-                                     : (value - c.lower) / (c.upper - c.lower);
-  return std::clamp(share, 0.0, 1.0);
 }
 
 /// d value / d share.

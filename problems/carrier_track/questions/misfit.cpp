@@ -96,8 +96,9 @@ CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
 /// The counts at some speeds, or most_counted + 1 where they are higher: most constants that a
 /// search tries first make a carrier hammer for thousands of impacts, and nobody need wait for the
 /// last of them.
-std::vector<int> counts_of(const Scene& scene, const Reading& reading, const Constants& constants,
+std::vector<int> counts_by(const Reading& reading, const Constants& constants, const Case& a_case,
                            const std::vector<double>& speeds) {
+  const Scene scene = scene_of(a_case, reading, constants);
   std::vector<Scene> scenes;
   for (const double omega : speeds) scenes.push_back(scene_at(scene, reading, constants, omega));
   std::vector<int> counts;
@@ -137,6 +138,12 @@ std::vector<int> counts_of(const Scene& scene, const Reading& reading, const Con
   return counts;
 }
 
+CountsOf counts_by(const Reading& reading, const Constants& constants) {
+  return [&](const Case& a_case, const std::vector<double>& speeds) {
+    return counts_by(reading, constants, a_case, speeds);
+  };
+}
+
 std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
   std::vector<double> speeds;
   for (const SpeedCell& cell : cells) speeds.push_back(cell.omega);
@@ -145,15 +152,14 @@ std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
 
 /// The cells on either side of a split, each in `parts`, counted anew.
 std::vector<Cell> finer_cells(const std::vector<Cell>& cells, std::size_t quiet_cells, int parts,
-                              const Scene& scene, const Reading& reading,
-                              const Constants& constants) {
+                              const Case& a_case, const CountsOf& counts_of) {
   const std::size_t first = quiet_cells - 1;
   std::vector<SpeedCell> fine;
   for (std::size_t k = first; k <= quiet_cells; ++k) {
     const Cell& c = cells[k];
     add_cells(fine, c.omega - c.width / 2, c.omega + c.width / 2, c.width / parts);
   }
-  const std::vector<int> counts = counts_of(scene, reading, constants, speeds_of(fine));
+  const std::vector<int> counts = counts_of(a_case, speeds_of(fine));
   std::vector<Cell> all(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(first));
   for (std::size_t k = 0; k < fine.size(); ++k) {
     all.push_back({fine[k].omega, fine[k].width, counts[k]});
@@ -244,9 +250,12 @@ double misfit_of(const CoarseScore& score, const Claim& claim) {
 }
 
 double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
-  const Scene scene = scene_of(find_case("C11"), reading, constants);
+  return quiet_share_of_c11(counts_by(reading, constants), quiet);
+}
+
+double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
   std::vector<SpeedCell> cells = speed_cells(fastest_speed / 1.3 / 2);
-  const std::vector<int> counts = counts_of(scene, reading, constants, speeds_of(cells));
+  const std::vector<int> counts = counts_of(find_case("C11"), speeds_of(cells));
   double share = 0;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (counts[k] <= quiet_limit(quiet)) share += cells[k].width / fastest_speed;
@@ -256,9 +265,12 @@ double quiet_share_of_c11(const Reading& reading, const Constants& constants, in
 
 CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case,
                          int finer) {
+  return coarse_score(counts_by(reading, constants), a_case, finer);
+}
+
+CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int finer) {
   const double threshold = a_case.claim.threshold.value();
   const int claimed = a_case.claim.quiet_count.value();
-  const Scene scene = scene_of(a_case, reading, constants);
   std::vector<Cell> cells, below, above;
   double below_shape = 0;
   double above_shape = 0;
@@ -266,7 +278,7 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
   std::vector<double> speeds = speeds_of(speed_cell);
   const auto& figure = a_case.claim.figure;
   if (figure) speeds.insert(speeds.end(), {figure->quiet, figure->loud});
-  const std::vector<int> counts = counts_of(scene, reading, constants, speeds);
+  const std::vector<int> counts = counts_of(a_case, speeds);
   for (std::size_t k = 0; k < speed_cell.size(); ++k) {
     const SpeedCell& c = speed_cell[k];
     const Cell cell{c.omega, c.width, counts[k]};
@@ -283,7 +295,7 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
   const double limit = quiet_limit(quiet);
   CoarseSplit split = coarse_split(cells, limit);
   if (finer > 1 && split.quiet_cells > 0 && split.quiet_cells < cells.size()) {
-    cells = finer_cells(cells, split.quiet_cells, finer, scene, reading, constants);
+    cells = finer_cells(cells, split.quiet_cells, finer, a_case, counts_of);
     split = coarse_split(cells, limit);
   }
   double pure = 0;
@@ -303,16 +315,20 @@ CoarseScore coarse_score(const Reading& reading, const Constants& constants, con
 }
 
 double misfit(const Reading& reading, const Constants& constants, const std::string& left_out) {
+  return misfit(counts_by(reading, constants), left_out);
+}
+
+double misfit(const CountsOf& counts_of, const std::string& left_out) {
   double sum = 0;
   int quiet_of_c4 = 1;
   for (const Case& a_case : all_cases()) {
     if (!a_case.claim.threshold) continue;
     if (a_case.id == left_out && a_case.id != "C4") continue;
-    const CoarseScore s = coarse_score(reading, constants, a_case);
+    const CoarseScore s = coarse_score(counts_of, a_case);
     if (a_case.id != left_out) sum += misfit_of(s, a_case.claim);
     if (a_case.id == "C4") quiet_of_c4 = std::max(s.quiet_count, 1);
   }
-  return sum + 4 * quiet_share_of_c11(reading, constants, quiet_of_c4);
+  return sum + 4 * quiet_share_of_c11(counts_of, quiet_of_c4);
 }
 
 SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "problems/carrier_track/paper/open_constants.h"
@@ -49,17 +51,23 @@ struct MisfitParts {
 };
 MisfitParts misfit_parts(const CoarseScore& score, const Claim& claim);
 
+/// The counts of a case at some speeds [rad/s], or most_counted + 1 where they are higher.
+using CountsOf = std::function<std::vector<int>(const Case&, const std::vector<double>& speeds)>;
+
 /// With `finer` above 1 the two cells next to the threshold are looked at again in so many parts
 /// each: the threshold is then known to that part of a cell.
+CoarseScore coarse_score(const CountsOf& counts, const Case& a_case, int finer = 1);
 CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case,
                          int finer = 1);
 
 /// The share of 0..18 rad/s at which C11, of which the paper says that it is never quiet, has a
 /// count that is quiet where `quiet` is C4's quiet count.
+double quiet_share_of_c11(const CountsOf& counts, int quiet);
 double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet);
 
 /// The sum over C1..C10, and 4 times the share of speeds at which C11, of which the paper says that
 /// it is never quiet, has a count that is quiet in C4. A case may be left out.
+double misfit(const CountsOf& counts, const std::string& left_out = "");
 double misfit(const Reading& reading, const Constants& constants, const std::string& left_out = "");
 
 /// The smooth stand-in, for least squares: with surrogate counts s of `width` in place of counts,

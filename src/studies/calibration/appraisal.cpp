@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/questions/speed_range.h"
@@ -49,11 +50,16 @@ double selection_criterion(double sum_of_squares, int errors, int constants) {
 }
 
 Appraisal appraise(const Fit& fit, double step) {
-  Appraisal result;
   const auto cases = all_cases();
-  result.cases.resize(cases.size());
+  std::vector<CaseAppraisal> judged(cases.size());
   tbb::parallel_for(std::size_t{0}, cases.size(),
-                    [&](std::size_t i) { result.cases[i] = appraise_case(cases[i], fit, step); });
+                    [&](std::size_t i) { judged[i] = appraise_case(cases[i], fit, step); });
+  return summed_up(std::move(judged), static_cast<int>(fit.freed.size()));
+}
+
+Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants) {
+  Appraisal result;
+  result.cases = std::move(cases);
   double squares = 0;
   double count_squares = 0;
   int thresholds = 0;
@@ -86,8 +92,7 @@ Appraisal appraise(const Fit& fit, double step) {
     for (const Example& e : s.examples) result.right_examples += e.right ? 1 : 0;
   }
   result.threshold_error = std::sqrt(squares / thresholds);
-  result.criterion = selection_criterion(squares + count_squares, 2 * thresholds,
-                                         static_cast<int>(fit.freed.size()));
+  result.criterion = selection_criterion(squares + count_squares, 2 * thresholds, constants);
   return result;
 }
 

@@ -49,6 +49,9 @@ struct Appraisal {
 /// is better; from k = 18 on it is infinite: such a fit has memorised.
 Appraisal appraise(const Fit& fit, double step);
 
+/// The same of C1..C12, judged already, whatever has counted; with so many constants fitted.
+Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants);
+
 /// The criterion alone. Mean squares below 1e-6 count as that: no count or threshold of the paper
 /// has more digits.
 double selection_criterion(double sum_of_squares, int errors, int constants);

@@ -36,6 +36,17 @@ TEST(OpenConstants, HaveNaturalValuesWithinTheirBounds) {
   }
 }
 
+TEST(OpenConstants, HaveAPlaceWithinTheirBounds) {
+  const OpenConstant size = {"size", "m", 1e-3, 10, true, {}, ""};
+  EXPECT_DOUBLE_EQ(value_at(size, 0.25), 1e-2);
+  EXPECT_DOUBLE_EQ(share_of(size, 1), 0.75);
+  EXPECT_EQ(share_of(size, 100), 1);
+  const OpenConstant place = {"place", "m", -1, 3, false, {}, ""};
+  EXPECT_DOUBLE_EQ(value_at(place, 0.25), 0);
+  EXPECT_DOUBLE_EQ(share_of(place, 2), 0.75);
+  EXPECT_EQ(share_of(place, -2), 0);
+}
+
 TEST(OpenConstants, AreThoseThatTheReadingUses) {
   Reading r;
   EXPECT_EQ(open_of(r).size(), 9U);

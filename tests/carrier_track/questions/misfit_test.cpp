@@ -144,5 +144,21 @@ TEST(Misfit, HasASmoothStandInWithTheSlopesOfDifferences) {
   EXPECT_EQ(at.slopes.col(4).norm(), 0);  // the window
 }
 
+TEST(Misfit, IsTheSameOfCountsFromElsewhere) {
+  const FittedReading& fitted = default_reading();
+  const CountsOf counts = [&](const Case& a_case, const std::vector<double>& speeds) {
+    const Scene scene = scene_of(a_case, fitted.reading, fitted.constants);
+    std::vector<int> all;
+    for (const double omega : speeds) all.push_back(count_at(scene, omega));
+    return all;
+  };
+  EXPECT_EQ(misfit(counts), misfit(fitted.reading, fitted.constants));
+  EXPECT_EQ(misfit(counts, "C2"), misfit(fitted.reading, fitted.constants, "C2"));
+  const CountsOf silence = [](const Case&, const std::vector<double>& speeds) {
+    return std::vector<int>(speeds.size(), 0);
+  };
+  EXPECT_GT(misfit(silence), 3 * misfit(counts));
+}
+
 }  // namespace
 }  // namespace ricochet::carrier_track

@@ -129,7 +129,7 @@ SameConstants three_ways(const JudgedTrial& fitted, const Results& results) {
 }  // namespace
 
 TrialPlan full_trial_plan(const Solver& global, const Solver& local) {
-  return {{global, local, 5000}, 150, {1, 2}, 0.02, 0.1, {1, 2, 3, 4, 5, 6, 7, 8}};
+  return {{global, local, 2000}, 60, {1, 2}, 0.02, 0.1, {1, 2, 3, 4, 5, 6, 7, 8}};
 }
 
 TrialPlan quick_trial_plan(const Solver& global, const Solver& local) {

@@ -280,7 +280,7 @@ Plan quick_plan(const Search& search) {
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2, 3}, 100000, 0};
+  return {{one, other}, {1, 2, 3}, 100000, 1};
 }
 
 ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {

@@ -30,9 +30,7 @@ struct Plan {
 /// All readings in some seven minutes on two cores.
 Plan full_plan(const Search& search);
 
-/// Three seeds by both of two solvers, of the constants that the frontier chooses and of those of the
-/// default reading: some twenty minutes on two cores. All nine constants of a reading take an hour
-/// on their own, and do not converge in it.
+/// Three seeds by both of two solvers, for the best reading too: half an hour on two idle cores.
 ConvergencePlan full_convergence(const Solver& one, const Solver& other);
 
 /// The same in seconds: nothing converges.

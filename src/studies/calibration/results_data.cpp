@@ -130,7 +130,6 @@ Json convergence_of(const Results& results) {
           {"all", results.convergence.size()},
           {"agreed", agreed},
           {"searches", searches},
-          {"readings", results.plan.convergence->readings > 0},
           {"count", searches.size()},
           {"evaluations", evaluations},
           {"pairs", order.pairs},

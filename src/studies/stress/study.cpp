@@ -54,21 +54,28 @@ std::string reasons_of(const RunRecord& record) {
 Json row_of(const RunRecord& record, const IllProblem& ill) {
   const Ending ending = ending_of(record, ill.problem);
   return {{"problem", ill.problem.name},
-          {"what", ill.what},
           {"kind", ending.kind},
           {"ending", ending.text},
           {"improvements", record.trace.size()},
           {"reasons", reasons_of(record)}};
 }
 
-/// A row a solver, with an entry for each problem; its ending is null where it does not take it.
+/// Of a problem that the solver does not take.
+Json no_row(const IllProblem& ill) {
+  return {{"problem", ill.problem.name},
+          {"kind", nullptr},
+          {"ending", nullptr},
+          {"improvements", nullptr},
+          {"reasons", nullptr}};
+}
+
+/// A row a solver, with an entry for each problem.
 Json compute(const std::vector<Solver>& solvers) {
   const std::vector<IllProblem> ills = stress::ill_problems();
   Json rows = Json::array();
   for (const Solver& solver : solvers) {
     rows.push_back({{"solver", solver.name}, {"endings", Json::array()}});
-    for (std::size_t k = 0; k < ills.size(); ++k)
-      rows.back()["endings"].push_back({{"ending", nullptr}});
+    rows.back()["endings"] = report::list_of(ills, no_row);
   }
   std::map<std::string, int> kinds;
   Progress progress("solvers under stress", static_cast<double>(ills.size()));

@@ -126,14 +126,10 @@ Json convergence_of(const Results& results) {
   const auto searches = list_of(results.convergence.front().searches, [](const LongSearch& s) {
     return Json{{"solver", s.solver}, {"seed", s.seed}};
   });
-  return {{"rows", std::move(rows)},
-          {"all", results.convergence.size()},
-          {"agreed", agreed},
-          {"searches", searches},
-          {"count", searches.size()},
-          {"evaluations", evaluations},
-          {"pairs", order.pairs},
-          {"alike", order.alike}};
+  return {{"rows", std::move(rows)},  {"all", results.convergence.size()},
+          {"agreed", agreed},         {"searches", searches},
+          {"count", searches.size()}, {"evaluations", evaluations},
+          {"pairs", order.pairs},     {"alike", order.alike}};
 }
 
 /// What a fit holds of its reading's constants, which of them the one before it fitted, and where

@@ -72,11 +72,12 @@ const namesAndIntervals = {
   },
 };
 
-// Labels of a logarithmic axis: the powers of ten; where there are fewer than three, 2 and 5 of each too.
+// Labels of a logarithmic axis: the powers of ten, and more of each the fewer there are.
 // The ends of the axis are no ticks of their own: rounded, they would look like their neighbours.
 const tidyTicks = (scale) => {
   const decades = Math.log10(scale.max / scale.min), every = Math.ceil(decades / 8);
-  const kept = decades > 2.5 ? [1] : decades > 1 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
+  const kept = decades > 2.5 ? [1] : decades > 0.9 ? [1, 2, 5] :
+    decades > 0.4 ? [1, 2, 3, 5, 7] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
   scale.ticks = scale.ticks.filter(({value}) => {
     const exponent = Math.floor(Math.log10(value) + 1e-9), digit = value / 10 ** exponent;
     return kept.some((one) => Math.abs(digit - one) < 1e-6) && (kept.length > 1 || exponent % every === 0);

@@ -28,6 +28,16 @@ Freedom full_freedom(const Reading& reading) {
   return {reading, open_of(reading), natural_constants()};
 }
 
+Freedom forgotten(const Reading& reading, const std::vector<Open>& freed,
+                  const Constants& constants) {
+  Freedom freedom{reading, freed, constants};
+  for (const Open open : freed) {
+    const auto i = static_cast<std::size_t>(open);
+    freedom.held[i] = natural_constants()[i];
+  }
+  return freedom;
+}
+
 Constants constants_at(const Freedom& freedom, const Vector& x) {
   Constants constants = freedom.held;
   for (std::size_t i = 0; i < freedom.freed.size(); ++i) {
@@ -76,19 +86,13 @@ Problem calibration_problem(const Freedom& freedom, const std::string& left_out)
 }
 
 Question calibration_question(const FittedReading& fitted) {
-  Freedom freedom{fitted.reading, fitted.freed, fitted.constants};
-  for (const Open open : fitted.freed) {
-    const auto i = static_cast<std::size_t>(open);
-    freedom.held[i] = natural_constants()[i];
-  }
+  const Freedom freedom = forgotten(fitted.reading, fitted.freed, fitted.constants);
   Problem problem = calibration_problem(freedom);
   problem.name = "calibration-default";
   know_best(problem, fitted.name);
-  const Vector point = point_of(freedom, fitted.constants);
-  const double fitted_misfit = problem.evaluate(point).objective;
-  if (!problem.best_known || fitted_misfit < *problem.best_known) {
-    problem.best_point = point;
-    problem.best_known = fitted_misfit;
+  if (!problem.best_known) {
+    problem.best_point = point_of(freedom, fitted.constants);
+    problem.best_known = problem.evaluate(*problem.best_point).objective;
     problem.provenance = fitted.provenance;
   }
   return {

@@ -20,6 +20,10 @@ struct Freedom {
 /// All that the reading has a use for.
 Freedom full_freedom(const Reading& reading);
 
+/// The constants that a fit has moved, from their natural values on; the others as it holds them.
+Freedom forgotten(const Reading& reading, const std::vector<Open>& freed,
+                  const Constants& constants);
+
 /// The problem of finding the open constants: minimise the misfit over the freed ones, each as its
 /// place within its bounds, in [0, 1]. Its residuals are those of the smooth misfit of
 /// `default_width`; it is judged by the misfit. It starts from the held constants.

@@ -208,17 +208,6 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
   return appraised(std::move(fits), plan.step);
 }
 
-/// The constants that a fit has moved, from no place that another search has found.
-Freedom forgotten(const Reading& reading, const std::vector<Open>& freed,
-                  const Constants& constants) {
-  Freedom freedom{reading, freed, constants};
-  for (const Open open : freed) {
-    const auto i = static_cast<std::size_t>(open);
-    freedom.held[i] = natural_constants()[i];
-  }
-  return freedom;
-}
-
 /// What the frontier chooses, what every command computes with, and the best few readings with all
 /// their constants. A reading that fits exactly as well as one before it owes nothing to what it
 /// differs in.

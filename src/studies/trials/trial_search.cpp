@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
-#include "src/core/run.h"
 #include "src/core/seed.h"
+#include "src/studies/calibration/best_point.h"
 
 namespace ricochet::studies::trials {
 
@@ -26,21 +24,6 @@ Vector point_of(const Trial& trial, const TrialConstants& constants) {
     x.push_back(share_of(trial.own[i], constants.own[i]));
   }
   return Eigen::Map<const Vector>(x.data(), std::ssize(x));
-}
-
-/// The best point so far.
-struct BestPoint {
-  Vector x;
-  double misfit;
-};
-
-/// Runs a solver from the best point on, and keeps what is better.
-void improve(Problem& problem, const Solver& solver, std::int64_t evaluations, BestPoint& best) {
-  problem.start = best.x;
-  const RunRecord record = run(problem, solver, Budget{evaluations}, 0);
-  if (!record.failure.empty()) throw std::runtime_error(problem.name + ": " + record.failure);
-  if (record.trace.empty() || record.trace.back().truth.objective >= best.misfit) return;
-  best = {record.trace.back().x, record.trace.back().truth.objective};
 }
 
 }  // namespace
@@ -78,7 +61,7 @@ TrialConstants constants_at(const Trial& trial, const Vector& x) {
 TrialFit fit(const Trial& trial, const TrialSearch& search) {
   Problem problem = trial_problem(trial);
   problem.name += fmt::format("-seed-{}", search.seed);  // which alone decides about randomness
-  BestPoint best{problem.start, problem.evaluate(problem.start).objective};
+  calibration::BestPoint best = calibration::start_of(problem);
   improve(problem, search.global, search.evaluations * 2 / 3, best);
   improve(problem, search.local, search.evaluations / 3, best);
   return {constants_at(trial, best.x), best.misfit};

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "src/core/problem.h"
+#include "src/core/solver.h"
+
+namespace ricochet::studies::calibration {
+
+/// The best point so far of a problem whose objective is a misfit.
+struct BestPoint {
+  Vector x;
+  double misfit;
+};
+
+/// The problem's start.
+BestPoint start_of(const Problem& problem);
+
+/// Runs a solver from the best point on, which becomes the problem's start, and keeps what is
+/// better. Throws std::runtime_error where the run failed.
+void improve(Problem& problem, const Solver& solver, std::int64_t evaluations, BestPoint& best);
+
+}  // namespace ricochet::studies::calibration

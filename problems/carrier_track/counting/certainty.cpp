@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "problems/carrier_track/models/impact_lanes.h"
-#include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/scene/perturbation.h"
 
 namespace ricochet::carrier_track::inline counting {
@@ -22,39 +18,41 @@ namespace {
 
 using Feature = FeatureTrace::Feature;
 
-/// Features of two simulations are the same if they differ by no more than this in time, as a share
-/// of the window, and in the scaled margin.
-constexpr double same_time = 1e-4;
+/// Features of two simulations are the same if they differ by no more than this in the scaled
+/// margin and than same_time in time.
 constexpr double same_margin = 0.1;
 
 /// From this growth on a path is called sensitive: perturbation_size then moves a scaled margin by
 /// a hundredth of same_margin.
 constexpr double sensitive_growth = 1e6;
 
-/// The changed windows are longer, so that what comes just after the end is seen.
-constexpr double longer = 1 + same_time;
+/// Of the features of a kind in one simulation those that features of another are, asked for in the
+/// order of time.
+class Counterparts {
+ public:
+  Counterparts(const std::vector<Feature>& others, double duration)
+      : others_(others), within_(same_time * duration) {}
 
-void lengthen(Window& window) {
-  std::visit([](auto& w) { w.count *= longer; }, window);
-}
+  /// The nearest in time, if it is the same.
+  const Feature* of(const Feature& feature) {
+    while (after_ != others_.end() && after_->time < feature.time) ++after_;
+    const Feature* best = after_ != others_.end() ? &*after_ : nullptr;
+    if (after_ != others_.begin()) {
+      const Feature& before = *std::prev(after_);
+      if (best == nullptr || feature.time - before.time < best->time - feature.time) best = &before;
+    }
+    if (best == nullptr || std::abs(best->time - feature.time) > within_ ||
+        std::abs(best->scaled - feature.scaled) > same_margin) {
+      return nullptr;
+    }
+    return best;
+  }
 
-/// The feature of a kind nearest in time, if it is the same.
-const Feature* counterpart(const Feature& feature, const std::vector<Feature>& others,
-                           double duration) {
-  const auto after = std::lower_bound(others.begin(), others.end(), feature.time,
-                                      [](const Feature& f, double time) { return f.time < time; });
-  const Feature* best = nullptr;
-  if (after != others.end()) best = &*after;
-  if (after != others.begin()) {
-    const Feature& before = *std::prev(after);
-    if (best == nullptr || feature.time - before.time < best->time - feature.time) best = &before;
-  }
-  if (best == nullptr || std::abs(best->time - feature.time) > same_time * duration ||
-      std::abs(best->scaled - feature.scaled) > same_margin) {
-    return nullptr;
-  }
-  return best;
-}
+ private:
+  const std::vector<Feature>& others_;
+  double within_;  // [s]
+  std::vector<Feature>::const_iterator after_ = others_.begin();
+};
 
 /// A feature that may or may not count.
 struct Suspect {
@@ -91,8 +89,9 @@ class Comparison {
  private:
   void compare(std::size_t kind, const std::vector<Feature>& given, double given_end,
                const std::vector<Feature>& others, double other_end) {
+    Counterparts in_others(others, given_end);
     for (const Feature& f : given) {
-      const Feature* other = counterpart(f, others, given_end);
+      const Feature* other = in_others.of(f);
       if (other == nullptr) {
         if (f.margin > 0) suspect(kind, f, Doubt::graze, given_end);
         continue;
@@ -104,8 +103,9 @@ class Comparison {
         suspect(kind, f, Doubt::margin, given_end);
       }
     }
+    Counterparts in_given(given, given_end);
     for (const Feature& f : others) {
-      if (f.margin > 0 && f.time < other_end && counterpart(f, given, given_end) == nullptr) {
+      if (f.margin > 0 && f.time < other_end && in_given.of(f) == nullptr) {
         suspect(kind, f, Doubt::graze, other_end);
       }
     }
@@ -204,64 +204,6 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
   return "";
 }
 
-bool crosses(const Scene& scene) {
-  return !(scene.wall_upper > scene.wall_lower) ||
-         (scene.across && !(scene.across->wall_upper > scene.across->wall_lower));
-}
-
-/// A changed scene, and what happens in it.
-struct Neighbour {
-  Scene scene;
-  double end;  ///< [s] of its window, before that is made longer
-  FeatureTrace trace;
-  std::exception_ptr failure = nullptr;  ///< a std::runtime_error where it cannot be simulated
-
-  Neighbour(const Scene& given, double stride, double sign)
-      : scene(perturbed(given, stride, sign)), end(duration_of(scene)), trace(scene) {
-    lengthen(scene.window);
-  }
-  Neighbour(const Neighbour&) = delete;
-  Neighbour& operator=(const Neighbour&) = delete;
-};
-using Neighbours = std::array<Neighbour, 4>;
-
-void check_end(Neighbour& neighbour, const End<double>& end) {
-  if (!neighbour.trace.finite() || !std::isfinite(end.position + end.velocity)) {
-    neighbour.failure = std::make_exception_ptr(std::runtime_error("numbers overflow"));
-  }
-}
-
-/// Simulates the changed scenes, side by side where that can be done.
-void follow(Neighbours& neighbours) {
-  std::vector<Neighbour*> sound;
-  for (Neighbour& n : neighbours) {
-    if (crosses(n.scene)) {
-      n.failure = std::make_exception_ptr(std::runtime_error("one wall crosses the other"));
-    } else {
-      sound.push_back(&n);
-    }
-  }
-  const Scene& scene = neighbours.front().scene;
-  if (scene.fidelity == Fidelity::impact && scene.profile.empty()) {
-    const auto outcomes = run_in_lanes(
-        sound.size(), [&](std::size_t k) { return ImpactModel<double>(sound[k]->scene); },
-        [&](std::size_t k) -> FeatureTrace& { return sound[k]->trace; });
-    for (std::size_t k = 0; k < sound.size(); ++k) {
-      sound[k]->failure = outcomes[k].failure;
-      if (!outcomes[k].failure) check_end(*sound[k], outcomes[k].end);
-    }
-    return;
-  }
-  for (Neighbour* n : sound) {
-    try {
-      check_end(*n, simulate(n->scene, n->trace));
-    } catch (...) {
-      n->failure = std::current_exception();
-      return;  // the others do not matter
-    }
-  }
-}
-
 std::optional<double> smallest_margin(const FeatureTrace& trace) {
   std::optional<double> margin;
   for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
@@ -274,7 +216,7 @@ std::optional<double> smallest_margin(const FeatureTrace& trace) {
 
 }  // namespace
 
-Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
+Certainty certainty_of(const Scene& scene, const FeatureTrace& trace, Neighbours& neighbours) {
   Certainty certainty;
   certainty.margin = smallest_margin(trace);
   certainty.graze = trace.graze();
@@ -293,13 +235,7 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace) {
   std::optional<Graze> graze;
   bool graze_is_given = false;
   std::vector<Pair> pairs;
-  // Strides of the golden ratio and of the root of two.
-  constexpr double golden = 0.6180339887498949;
-  constexpr double root = 0.4142135623730950;
-  Neighbours neighbours{
-      {{scene, golden, +1}, {scene, golden, -1}, {scene, root, +1}, {scene, root, -1}}};
-  follow(neighbours);
-  for (const Neighbour& near : neighbours) {
+  for (const Neighbour& near : neighbours.simulated()) {
     try {
       if (near.failure) std::rethrow_exception(near.failure);
     } catch (const std::runtime_error& error) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "problems/carrier_track/counting/feature_trace.h"
+#include "problems/carrier_track/counting/neighbours.h"
 
 /// How far a count can be trusted. A scene's constants are known to some digits only, and a
 /// simulation rounds. So the scene is simulated again with all constants changed at once in their
@@ -36,8 +37,8 @@ struct Certainty {
   std::string reason;  ///< the doubt as a sentence without a full stop; empty if certain
 };
 
-/// Certainty of the count of a valid scene, of which `trace` is given. Simulates the scene four
-/// times, perturbed in two patterns and their opposites.
-Certainty certainty_of(const Scene& scene, const FeatureTrace& trace);
+/// Certainty of the count of a valid scene, of which `trace` and neighbours are given; where these
+/// are not simulated yet and it hangs on them, they are now.
+Certainty certainty_of(const Scene& scene, const FeatureTrace& trace, Neighbours& neighbours);
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -11,8 +11,9 @@ bool is_certain(Scene scene, Fidelity level) {
   scene.fidelity = level;
   try {
     FeatureTrace trace(scene);
-    simulate(scene, trace);
-    return certainty_of(scene, trace).certain;
+    Neighbours neighbours(scene);
+    neighbours.simulate_with(scene, trace);
+    return certainty_of(scene, trace, neighbours).certain;
   } catch (const std::runtime_error&) {  // more impacts or steps than a simulation may have
     return false;
   }

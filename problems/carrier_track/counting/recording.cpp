@@ -62,7 +62,8 @@ Recording record(const Scene& asked, double width, std::size_t samples) {
   const double spacing = samples > 0 ? duration_of(scene) / static_cast<double>(samples)
                                      : std::numeric_limits<double>::infinity();
   Recorder recorder(scene, recording, spacing);
-  recording.end = simulate(scene, recorder);
+  Neighbours neighbours(scene);
+  recording.end = neighbours.simulate_with(scene, recorder);
   const auto weigh = [&](double z, double left) {
     recording.count += static_cast<int>(weight(z, left, 0.0));
     recording.surrogate += weight(z, left, width);
@@ -70,7 +71,7 @@ Recording record(const Scene& asked, double width, std::size_t samples) {
   Features<double, decltype(weigh)> features(scene, weigh);
   for (const Impact& i : recording.impacts) features.impact(i.time, i.wall, i.speed);
   for (const Peak& p : recording.peaks) features.peak(p.time, p.position);
-  recording.certainty = certainty_of(scene, recorder.trace());
+  recording.certainty = certainty_of(scene, recorder.trace(), neighbours);
   return recording;
 }
 

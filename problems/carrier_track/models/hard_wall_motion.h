@@ -318,6 +318,18 @@ class HardWallMotion {
     }
   }
 
+  /// Lets a rest pass that its lane has passed through.
+  template <class SomeObserver>
+  void rest_as_in(const Lanes& lanes, std::size_t k, SomeObserver& observer) {
+    const Scalar zero = constant<Scalar>(0.0);
+    tell(observer, Flight<Scalar>{offset_, zero, zero, {}, 0}, lanes.elapsed[k]);
+    Path there = flight();
+    land(there, lanes, k);
+    forces_.arrive(there, lanes.elapsed[k]);
+    time_ = lanes.time[k];
+    direction_ = static_cast<int>(lanes.direction[k]);
+  }
+
   /// How many harmonics act on it, at constant speed.
   int harmonics() const { return flight().harmonics; }
 

@@ -70,6 +70,10 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
       this->enter(lanes, k);
       return;
     }
+    if (event == Lanes::rested) {
+      if constexpr (!SomeObserver::hears_impacts_alone) this->rest_as_in(lanes, k, observer);
+      return;
+    }
     const bool may_rest =
         event == Lanes::struck && std::abs(lanes.velocity[k]) <= this->resting_speed_;
     if constexpr (!SomeObserver::hears_impacts_alone) {

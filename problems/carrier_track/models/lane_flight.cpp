@@ -1,12 +1,17 @@
-// Compiled twice, once with the instructions of AVX2 and RICOCHET_WIDE_LANES. The widths of the
-// rows differ, so that no template is made of the same types in both.
+// Compiled once for each kind of instructions, into a function of another name. The widths of the
+// rows differ, so that no template is made of the same types in two of them.
 #include "problems/carrier_track/models/lane_flight.h"
 
 #include <limits>
 #include <type_traits>
 
+#include "problems/carrier_track/events/release_rows.h"
 #include "problems/carrier_track/events/search_rows.h"
 #include "problems/carrier_track/flight/flight_rows.h"
+
+#ifndef RICOCHET_FLY
+#define RICOCHET_FLY fly_plain
+#endif
 
 namespace ricochet::carrier_track::inline models {
 namespace {
@@ -22,6 +27,16 @@ class LaneFlight {
  public:
   LaneFlight(Lanes& lanes, std::size_t first) : lanes_(lanes), first_(first) {}
 
+  void run() {
+    const Mask moves = direction_ != 0.0;
+    const Mask rests = !moves && load(lanes_.time) < duration_;
+    store(Mask(true), Row(Lanes::none), lanes_.event);
+    if (stdx::any_of(moves)) fly();
+    // NOTE: the caller looks after one of few as fast as a row does after all.
+    if (2 * stdx::popcount(rests) > static_cast<int>(Row::size())) rest(rests);
+  }
+
+ private:
   void fly() {
     SearchRows<Row, harmonics> search(
         start(), direction_, direction_ * ((wall_ - load(lanes_.origin)) - load(lanes_.offset)),
@@ -47,11 +62,29 @@ class LaneFlight {
       store(done, there.cosine[h], lanes_.cosine[h]);
       store(done, there.sine[h], lanes_.sine[h]);
     }
-    store(Mask(true), select(struck, Lanes::struck, select(search.turn, Lanes::turned, Row(0.0))),
-          lanes_.event);
+    store(done, select(struck, Lanes::struck, Row(Lanes::turned)), lanes_.event);
   }
 
- private:
+  void rest(const Mask& which) {
+    FlightRows<Row, harmonics> forces = start();
+    forces.steady = load(lanes_.steady);
+    const Row before = load(lanes_.time);
+    const Row left = duration_ - before;
+    const Row wall = load(lanes_.wall);
+    ReleaseRows<Row, harmonics> release(forces, friction_, left);
+    release.run(which, wall != 1.0, wall != -1.0);
+    forces.advance(release.time);
+    store(which, select(release.time >= left, duration_, Row(before + release.time)), lanes_.time);
+    store(which, release.time, lanes_.elapsed);
+    store(which, load(lanes_.evaluations) + release.evaluations, lanes_.evaluations);
+    store(which, release.direction, lanes_.direction);
+    for (std::size_t h = 0; h < harmonics; ++h) {
+      store(which, forces.cosine[h], lanes_.cosine[h]);
+      store(which, forces.sine[h], lanes_.sine[h]);
+    }
+    store(which, Row(Lanes::rested), lanes_.event);
+  }
+
   Row load(const Lanes::Row& row) const { return Row(row.data() + first_, stdx::vector_aligned); }
 
   void store(const Mask& which, const Row& values, Lanes::Row& row) const {
@@ -101,16 +134,12 @@ class LaneFlight {
 
 }  // namespace
 
-#ifdef RICOCHET_WIDE_LANES
-void fly_wide(Lanes& lanes) {
-#else
-void fly_plain(Lanes& lanes) {
-#endif
+void RICOCHET_FLY(Lanes& lanes) {
   for (std::size_t first = 0; first < Lanes::size; first += Row::size()) {
     if (lanes.harmonics == 1) {
-      LaneFlight<1>(lanes, first).fly();
+      LaneFlight<1>(lanes, first).run();
     } else {
-      LaneFlight<2>(lanes, first).fly();
+      LaneFlight<2>(lanes, first).run();
     }
   }
 }

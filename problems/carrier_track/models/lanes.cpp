@@ -3,13 +3,25 @@
 #include "problems/carrier_track/models/lane_flight.h"
 
 namespace ricochet::carrier_track::inline models {
+namespace {
+
+auto widest() {
+#ifdef __x86_64__
+  // What the processors with AVX-512 that came after the first few have all of.
+  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw")) {
+    return fly_avx512;
+  }
+  if (__builtin_cpu_supports("avx2")) return fly_avx2;
+#endif
+  return fly_plain;
+}
+
+}  // namespace
 
 void fly(Lanes& lanes) {
-#ifdef RICOCHET_WIDE_LANES
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  if (wide) return fly_wide(lanes);
-#endif
-  fly_plain(lanes);
+  static const auto chosen = widest();
+  chosen(lanes);
 }
 
 }  // namespace ricochet::carrier_track::inline models

@@ -25,8 +25,9 @@ constexpr double gravity = 9.8;  // [m/s^2]
 
 Certainty certainty(const Scene& scene) {
   FeatureTrace trace(scene);
-  simulate(scene, trace);
-  return certainty_of(scene, trace);
+  Neighbours neighbours(scene);
+  neighbours.simulate_with(scene, trace);
+  return certainty_of(scene, trace, neighbours);
 }
 
 int count(const Scene& scene) {
@@ -262,7 +263,8 @@ TEST(Certainty, DoubtsNumbersThatOverflow) {
   const Scene scene = Ball{}.scene();
   FeatureTrace trace(scene);
   trace.impact(0.5, Wall::lower, std::numeric_limits<double>::quiet_NaN());
-  const Certainty lost = certainty_of(scene, trace);
+  Neighbours neighbours(scene);
+  const Certainty lost = certainty_of(scene, trace, neighbours);
   EXPECT_FALSE(lost.certain);
   EXPECT_EQ(lost.reason, "numbers overflow");
 }

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <type_traits>
+#include <vector>
+
+#include "problems/carrier_track/counting/feature_trace.h"
+#include "problems/carrier_track/models/impact_lanes.h"
+#include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/scene/scene.h"
+
+namespace ricochet::carrier_track::inline counting {
+
+/// Features of a scene and of one next to it are the same if they differ by no more than this in
+/// time, as a share of the window. The changed windows are longer by it, so that what comes just
+/// after the end is seen.
+inline constexpr double same_time = 1e-4;
+
+/// A scene with its constants changed in the tenth digit, and what happens in it.
+struct Neighbour {
+  Scene scene;
+  double end;  ///< [s] of its window, before that is made longer
+  FeatureTrace trace;
+  std::exception_ptr failure = nullptr;  ///< a std::runtime_error where it cannot be simulated
+
+  /// `given` must be valid; stride and sign as perturbed() takes them.
+  Neighbour(const Scene& given, double stride, double sign);
+  Neighbour(const Neighbour&) = delete;
+  Neighbour& operator=(const Neighbour&) = delete;
+
+  /// Keeps how its simulation has ended.
+  void end_with(const End<double>& end, std::exception_ptr thrown);
+};
+
+/// Shows one simulation to the observer it is made for, and the others to their neighbours' traces.
+template <class SomeObserver>
+class ShownTo : public Observer {
+ public:
+  explicit ShownTo(SomeObserver* given) : given_(given) {}
+  explicit ShownTo(FeatureTrace* trace) requires(!std::is_same_v<SomeObserver, FeatureTrace>)
+      : trace_(trace) {}
+
+  void impact(double time, Wall wall, double speed) {
+    tell([&](auto& observer) { observer.impact(time, wall, speed); });
+  }
+  void peak(double time, double position) {
+    tell([&](auto& observer) { observer.peak(time, position); });
+  }
+  void hops(double time, Wall wall) {
+    tell([&](auto& observer) { observer.hops(time, wall); });
+  }
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    tell([&](auto& observer) { observer.stretch(time, path, duration); });
+  }
+
+ private:
+  template <class Call>
+  [[gnu::always_inline]] void tell(const Call& call) {
+    if (given_ != nullptr) {
+      call(*given_);
+    } else {
+      call(*trace_);
+    }
+  }
+
+  SomeObserver* given_ = nullptr;
+  FeatureTrace* trace_ = nullptr;
+};
+
+/// The four scenes next to a valid one: its constants changed at once in their tenth digit, in two
+/// patterns and their opposites.
+class Neighbours {
+ public:
+  explicit Neighbours(const Scene& scene);
+
+  /// Simulates the scene itself for an observer and, where all of them fit into lanes, its
+  /// neighbours by its side. Throws what the simulation of the scene throws.
+  template <class SomeObserver>
+  End<double> simulate_with(const Scene& scene, SomeObserver& observer) {
+    if (!fit_lanes_) return simulate(scene, observer);
+    std::vector<ShownTo<SomeObserver>> observers = {ShownTo<SomeObserver>(&observer)};
+    const std::vector<Neighbour*> sound = sound_ones();
+    for (Neighbour* n : sound) observers.emplace_back(&n->trace);
+    const auto outcomes = run_in_lanes(
+        observers.size(),
+        [&](std::size_t k) { return ImpactModel<double>(k == 0 ? scene : sound[k - 1]->scene); },
+        [&](std::size_t k) -> ShownTo<SomeObserver>& { return observers[k]; });
+    if (outcomes.front().failure) std::rethrow_exception(outcomes.front().failure);
+    for (std::size_t k = 0; k < sound.size(); ++k) {
+      sound[k]->end_with(outcomes[k + 1].end, outcomes[k + 1].failure);
+    }
+    simulated_ = true;
+    return outcomes.front().end;
+  }
+
+  /// All of them, simulated; after one that cannot be, others may not be.
+  const std::array<Neighbour, 4>& simulated();
+
+ private:
+  /// Those whose walls do not cross; a failure for the others.
+  std::vector<Neighbour*> sound_ones();
+
+  std::array<Neighbour, 4> all_;
+  bool fit_lanes_;
+  bool simulated_ = false;
+};
+
+}  // namespace ricochet::carrier_track::inline counting

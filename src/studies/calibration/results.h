@@ -68,8 +68,7 @@ struct Results {
   /// costs least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
-  /// Of the constants chosen in the frontier, of those of the default reading, where they are
-  /// others, and of the best readings whose cases share a scene.
+  /// See long_searches().
   std::vector<Convergence> convergence;
   /// Of each of these the fits that are as good as the best, by rising criterion: the misfit, which
   /// looks at few speeds, does not tell them apart.

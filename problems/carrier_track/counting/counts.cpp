@@ -28,7 +28,7 @@ void run_all(const SceneAt& scene_at, std::vector<SomeObserver>& observers) {
   const auto outcomes = run_in_lanes(
       observers.size(), [&](std::size_t k) { return ImpactModel<double>(scene_at(k)); },
       [&](std::size_t k) -> SomeObserver& { return observers[k]; });
-  for (const Outcome& outcome : outcomes) {
+  for (const LaneOutcome& outcome : outcomes) {
     if (outcome.failure) std::rethrow_exception(outcome.failure);
   }
 }

@@ -12,7 +12,7 @@
 namespace ricochet::carrier_track::inline models {
 
 /// How a simulation ended, or what it threw.
-struct Outcome {
+struct LaneOutcome {
   End<double> end{};
   std::exception_ptr failure = nullptr;
 };
@@ -25,7 +25,7 @@ class ImpactLanes {
   ImpactLanes(std::size_t size, const ModelAt& model_at, const ObserverAt& observer_at)
       : model_at_(model_at), observer_at_(observer_at), outcomes_(size) {}
 
-  std::vector<Outcome> run() {
+  std::vector<LaneOutcome> run() {
     while (next_ < outcomes_.size()) {
       fill();
       while (busy_ > 0) {
@@ -79,7 +79,7 @@ class ImpactLanes {
 
   const ModelAt& model_at_;
   const ObserverAt& observer_at_;
-  std::vector<Outcome> outcomes_;
+  std::vector<LaneOutcome> outcomes_;
   std::size_t next_ = 0;
   std::size_t busy_ = 0;
   Lanes lanes_;
@@ -91,7 +91,7 @@ class ImpactLanes {
 /// several times as fast. `model_at` returns an ImpactModel<double>, `observer_at` a reference to
 /// its observer. Similar scenes should be neighbours.
 template <class ModelAt, class ObserverAt>
-std::vector<Outcome> run_in_lanes(std::size_t size, const ModelAt& model_at,
+std::vector<LaneOutcome> run_in_lanes(std::size_t size, const ModelAt& model_at,
                                   const ObserverAt& observer_at) {
   return ImpactLanes<ModelAt, ObserverAt>(size, model_at, observer_at).run();
 }

@@ -206,7 +206,7 @@ Plan quick_plan(const Search& search) {
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2, 3}, 100000, 50000, 12};
+  return {{one, other}, {1, 2, 3}, 100000, 25000, 12};
 }
 
 ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {

@@ -30,7 +30,8 @@ struct Plan {
 /// All readings in some seven minutes on two cores.
 Plan full_plan(const Search& search);
 
-/// Three seeds by both of two solvers, for the best reading too: half an hour on two idle cores.
+/// Three seeds by both of two solvers, for twelve readings: three quarters of an hour on two idle
+/// cores.
 ConvergencePlan full_convergence(const Solver& one, const Solver& other);
 
 /// The same in seconds: nothing converges.

@@ -121,7 +121,7 @@ Json convergence_of(const Results& results) {
     row["spreads"] = Json::array();
     for (std::size_t k = 0; k < std::size(looked_at); ++k) row["spreads"].push_back(one.spread(k));
     row["searches"] = list_of(one.searches, [](const LongSearch& s) -> Json {
-      return {{"misfits", list_of(s.fits, &Fit::misfit)}, {"last", s.last().misfit}};
+      return {{"last", s.last().misfit}};
     });
     rows.push_back(std::move(row));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/questions/misfit.h"
@@ -59,14 +60,16 @@ std::vector<Reading> known_readings(const Results& results) {
   return readings;
 }
 
-/// By the misfits of short searches.
+/// By the misfits of short searches, the default one first.
 std::vector<Freedom> best_as_free_as_default(const Results& results, FitStore& store) {
   std::vector<FitTask> tasks;
   for (const Reading& r : known_readings(results)) {
     tasks.push_back({"as free", fit, as_free_as_default(r), results.plan.search});
   }
   std::vector<Fit> fits = done("fitting readings of as many constants", tasks, store);
-  std::ranges::stable_sort(fits, {}, &Fit::misfit);
+  std::ranges::stable_sort(fits, {}, [](const Fit& f) {
+    return std::pair(f.reading != default_reading().reading, f.misfit);
+  });
   std::vector<Fit> best;
   for (const Fit& fit : fits) {
     if (best.size() == results.plan.convergence->readings) break;

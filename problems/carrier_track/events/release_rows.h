@@ -29,7 +29,7 @@ class ReleaseRows {
     Row now = 0.0;
     Row least_step = bounds_.shortest_step;
     while (stdx::any_of(active)) {
-      const auto [push, slope] = applied_at(now);
+      const auto [push, slope] = applied_at(now, active);
       evaluations += select(active, 1.0, Row(0.0));
       Row step = infinity;
       Mask at_the_edge(false);
@@ -57,13 +57,15 @@ class ReleaseRows {
     Row acceleration, jerk;
   };
 
-  /// See Flight::applied_at.
-  Force applied_at(const Row& t) const {
+  /// See Flight::applied_at; of some bodies.
+  Force applied_at(const Row& t, const Mask& which) const {
     Force push{applied_.steady, 0.0};
     for (std::size_t h = 0; h < harmonics; ++h) {
       const Row angle = applied_.frequency[h] * t;
-      Row c, s;
+      Row c = 1.0;
+      Row s = 0.0;
       for (std::size_t i = 0; i < Row::size(); ++i) {
+        if (!which[i]) continue;
         c[i] = std::cos(double(angle[i]));
         s[i] = std::sin(double(angle[i]));
       }

@@ -102,6 +102,7 @@ std::vector<Convergence> converge(const std::vector<Freedom>& freedoms, const Co
   for (const Freedom& freedom : freedoms) {
     Convergence& one = all.emplace_back();
     one.freedom = freedom;
+    one.evaluations = plan.evaluations;
     for (const Solver& solver : plan.solvers) {
       for (const int seed : plan.seeds) one.searches.push_back({solver.name, seed, {}});
     }
@@ -134,8 +135,8 @@ OrderOfPairs order_of_pairs(const std::vector<Convergence>& all) {
         first += difference < 0 ? 1 : 0;
         second += difference > 0 ? 1 : 0;
       }
-      ++result.pairs;
-      result.alike += first == 0 || second == 0 ? 1 : 0;
+      ++result.all;
+      if (first > 0 && second > 0) result.ties.emplace_back(a, b);
     }
   }
   return result;

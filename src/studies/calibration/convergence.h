@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/studies/calibration/fit_store.h"
@@ -15,8 +16,9 @@ namespace ricochet::studies::calibration {
 struct ConvergencePlan {
   std::vector<Solver> solvers;
   std::vector<int> seeds;
-  std::int64_t evaluations = 0;  ///< of each search
-  std::size_t readings = 0;      ///< so many of the best, with all their constants
+  std::int64_t evaluations = 0;          ///< of each search
+  std::int64_t reading_evaluations = 0;  ///< of those that only rank readings
+  std::size_t readings = 0;              ///< so many of the best, each as free as the default one
 };
 
 /// What has been spent when a search is looked at, as a share of its evaluations.
@@ -37,6 +39,7 @@ struct LongSearch {
 /// All searches of one freedom.
 struct Convergence {
   carrier_track::Freedom freedom;
+  std::int64_t evaluations = 0;  ///< of each search
   std::vector<LongSearch> searches;
 
   const Fit& best() const;
@@ -56,10 +59,10 @@ struct Convergence {
 std::vector<Convergence> converge(const std::vector<carrier_track::Freedom>& freedoms,
                                   const ConvergencePlan& plan, FitStore& store);
 
-/// Of the pairs of freedoms those that come in the same order, by misfit, in all searches.
+/// Which of two freedoms has the lower misfit.
 struct OrderOfPairs {
-  int pairs = 0;
-  int alike = 0;
+  int all = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> ties;  ///< on which searches do not agree
 };
 
 OrderOfPairs order_of_pairs(const std::vector<Convergence>& all);

@@ -1,15 +1,13 @@
 #include "src/studies/calibration/results.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "problems/carrier_track/paper/fitted_reading.h"
 #include "problems/carrier_track/questions/misfit.h"
-#include "src/campaign/progress.h"
 #include "src/statistics/rank_correlation.h"
+#include "src/studies/calibration/fit_task.h"
+#include "src/studies/calibration/long_searches.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -22,47 +20,7 @@ constexpr std::size_t finalists = 4;
 /// A compliant contact costs about a hundred times an impact.
 constexpr std::int64_t compliant_price = 60;
 
-using Make = std::function<Fit(const Freedom&, const Search&, const std::string&)>;
-
-struct Task {
-  std::string kind;
-  Make make;
-  Freedom freedom;
-  Search search;
-  std::string left_out = {};
-};
-
-/// Fetches or makes all fits, in parallel.
-std::vector<Fit> done(const std::string& what, const std::vector<Task>& tasks, FitStore& store) {
-  std::vector<Fit> fits(tasks.size());
-  double work = 0;
-  for (const Task& task : tasks) work += static_cast<double>(task.search.evaluations);
-  Progress progress(what, work);
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          const Task& task = tasks[i];
-          const std::string key = key_of(task.kind, task.freedom, task.search, task.left_out);
-          if (const auto known = store.find(key)) {
-            fits[i] = *known;
-          } else {
-            fits[i] = task.make(task.freedom, task.search, task.left_out);
-            store.add(key, fits[i]);
-          }
-          progress.advance(static_cast<double>(task.search.evaluations));
-        }
-      },
-      tbb::simple_partitioner());
-  return fits;
-}
-
-Search with_evaluations(Search search, std::int64_t evaluations) {
-  search.evaluations = evaluations;
-  return search;
-}
-
-Task reading_task(const Reading& reading, const Search& search, const Constants& start) {
+FitTask reading_task(const Reading& reading, const Search& search, const Constants& start) {
   Freedom freedom{reading, open_of(reading), start};
   const bool dear = reading.recovery == Recovery::contact_speed;
   return {"fit", fit, std::move(freedom),
@@ -99,7 +57,7 @@ Fit best_scene(const std::vector<Fit>& fits) {
 /// Fits the variations of a reading that the fits do not hold yet, from given constants on.
 void add_variations(std::vector<Fit>& fits, const Reading& varied, const Constants& start,
                     const Search& search, FitStore& store) {
-  std::vector<Task> tasks;
+  std::vector<FitTask> tasks;
   for (const Reading& r : variations(varied)) {
     const bool known =
         std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return fit.reading == r; });
@@ -110,7 +68,7 @@ void add_variations(std::vector<Fit>& fits, const Reading& varied, const Constan
 
 std::vector<Fit> fits_of(const std::vector<Reading>& readings, const Search& search,
                          FitStore& store) {
-  std::vector<Task> tasks;
+  std::vector<FitTask> tasks;
   for (const Reading& r : readings) tasks.push_back(reading_task(r, search, natural_constants()));
   return done("fitting readings", tasks, store);
 }
@@ -118,7 +76,7 @@ std::vector<Fit> fits_of(const std::vector<Reading>& readings, const Search& sea
 /// Fits the best few whose cases share a scene once more and more closely, from where they are.
 void refine_finalists(std::vector<Fit>& fits, const Plan& plan, FitStore& store) {
   std::stable_sort(fits.begin(), fits.end(), better);
-  std::vector<Task> tasks;
+  std::vector<FitTask> tasks;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < fits.size() && places.size() < finalists; ++i) {
     if (!is_one_scene(fits[i].reading)) continue;
@@ -182,7 +140,7 @@ Fit most_sparing(const std::vector<RankedFit>& readings) {
 
 /// The fit with one constant more held at its natural value, the one that costs least.
 std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, FitStore& store) {
-  std::vector<Task> tasks;
+  std::vector<FitTask> tasks;
   for (std::size_t i = 0; i < from.freed.size(); ++i) {
     const auto which = static_cast<std::size_t>(from.freed[i]);
     if (!open_constants()[which].natural) continue;
@@ -208,27 +166,6 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
   return appraised(std::move(fits), plan.step);
 }
 
-/// What the frontier chooses, what every command computes with, and the best few readings with all
-/// their constants. A reading that fits exactly as well as one before it owes nothing to what it
-/// differs in.
-std::vector<Freedom> freedoms_to_converge(const Results& results, std::size_t readings) {
-  const Fit& choice = results.frontier[results.chosen].fit;
-  std::vector<Freedom> freedoms = {forgotten(choice.reading, choice.freed, choice.constants)};
-  const FittedReading& usual = default_reading();
-  if (usual.reading != choice.reading || usual.freed != choice.freed) {
-    freedoms.push_back(forgotten(usual.reading, usual.freed, usual.constants));
-  }
-  const std::size_t most = freedoms.size() + readings;
-  double last = 0;
-  for (const RankedFit& r : results.readings) {
-    if (freedoms.size() == most) break;
-    if (!is_one_scene(r.fit.reading) || r.fit.misfit == last) continue;
-    freedoms.push_back(forgotten(r.fit.reading, r.fit.freed, r.fit.constants));
-    last = r.fit.misfit;
-  }
-  return freedoms;
-}
-
 RankedFit usual_reading(const Plan& plan) {
   const FittedReading& usual = default_reading();
   Fit fit{usual.reading, usual.freed, usual.constants, misfit(usual.reading, usual.constants), ""};
@@ -239,7 +176,7 @@ RankedFit usual_reading(const Plan& plan) {
 /// A fit as free as the choice that has not seen a case. The search begins at the choice, so that
 /// it does not fail for want of time, and is over the whole of the bounds.
 std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitStore& store) {
-  std::vector<Task> tasks;
+  std::vector<FitTask> tasks;
   std::vector<Prediction> predictions;
   const Freedom freedom{choice.reading, choice.freed, choice.constants};
   for (const Case& c : all_cases()) {
@@ -269,11 +206,11 @@ Plan quick_plan(const Search& search) {
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2, 3}, 100000, 1};
+  return {{one, other}, {1, 2, 3}, 100000, 25000, 12};
 }
 
 ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {
-  return {{one, other}, {1, 2}, 40, 1};
+  return {{one, other}, {1, 2}, 40, 20, 3};
 }
 
 Results calibrate(const Plan& plan, FitStore& store) {
@@ -286,8 +223,7 @@ Results calibrate(const Plan& plan, FitStore& store) {
       std::min_element(results.frontier.begin(), results.frontier.end(), lower_criterion);
   results.chosen = static_cast<std::size_t>(lowest - results.frontier.begin());
   if (plan.convergence) {
-    const auto freedoms = freedoms_to_converge(results, plan.convergence->readings);
-    results.convergence = converge(freedoms, *plan.convergence, store);
+    results.convergence = long_searches(results, store);
     for (const Convergence& one : results.convergence) {
       std::vector<RankedFit>& fits = results.converged.emplace_back();
       fits = appraised(one.as_good(), plan.step);

@@ -30,7 +30,8 @@ struct Plan {
 /// All readings in some seven minutes on two cores.
 Plan full_plan(const Search& search);
 
-/// Three seeds by both of two solvers, for the best reading too: half an hour on two idle cores.
+/// Three seeds by both of two solvers, for twelve readings: three quarters of an hour on two idle
+/// cores.
 ConvergencePlan full_convergence(const Solver& one, const Solver& other);
 
 /// The same in seconds: nothing converges.
@@ -68,8 +69,7 @@ struct Results {
   /// costs least.
   std::vector<RankedFit> frontier;
   std::size_t chosen = 0;  ///< in the frontier: the one with the lowest criterion
-  /// Of the constants chosen in the frontier, of those of the default reading, where they are
-  /// others, and of the best readings whose cases share a scene.
+  /// See long_searches().
   std::vector<Convergence> convergence;
   /// Of each of these the fits that are as good as the best, by rising criterion: the misfit, which
   /// looks at few speeds, does not tell them apart.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "src/studies/calibration/results.h"
 
@@ -95,41 +96,53 @@ Json usual_of(const Results& results) {
   return data;
 }
 
-/// A row a freedom: what each search found.
+/// A row a freedom, by rising misfit: what each search found.
 Json convergence_of(const Results& results) {
-  const auto evaluations = static_cast<double>(results.plan.convergence->evaluations);
+  std::vector<std::size_t> order(results.convergence.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return results.convergence[i].best().misfit; });
   int agreed = 0;
   Json rows = Json::array();
-  for (std::size_t i = 0; i < results.convergence.size(); ++i) {
+  for (const std::size_t i : order) {
     const Convergence& one = results.convergence[i];
     const auto from = one.agreed_from();
     agreed += from ? 1 : 0;
     const std::vector<RankedFit>& fits = results.converged[i];
     Json row = data_of(fits.front());
     const auto error = [](const RankedFit& r) { return r.appraisal.threshold_error; };
-    const auto [least, most] =
-        std::minmax_element(fits.begin(), fits.end(),
-                            [&](const auto& a, const auto& b) { return error(a) < error(b); });
+    const auto [least, most] = std::ranges::minmax_element(fits, {}, error);
     row["as_good"] = fits.size();
     row["errors"] = {{"least", error(*least)}, {"most", error(*most)}};
     row["chosen"] = &fits.front() == &results.choice() ? Json(true) : Json();
+    row["evaluations"] = one.evaluations;
     row["agreed"] = from.has_value();
-    row["agreed_from"] = from ? Json(*from * evaluations) : Json();
+    row["agreed_from"] = from ? Json(*from * static_cast<double>(one.evaluations)) : Json();
     row["spreads"] = Json::array();
     for (std::size_t k = 0; k < std::size(looked_at); ++k) row["spreads"].push_back(one.spread(k));
     row["searches"] = list_of(one.searches, [](const LongSearch& s) -> Json {
-      return {{"misfits", list_of(s.fits, &Fit::misfit)}, {"last", s.last().misfit}};
+      return {{"last", s.last().misfit}};
     });
     rows.push_back(std::move(row));
   }
-  const OrderOfPairs order = order_of_pairs(results.convergence);
+  const OrderOfPairs pairs = order_of_pairs(results.convergence);
   const auto searches = list_of(results.convergence.front().searches, [](const LongSearch& s) {
     return Json{{"solver", s.solver}, {"seed", s.seed}};
   });
-  return {{"rows", std::move(rows)},  {"all", results.convergence.size()},
-          {"agreed", agreed},         {"searches", searches},
-          {"count", searches.size()}, {"evaluations", evaluations},
-          {"pairs", order.pairs},     {"alike", order.alike}};
+  return {{"rows", std::move(rows)},
+          {"all", results.convergence.size()},
+          {"agreed", agreed},
+          {"searches", searches},
+          {"count", searches.size()},
+          {"evaluations", results.plan.convergence->evaluations},
+          {"reading_evaluations", results.plan.convergence->reading_evaluations},
+          {"constants", default_reading().freed.size()},
+          {"pairs", pairs.all},
+          {"alike", pairs.all - static_cast<int>(pairs.ties.size())},
+          {"ties", list_of(pairs.ties, [&](const auto& tie) -> Json {
+             return {{"first", name_of(results.convergence[tie.first].freedom.reading)},
+                     {"second", name_of(results.convergence[tie.second].freedom.reading)}};
+           })}};
 }
 
 /// What a fit holds of its reading's constants, which of them the one before it fitted, and where

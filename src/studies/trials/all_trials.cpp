@@ -216,7 +216,7 @@ Trial restitution_by_speed(const Reading& base) {
 }
 
 Scene compliant_scene(const Case& a_case, const TrialConstants& constants) {
-  Scene scene = scene_of(a_case, with_contact_friction(), constants.base);
+  Scene scene = scene_of(a_case, default_reading().reading, constants.base);
   scene.fidelity = Fidelity::compliant;
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = constants.own.at(0);
@@ -255,7 +255,7 @@ Trial stepped_walls(const std::string& name, const OdeTolerances& tolerances) {
       "at "
       "relative {:g} and absolute {:g}.",
       tolerances.relative, tolerances.absolute);
-  trial.base = with_contact_friction();
+  trial.base = default_reading().reading;
   trial.freed = default_reading().freed;
   trial.own = {{"stiffness", "N/m^1.5", 1e7, 1e12, true, 1e10,
                 "pressed in by the weight from 0.1 mm to 0.05 micrometres"}};
@@ -275,7 +275,7 @@ CountAt exact_walls(const Case& a_case, const TrialConstants& constants) {
 
 std::vector<Trial> baselines() {
   const Reading own = with_contact_friction();
-  Trial brief = nothing_changed(own);
+  Trial brief = nothing_changed(default_reading().reading);
   brief.name += "-brief";
   brief.freed = default_reading().freed;
   brief.brief = true;

@@ -92,6 +92,7 @@ TEST(CompleteScan, HoldsAtEverySpeedLookedAtInRandomScenes) {
 TEST(CompleteScan, SeesThatAStepOfTwoIsTwoStepsOfOne) {
   // The steps of this machine are 1.3e-4 rad/s apart: an even scan has one of them.
   Scene scene = scene_of(find_case("C5"), default_reading().scene);
+  scene.mass = 1.2;
   scene.centrifugal_mass_radius = 0.66744559497536;
   scene.wall_upper = 0.00035396882483792406;
   scene.start_position = scene.wall_upper / 2;

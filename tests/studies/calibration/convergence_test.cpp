@@ -42,8 +42,9 @@ TEST(Convergence, KnowsWhichPairsComeInOneOrder) {
   const OrderOfPairs order = order_of_pairs({told_convergence({{9, 9, 1}, {9, 9, 2}}),
                                              told_convergence({{9, 9, 3}, {9, 9, 3}}),
                                              told_convergence({{9, 9, 2}, {9, 9, 4}})});
-  EXPECT_EQ(order.pairs, 3);
-  EXPECT_EQ(order.alike, 2);  // the second and the third change places
+  EXPECT_EQ(order.all, 3);
+  ASSERT_EQ(order.ties.size(), 1U);
+  EXPECT_EQ(order.ties[0], std::make_pair(std::size_t{1}, std::size_t{2}));
 }
 
 TEST(Convergence, SearchesFromEverySeedAndGoesOnFromTheStore) {
@@ -53,7 +54,7 @@ TEST(Convergence, SearchesFromEverySeedAndGoesOnFromTheStore) {
   FitStore store(file);
   Freedom freedom = some_freedom();
   freedom.held[static_cast<std::size_t>(Open::slowest)] = 0.1;
-  const ConvergencePlan plan{{some_search(1).global}, {1, 2}, 24, 1};
+  const ConvergencePlan plan{{some_search(1).global}, {1, 2}, 24};
   const auto all = converge({freedom}, plan, store);
   ASSERT_EQ(all.size(), 1U);
   ASSERT_EQ(all[0].searches.size(), 2U);

@@ -32,11 +32,13 @@ Results some_results() {
   results.chosen = 1;
   results.rankings = {{some_search(2), {Reading{}}, {22.5}, 0.75}};
   results.usual = ranked(default_reading().reading, default_reading().freed, 29);
-  results.plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 800, 1};
+  results.plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 800, 400, 2};
   for (const RankedFit& r : {results.frontier[1], results.readings[0]}) {
     Convergence& one = results.convergence.emplace_back();
     Fit far = r.fit;
     far.misfit *= 1.5;
+    one.evaluations = 800;
+    one.freedom.reading = r.fit.reading;
     one.searches = {{"nlopt-crs2", 1, {far, r.fit, r.fit}}, {"nlopt-crs2", 2, {far, far, r.fit}}};
     results.converged.push_back({r});
   }
@@ -131,16 +133,19 @@ TEST(ResultsData, ShowTheRanksByEverySearch) {
 TEST(ResultsData, ShowWhereSearchesEndAlike) {
   Results results = some_results();
   results.convergence[1].searches[1].fits.back().misfit = 24;
+  EXPECT_EQ(data_from(results)["convergence"]["ties"].size(), 1U);
   const auto rows = rows_of(drawing_of(results).page, "convergence");
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0][1].text, "2");
-  EXPECT_EQ(rows[0][2].text, "21.00");
-  EXPECT_EQ(rows[0][4].text, "50, 50, 0");
-  EXPECT_EQ(rows[0][5].text, "800");
-  EXPECT_EQ(rows[0][5].state, report::State::good);
-  EXPECT_EQ(rows[1][3].text, "24.00");
-  EXPECT_EQ(rows[1][5].text, "–");
-  EXPECT_EQ(rows[1][5].state, report::State::bad);
+  EXPECT_EQ(rows[0][2].text, "20.00");  // by rising misfit
+  EXPECT_EQ(rows[0][3].text, "24.00");
+  EXPECT_EQ(rows[0][6].text, "–");
+  EXPECT_EQ(rows[0][6].state, report::State::bad);
+  EXPECT_EQ(rows[1][1].text, "2");
+  EXPECT_EQ(rows[1][2].text, "21.00");
+  EXPECT_EQ(rows[1][4].text, "800");
+  EXPECT_EQ(rows[1][5].text, "50, 50, 0");
+  EXPECT_EQ(rows[1][6].text, "800");
+  EXPECT_EQ(rows[1][6].state, report::State::good);
 }
 
 TEST(ResultsData, SayWithWhatOtherCommandsCompute) {
@@ -168,10 +173,10 @@ TEST(ResultsData, ChooseOfTheConvergedRowsTheOneWithTheLowestCriterion) {
   results.converged[0][1].appraisal.threshold_error = 0.123;
   EXPECT_EQ(&results.choice(), &results.converged[1][0]);
   const auto rows = rows_of(drawing_of(results).page, "convergence");
-  EXPECT_EQ(rows[0][6].text, "2");
-  EXPECT_EQ(rows[0][7].text, "4.0 to 12.3");
-  EXPECT_EQ(rows[0].back().state, report::State::neutral);
-  EXPECT_EQ(rows[1].back().state, report::State::good);
+  EXPECT_EQ(rows[1][7].text, "2");
+  EXPECT_EQ(rows[1][8].text, "4.0 to 12.3");
+  EXPECT_EQ(rows[1].back().state, report::State::neutral);
+  EXPECT_EQ(rows[0].back().state, report::State::good);
   results.converged.clear();
   EXPECT_EQ(&results.choice(), &results.frontier[1]);
 }

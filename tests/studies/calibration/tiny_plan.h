@@ -18,7 +18,7 @@ inline Plan tiny_plan() {
   Search other = some_search(1);
   other.seed = 2;
   plan.checks = {other};
-  plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 4, 1};
+  plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 4, 3, 3};
   return plan;
 }
 

@@ -92,7 +92,7 @@ class ImpactLanes {
 /// its observer. Similar scenes should be neighbours.
 template <class ModelAt, class ObserverAt>
 std::vector<LaneOutcome> run_in_lanes(std::size_t size, const ModelAt& model_at,
-                                  const ObserverAt& observer_at) {
+                                      const ObserverAt& observer_at) {
   return ImpactLanes<ModelAt, ObserverAt>(size, model_at, observer_at).run();
 }
 

@@ -49,12 +49,13 @@ Freedom as_free_as_default(const Reading& reading) {
   return freedom;
 }
 
-/// All whose cases share a scene.
+/// All whose cases share a scene, the default one among them.
 std::vector<Reading> known_readings(const Results& results) {
   std::vector<Reading> readings;
   const auto add = [&](const Reading& r) {
     if (is_one_scene(r) && std::ranges::find(readings, r) == readings.end()) readings.push_back(r);
   };
+  add(default_reading().reading);
   for (const RankedFit& r : results.readings) add(r.fit.reading);
   for (const Reading& r : variations(default_reading().reading)) add(r);
   return readings;

@@ -25,6 +25,11 @@ std::string words_of(Open constant) {
   return words;
 }
 
+/// "projected-constant-revolutions (5)": with the number of its free constants.
+std::string words_of(const Freedom& freedom) {
+  return fmt::format("{} ({})", name_of(freedom.reading), freedom.freed.size());
+}
+
 Json data_of(const RankedFit& r) {
   const Appraisal& a = r.appraisal;
   return {{"reading", name_of(r.fit.reading)},
@@ -140,8 +145,8 @@ Json convergence_of(const Results& results) {
           {"pairs", pairs.all},
           {"alike", pairs.all - static_cast<int>(pairs.ties.size())},
           {"ties", list_of(pairs.ties, [&](const auto& tie) -> Json {
-             return {{"first", name_of(results.convergence[tie.first].freedom.reading)},
-                     {"second", name_of(results.convergence[tie.second].freedom.reading)}};
+             return {{"first", words_of(results.convergence[tie.first].freedom)},
+                     {"second", words_of(results.convergence[tie.second].freedom)}};
            })}};
 }
 

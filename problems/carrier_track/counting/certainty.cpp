@@ -19,7 +19,7 @@ namespace {
 using Feature = FeatureTrace::Feature;
 
 /// Features of two simulations are the same if they differ by no more than this in the scaled
-/// margin and than same_time in time.
+/// margin and than Neighbour::same_time in time.
 constexpr double same_margin = 0.1;
 
 /// From this growth on a path is called sensitive: perturbation_size then moves a scaled margin by
@@ -31,7 +31,7 @@ constexpr double sensitive_growth = 1e6;
 class Counterparts {
  public:
   Counterparts(const std::vector<Feature>& others, double duration)
-      : others_(others), within_(same_time * duration) {}
+      : others_(others), within_(Neighbour::same_time * duration) {}
 
   /// The nearest in time, if it is the same.
   const Feature* of(const Feature& feature) {
@@ -115,7 +115,7 @@ class Comparison {
   /// lacks, is not known.
   void find_near_end(std::size_t kind, const std::vector<Feature>& features, double end) {
     for (auto f = features.rbegin(); f != features.rend(); ++f) {
-      if (f->time < (1 - same_time) * end) break;
+      if (f->time < (1 - Neighbour::same_time) * end) break;
       if (f->margin > 0 &&
           std::abs(end - f->time) <= 10 * end * std::max(moved_, perturbation_size)) {
         suspect(kind, *f, Doubt::window, end);
@@ -124,7 +124,7 @@ class Comparison {
   }
 
   void suspect(std::size_t kind, const Feature& f, Doubt doubt, double end) {
-    const bool near_end = std::abs(end - f.time) <= same_time * end;
+    const bool near_end = std::abs(end - f.time) <= Neighbour::same_time * end;
     if (doubt == Doubt::graze && near_end) doubt = Doubt::window;
     if (f.time < first_.time) first_ = {f.time, kind, f.margin, doubt, end - f.time};
   }
@@ -137,8 +137,8 @@ class Comparison {
 bool has_impact(const FeatureTrace& trace, const Graze& graze, double duration) {
   const std::vector<double>& times = trace.impacts(graze.wall);
   const auto first =
-      std::lower_bound(times.begin(), times.end(), graze.time - same_time * duration);
-  return first != times.end() && *first <= graze.time + same_time * duration;
+      std::lower_bound(times.begin(), times.end(), graze.time - Neighbour::same_time * duration);
+  return first != times.end() && *first <= graze.time + Neighbour::same_time * duration;
 }
 
 /// The nearest graze of the one, if it is an impact in the other.
@@ -257,7 +257,7 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace, Neighbours
     certainty.growth = std::max(certainty.growth, pair.change / perturbation_size);
   }
   if (first.doubt == Doubt::none) return certainty;
-  if (graze && graze->time > first.time + same_time * duration) graze.reset();
+  if (graze && graze->time > first.time + Neighbour::same_time * duration) graze.reset();
   if (graze) {
     first.doubt = Doubt::graze;
   } else if (certainty.growth >= sensitive_growth) {

@@ -13,13 +13,13 @@
 
 namespace ricochet::carrier_track::inline counting {
 
-/// Features of a scene and of one next to it are the same if they differ by no more than this in
-/// time, as a share of the window. The changed windows are longer by it, so that what comes just
-/// after the end is seen.
-inline constexpr double same_time = 1e-4;
-
 /// A scene with its constants changed in the tenth digit, and what happens in it.
 struct Neighbour {
+  /// Its features and the given scene's are the same if they differ by no more than this in time,
+  /// as a share of the window. Its window is longer by it, so that what comes just after the end is
+  /// seen.
+  static constexpr double same_time = 1e-4;
+
   Scene scene;
   double end;  ///< [s] of its window, before that is made longer
   FeatureTrace trace;

@@ -44,7 +44,7 @@ TEST(Neighbours, LastALittleLongerThanTheScene) {
   Neighbours neighbours(scene);
   for (const Neighbour& n : neighbours.simulated()) {
     EXPECT_NEAR(n.end, duration_of(scene), 1e-8 * duration_of(scene));
-    EXPECT_NEAR(duration_of(n.scene) / n.end, 1 + same_time, 1e-12);
+    EXPECT_NEAR(duration_of(n.scene) / n.end, 1 + Neighbour::same_time, 1e-12);
   }
 }
 

@@ -11,8 +11,8 @@ namespace ricochet::carrier_track::inline counting {
 namespace {
 
 // Strides of the golden ratio and of the root of two.
-constexpr double golden = 0.6180339887498949;
-constexpr double root = 0.4142135623730950;
+constexpr double golden_stride = 0.6180339887498949;
+constexpr double root_stride = 0.4142135623730950;
 
 bool crosses(const Scene& scene) {
   return !(scene.wall_upper > scene.wall_lower) ||
@@ -34,7 +34,10 @@ void Neighbour::end_with(const End<double>& last, std::exception_ptr thrown) {
 }
 
 Neighbours::Neighbours(const Scene& scene)
-    : all_{{{scene, golden, +1}, {scene, golden, -1}, {scene, root, +1}, {scene, root, -1}}},
+    : all_{{{scene, golden_stride, +1},
+            {scene, golden_stride, -1},
+            {scene, root_stride, +1},
+            {scene, root_stride, -1}}},
       fit_lanes_(scene.fidelity == Fidelity::impact && scene.profile.empty()) {}
 
 const std::array<Neighbour, 4>& Neighbours::simulated() {

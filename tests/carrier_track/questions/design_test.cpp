@@ -13,7 +13,7 @@
 namespace ricochet::carrier_track {
 namespace {
 
-Machine machine() {
+Machine c1_machine() {
   return machine_of(find_case("C1"), exploratory_scene());
 }
 
@@ -42,7 +42,7 @@ TEST(Design, CostsNoTensionAtTheNominalPullAndNoDampingWithoutAny) {
 }
 
 TEST(Design, OfTheMachineAsItIsHasItsCount) {
-  const Machine m = machine();
+  const Machine m = c1_machine();
   const Problem problem = design_count_question(m).stated;
   Vector x = problem.start;
   x[design_speed] = 9.0;
@@ -52,7 +52,7 @@ TEST(Design, OfTheMachineAsItIsHasItsCount) {
 
 TEST(Design, BuildsTheSceneOfItsVariables) {
   const std::array<double, 5> x = {5.0, 2.0, 2 * 1.04e-3, 0.3, 0.7};
-  const Scene scene = designed(machine().scene, std::span<const double>(x));
+  const Scene scene = designed(c1_machine().scene, std::span<const double>(x));
   EXPECT_EQ(scene.omega, 5.0);
   EXPECT_EQ(scene.pull, 2.0);
   EXPECT_DOUBLE_EQ(scene.wall_upper, 2 * 1.04e-3);
@@ -63,14 +63,14 @@ TEST(Design, BuildsTheSceneOfItsVariables) {
 }
 
 TEST(Design, HasDerivativesToEveryVariable) {
-  const Problem problem = design_count_question(machine()).problem({0.25});
+  const Problem problem = design_count_question(c1_machine()).problem({0.25});
   const Vector x = problem.lower + 0.37 * (problem.upper - problem.lower);
   expect_derivatives_of_values(problem, x, 1e-8, 1e-4);
 }
 
 TEST(Design, IsJudgedByTheTrueCount) {
-  const Problem smooth = design_count_question(machine()).problem({0.25});
-  const Problem exact = design_count_question(machine()).stated;
+  const Problem smooth = design_count_question(c1_machine()).problem({0.25});
+  const Problem exact = design_count_question(c1_machine()).stated;
   const Vector x = smooth.lower + 0.9 * (smooth.upper - smooth.lower);
   const Truth truth = smooth.truth(x);
   EXPECT_GT(truth.violation, 0);
@@ -79,9 +79,9 @@ TEST(Design, IsJudgedByTheTrueCount) {
 }
 
 TEST(Design, IsNotAskedOfAMachineWithOneWall) {
-  Machine m = machine();
+  Machine m = c1_machine();
   m.scene.wall_upper = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(families_of({machine(), m})[4].questions.size(), 1U);
+  EXPECT_EQ(families_of({c1_machine(), m})[4].questions.size(), 1U);
 }
 
 }  // namespace

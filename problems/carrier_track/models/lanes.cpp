@@ -6,12 +6,14 @@ namespace ricochet::carrier_track::inline models {
 namespace {
 
 auto widest() {
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(__clang__)
   // What the processors with AVX-512 that came after the first few have all of.
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512bw")) {
     return fly_avx512;
   }
+#endif
+#ifdef __x86_64__
   if (__builtin_cpu_supports("avx2")) return fly_avx2;
 #endif
   return fly_plain;

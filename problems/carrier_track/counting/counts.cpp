@@ -36,8 +36,7 @@ void run_all(const SceneAt& scene_at, std::vector<SomeObserver>& observers) {
 }  // namespace
 
 bool suits_lanes(const Scene& scene) {
-  return scene.fidelity == Fidelity::impact && scene.profile.empty() &&
-         scene.rule == CountRule::impacts;
+  return fits_lanes(scene) && scene.rule == CountRule::impacts;
 }
 
 std::vector<double> objectives(std::span<const Scene> scenes, double width) {

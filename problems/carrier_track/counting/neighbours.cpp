@@ -37,8 +37,7 @@ Neighbours::Neighbours(const Scene& scene)
     : all_{{{scene, golden_stride, +1},
             {scene, golden_stride, -1},
             {scene, root_stride, +1},
-            {scene, root_stride, -1}}},
-      fit_lanes_(scene.fidelity == Fidelity::impact && scene.profile.empty()) {}
+            {scene, root_stride, -1}}} {}
 
 const std::array<Neighbour, 4>& Neighbours::simulated() {
   if (simulated_) return all_;

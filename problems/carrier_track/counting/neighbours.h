@@ -80,7 +80,7 @@ class Neighbours {
   /// neighbours by its side. Throws what the simulation of the scene throws.
   template <class SomeObserver>
   End<double> simulate_with(const Scene& scene, SomeObserver& observer) {
-    if (!fit_lanes_) return simulate(scene, observer);
+    if (!fits_lanes(scene)) return simulate(scene, observer);
     std::vector<ShownTo<SomeObserver>> observers = {ShownTo<SomeObserver>(&observer)};
     const std::vector<Neighbour*> sound = sound_ones();
     for (Neighbour* n : sound) observers.emplace_back(&n->trace);
@@ -104,7 +104,6 @@ class Neighbours {
   std::vector<Neighbour*> sound_ones();
 
   std::array<Neighbour, 4> all_;
-  bool fit_lanes_;
   bool simulated_ = false;
 };
 

@@ -87,6 +87,11 @@ class ImpactLanes {
   std::array<std::size_t, Lanes::size> index_{};  // of the simulation in a lane
 };
 
+/// Whether the simulation of a valid scene can run in lanes: hard walls at constant speed.
+inline bool fits_lanes(const Scene& scene) {
+  return scene.fidelity == Fidelity::impact && scene.profile.empty();
+}
+
 /// Does what `model_at(i).run(observer_at(i))` does for i = 0, 1, ..., size - 1, to the same bits,
 /// several times as fast. `model_at` returns an ImpactModel<double>, `observer_at` a reference to
 /// its observer. Similar scenes should be neighbours.

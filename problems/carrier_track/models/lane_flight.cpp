@@ -38,51 +38,48 @@ class LaneFlight {
 
  private:
   void fly() {
+    const Row steady = load(lanes_.steady) + select(rising_, -friction_, friction_);
     SearchRows<Row, harmonics> search(
-        start(), direction_, direction_ * ((wall_ - load(lanes_.origin)) - load(lanes_.offset)),
+        start(steady), direction_,
+        direction_ * ((wall_ - load(lanes_.origin)) - load(lanes_.offset)),
         duration_ - load(lanes_.time));
     search.run();
     const FlightRows<Row, harmonics>& there = search.there;
     const Mask struck = search.arrival;
     const Mask done = search.turn || struck;
-    const Row before = load(lanes_.time);
-    const Row after =
-        select(search.time >= duration_ - before, duration_, Row(before + search.time));
     const Row speed = most(Row(direction_ * there.velocity), Row(0.0));
-    store(done, after, lanes_.time);
-    store(done, search.time, lanes_.elapsed);
-    store(done, load(lanes_.evaluations) + search.evaluations, lanes_.evaluations);
+    pass(done, search.time, search.evaluations, there);
     store(done, select(struck, 0.0, there.position), lanes_.offset);
     store(done, select(struck, rebound(speed), Row(0.0)), lanes_.velocity);
     store(done, select(struck, -direction_, release(there)), lanes_.direction);
     store(struck, wall_, lanes_.origin);
     store(done, select(struck, direction_, Row(0.0)), lanes_.wall);
     store(struck, speed, lanes_.speed);
-    for (std::size_t h = 0; h < harmonics; ++h) {
-      store(done, there.cosine[h], lanes_.cosine[h]);
-      store(done, there.sine[h], lanes_.sine[h]);
-    }
     store(done, select(struck, Lanes::struck, Row(Lanes::turned)), lanes_.event);
   }
 
   void rest(const Mask& which) {
-    FlightRows<Row, harmonics> forces = start();
-    forces.steady = load(lanes_.steady);
-    const Row before = load(lanes_.time);
-    const Row left = duration_ - before;
+    FlightRows<Row, harmonics> forces = start(load(lanes_.steady));
     const Row wall = load(lanes_.wall);
-    ReleaseRows<Row, harmonics> release(forces, friction_, left);
+    ReleaseRows<Row, harmonics> release(forces, friction_, duration_ - load(lanes_.time));
     release.run(which, wall != 1.0, wall != -1.0);
     forces.advance(release.time);
-    store(which, select(release.time >= left, duration_, Row(before + release.time)), lanes_.time);
-    store(which, release.time, lanes_.elapsed);
-    store(which, load(lanes_.evaluations) + release.evaluations, lanes_.evaluations);
+    pass(which, release.time, release.evaluations, forces);
     store(which, release.direction, lanes_.direction);
-    for (std::size_t h = 0; h < harmonics; ++h) {
-      store(which, forces.cosine[h], lanes_.cosine[h]);
-      store(which, forces.sine[h], lanes_.sine[h]);
-    }
     store(which, Row(Lanes::rested), lanes_.event);
+  }
+
+  /// Lets `time` [s] pass, after which the harmonics are as they are `there`.
+  [[gnu::always_inline]] void pass(const Mask& which, const Row& time, const Row& evaluations,
+                                   const FlightRows<Row, harmonics>& there) {
+    const Row before = load(lanes_.time);
+    store(which, select(time >= duration_ - before, duration_, Row(before + time)), lanes_.time);
+    store(which, time, lanes_.elapsed);
+    store(which, load(lanes_.evaluations) + evaluations, lanes_.evaluations);
+    for (std::size_t h = 0; h < harmonics; ++h) {
+      store(which, there.cosine[h], lanes_.cosine[h]);
+      store(which, there.sine[h], lanes_.sine[h]);
+    }
   }
 
   Row load(const Lanes::Row& row) const { return Row(row.data() + first_, stdx::vector_aligned); }
@@ -91,13 +88,9 @@ class LaneFlight {
     select(which, values, load(row)).copy_to(row.data() + first_, stdx::vector_aligned);
   }
 
-  FlightRows<Row, harmonics> start() const {
-    FlightRows<Row, harmonics> flight{load(lanes_.offset),
-                                      load(lanes_.velocity),
-                                      load(lanes_.steady) + select(rising_, -friction_, friction_),
-                                      {},
-                                      {},
-                                      {}};
+  FlightRows<Row, harmonics> start(const Row& steady) const {
+    FlightRows<Row, harmonics> flight{
+        load(lanes_.offset), load(lanes_.velocity), steady, {}, {}, {}};
     for (std::size_t h = 0; h < harmonics; ++h) {
       flight.cosine[h] = load(lanes_.cosine[h]);
       flight.sine[h] = load(lanes_.sine[h]);

@@ -17,7 +17,7 @@ struct ConvergencePlan {
   std::vector<Solver> solvers;
   std::vector<int> seeds;
   std::int64_t evaluations = 0;          ///< of each search
-  std::int64_t reading_evaluations = 0;  ///< of those that only rank readings
+  std::int64_t reading_evaluations = 0;  ///< of those that only rank readings, where they agree
   std::size_t readings = 0;              ///< so many of the best, each as free as the default one
 };
 

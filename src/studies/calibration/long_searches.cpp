@@ -87,13 +87,30 @@ std::vector<Freedom> best_as_free_as_default(const Results& results, FitStore& s
   return freedoms;
 }
 
+/// Searches briefly; where that does not agree, anew and at length.
+std::vector<Convergence> converged_by_turns(const std::vector<Freedom>& freedoms,
+                                            const ConvergencePlan& plan, FitStore& store) {
+  ConvergencePlan brief = plan;
+  brief.evaluations = plan.reading_evaluations;
+  std::vector<Convergence> all = converge(freedoms, brief, store);
+  std::vector<Freedom> open;
+  for (const Convergence& one : all) {
+    if (!one.agreed_from()) open.push_back(one.freedom);
+  }
+  std::vector<Convergence> again = converge(open, plan, store);
+  auto next = again.begin();
+  for (Convergence& one : all) {
+    if (!one.agreed_from()) one = std::move(*next++);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<Convergence> long_searches(const Results& results, FitStore& store) {
-  ConvergencePlan plan = *results.plan.convergence;
+  const ConvergencePlan& plan = *results.plan.convergence;
   std::vector<Convergence> all = converge(longest(results), plan, store);
-  plan.evaluations = plan.reading_evaluations;
-  std::ranges::move(converge(best_as_free_as_default(results, store), plan, store),
+  std::ranges::move(converged_by_turns(best_as_free_as_default(results, store), plan, store),
                     std::back_inserter(all));
   return all;
 }

@@ -50,5 +50,33 @@ TEST(LongSearches, TakeEveryReadingOnceAsFreeAsTheDefaultOne) {
   EXPECT_EQ(same->freedom.freed.size(), default_reading().freed.size());
 }
 
+/// Those that rank readings, from these seeds.
+std::vector<Convergence> of_readings(const std::vector<int>& seeds) {
+  const auto file = std::filesystem::path(testing::TempDir()) /
+                    ("long_searches_" + std::to_string(getpid()) + ".toml");
+  std::filesystem::remove(file);
+  FitStore store(file);
+  Results results;
+  results.plan = tiny_plan();
+  results.plan.convergence->seeds = seeds;
+  results.readings = {natural_fit(Reading{})};
+  results.frontier = {natural_fit(Reading{})};
+  const std::vector<Convergence> all = long_searches(results, store);
+  return {all.begin() + 3, all.end()};
+}
+
+TEST(LongSearches, OfReadingsAreBriefWhereTheyAgree) {
+  const ConvergencePlan plan = *tiny_plan().convergence;
+  const auto alike = of_readings({1, 1});
+  ASSERT_FALSE(alike.empty());
+  for (const Convergence& c : alike) EXPECT_EQ(c.evaluations, plan.reading_evaluations);
+  const auto unlike = of_readings({1, 2});
+  ASSERT_FALSE(unlike.empty());
+  for (const Convergence& c : unlike) EXPECT_EQ(c.evaluations, plan.evaluations);
+  for (std::size_t i = 0; i < unlike.size(); ++i) {
+    EXPECT_EQ(unlike[i].freedom.reading, alike[i].freedom.reading);
+  }
+}
+
 }  // namespace
 }  // namespace ricochet::studies::calibration

@@ -7,8 +7,8 @@
 namespace ricochet::carrier_track::inline counting {
 
 void FeatureTrace::impact(double time, Wall wall, double speed) {
-  if (ahead_ == wall) ahead_.reset();
   now_ = time;
+  finite_ = finite_ && std::isfinite(time + speed);
   const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
   impacts_[kind].push_back(time);
   const auto keep = [&](double z, double /*left*/) { tell(kind, z, speed / scene_.slowest - 1); };
@@ -45,11 +45,12 @@ void FeatureTrace::tell(std::size_t kind, double margin, double missing) {
   features_[kind].push_back({now_, margin, margin > 0 ? margin : missing});
 }
 
-void FeatureTrace::turn(double time, double position) {
+void FeatureTrace::turn(double time, double position, Wall ahead) {
+  finite_ = finite_ && std::isfinite(time + position);
   const double distance =
-      *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+      ahead == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
   if (!(distance > 0) || std::isinf(distance)) return;
-  if (!graze_ || distance < graze_->distance) graze_ = Graze{time, *ahead_, distance};
+  if (!graze_ || distance < graze_->distance) graze_ = Graze{time, ahead, distance};
 }
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -42,26 +42,22 @@ class FeatureTrace : public Observer {
 
   void impact(double time, Wall wall, double speed);
   void peak(double time, double position);
+  void turn(double time, double position, Wall ahead);
   void hops(double time, Wall wall);
   void contact(double time, double position, double velocity);
 
-  /// A stretch without reversal; a turning point lies between one and the next if no impact does.
+  /// Where maxima count; an impact or a turning point says all that counts of the others.
+  bool hears_stretches() const { return scene_.rule == CountRule::peaks; }
+
   template <class Path>
   void stretch(double time, const Path& path, double duration) {
-    const struct { double position, velocity; } start{path.position, path.velocity};
-    finite_ = finite_ && std::isfinite(start.position + start.velocity + time + duration);
+    finite_ = finite_ && std::isfinite(path.position + path.velocity + time + duration);
     swung_out_ = false;
     if (std::exchange(counting_peak_, false)) {
-      const double drop = start.position - path.at(duration).position;
-      if (drop <= perturbation_size * (start.position - scene_.wall_lower)) shallow_ = time;
+      const double drop = path.position - path.at(duration).position;
+      if (drop <= perturbation_size * (path.position - scene_.wall_lower)) shallow_ = time;
     }
-    if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * start.velocity > 0)) {
-      turn(time, start.position);
-    }
-    ahead_.reset();
     now_ = time + duration;
-    const double velocity = start.velocity != 0 ? start.velocity : path.at(0.5 * duration).velocity;
-    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
   }
 
   /// Of a Kind, in order of time.
@@ -92,14 +88,11 @@ class FeatureTrace : public Observer {
 
   /// `missing` is exp(margin) - 1.
   void tell(std::size_t kind, double margin, double missing);
-  void turn(double time, double position);
-
   const Scene& scene_;
   std::array<std::vector<Feature>, kinds> features_;
   std::array<std::vector<double>, 2> impacts_;  // times [s]
   std::optional<Graze> graze_;
-  double now_ = 0;             // [s]
-  std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
+  double now_ = 0;  // [s]
   std::optional<Endless> endless_;
   std::optional<double> shallow_;
   bool counting_peak_ = false;  // whether one was told, from which the body falls now

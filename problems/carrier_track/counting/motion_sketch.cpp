@@ -39,7 +39,6 @@ class MotionSketch::Watch : public Observer {
       : sketch_(sketch), scene_(scene), duration_(duration_of(scene)) {}
 
   void impact(const Jet& time, Wall wall, const Jet& speed) {
-    ahead_.reset();
     const bool within = time.a <= duration_.a;
     sketch_.count_ += within && is_counted(speed.a, scene_.slowest.a) ? 1 : 0;
     if (!(speed.a > 0)) return;
@@ -48,26 +47,15 @@ class MotionSketch::Watch : public Observer {
     add(wall == Wall::lower ? Kind::lower_impact : Kind::upper_impact, time, margin);
   }
 
-  /// As TrustWatch finds turning points.
-  template <class Path>
-  void stretch(const Jet& time, const Path& path, const Jet& duration) {
-    const int direction = direction_of(value(path.velocity));
-    if (ahead_ && direction != (*ahead_ == Wall::upper ? 1 : -1)) turn(time, path.position);
-    ahead_.reset();
-    const double velocity =
-        direction != 0 ? direction : path.plain().at(0.5 * value(duration)).velocity;
-    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
-  }
-
- private:
-  void turn(const Jet& time, const Jet& position) {
-    const bool upper = *ahead_ == Wall::upper;
+  void turn(const Jet& time, const Jet& position, Wall ahead) {
+    const bool upper = ahead == Wall::upper;
     const Jet missed = (upper ? scene_.wall_upper - position : position - scene_.wall_lower) /
                        (scene_.wall_upper - scene_.wall_lower);
     if (!(missed.a > 0 && missed.a < 2 * near_wall)) return;
     add(upper ? Kind::upper_graze : Kind::lower_graze, time, missed);
   }
 
+ private:
   void add(Kind kind, const Jet& time, const Jet& margin) {
     const Jet share = time / duration_;
     sketch_.features_.push_back({kind, {share.a, share.v[0]}, {margin.a, margin.v[0]}});
@@ -75,8 +63,7 @@ class MotionSketch::Watch : public Observer {
 
   MotionSketch& sketch_;
   const BasicScene<Jet>& scene_;
-  Jet duration_;               // of the window that counts
-  std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
+  Jet duration_;  // of the window that counts
 };
 
 MotionSketch::MotionSketch(const Scene& scene, double omega) : omega_(omega) {

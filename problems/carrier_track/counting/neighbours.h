@@ -42,11 +42,17 @@ class ShownTo : public Observer {
   explicit ShownTo(FeatureTrace* trace) requires(!std::is_same_v<SomeObserver, FeatureTrace>)
       : trace_(trace) {}
 
+  bool hears_stretches() const {
+    return given_ != nullptr ? given_->hears_stretches() : trace_->hears_stretches();
+  }
   void impact(double time, Wall wall, double speed) {
     tell([&](auto& observer) { observer.impact(time, wall, speed); });
   }
   void peak(double time, double position) {
     tell([&](auto& observer) { observer.peak(time, position); });
+  }
+  void turn(double time, double position, Wall ahead) {
+    tell([&](auto& observer) { observer.turn(time, position, ahead); });
   }
   void hops(double time, Wall wall) {
     tell([&](auto& observer) { observer.hops(time, wall); });

@@ -26,12 +26,16 @@ class Recorder : public Observer {
     recording_.peaks.push_back({time, position});
   }
 
+  void turn(double time, double position, Wall ahead) { trace_.turn(time, position, ahead); }
+
   void hops(double time, Wall wall) { trace_.hops(time, wall); }
 
   void contact(double time, double position, double velocity) {
     trace_.contact(time, position, velocity);
     if (std::isfinite(spacing_)) recording_.path.push_back({time, position, velocity});
   }
+
+  bool hears_stretches() const { return std::isfinite(spacing_) || trace_.hears_stretches(); }
 
   template <class Path>
   void stretch(double time, const Path& path, double duration) {

@@ -70,32 +70,20 @@ class TrustWatch : public Observer {
       : gauge_(gauge), scene_(scene), window_(value(duration_of(scene))) {}
 
   void impact(const Jet& time, Wall /*wall*/, const Jet& speed) {
-    ahead_.reset();
     if (speed.a > 0) gauge_.limit(speed * speed);
     gauge_.impact(time, window_);
   }
 
-  template <class Path>
-  void stretch(const Jet& /*time*/, const Path& path, const Jet& duration) {
-    const int direction = direction_of(value(path.velocity));
-    if (ahead_ && direction != (*ahead_ == Wall::upper ? 1 : -1)) turn(path.position);
-    ahead_.reset();
-    const double velocity =
-        direction != 0 ? direction : path.plain().at(0.5 * value(duration)).velocity;
-    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
-  }
-
- private:
-  void turn(const Jet& position) {
+  void turn(const Jet& /*time*/, const Jet& position, Wall ahead) {
     const Jet missed =
-        *ahead_ == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+        ahead == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
     if (missed.a > 0 && std::isfinite(missed.a)) gauge_.limit(missed);
   }
 
+ private:
   TrustGauge<Jet>& gauge_;
   const BasicScene<Jet>& scene_;
   double window_;
-  std::optional<Wall> ahead_;  // where the last stretch led, if no impact ended it
 };
 
 template <class Jet>

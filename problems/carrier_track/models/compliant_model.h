@@ -79,6 +79,7 @@ class CompliantModel {
       if (speed > 0 && speed <= resting_speed_of(scene_)) observer.hops(time_, *wall_);
       enter(speed);
     } else if (event.kind == EventKind::turn) {
+      observer.turn(time_, position(), direction_ > 0 ? Wall::upper : Wall::lower);
       stop();
     }
   }

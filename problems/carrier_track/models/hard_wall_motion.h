@@ -197,6 +197,7 @@ class HardWallMotion {
   void pass(const Path& flight, const Path& landing, const Scalar& time, const Scalar& now,
             SomeObserver& observer) {
     peaks_.moves(direction_, observer);
+    flown_ = direction_;
     if (direction_ > 0 ? at(Wall::lower) : at(Wall::upper)) wall_.reset();
     tell(observer, flight, time);
     offset_ = landing.position;
@@ -235,6 +236,7 @@ class HardWallMotion {
     if (value(speed) < 0) speed = constant<Scalar>(0.0);  // a touch, but for rounding
     observer.impact(time_, *wall_, speed);
     peaks_.stops(time_, origin_ + offset_);
+    flown_ = 0;
     direction_ = -direction_;
     const Scalar rebound = restitution() * speed;
     velocity_ = direction_ > 0 ? rebound : constant<Scalar>(0.0) - rebound;  // never -0
@@ -265,10 +267,14 @@ class HardWallMotion {
   }
 
   /// The velocity has come down to zero.
-  void stop() {
+  template <class SomeObserver>
+  void stop(SomeObserver& observer) {
     velocity_ = constant<Scalar>(0.0);
     direction_ = 0;
-    peaks_.stops(time_, origin_ + offset_);
+    const Scalar position = origin_ + offset_;
+    if (flown_ != 0) observer.turn(time_, position, flown_ > 0 ? Wall::upper : Wall::lower);
+    flown_ = 0;
+    peaks_.stops(time_, position);
   }
 
   /// Takes its place among others side by side; at constant speed under steady friction alone.
@@ -347,6 +353,7 @@ class HardWallMotion {
   Scalar offset_ = constant<Scalar>(0.0);
   Scalar velocity_;
   int direction_;             // of motion; 0 at rest
+  int flown_ = 0;             // direction of the last flight, until something ends it
   std::optional<Wall> wall_;  // the wall touched
   PeakWatch<Scalar> peaks_;
   std::int64_t evaluations_ = 0;

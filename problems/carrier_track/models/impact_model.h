@@ -60,7 +60,7 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
   }
 
   /// Takes what fly() has done to the body's lane, or does what it left to do. The model itself
-  /// keeps up with the lane only where the observer asks for more than impacts.
+  /// keeps up with the lane only where the observer hears stretches.
   template <class SomeObserver>
   void follow(Lanes& lanes, std::size_t k, SomeObserver& observer) {
     const double event = lanes.event[k];
@@ -70,27 +70,48 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
       this->enter(lanes, k);
       return;
     }
+    const bool keeps_up = !SomeObserver::hears_impacts_alone && observer.hears_stretches();
     if (event == Lanes::rested) {
-      if constexpr (!SomeObserver::hears_impacts_alone) this->rest_as_in(lanes, k, observer);
+      if (keeps_up) this->rest_as_in(lanes, k, observer);
+      direction_ = static_cast<int>(lanes.direction[k]);
       return;
     }
     const bool may_rest =
         event == Lanes::struck && std::abs(lanes.velocity[k]) <= this->resting_speed_;
-    if constexpr (!SomeObserver::hears_impacts_alone) {
+    if (keeps_up) {
       const auto flight = this->flight();
       auto landing = flight;
       this->land(landing, lanes, k);
       finish(flight, landing,
              {event == Lanes::struck ? EventKind::wall : EventKind::turn, lanes.elapsed[k]},
              observer);
-    } else if (event == Lanes::struck) {
-      count_impact(this->impacts_);
-      observer.impact(lanes.time[k], lanes.wall[k] > 0 ? Wall::upper : Wall::lower, lanes.speed[k]);
+    } else {
+      tell_event(lanes, k, observer);
       if (!may_rest) return;
       this->leave(lanes, k);
       rest_on_wall(observer);
     }
     if (may_rest) this->enter(lanes, k);
+  }
+
+  /// Tells of the impact or turning point that ended the flight of a lane.
+  template <class SomeObserver>
+  [[gnu::always_inline]] void tell_event(const Lanes& lanes, std::size_t k,
+                                         SomeObserver& observer) {
+    constexpr bool turns_too = !SomeObserver::hears_impacts_alone;
+    const double time = lanes.time[k];
+    const double position = lanes.origin[k] + lanes.offset[k];
+    if constexpr (turns_too) this->peaks_.moves(direction_, observer);
+    if (lanes.event[k] == Lanes::struck) {
+      count_impact(this->impacts_);
+      observer.impact(time, lanes.wall[k] > 0 ? Wall::upper : Wall::lower, lanes.speed[k]);
+    } else if constexpr (turns_too) {
+      observer.turn(time, position, direction_ > 0 ? Wall::upper : Wall::lower);
+    }
+    if constexpr (turns_too) {
+      this->peaks_.stops(time, position);
+      direction_ = static_cast<int>(lanes.direction[k]);
+    }
   }
 
   template <class SomeObserver>
@@ -109,7 +130,7 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
                                      const typename Base::Ending& end, SomeObserver& observer) {
     this->pass(flight, landing, end.time, this->after(end.time), observer);
     if (end.kind == EventKind::turn) {
-      this->stop();
+      this->stop(observer);
       direction_ = this->direction_of_release();
     } else if (end.kind == EventKind::wall) {
       this->strike(observer);

@@ -20,6 +20,9 @@ struct Observer {
   /// Whether nothing but impacts is of interest, which saves the telling of all else.
   static constexpr bool hears_impacts_alone = false;
 
+  /// Whether stretches are of interest; the same during a simulation. They may be told even so.
+  static constexpr bool hears_stretches() { return true; }
+
   /// An impact at `time` [s] with approach speed [m/s] >= 0; slow ones too, until the body sticks.
   template <class Scalar>
   void impact(const Scalar& /*time*/, Wall /*wall*/, const Scalar& /*speed*/) {}
@@ -31,6 +34,11 @@ struct Observer {
   /// A local maximum of x [m], first reached at `time` [s]; the ends of the window are none.
   template <class Scalar>
   void peak(const Scalar& /*time*/, const Scalar& /*position*/) {}
+
+  /// At `time` [s] the body, which moved towards the wall `ahead`, has come to a stop at `position`
+  /// [m] without touching it.
+  template <class Scalar>
+  void turn(const Scalar& /*time*/, const Scalar& /*position*/, Wall /*ahead*/) {}
 
   /// Hops on a wall from `time` [s] on, infinitely many, that are summed and not told one by one.
   template <class Scalar>

@@ -10,6 +10,8 @@ class ObserverPair : public Observer {
  public:
   ObserverPair(First& first, Second& second) : first_(first), second_(second) {}
 
+  bool hears_stretches() const { return first_.hears_stretches() || second_.hears_stretches(); }
+
   template <class Scalar>
   [[gnu::always_inline]] void impact(const Scalar& time, Wall wall, const Scalar& speed) {
     first_.impact(time, wall, speed);
@@ -26,6 +28,12 @@ class ObserverPair : public Observer {
   void peak(const Scalar& time, const Scalar& position) {
     first_.peak(time, position);
     second_.peak(time, position);
+  }
+
+  template <class Scalar>
+  void turn(const Scalar& time, const Scalar& position, Wall ahead) {
+    first_.turn(time, position, ahead);
+    second_.turn(time, position, ahead);
   }
 
   template <class Scalar>

@@ -72,7 +72,7 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
       struck_ = true;
       return (1 + this->restitution()) * approach;
     }
-    if (event_.kind == EventKind::turn) this->stop();
+    if (event_.kind == EventKind::turn) this->stop(observer);
     if (event_.kind == EventKind::release) direction_ = event_.direction;
     return 0;
   }
@@ -85,7 +85,7 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
     cut(now, observer);
     const double speed = std::abs(velocity_);
     velocity_ = direction_ * (speed - std::min(speed, friction_.coefficient * impulse));
-    if (velocity_ == 0 && !struck_) this->stop();
+    if (velocity_ == 0 && !struck_) this->stop(observer);
   }
 
   /// Finds how the body goes on from `now`, if that is due or the other direction's press has begun
@@ -134,7 +134,7 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
   void cut(double now, SomeObserver& observer) {
     due_ = true;
     if (now > time_) advance(now, now - time_, observer);
-    if (direction_ * velocity_ <= 0 && !struck_) this->stop();
+    if (direction_ * velocity_ <= 0 && !struck_) this->stop(observer);
   }
 
   void set_out();

@@ -32,15 +32,27 @@ struct ImpactBits : Observer {
   }
 };
 
-/// And all else that it tells.
-struct Bits : ImpactBits {
+/// And all else that it tells but the stretches.
+struct EventBits : ImpactBits {
   static constexpr bool hears_impacts_alone = false;
+  static bool hears_stretches() { return false; }
 
   void peak(double time, double position) {
     note(time);
     note(position);
   }
+  void turn(double time, double position, Wall ahead) {
+    note(ahead == Wall::upper ? 1 : -1);
+    note(time);
+    note(position);
+  }
   void hops(double time, Wall /*wall*/) { note(time); }
+};
+
+/// And those.
+struct Bits : EventBits {
+  static bool hears_stretches() { return true; }
+
   void stretch(double time, const Flight<double>& path, double duration) {
     for (const double x : {time, path.position, path.velocity, path.steady, duration}) note(x);
     for (int i = 0; i < path.harmonics; ++i) {
@@ -95,6 +107,7 @@ TEST(ImpactLanes, GivesTheBitsOfASingleSimulationForOtherScenes) {
     std::vector<Scene> scenes(size);
     for (Scene& scene : scenes) scene = random.next();
     expect_same_bits<Bits>(scenes);
+    expect_same_bits<EventBits>(scenes);
     expect_same_bits<ImpactBits>(scenes);
   }
 }
@@ -107,6 +120,7 @@ TEST(ImpactLanes, GivesTheBitsOfASingleSimulationForHostileScenes) {
   }
   ASSERT_GT(scenes.size(), 1000U);
   expect_same_bits<Bits>(scenes);
+  expect_same_bits<EventBits>(scenes);
   expect_same_bits<ImpactBits>(scenes);
 }
 

@@ -26,6 +26,8 @@ constexpr double same_margin = 0.1;
 /// a hundredth of same_margin.
 constexpr double sensitive_growth = 1e6;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// Of the features of a kind in one simulation those that features of another are, asked for in the
 /// order of time.
 class Counterparts {
@@ -56,7 +58,7 @@ class Counterparts {
 
 /// A feature that may or may not count.
 struct Suspect {
-  double time = std::numeric_limits<double>::infinity();  ///< [s]
+  double time = infinity;  ///< [s]
   std::size_t kind = 0;
   double margin = 0;
   Doubt doubt = Doubt::none;
@@ -93,7 +95,7 @@ class Comparison {
     for (const Feature& f : given) {
       const Feature* other = in_others.of(f);
       if (other == nullptr) {
-        if (f.margin > 0) suspect(kind, f, Doubt::graze, given_end);
+        if (f.counts()) suspect(kind, f, Doubt::graze, given_end);
         continue;
       }
       const double change = std::abs(other->scaled - f.scaled);
@@ -105,7 +107,7 @@ class Comparison {
     }
     Counterparts in_given(given, given_end);
     for (const Feature& f : others) {
-      if (f.margin > 0 && f.time < other_end && in_given.of(f) == nullptr) {
+      if (f.counts() && f.time < other_end && in_given.of(f) == nullptr) {
         suspect(kind, f, Doubt::graze, other_end);
       }
     }
@@ -116,7 +118,7 @@ class Comparison {
   void find_near_end(std::size_t kind, const std::vector<Feature>& features, double end) {
     for (auto f = features.rbegin(); f != features.rend(); ++f) {
       if (f->time < (1 - Neighbour::same_time) * end) break;
-      if (f->margin > 0 &&
+      if (f->counts() &&
           std::abs(end - f->time) <= 10 * end * std::max(moved_, perturbation_size)) {
         suspect(kind, *f, Doubt::window, end);
       }
@@ -126,7 +128,7 @@ class Comparison {
   void suspect(std::size_t kind, const Feature& f, Doubt doubt, double end) {
     const bool near_end = std::abs(end - f.time) <= Neighbour::same_time * end;
     if (doubt == Doubt::graze && near_end) doubt = Doubt::window;
-    if (f.time < first_.time) first_ = {f.time, kind, f.margin, doubt, end - f.time};
+    if (f.time < first_.time) first_ = {f.time, kind, f.margin(), doubt, end - f.time};
   }
 
   Suspect first_;
@@ -204,12 +206,19 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
   return "";
 }
 
+/// Margins grow with what they are scaled to, so that two logarithms do for all.
 std::optional<double> smallest_margin(const FeatureTrace& trace) {
-  std::optional<double> margin;
+  const Feature* above = nullptr;
+  const Feature* below = nullptr;
   for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
     for (const Feature& f : trace.features(kind)) {
-      margin = std::min(margin.value_or(std::abs(f.margin)), std::abs(f.margin));
+      const Feature*& nearest = f.counts() ? above : below;
+      if (nearest == nullptr || std::abs(f.scaled) < std::abs(nearest->scaled)) nearest = &f;
     }
+  }
+  std::optional<double> margin;
+  for (const Feature* f : {above, below}) {
+    if (f != nullptr) margin = std::min(margin.value_or(infinity), std::abs(f->margin()));
   }
   return margin;
 }

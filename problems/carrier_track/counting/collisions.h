@@ -32,8 +32,14 @@ Scalar step(const Scalar& z, double width) {
   return constant<Scalar>(1.0) / (constant<Scalar>(1.0) + exp(-scaled));
 }
 
-/// Whether an impact counts, under the rule of impacts: step() of its margin at width 0, without
-/// the logarithm.
+/// Margin of an impact at an approach speed > 0, under the rule of impacts.
+template <class Scalar>
+Scalar impact_margin(const Scalar& speed, const Scalar& slowest) {
+  using std::log;
+  return log(speed / slowest);
+}
+
+/// Whether it counts: step() of its margin at width 0, without the logarithm.
 inline bool is_counted(double speed, double slowest) {
   return speed / slowest > 1;
 }
@@ -68,9 +74,8 @@ class Features : public Observer {
       : scene_(scene), duration_(duration_of(scene)), use_(use) {}
 
   void impact(const Scalar& time, Wall /*wall*/, const Scalar& speed) {
-    using std::log;
     if (scene_.rule != CountRule::impacts || value(speed) <= 0) return;
-    use_(Scalar(log(speed / scene_.slowest)), left_after(time));
+    use_(impact_margin(speed, scene_.slowest), left_after(time));
   }
 
   void peak(const Scalar& time, const Scalar& position) {

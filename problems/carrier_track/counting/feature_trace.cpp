@@ -11,15 +11,16 @@ void FeatureTrace::impact(double time, Wall wall, double speed) {
   finite_ = finite_ && std::isfinite(time + speed);
   const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
   impacts_[kind].push_back(time);
-  const auto keep = [&](double z, double /*left*/) { tell(kind, z, speed / scene_.slowest - 1); };
-  Features<double, decltype(keep)>(scene_, keep).impact(time, wall, speed);
+  if (scene_.rule != CountRule::impacts || speed <= 0) return;
+  const double slowest = scene_.slowest;
+  tell(kind, is_counted(speed, slowest) ? impact_margin(speed, slowest) : speed / slowest - 1);
 }
 
 void FeatureTrace::peak(double time, double position) {
   // It is told when the body moves down from it, which is now.
   std::size_t kind = high_peak;
   const auto keep = [&](double z, double /*left*/) {
-    tell(kind++, z, std::expm1(z));
+    tell(kind++, z > 0 ? z : std::expm1(z));
     counting_peak_ = counting_peak_ || (z > 0 && position < scene_.wall_upper);
   };
   Features<double, decltype(keep)>(scene_, keep).peak(time, position);
@@ -40,9 +41,9 @@ void FeatureTrace::contact(double time, double position, double velocity) {
   swung_out_ = swung_out_ || inward < 0;
 }
 
-void FeatureTrace::tell(std::size_t kind, double margin, double missing) {
-  finite_ = finite_ && std::isfinite(now_ + margin);
-  features_[kind].push_back({now_, margin, margin > 0 ? margin : missing});
+void FeatureTrace::tell(std::size_t kind, double scaled) {
+  finite_ = finite_ && std::isfinite(now_ + scaled);
+  features_[kind].push_back({now_, scaled});
 }
 
 void FeatureTrace::turn(double time, double position, Wall ahead) {

@@ -25,11 +25,13 @@ struct Graze {
 class FeatureTrace : public Observer {
  public:
   struct Feature {
-    double time;    ///< [s], from which on it is known to count
-    double margin;  ///< z
+    double time;  ///< [s], from which on it is known to count
     /// z where the feature counts, else exp(z) - 1, under the rule of impacts the missing share of
     /// the speed: it hardly moves for features that are far from counting.
     double scaled;
+
+    bool counts() const { return scaled > 0; }
+    double margin() const { return counts() ? scaled : std::log1p(scaled); }  ///< z
   };
   enum Kind : std::size_t { lower_impact, upper_impact, high_peak, low_peak, kinds };
 
@@ -86,8 +88,7 @@ class FeatureTrace : public Observer {
  private:
   static constexpr std::size_t usual_impacts = 64;  // on one wall
 
-  /// `missing` is exp(margin) - 1.
-  void tell(std::size_t kind, double margin, double missing);
+  void tell(std::size_t kind, double scaled);
   const Scene& scene_;
   std::array<std::vector<Feature>, kinds> features_;
   std::array<std::vector<double>, 2> impacts_;  // times [s]

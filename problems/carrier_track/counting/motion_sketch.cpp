@@ -42,7 +42,7 @@ class MotionSketch::Watch : public Observer {
     const bool within = time.a <= duration_.a;
     sketch_.count_ += within && is_counted(speed.a, scene_.slowest.a) ? 1 : 0;
     if (!(speed.a > 0)) return;
-    const Jet margin = log(speed / scene_.slowest);
+    const Jet margin = impact_margin(speed, scene_.slowest);
     if (margin.a < followed) return;
     add(wall == Wall::lower ? Kind::lower_impact : Kind::upper_impact, time, margin);
   }

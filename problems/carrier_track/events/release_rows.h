@@ -65,7 +65,7 @@ class ReleaseRows {
       Row c = 1.0;
       Row s = 0.0;
       for (std::size_t i = 0; i < Row::size(); ++i) {
-        if (!which[i]) continue;
+        if (!which[i] || angle[i] == 0) continue;
         c[i] = std::cos(double(angle[i]));
         s[i] = std::sin(double(angle[i]));
       }

@@ -43,12 +43,12 @@ TEST(FeatureTrace, KeepsImpactsByTheirWall) {
   const auto& upper = trace.features(FeatureTrace::upper_impact);
   ASSERT_EQ(upper.size(), 1U);
   EXPECT_DOUBLE_EQ(upper[0].time, 1.0);
-  EXPECT_DOUBLE_EQ(upper[0].margin, std::log(0.5 / 0.4));
-  EXPECT_EQ(upper[0].scaled, upper[0].margin);
+  EXPECT_DOUBLE_EQ(upper[0].margin(), std::log(0.5 / 0.4));
+  EXPECT_EQ(upper[0].scaled, upper[0].margin());
   const auto& lower = trace.features(FeatureTrace::lower_impact);
   ASSERT_EQ(lower.size(), 1U);
   EXPECT_DOUBLE_EQ(lower[0].time, 5.0);
-  EXPECT_DOUBLE_EQ(lower[0].margin, std::log(0.25 / 0.4));
+  EXPECT_DOUBLE_EQ(lower[0].margin(), std::log(0.25 / 0.4));
   EXPECT_DOUBLE_EQ(lower[0].scaled, 0.25 / 0.4 - 1);  // too slow to count
   EXPECT_EQ(trace.impacts(Wall::upper).size(), 1U);
   EXPECT_EQ(trace.impacts(Wall::lower).size(), 1U);
@@ -65,10 +65,10 @@ TEST(FeatureTrace, KeepsEveryMaximumWithBothItsMargins) {
   const auto& high = trace.features(FeatureTrace::high_peak);
   ASSERT_EQ(high.size(), 1U);
   EXPECT_NEAR(high[0].time, 0.5, 1e-12);
-  EXPECT_NEAR(high[0].margin, 0.25, 1e-12);
+  EXPECT_NEAR(high[0].margin(), 0.25, 1e-12);
   const auto& low = trace.features(FeatureTrace::low_peak);
   ASSERT_EQ(low.size(), 1U);
-  EXPECT_NEAR(low[0].margin, -0.25, 1e-12);
+  EXPECT_NEAR(low[0].margin(), -0.25, 1e-12);
   EXPECT_NEAR(low[0].scaled, std::exp(-0.25) - 1, 1e-12);
   EXPECT_TRUE(trace.features(FeatureTrace::upper_impact).empty());
 }

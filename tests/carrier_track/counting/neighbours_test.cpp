@@ -15,7 +15,7 @@ void expect_same(const FeatureTrace& a, const FeatureTrace& b) {
     ASSERT_EQ(a.features(kind).size(), b.features(kind).size());
     for (std::size_t i = 0; i < a.features(kind).size(); ++i) {
       EXPECT_EQ(a.features(kind)[i].time, b.features(kind)[i].time);
-      EXPECT_EQ(a.features(kind)[i].margin, b.features(kind)[i].margin);
+      EXPECT_EQ(a.features(kind)[i].scaled, b.features(kind)[i].scaled);
     }
   }
 }

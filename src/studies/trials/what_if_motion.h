@@ -68,7 +68,7 @@ class WhatIfMotion : carrier_track::HardWallMotion<double, WhatIfForces, WhatIfF
     const auto end = advance_to_event(landing);
     pass(path, landing, end.time, after(end.time), observer);
     if (end.kind == carrier_track::EventKind::turn) {
-      stop();
+      stop(observer);
       valleys_.stops(time_, origin_ + offset_);
       direction_ = direction_of_release();
     } else if (end.kind == carrier_track::EventKind::wall) {

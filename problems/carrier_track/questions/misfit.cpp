@@ -189,39 +189,39 @@ struct Slopes {
   Vector slopes;  ///< one a freed constant
 };
 
-/// Surrogate counts and their derivatives, some constants at a time: a dual number costs as much as
+/// Surrogate counts, without derivatives.
+std::vector<double> surrogates(const Reading& reading, const Constants& constants, double width,
+                               const std::vector<ClaimedCell>& cells) {
+  std::vector<Scene> scenes;
+  for (const auto& [the_case, cell] : cells) {
+    const Scene scene = scene_of(the_case, reading, constants);
+    scenes.push_back(scene_at(scene, reading, constants, cell.omega));
+  }
+  return objectives(scenes, width);
+}
+
+/// A surrogate count and its derivatives, some constants at a time: a dual number costs as much as
 /// it has room for.
-std::vector<Slopes> slopes_of_counts(const Reading& reading, const Constants& constants,
-                                     const std::vector<Open>& freed, double width,
-                                     const std::vector<ClaimedCell>& cells) {
+Slopes slopes_of_count(const Reading& reading, const Constants& constants,
+                       const std::vector<Open>& freed, double width, const ClaimedCell& where) {
   constexpr std::size_t room = 5;
   using Jet = ceres::Jet<double, static_cast<int>(room)>;
-  const bool differentiable =
-      reading.recovery != Recovery::contact_speed && reading.transition == Transition::plain;
-  std::vector<Slopes> result;
-  for (const auto& [the_case, cell] : cells) {
-    Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(freed.size()))};
-    if (!differentiable || freed.empty()) {
-      const Scene scene = scene_of(the_case, reading, constants);
-      slopes.count = objective(scene_at(scene, reading, constants, cell.omega), width);
+  Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(freed.size()))};
+  for (std::size_t first = 0; first < freed.size(); first += room) {
+    const std::size_t last = std::min(first + room, freed.size());
+    BasicConstants<Jet> dual;
+    for (std::size_t i = 0; i < open_size; ++i) dual[i] = Jet(constants[i]);
+    for (std::size_t i = first; i < last; ++i) {
+      dual[static_cast<std::size_t>(freed[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
     }
-    for (std::size_t first = 0; differentiable && first < freed.size(); first += room) {
-      const std::size_t last = std::min(first + room, freed.size());
-      BasicConstants<Jet> dual;
-      for (std::size_t i = 0; i < open_size; ++i) dual[i] = Jet(constants[i]);
-      for (std::size_t i = first; i < last; ++i) {
-        dual[static_cast<std::size_t>(freed[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
-      }
-      const BasicScene<Jet> scene = scene_of(the_case, reading, dual);
-      const Jet count = objective(at_speed(scene, Jet(cell.omega)), width);
-      slopes.count = count.a;
-      for (std::size_t i = first; i < last; ++i) {
-        slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
-      }
+    const BasicScene<Jet> scene = scene_of(where.the_case, reading, dual);
+    const Jet count = objective(at_speed(scene, Jet(where.cell.omega)), width);
+    slopes.count = count.a;
+    for (std::size_t i = first; i < last; ++i) {
+      slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
     }
-    result.push_back(std::move(slopes));
   }
-  return result;
+  return slopes;
 }
 
 }  // namespace
@@ -333,25 +333,30 @@ double misfit(const CountsOf& counts_of, const std::string& left_out) {
 
 SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
                            const std::vector<Open>& freed, double width) {
+  const bool differentiable =
+      reading.recovery != Recovery::contact_speed && reading.transition == Transition::plain;
   const std::vector<ClaimedCell> cells = claimed_cells();
-  const std::vector<Slopes> slopes = slopes_of_counts(reading, constants, freed, width, cells);
-  SmoothMisfit result{
-      Vector(static_cast<Eigen::Index>(cells.size())),
-      Matrix(static_cast<Eigen::Index>(cells.size()), static_cast<Eigen::Index>(freed.size()))};
+  const std::vector<double> counts = surrogates(reading, constants, width, cells);
+  const auto columns = static_cast<Eigen::Index>(freed.size());
+  const auto rows = static_cast<Eigen::Index>(cells.size());
+  SmoothMisfit result{Vector(rows), Matrix::Zero(rows, columns)};
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const auto& [the_case, cell] = cells[k];
     const double threshold = *the_case.claim.threshold;
     const int quiet = *the_case.claim.quiet_count;
-    const double count = slopes[k].count;
     const bool below = cell.omega < threshold;
+    // Loud enough even if the dual number's value is rounded otherwise.
+    const bool flat = !below && above_claim(counts[k] * (1 - 1e-9), quiet) == 0;
+    const bool has_slopes = differentiable && columns > 0 && !flat;
+    const Slopes at = has_slopes ? slopes_of_count(reading, constants, freed, width, cells[k])
+                                 : Slopes{counts[k], {}};
     const double weight =
         std::sqrt(3 * cell.width / (below ? threshold : fastest_speed - threshold));
-    const double distance = below ? below_claim(count, quiet) : -above_claim(count, quiet);
-    const bool flat = !below && distance == 0;
+    const double distance = below ? below_claim(at.count, quiet) : -above_claim(at.count, quiet);
     const auto row = static_cast<Eigen::Index>(k);
     result.residuals[row] = weight * distance;
-    if (freed.empty()) continue;  // a matrix without columns has no rows to write to
-    result.slopes.row(row) = (flat ? 0 : weight / (count + 0.5)) * slopes[k].slopes.transpose();
+    if (!has_slopes || (!below && distance == 0)) continue;
+    result.slopes.row(row) = weight / (at.count + 0.5) * at.slopes.transpose();
   }
   return result;
 }

@@ -2,9 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/oracle/hostile_scenes.h"
 #include "problems/carrier_track/paper/cases.h"
 #include "tests/carrier_track/questions/exploratory_scene.h"
 
@@ -74,6 +80,72 @@ TEST(Simulate, MovesInTwoDirectionsAtFidelityPlanar) {
 
 TEST(Simulate, HasNoDerivativesInTwoDirections) {
   EXPECT_THROW(surrogate_slope(planar(1), 0.25), std::invalid_argument);
+}
+
+/// Turning points off the walls, as they are told and as they are seen between stretches: where one
+/// led to a wall that was not struck, and the next does not. Those of motions that are lost in
+/// rounding are left out.
+struct Turns : Observer {
+  struct Turn {
+    double time, position;
+    bool operator==(const Turn&) const = default;
+  };
+
+  explicit Turns(const Scene& scene) : scene_(scene) {}
+
+  void impact(double /*time*/, Wall wall, double /*speed*/) {
+    if (ahead_ == wall) ahead_.reset();
+  }
+
+  void turn(double time, double position, Wall ahead) { add(told, time, position, ahead); }
+
+  template <class Path>
+  void stretch(double time, const Path& path, double duration) {
+    if (ahead_ && !((*ahead_ == Wall::upper ? 1 : -1) * path.velocity > 0)) {
+      add(seen, time, path.position, *ahead_);
+    }
+    ahead_.reset();
+    const double velocity = path.velocity != 0 ? path.velocity : path.at(0.5 * duration).velocity;
+    if (velocity != 0) ahead_ = velocity > 0 ? Wall::upper : Wall::lower;
+    lost_ = path.at(duration).position == path.position && path.at(1.0).velocity != 0;
+  }
+
+  std::vector<Turn> told, seen;
+
+ private:
+  void add(std::vector<Turn>& turns, double time, double position, Wall ahead) {
+    const double distance =
+        ahead == Wall::upper ? scene_.wall_upper - position : position - scene_.wall_lower;
+    if (distance > 0 && !lost_ && time < duration_of(scene_)) turns.push_back({time, position});
+  }
+
+  const Scene& scene_;
+  std::optional<Wall> ahead_;
+  bool lost_ = false;  // whether the last stretch was a flight that led nowhere
+};
+
+TEST(Simulate, TellsTheTurningPointsThatStretchesShow) {
+  std::map<Fidelity, std::size_t> turns;
+  for (int i = 0; i < 2000; ++i) {
+    Scene scene = hostile_scene(11, i).scene;
+    scene.stiffness = 1e6 * scene.mass;
+    scene.across.emplace().pull = i % 7 - 3;
+    scene.across->start_velocity = 1;
+    for (const Fidelity level : {Fidelity::impact, Fidelity::compliant, Fidelity::planar}) {
+      scene.fidelity = level;
+      SCOPED_TRACE(i);
+      Turns observer(scene);
+      try {
+        simulate(scene, observer);
+      } catch (const std::runtime_error&) {  // too long
+        continue;
+      }
+      ASSERT_EQ(observer.told, observer.seen);
+      turns[level] += observer.told.size();
+    }
+  }
+  EXPECT_EQ(turns.size(), 3U);
+  for (const auto& [level, told] : turns) EXPECT_GT(told, 1000U);
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ TEST(Families, KnowWhatAGradientTakes) {
     }
   }
   EXPECT_EQ(costs.at("top-speed-C1"), 1);
-  EXPECT_EQ(costs.at("robust-worst-C4"), 1);
+  EXPECT_EQ(costs.at("robust-worst-C4"), 4);
+  EXPECT_EQ(costs.at("calibration-default"), 3);
   EXPECT_EQ(costs.at("design-count-C9"), 3);
   EXPECT_EQ(costs.at("profile-count-16-C4"), 3);
   EXPECT_EQ(costs.at("profile-wear-32-C4"), 7);

@@ -71,6 +71,7 @@ std::vector<Family> families_of(const std::vector<Machine>& machines) {
   for (Family& family : families) {
     for (Question& question : family.questions) {
       question.factors = factors_of(machines, question.machine);
+      if (question.gradient_cost) continue;
       question.gradient_cost = gradient_cost(question.stated.dimension());
     }
   }

@@ -12,6 +12,7 @@
 
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/questions/gradient_cost.h"
 #include "problems/carrier_track/questions/problem_from_function.h"
 #include "problems/carrier_track/questions/speed_problem.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
@@ -144,7 +145,8 @@ Question robust_question(const Machine& machine, RiskMeasure risk) {
           .tolerance = speed_tolerance,
           .penalty_weight = speed_penalty / step,
           .scan_step = 1e-2,
-          .cost = robust_samples};
+          .cost = robust_samples,
+          .gradient_cost = robust_gradient_cost};
 }
 
 }  // namespace ricochet::carrier_track::inline questions

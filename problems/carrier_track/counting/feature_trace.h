@@ -89,6 +89,7 @@ class FeatureTrace : public Observer {
   static constexpr std::size_t usual_impacts = 64;  // on one wall
 
   void tell(std::size_t kind, double scaled);
+
   const Scene& scene_;
   std::array<std::vector<Feature>, kinds> features_;
   std::array<std::vector<double>, 2> impacts_;  // times [s]

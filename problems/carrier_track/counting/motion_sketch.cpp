@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <variant>
 
 #include "problems/carrier_track/counting/collisions.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "problems/carrier_track/models/impact_model.h"
 #include "src/core/problem.h"

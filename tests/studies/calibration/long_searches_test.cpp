@@ -17,23 +17,32 @@ RankedFit natural_fit(const Reading& reading) {
   return {{reading, open_of(reading), natural_constants(), 50, ""}, {}};
 }
 
-TEST(LongSearches, TakeEveryReadingOnceAsFreeAsTheDefaultOne) {
+/// Of a tiny plan, with these readings ranked.
+Results results_of(const std::vector<Reading>& readings) {
+  Results results;
+  results.plan = tiny_plan();
+  for (const Reading& r : readings) results.readings.push_back(natural_fit(r));
+  results.frontier = {natural_fit(Reading{})};
+  return results;
+}
+
+/// With a store that holds nothing yet.
+std::vector<Convergence> searched(const Results& results) {
   const auto file = std::filesystem::path(testing::TempDir()) /
                     ("long_searches_" + std::to_string(getpid()) + ".toml");
   std::filesystem::remove(file);
   FitStore store(file);
-  Results results;
-  results.plan = tiny_plan();
-  results.plan.convergence->readings = 100;
+  return long_searches(results, store);
+}
+
+TEST(LongSearches, TakeEveryReadingOnceAsFreeAsTheDefaultOne) {
   Reading weight, seconds, crossing;
   weight.normal_force = NormalForce::weight;
   seconds.window = WindowUnit::seconds;
   crossing.transition = Transition::crossing;
-  for (const Reading& r : {crossing, Reading{}, weight, seconds}) {
-    results.readings.push_back(natural_fit(r));
-  }
-  results.frontier = {natural_fit(Reading{})};
-  const auto all = long_searches(results, store);
+  Results results = results_of({crossing, Reading{}, weight, seconds});
+  results.plan.convergence->readings = 100;
+  const auto all = searched(results);
   ASSERT_GT(all.size(), 5U);
   EXPECT_EQ(all[2].freedom.reading, Reading{}) << "the best whose cases share a scene";
   std::vector<Reading> readings = {all[1].freedom.reading};
@@ -52,16 +61,9 @@ TEST(LongSearches, TakeEveryReadingOnceAsFreeAsTheDefaultOne) {
 
 /// Those that rank readings, from these seeds.
 std::vector<Convergence> of_readings(const std::vector<int>& seeds) {
-  const auto file = std::filesystem::path(testing::TempDir()) /
-                    ("long_searches_" + std::to_string(getpid()) + ".toml");
-  std::filesystem::remove(file);
-  FitStore store(file);
-  Results results;
-  results.plan = tiny_plan();
+  Results results = results_of({Reading{}});
   results.plan.convergence->seeds = seeds;
-  results.readings = {natural_fit(Reading{})};
-  results.frontier = {natural_fit(Reading{})};
-  const std::vector<Convergence> all = long_searches(results, store);
+  const std::vector<Convergence> all = searched(results);
   return {all.begin() + 3, all.end()};
 }
 

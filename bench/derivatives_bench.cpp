@@ -10,17 +10,17 @@
 #include "bench/processor_time.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/gradients/derivatives.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::bench {
 namespace {
 
 using namespace carrier_track;
 
-/// The surrogate as a function of the constant speed and up to four constants more.
+/// The surrogate as a function of the constant speed and up to four other parameters.
 struct OfConstants {
-  Scene scene = at_speed(scene_of(find_case("C4"), default_reading().scene), 6.0);
+  Scene scene = at_speed(scene_of(find_case("C4"), default_machine()), 6.0);
   Eigen::Index size;
 
   Vector start() const {
@@ -36,11 +36,11 @@ struct OfConstants {
                                  &near.friction};
     for (std::size_t i = 0; i < x.size(); ++i) *constants[i] = x[i];
     auto watching = watch.of(near);
-    return objective(near, default_width, watching);
+    return objective(near, default_smoothing, watching);
   }
 };
 
-/// The same as a function of the knots of a speed profile over the same window.
+/// The surrogate as a function of the knots of a speed profile over the same window.
 struct OfKnots {
   Scene scene;
 
@@ -64,12 +64,12 @@ struct OfKnots {
     auto near = lifted<Scalar>(scene);
     for (std::size_t k = 0; k < x.size(); ++k) near.profile[k].omega = x[k];
     auto watching = watch.of(near);
-    return objective(near, default_width, watching);
+    return objective(near, default_smoothing, watching);
   }
 };
 
-/// Time of one call, and over_value: how often the value could be had in it, both at their fastest
-/// and by turns, as other work on the machine slows now this and now that.
+/// Measures the time of one call and over_value, its ratio to the time of one value. Both are the
+/// fastest of several rounds, measured alternately, because other work slows the machine at times.
 template <class Function, class Work>
 void derivative(benchmark::State& state, const Function& f, double allowed, const Work& work) {
   const Vector x = f.start();

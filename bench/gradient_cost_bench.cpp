@@ -8,25 +8,25 @@
 #include <vector>
 
 #include "bench/processor_time.h"
-#include "problems/families.h"
 #include "src/core/instance.h"
 #include "src/core/random.h"
+#include "src/research/suite/families.h"
 
 namespace ricochet::bench {
 namespace {
 
-/// The problem in the first of its forms that has derivatives, as stated or smoothed.
-std::optional<Problem> with_derivatives(const Question& question) {
-  for (const Form& form : question.forms()) {
-    const Problem problem = question.problem(form);
-    if (problem.differentiate || problem.residuals) return problem;
+/// The problem in the first of its formulations that has derivatives, original or smoothed.
+std::optional<Problem> with_derivatives(const Problem& problem) {
+  for (const Formulation& formulation : problem.formulations()) {
+    const Problem formulated = problem.formulated(formulation);
+    if (formulated.differentiate || formulated.residuals) return formulated;
   }
   return std::nullopt;
 }
 
-/// Over the start and points uniform in the box, both at their fastest and by turns, as other work
-/// on the machine slows now this and now that.
-void cost(benchmark::State& state, const Question& question, const Problem& problem) {
+/// Measures over the start and points uniform in the box. Both times are the fastest of several
+/// rounds, measured alternately, because other work slows the machine at times.
+void cost(benchmark::State& state, const Problem& problem) {
   Random random(1);
   std::vector<Vector> points = {problem.start};
   for (int k = 0; k < 4; ++k) points.push_back(uniform_point(problem, random));
@@ -47,21 +47,21 @@ void cost(benchmark::State& state, const Question& question, const Problem& prob
   const double n = static_cast<double>(problem.dimension());
   state.counters["gradient"] = of_both / of_value - 1;
   state.counters["charged"] =
-      question.gradient_cost ? static_cast<double>(*question.gradient_cost) : n;
+      problem.gradient_cost ? static_cast<double>(*problem.gradient_cost) : n;
   state.counters["n"] = n;
 }
 
 }  // namespace
 
 void add_gradient_cost_benchmarks() {
-  for (const Family& family : all_families()) {
+  for (const Family& family : suite_families()) {
     std::set<Eigen::Index> sizes;
-    for (const Question& question : family.questions) {
-      const auto problem = with_derivatives(question);
-      if (!problem || !sizes.insert(problem->dimension()).second) continue;
+    for (const Problem& problem : family.problems) {
+      const auto formulated = with_derivatives(problem);
+      if (!formulated || !sizes.insert(problem.dimension()).second) continue;
       benchmark::RegisterBenchmark(
-          ("gradient-cost/" + question.name()).c_str(),
-          [question, problem](benchmark::State& state) { cost(state, question, *problem); })
+          ("gradient-cost/" + problem.name).c_str(),
+          [formulated](benchmark::State& state) { cost(state, *formulated); })
           ->Unit(benchmark::kMicrosecond);
     }
   }

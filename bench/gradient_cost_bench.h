@@ -2,9 +2,9 @@
 
 namespace ricochet::bench {
 
-/// Registers with Google Benchmark, of every family whose problems have derivatives and of every
-/// number of variables, what a gradient takes beside the value, in evaluations, and what it is
-/// charged under the price "measured": Question::gradient_cost.
+/// Registers with Google Benchmark the cost of a gradient beside the value, in evaluations, for
+/// every family whose problems have derivatives and every number of variables, and what the price
+/// "measured" charges for it: Problem::gradient_cost.
 void add_gradient_cost_benchmarks();
 
 }  // namespace ricochet::bench

@@ -8,24 +8,24 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/reference_integrators/integrator.h"
+#include "problems/carrier_track/check/reference_integrators/integrator.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::bench {
 namespace {
 
 using namespace carrier_track;
 
-/// Friction, rest and ends of Zeno sequences: a case of the paper, loud.
+/// A loud case of the paper, with friction, rest and ends of Zeno sequences.
 Scene loud_case() {
-  Scene scene = scene_of(find_case("C2"), default_reading().scene);
+  Scene scene = scene_of(find_case("C2"), default_machine());
   scene.omega = 10.0;
   return scene;
 }
 
-/// A free mass between two walls that are shaken, seen from the walls: the symmetric orbit with two
-/// impacts a period, stable for e = 0.5 and a gap of 5 amplitudes (2.6 to 9.6; contact.md).
+/// A free mass between two shaken walls, in the walls' frame: the symmetric orbit with two impacts
+/// a period, stable for e = 0.5 and a gap of 5 amplitudes (2.6 to 9.6; contact.md).
 Scene shaken_gap() {
   const double amplitude = 2e-4;                         // [m]
   const double frequency = 2 * std::numbers::pi * 10.0;  // [rad/s]
@@ -40,8 +40,9 @@ Scene shaken_gap() {
   return scene;
 }
 
-/// Time of one simulation; per_impact [s] divides it by the impacts that the method saw, and
-/// evaluations_per_impact counts forces (event-driven: the closed-form flight).
+/// Measures the time of one simulation. per_impact [s] divides it by the impacts that the method
+/// detected; evaluations_per_impact counts evaluations of the forces (event-driven: of the
+/// closed-form flight).
 void integration(benchmark::State& state, const Integrator& integrator, const Scene& scene,
                  double control) {
   std::size_t impacts = 0;

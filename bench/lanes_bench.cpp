@@ -12,9 +12,9 @@
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/questions/robust.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/problems/robust.h"
 
 namespace ricochet::bench {
 namespace {
@@ -22,9 +22,9 @@ namespace {
 using namespace carrier_track;
 
 constexpr int rounds = 7;
-constexpr double at_least = 5e-3;  // [s] a round
+constexpr double at_least = 5e-3;  // [s] per round
 
-/// Speeds of a scan at 1e-3 rad/s: 32 neighbours from every whole speed on.
+/// Speeds of a scan at 1e-3 rad/s: 32 neighbours from every integer speed on.
 std::vector<std::vector<double>> scanned_blocks() {
   std::vector<std::vector<double>> blocks;
   for (int whole = 1; whole < 18; ++whole) {
@@ -34,7 +34,7 @@ std::vector<std::vector<double>> scanned_blocks() {
   return blocks;
 }
 
-/// `single` and `lanes`: time per simulation. `ratio`: how much faster lanes are.
+/// `single_us` and `lanes_us`: time per simulation. `ratio`: how much faster lanes are.
 void scan(benchmark::State& state, const Scene& scene) {
   const auto blocks = scanned_blocks();
   const auto [single, lanes] = fastest_of(
@@ -54,7 +54,8 @@ void scan(benchmark::State& state, const Scene& scene) {
   state.counters["ratio"] = single / lanes;
 }
 
-/// The whole staircase to 1e-6 rad/s, over an even scan at 1e-3 rad/s, both on one processor.
+/// Time of the complete staircase to 1e-6 rad/s relative to an even scan at 1e-3 rad/s, both on one
+/// processor.
 void complete_scan(benchmark::State& state, const Scene& scene) {
   std::vector<double> speeds;
   for (int k = 100; k <= 18'000; ++k) speeds.push_back(1e-3 * k);
@@ -67,7 +68,7 @@ void complete_scan(benchmark::State& state, const Scene& scene) {
   state.counters["over_even"] = complete / even;
 }
 
-/// The objectives of the 32 sampled scenes of robust questions.
+/// Speedup by lanes of the objectives of the 32 sampled scenes of robust problems.
 void draws(benchmark::State& state, const Scene& scene) {
   std::vector<Scene> scenes = sampled_scenes(scene);
   for (Scene& s : scenes) s.omega = 5;
@@ -80,7 +81,7 @@ void draws(benchmark::State& state, const Scene& scene) {
   state.counters["ratio"] = single / lanes;
 }
 
-/// A count and how certain it is, over the count alone.
+/// Time of a count with its certainty, relative to the count alone.
 void certainty(benchmark::State& state, const Scene& scene) {
   const auto at_all = [&](const auto& use) {
     for (int k = 1; k <= 60; ++k) use(at_speed(scene, 0.3 * k));
@@ -97,7 +98,7 @@ void certainty(benchmark::State& state, const Scene& scene) {
 
 void add_lanes_benchmarks() {
   for (const char* id : {"C1", "C2", "C4", "C9", "C12"}) {
-    const Scene scene = scene_of(find_case(id), default_reading().scene);
+    const Scene scene = scene_of(find_case(id), default_machine());
     const auto add = [&](const char* name, auto run) {
       benchmark::RegisterBenchmark((std::string(name) + id).c_str(), run, scene)
           ->Unit(benchmark::kMicrosecond);

@@ -2,8 +2,8 @@
 
 namespace ricochet::bench {
 
-/// What many simulations side by side cost beside as many single ones, and certainty beside a
-/// count.
+/// Registers the measurements of many simulations in lanes relative to as many single ones, and of
+/// a certain count relative to a plain one.
 void add_lanes_benchmarks();
 
 }  // namespace ricochet::bench

@@ -10,15 +10,15 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::bench {
 namespace {
 
 using namespace carrier_track;
 
-/// The resident set now [kB].
+/// The current resident set [kB].
 double resident() {
   std::ifstream statistics("/proc/self/statm");
   std::int64_t size = 0;
@@ -38,14 +38,14 @@ double largest_resident() {
 std::vector<Scene> quiet_scenes(Fidelity fidelity) {
   std::vector<Scene> scenes;
   for (const Case& a_case : all_cases()) {
-    scenes.push_back(scene_of(a_case, default_reading().scene));
+    scenes.push_back(scene_of(a_case, default_machine()));
     scenes.back().fidelity = fidelity;
   }
   return scenes;
 }
 
-/// Growth of the resident set over many evaluations of the objective, no two at the same speed.
-/// The first hundredth is left out: what is set up once is no growth.
+/// Growth of the resident set over many evaluations of the objective, each at another speed. The
+/// first hundredth is left out: what is set up once is no growth.
 void memory(benchmark::State& state, Fidelity fidelity, std::int64_t evaluations) {
   std::vector<Scene> scenes = quiet_scenes(fidelity);
   const std::int64_t warm_up = evaluations / 100;

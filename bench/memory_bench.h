@@ -2,7 +2,7 @@
 
 namespace ricochet::bench {
 
-/// Registers the measurements of the memory that many simulations take with Google Benchmark. They
+/// Registers the measurements of the memory use of many simulations with Google Benchmark. They
 /// take minutes.
 void add_memory_benchmarks();
 

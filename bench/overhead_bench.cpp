@@ -12,7 +12,7 @@
 namespace ricochet::bench {
 namespace {
 
-/// |x| on [-1, 2], with derivatives. Instances would cost something.
+/// |x| on [-1, 2], with derivatives; not an instance, which would add cost.
 Problem free_function() {
   Problem problem;
   problem.name = "free";
@@ -28,7 +28,8 @@ Problem free_function() {
 
 void evaluator(benchmark::State& state) {
   const Problem problem = free_function();
-  Evaluator evaluator(problem, {std::numeric_limits<std::int64_t>::max()});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {std::numeric_limits<std::int64_t>::max()}, &scorer);
   Vector x = problem.start;
   for (auto _ : state) {
     x[0] = -x[0];  // another point every time
@@ -36,7 +37,7 @@ void evaluator(benchmark::State& state) {
   }
 }
 
-/// The time for each evaluation charged.
+/// Time per charged evaluation.
 void solver(benchmark::State& state, const Solver& solver) {
   constexpr std::int64_t budget = 1000;
   const Problem problem = free_function();

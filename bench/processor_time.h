@@ -8,7 +8,7 @@
 
 namespace ricochet::bench {
 
-/// Processor time [s] of this thread for one call of `work`, the mean over at least so long [s].
+/// Processor time [s] of this thread for one call of `work`: the mean over at least `at_least` [s].
 template <class Work>
 double processor_time(const Work& work, double at_least) {
   int calls = 0;
@@ -22,8 +22,8 @@ double processor_time(const Work& work, double at_least) {
   return passed / calls;
 }
 
-/// The fastest processor time [s] of either, of so many rounds of at least so long [s], by turns,
-/// as other work on the machine slows now this and now that.
+/// The fastest processor time [s] of each, of `rounds` rounds of at least `at_least` [s], measured
+/// alternately, because other work slows the machine at times.
 template <class One, class Other>
 std::pair<double, double> fastest_of(const One& one, const Other& other, int rounds,
                                      double at_least) {

@@ -16,7 +16,7 @@ namespace {
 using carrier_track::Flight;
 using carrier_track::Lanes;
 
-/// `step` of one number again and again, each upon the last.
+/// Applies `step` to one number repeatedly; each call waits for the one before.
 template <class Step>
 void latency(benchmark::State& state, const Step& step) {
   double x = 1.25;
@@ -28,7 +28,7 @@ void latency(benchmark::State& state, const Step& step) {
       64, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// The same of 64 numbers that do not wait for each other.
+/// Applies `step` to 64 independent numbers.
 template <class Step>
 void throughput(benchmark::State& state, const Step& step) {
   std::array<double, 64> all;
@@ -49,7 +49,8 @@ void add(const std::string& name, Step step) {
                                [step](benchmark::State& state) { throughput(state, step); });
 }
 
-/// One evaluation of a flight that turns by a tenth of a radian, as most do.
+/// One evaluation of a flight, whose forcing turns by about a tenth of a radian, as in most
+/// flights.
 double evaluated(double x) {
   Flight<double> flight{1e-3, 0.1, -3, {}, 1};
   flight.harmonic[0] = {1, 0.5, 5};
@@ -57,7 +58,7 @@ double evaluated(double x) {
   return 1 + flight.position + flight.acceleration();
 }
 
-/// From event to event, four bodies a call: a hop on a wall.
+/// Flights from event to event, four bodies per call: chattering on a wall.
 void flights(benchmark::State& state) {
   Lanes lanes;
   lanes.harmonics = 1;

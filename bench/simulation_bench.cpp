@@ -8,8 +8,8 @@
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::bench {
 namespace {
@@ -22,12 +22,12 @@ struct ImpactCounter : Observer {
 };
 
 Scene scene_for(const std::string& case_id, double omega) {
-  Scene scene = scene_of(find_case(case_id), default_reading().scene);
+  Scene scene = scene_of(find_case(case_id), default_machine());
   scene.omega = omega;
   return scene;
 }
 
-/// Time of one simulation, and per impact and per evaluation of the flight.
+/// Time of one simulation, per impact and per evaluation of the flight.
 void simulation(benchmark::State& state, const Scene& scene) {
   ImpactCounter counter;
   std::int64_t evaluations = 0;
@@ -45,16 +45,16 @@ void simulation(benchmark::State& state, const Scene& scene) {
 }
 
 void surrogate_value(benchmark::State& state, const Scene& scene) {
-  for (auto _ : state) benchmark::DoNotOptimize(objective(scene, default_width));
+  for (auto _ : state) benchmark::DoNotOptimize(objective(scene, default_smoothing));
 }
 
 void surrogate_gradient(benchmark::State& state, const Scene& scene) {
-  for (auto _ : state) benchmark::DoNotOptimize(surrogate_slope(scene, default_width));
+  for (auto _ : state) benchmark::DoNotOptimize(surrogate_slope(scene, default_smoothing));
 }
 
-/// A whole threshold, 18,000 speeds on every core.
+/// Time of a complete threshold: 18,000 speeds on every core.
 void whole_threshold(benchmark::State& state, const Case& a_case) {
-  const Scene scene = scene_of(a_case, default_reading().scene);
+  const Scene scene = scene_of(a_case, default_machine());
   for (auto _ : state) benchmark::DoNotOptimize(score(scene, a_case.claim, ScanOptions{}));
 }
 

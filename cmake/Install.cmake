@@ -9,7 +9,7 @@ foreach(library ${libraries})
   set_target_properties(ricochet_${library} PROPERTIES EXPORT_NAME ${library})
   list(APPEND library_targets ricochet_${library})
 endforeach()
-install(TARGETS ricochet ricochet_studies)
+install(TARGETS ricochet ricochet_reproduce ricochet_studies)
 if(TARGET ricochet_mpi)
   install(TARGETS ricochet_mpi)
 endif()
@@ -32,7 +32,8 @@ install(FILES
   ${PROJECT_BINARY_DIR}/ricochetConfig.cmake ${PROJECT_BINARY_DIR}/ricochetConfigVersion.cmake
   cmake/Dependencies.cmake
   DESTINATION ${package_folder})
-install(FILES README.md LICENSE TYPE DOC)
+install(FILES README.md CHANGELOG.md CITATION.cff LICENSE TYPE DOC)
+install(DIRECTORY docs TYPE DOC)
 install(FILES python/ricochet.py DESTINATION lib/python3/dist-packages)  # Debian's place for modules
 
 # The manual and the completions, made of the one description of the commands.
@@ -41,7 +42,7 @@ foreach(form man bash zsh fish)
   add_custom_command(OUTPUT ${descriptions}/${form}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${descriptions}
     COMMAND ricochet describe ${form} > ${descriptions}/${form}
-    DEPENDS ricochet ricochet_studies VERBATIM)
+    DEPENDS ricochet ricochet_reproduce ricochet_studies VERBATIM)
 endforeach()
 add_custom_target(ricochet_descriptions ALL
   DEPENDS ${descriptions}/man ${descriptions}/bash ${descriptions}/zsh ${descriptions}/fish)
@@ -65,7 +66,6 @@ find_program(RICOCHET_SHLIBDEPS dpkg-shlibdeps)
 if(RICOCHET_SHLIBDEPS)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 endif()
-set(CPACK_DEBIAN_PACKAGE_DEPENDS gnuplot-nox)  # draws the charts
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
   "libeigen3-dev, libceres-dev, libnlopt-cxx-dev, libboost-dev, libtbb-dev, libfmt-dev, libtomlplusplus-dev, pkg-config, python3-numpy")
 if(RICOCHET_HAS_DLIB)

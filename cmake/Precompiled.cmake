@@ -1,12 +1,11 @@
 # What most files include, compiled once: reading these headers is half the work of a build.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)  # ccache would store none of the files that use one
-else()
-  set(CMAKE_UNITY_BUILD ON)  # of a target, eight files at once
 endif()
 
-# ricochet_apart(FILE...): files that must be compiled alone, for names in them, or in the headers of
-# another's library, are those of other files of the target.
+# ricochet_apart(FILE...): files that the preset release, which compiles several files of a target at
+# once, must compile alone: for names in them, or in the headers of another's library, are those of
+# other files of the target, or for they take long.
 function(ricochet_apart)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
@@ -24,8 +23,8 @@ function(ricochet_targets out)
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 
-# ricochet_precompile(NAME OPTION FOLDER...): compiles all targets of the folders with the option and
-# with one precompiled header, of that name. A header keeps the optimisation that it was
+# ricochet_precompile(NAME OPTION FOLDER...): compiles all targets of the folders, but for those that
+# an earlier call has named, with the option and with one precompiled header, of that name. A header keeps the optimisation that it was
 # made with, and may know no macro that a file does not: each has a target of its own.
 function(ricochet_precompile name option)
   add_library(${name} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
@@ -37,6 +36,10 @@ function(ricochet_precompile name option)
     <Eigen/Core> <ceres/jet.h> <fmt/format.h> <nlohmann/json.hpp> <tbb/parallel_for.h>)
   ricochet_targets(targets ${ARGN})
   foreach(target ${targets})
+    get_target_property(other ${target} PRECOMPILE_HEADERS_REUSE_FROM)
+    if(other)
+      continue()
+    endif()
     target_compile_options(${target} PRIVATE ${option})
     target_precompile_headers(${target} REUSE_FROM ${name})
   endforeach()

@@ -1,7 +1,7 @@
 #include "problems/families.h"
 
-#include "problems/carrier_track/questions/families.h"
-#include "problems/carrier_track/questions/hard_machines.h"
+#include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/problems/hard_machines.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "problems/classic/families.h"
 
@@ -18,10 +18,10 @@ std::vector<Family> all_families(const std::string& scene_file) {
   return families;
 }
 
-std::vector<Question> every_question(const std::vector<Family>& families) {
-  std::vector<Question> all;
+std::vector<Problem> every_problem(const std::vector<Family>& families) {
+  std::vector<Problem> all;
   for (const Family& family : families) {
-    all.insert(all.end(), family.questions.begin(), family.questions.end());
+    all.insert(all.end(), family.problems.begin(), family.problems.end());
   }
   return all;
 }

@@ -7,11 +7,11 @@
 
 namespace ricochet {
 
-/// Every family of questions that there is: of the paper's cases and of the literature. Where a
-/// scene file is named, those of its machine instead; throws InputError for a file that is none.
+/// Every family of problems: those of the paper's cases and of the literature. With a scene file,
+/// those of its machine instead; throws InputError if the file is invalid.
 std::vector<Family> all_families(const std::string& scene_file = "");
 
-/// Their questions, one after the other.
-std::vector<Question> every_question(const std::vector<Family>& families);
+/// The problems of all families, in order.
+std::vector<Problem> every_problem(const std::vector<Family>& families);
 
 }  // namespace ricochet

@@ -1,16 +1,31 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "src/core/question.h"
+#include "src/core/problem.h"
 
 namespace ricochet {
 
-/// Questions of one kind. What there is to say of them stands in reports/templates/families.toml.
+/// Problems of one kind. reports/templates/families.toml describes them.
 struct Family {
-  std::string name;  ///< what the names of its questions begin with, e.g. "top-speed"
-  std::vector<Question> questions;
+  std::string name;  ///< what the names of its problems begin with, e.g. "top-speed"
+  std::vector<Problem> problems;
+};
+
+/// Results of a search for a problem's values, by name; empty if no point is feasible.
+using Findings = std::map<std::string, double>;
+
+/// A problem whose best value, and possibly other values, is not known yet. A campaign searches for
+/// them at its start and keeps the findings in its store.
+struct SearchedProblem {
+  std::string family;
+  Problem problem;  ///< name, box and formulations; its values may be wrong
+  std::function<Findings()> search;
+  std::function<Problem(const Findings&)>
+      with;  ///< the complete problem; findings must not be empty
 };
 
 }  // namespace ricochet

@@ -1,16 +1,16 @@
-"""The questions of ricochet, for optimisers in Python.
+"""The problems of ricochet, for optimisers in Python.
 
     import ricochet
 
-    with ricochet.question("count-C1") as q:
+    with ricochet.problem("count-C1") as q:
         print(q.lower, q.upper, q(q.start))
 
-A question is a minimisation problem within a box: an objective, and constraints of which the first
+A problem is a minimisation problem within a box: an objective, and constraints of which the first
 `equalities` must be 0 and the others <= 0. What its variables are, and in which units, is said by
 `ricochet evaluate NAME --describe`; constraints and objectives have the units that `source` there
 names. Points outside the box are evaluated at their projection onto it.
 
-The C library libricochet.so.2 is looked for where the environment variable RICOCHET_LIBRARY says,
+The C library libricochet.so.3 is looked for where the environment variable RICOCHET_LIBRARY says,
 else beside this file, else where the system keeps its libraries. Needs NumPy.
 """
 
@@ -21,9 +21,9 @@ from typing import NamedTuple
 
 import numpy
 
-__all__ = ["Error", "RunOver", "Truth", "Question", "question", "questions"]
+__all__ = ["Error", "RunOver", "TrueValues", "Problem", "problem", "problems"]
 
-_ABI = 2
+_ABI = 3
 _UNLIMITED = 2**63 - 1
 
 
@@ -35,8 +35,8 @@ class RunOver(Error):
     """The budget is spent: nothing more is evaluated."""
 
 
-class Truth(NamedTuple):
-    """What the suite judges a point by, whatever form was shown."""
+class TrueValues(NamedTuple):
+    """What the suite judges a point by, whatever formulation was shown."""
 
     objective: float
     violation: float  #: the largest of a constraint; 0 where feasible
@@ -73,8 +73,8 @@ _Problem._fields_ = [
 
 def _load():
     named = os.environ.get("RICOCHET_LIBRARY")
-    beside = pathlib.Path(__file__).resolve().with_name("libricochet.so.2")
-    path = named or (str(beside) if beside.exists() else "libricochet.so.2")
+    beside = pathlib.Path(__file__).resolve().with_name("libricochet.so.3")
+    path = named or (str(beside) if beside.exists() else "libricochet.so.3")
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
@@ -89,8 +89,8 @@ def _load():
     library.ricochet_close.argtypes = [_handle]
     library.ricochet_judge.restype = ctypes.c_int32
     library.ricochet_judge.argtypes = [_handle, _vector, _vector, _vector]
-    library.ricochet_question_name.restype = ctypes.c_char_p
-    library.ricochet_question_name.argtypes = [ctypes.c_int32]
+    library.ricochet_problem_name.restype = ctypes.c_char_p
+    library.ricochet_problem_name.argtypes = [ctypes.c_int32]
     library.ricochet_error.restype = ctypes.c_char_p
     library.ricochet_error.argtypes = []
     return library
@@ -116,29 +116,29 @@ def _within(what, number, lowest, highest):
     return number
 
 
-def questions():
-    """The names of all questions, as a list."""
+def problems():
+    """The names of all problems, as a list."""
     names = []
-    while (name := _library.ricochet_question_name(len(names))) is not None:
+    while (name := _library.ricochet_problem_name(len(names))) is not None:
         names.append(name.decode())
     return names
 
 
-def question(name, form="", *, instance=0, budget=None, seed=0):
-    """Opens the question of this name.
+def problem(name, formulation="", *, instance=0, budget=None, seed=0):
+    """Opens the problem of this name.
 
-    form: how it is shown, such as "count", "surrogate" or "penalised-count"; "" as it is judged.
-    instance: 0 as stated; 1, 2, ... the same question in another box, moved and reflected.
+    formulation: how it is shown, such as "count", "surrogate" or "penalised-count"; "" as it is judged.
+    instance: 0 as stated; 1, 2, ... the same problem in another box, moved and reflected.
     budget: evaluations, after which RunOver is raised; None for as many as you like.
     seed: of `uniform`, from 0 to 2**64 - 1.
 
-    Raises Error where there is no such question or form, with what may have been meant.
+    Raises Error where there is no such problem or formulation, with what may have been meant.
     """
-    return Question(name, form, instance=instance, budget=budget, seed=seed)
+    return Problem(name, formulation, instance=instance, budget=budget, seed=seed)
 
 
-class Question:
-    """An open question. One thread at a time may use it; `close` it, or use it in `with`.
+class Problem:
+    """An open problem. One thread at a time may use it; `close` it, or use it in `with`.
 
     name: str.
     dimension, constraints, equalities: how many; the equalities are the first constraints.
@@ -152,10 +152,10 @@ class Question:
 
     _problem = None  # until it is open, and after it was closed
 
-    def __init__(self, name, form="", *, instance=0, budget=None, seed=0):
+    def __init__(self, name, formulation="", *, instance=0, budget=None, seed=0):
         problem = _library.ricochet_open(
             name.encode(),
-            form.encode(),
+            formulation.encode(),
             _within("instance", instance, 0, 2**31 - 1),
             _UNLIMITED if budget is None else _within("budget", budget, 1, _UNLIMITED),
             _within("seed", seed, 0, 2**64 - 1),
@@ -213,14 +213,14 @@ class Question:
 
     def _derivatives(self, x, *addresses):
         if not self.has_derivatives:
-            raise Error(f"{self.name} has no derivatives in this form")
+            raise Error(f"{self.name} has no derivatives in this formulation")
         self._take(x)
         if self._ask_derivatives(self._problem, self._at_x, *addresses):
             self._refused()
 
     def _count_residuals(self, x):
         if not self.has_residuals:
-            raise Error(f"{self.name} has no residuals in this form")
+            raise Error(f"{self.name} has no residuals in this formulation")
         self._take(x)
         count = self._ask_residual_count(self._problem, self._at_x)
         if not count:
@@ -231,7 +231,7 @@ class Question:
         raise (RunOver if self.remaining == 0 else Error)(_last_error())
 
     def __call__(self, x):
-        """The objective at x as a float, of a question without constraints."""
+        """The objective at x as a float, of a problem without constraints."""
         if self.constraints:
             raise TypeError(
                 f"{self.name} has {self.constraints} constraints: ask for values(x), or for"
@@ -294,14 +294,14 @@ class Question:
         return told
 
     def judge(self, x):
-        """What the suite judges x by: a Truth. Costs no evaluation."""
+        """What the suite judges x by: a TrueValues. Costs no evaluation."""
         self._take(x)
         violation = ctypes.c_double()
         if _library.ricochet_judge(
             self._problem, self._at_x, self._at_objective, ctypes.byref(violation)
         ):
             raise Error(_last_error())
-        return Truth(self._told_objective.item(), violation.value)
+        return TrueValues(self._told_objective.item(), violation.value)
 
     def uniform(self):
         """A number uniform in [0, 1), from the seed."""
@@ -317,7 +317,7 @@ class Question:
         return self._problem.contents.remaining(self._problem)
 
     def close(self):
-        """Gives back what the question holds; nothing may be asked afterwards."""
+        """Gives back what the problem holds; nothing may be asked afterwards."""
         problem, self._problem = self._problem, None
         if problem:
             _library.ricochet_close(problem)
@@ -332,4 +332,4 @@ class Question:
         self.close()
 
     def __repr__(self):
-        return f"<ricochet.Question {self.name}{'' if self._problem else ', closed'}>"
+        return f"<ricochet.Problem {self.name}{'' if self._problem else ', closed'}>"

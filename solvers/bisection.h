@@ -4,10 +4,10 @@
 
 namespace ricochet {
 
-/// Bisection, as an engineer would do it by hand: between the end of the box with the best
-/// objective, if that is infeasible, and the other end, halves the interval that holds the limit of
-/// the feasible points. Of one variable, with inequalities. The start is the first point tried
-/// between the ends, so that another start finds another limit where there are several.
+/// Bisection, as an engineer would do it by hand: if the end of the box with the best objective is
+/// infeasible, halves the interval between it and the other end until it encloses the limit of the
+/// feasible set. For one variable, with inequalities. The start is the first point tried between
+/// the ends; if there are several limits, another start may find another one.
 Solver bisection();
 
 }  // namespace ricochet

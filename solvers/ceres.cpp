@@ -21,8 +21,8 @@ class Waves : public ceres::FirstOrderFunction {
  public:
   explicit Waves(Evaluator& evaluator)
       : evaluator_(evaluator),
-        middle_((evaluator.problem().lower + evaluator.problem().upper) / 2),
-        half_((evaluator.problem().upper - evaluator.problem().lower) / 2) {}
+        middle_((evaluator.lower() + evaluator.upper()) / 2),
+        half_((evaluator.upper() - evaluator.lower()) / 2) {}
 
   int NumParameters() const override { return static_cast<int>(middle_.size()); }
 
@@ -62,7 +62,7 @@ Options own_options() {
   Options options;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = std::numeric_limits<int>::max();
-  options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this
+  options.function_tolerance = 1e-14;  // the parameter tolerance, steps of 1e-8, changes f by this
   return options;
 }
 
@@ -82,7 +82,7 @@ Options options_with(const GivenOptions& given) {
   return options;
 }
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
+SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
   auto* waves = new Waves(evaluator);  // `problem` owns it
   const ceres::GradientProblem problem(waves);
   Vector y = waves->inverse(start);
@@ -97,9 +97,7 @@ Solver lbfgs(const GivenOptions& given) {
   Solver solver;
   solver.name = "ceres-lbfgs";
   solver.version = "Ceres " CERES_VERSION_STRING;
-  solver.accepts = [](const Problem& problem) {
-    return has_room(problem) && problem.constraints == 0 && problem.differentiate;
-  };
+  solver.capabilities = ceres_lbfgs_capabilities;
   solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
                                                  Random&) {
     return minimise(evaluator, start, options);

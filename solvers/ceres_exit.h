@@ -5,16 +5,16 @@
 
 #include <string>
 
-/// For the adapters of Ceres alone.
+/// Only for the adapters of Ceres.
 namespace ricochet {
 
-/// Ceres warns, on standard error, where a function is flat, whatever its options say. What the
-/// suite has to say of a run is in its record.
+/// Silences the warnings that Ceres writes to standard error where a function is flat, whatever its
+/// options are. The run's record holds what the suite needs.
 inline void silence_ceres() {
   FLAGS_minloglevel = google::GLOG_FATAL;
 }
 
-/// What Ceres says of its own end.
+/// Ceres's termination type as text.
 inline std::string in_words(ceres::TerminationType type) {
   switch (type) {
     case ceres::CONVERGENCE:

@@ -27,7 +27,7 @@ class UnitResiduals : public ceres::CostFunction {
                 double** jacobians) const override {
     const Eigen::Map<const Vector> u(parameters[0], parameter_block_sizes().front());
     Eigen::Map<Vector> told(values, num_residuals());
-    if (!jacobians || !jacobians[0]) {  // whether to step there: most that are not taken end here
+    if (!jacobians || !jacobians[0]) {  // a trial step: most rejected steps end here
       const auto seen = box_.residual_values(u);
       if (!seen || !seen->allFinite() || seen->size() != num_residuals()) return false;
       told = *seen;
@@ -50,12 +50,12 @@ Options own_options() {
   Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
-  // Between bounds every step is sought along a line: by values alone, where CUBIC pays slopes,
-  // too.
+  // Between bounds Ceres looks for every step along a line. QUADRATIC needs values only; CUBIC
+  // would also need slopes.
   options.line_search_interpolation_type = ceres::QUADRATIC;
   options.max_num_iterations = std::numeric_limits<int>::max();
-  options.function_tolerance = 1e-14;  // steps of 1e-8, the parameter tolerance, change f by this
-  options.gradient_tolerance = 0;      // it has the residuals' unit, whatever that is
+  options.function_tolerance = 1e-14;  // the parameter tolerance, steps of 1e-8, changes f by this
+  options.gradient_tolerance = 0;      // it has the unit of the residuals, which is unknown
   return options;
 }
 
@@ -70,10 +70,10 @@ Options options_with(const GivenOptions& given) {
   return options;
 }
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
+SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Options& options) {
   UnitBox box(evaluator);
   Vector u = box.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
-  // Ceres wants to know beforehand how many there are; the evaluator remembers what they are.
+  // Ceres needs the number of residuals beforehand; the evaluator remembers their values.
   const auto first = box.residual_values(u, Part::nothing);
   if (!first) return {stopped_by_evaluator};
   if (!first->allFinite()) return {not_finite};
@@ -95,9 +95,7 @@ Solver least_squares(const GivenOptions& given) {
   Solver solver;
   solver.name = "ceres-trust-region";
   solver.version = "Ceres " CERES_VERSION_STRING;
-  solver.accepts = [](const Problem& problem) {
-    return has_room(problem) && problem.constraints == 0 && problem.residuals;
-  };
+  solver.capabilities = ceres_least_squares_capabilities;
   solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
                                                  Random&) {
     return minimise(evaluator, start, options);

@@ -5,11 +5,12 @@
 
 namespace ricochet {
 
-/// "ceres-trust-region": the Levenberg-Marquardt method of Ceres in the unit cube, its steps by a
-/// dense QR decomposition, in one thread. Needs residuals, takes no constraints. A start where they
-/// are not finite ends at once. Ceres projects its steps onto the box, and can stop short of an
-/// optimum on a bound: https://github.com/ceres-solver/ceres-solver/issues/187.
+/// "ceres-trust-region": the Levenberg-Marquardt method of Ceres in the unit cube, with dense QR
+/// decomposition, in one thread. Ends at once if the residuals at the start are not finite. Ceres
+/// projects its steps onto the box and can stop short of an optimum on a bound:
+/// https://github.com/ceres-solver/ceres-solver/issues/187.
 Solver ceres_least_squares();
+inline constexpr Capabilities ceres_least_squares_capabilities = {.needs_residuals = true};
 
 /// With Ceres's own options "initial_trust_region_radius", "function_tolerance" and
 /// "parameter_tolerance".

@@ -11,38 +11,34 @@ constexpr double widest = 0.3;
 constexpr double narrowest = 1e-3;
 constexpr double narrowing = 0.5;
 
-/// What one width may cost, in values with derivatives: some solvers cycle.
+/// Most values with derivatives that one smoothing parameter may cost: some solvers cycle.
 constexpr std::int64_t most_steps = 30;
 
 constexpr double first_step = 1e-5;  // of the box
 constexpr int bisections = 6;
 
-Vector inside(const Vector& x, const Problem& problem) {
-  return x.cwiseMax(problem.lower).cwiseMin(problem.upper);
-}
-
-/// Where a smooth constraint ends, the true one does not. Goes from `x` on a straight line to where
-/// the true ones change from broken to kept: where they are broken, down the slope of the smooth
-/// constraint that is broken most, else down that of the objective. The evaluator shows the
-/// narrowest width.
+/// Corrects for the distance between the limits of the smooth and of the true constraints. Goes
+/// from `x` along a straight line to where the true constraints change between broken and kept: if
+/// they are broken at `x`, down the slope of the smooth constraint that is broken most, else down
+/// the slope of the objective. The evaluator must show the smallest smoothing parameter.
 void settle(Evaluator& evaluator, const Vector& x) {
-  const Problem& problem = evaluator.problem();
   const auto seen = evaluator.derivatives(x);
   if (!seen || !finite(*seen)) return;
   Eigen::Index worst = 0;
   seen->values.constraints.maxCoeff(&worst);
-  const Vector width = problem.upper - problem.lower;
+  const Vector width = evaluator.upper() - evaluator.lower();
   evaluator.smooth(0);
   const auto holds = [&](const Vector& point) {
     const auto values = evaluator.values(point);
-    return values && truth_of(*values).violation <= 0;
+    return values && true_values_of(*values).violation <= 0;
   };
   const bool kept = holds(x);
   const Vector slope =
       (kept ? seen->gradient : Vector(seen->jacobian.row(worst))).cwiseProduct(width);
   if (!(slope.norm() > 0)) return;
-  const auto at = [&](double share) {
-    return inside(x - share / slope.norm() * slope.cwiseProduct(width), problem);
+  const auto at = [&](double share) -> Vector {
+    const Vector there = x - share / slope.norm() * slope.cwiseProduct(width);
+    return there.cwiseMax(evaluator.lower()).cwiseMin(evaluator.upper());
   };
   double near = 0;
   double far = first_step;
@@ -59,28 +55,34 @@ void settle(Evaluator& evaluator, const Vector& x) {
 
 }  // namespace
 
+Capabilities continuation_capabilities(const Capabilities& of) {
+  Capabilities result = of;
+  result.constraints = std::min(of.constraints, Capabilities::Constraints::inequalities);
+  result.derivatives = std::max(of.derivatives, Capabilities::Order::gradient);
+  result.needs_smoothing = true;
+  return result;
+}
+
 Solver continuation(Solver solver) {
   Solver result = solver;
   result.name = fmt::format("continuation-{}", solver.name);
-  result.accepts = [accepts = solver.accepts](const Problem& problem) {
-    return problem.smoothed && problem.differentiate && problem.equalities == 0 && accepts(problem);
-  };
+  result.capabilities = continuation_capabilities(solver.capabilities);
   result.solve = [solve = solver.solve](Evaluator& evaluator, const Vector& start,
-                                        Random& random) -> SolverExit {
-    const Problem& problem = evaluator.problem();
-    const std::int64_t most = most_steps * (1 + problem.dimension());
+                                        Random& random) -> SolverTermination {
+    const std::int64_t most = most_steps * (1 + evaluator.dimension());
     Vector x = start;
-    SolverExit exit;
-    for (double width = widest; width > narrowest; width *= narrowing) {
-      evaluator.smooth(width);
+    SolverTermination exit;
+    for (double smoothing = widest; smoothing > narrowest; smoothing *= narrowing) {
+      evaluator.smooth(smoothing);
       evaluator.allow(most);
       exit = solve(evaluator, x, random);
       evaluator.allow(most);
       if (evaluator.over()) break;
       if (evaluator.best_shown() != nullptr) x = *evaluator.best_shown();
     }
-    if (problem.constraints > 0 && !evaluator.over()) settle(evaluator, x);
-    exit.point.reset();  // that of one width; the best shown at the last one is the answer
+    if (evaluator.constraints() > 0 && !evaluator.over()) settle(evaluator, x);
+    exit.point
+        .reset();  // of this smoothing parameter only; the best point at the last one is returned
     return exit;
   };
   return result;

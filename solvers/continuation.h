@@ -4,9 +4,13 @@
 
 namespace ricochet {
 
-/// A solver led by the hand: it solves the problem at a wide smoothing width, then at narrower ones
-/// from where it came to, until the problem is next to the one that counts. For problems that have
-/// the knob. Named "continuation-" and the solver's name.
+/// A homotopy method: the solver solves the problem with a large smoothing parameter, then with
+/// smaller ones, each from the previous result, until the problem is close to the true one. For
+/// problems with a smoothing parameter. Named "continuation-" and the solver's name.
 Solver continuation(Solver solver);
+
+/// The capabilities of the continued solver, but without equalities; gradients and smoothing are
+/// required.
+Capabilities continuation_capabilities(const Capabilities& of);
 
 }  // namespace ricochet

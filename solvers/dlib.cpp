@@ -9,12 +9,10 @@
 #include <vector>
 
 #include "solvers/unit_box.h"
-#include "src/core/instance.h"
 
 namespace ricochet {
 namespace {
 
-constexpr Eigen::Index most_variables = 8;
 constexpr std::size_t most_points = 400;
 constexpr std::size_t samples = 1000;  // of the upper bound, to find its highest point
 
@@ -27,18 +25,18 @@ Column column(const Vector& u) {
   return x;
 }
 
-/// Whether dlib's model can begin with these: where all values are the same it divides by zero.
+/// Returns true if dlib's model can be built from these: it divides by zero if all values are
+/// equal.
 bool suffice(const Evaluations& evaluations, Eigen::Index n) {
   const auto differs = [&](const auto& evaluation) { return evaluation.y != evaluations[0].y; };
   return std::ssize(evaluations) >= std::max<Eigen::Index>(3, n) &&
          std::any_of(evaluations.begin(), evaluations.end(), differs);
 }
 
-/// The start and points uniform in the box that have numbers; fewer than suffice where the
-/// evaluator refuses, or where there are too many. dlib climbs: its values are ours with the
+/// The start and points uniform in the box, those with finite values. May be too few for the model
+/// if the evaluator refuses or the limit is reached. dlib maximises, so the values have the
 /// opposite sign.
-Evaluations first_points(UnitBox& box, const Problem& problem, const Vector& start,
-                         Random& random) {
+Evaluations first_points(UnitBox& box, const Vector& start, Random& random) {
   Evaluations evaluations;
   Vector x = start;
   for (std::size_t asked = 0; asked < most_points; ++asked) {
@@ -47,14 +45,14 @@ Evaluations first_points(UnitBox& box, const Problem& problem, const Vector& sta
     if (!values) break;
     if (finite(*values)) evaluations.emplace_back(column(u), -values->objective);
     if (suffice(evaluations, u.size())) break;
-    x = uniform_point(problem, random);
+    x = uniform_point(box.evaluator().lower(), box.evaluator().upper(), random);
   }
   return evaluations;
 }
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, Random& random) {
+SolverTermination minimise(Evaluator& evaluator, const Vector& start, Random& random) {
   UnitBox box(evaluator);
-  const Evaluations first = first_points(box, evaluator.problem(), start, random);
+  const Evaluations first = first_points(box, start, random);
   if (evaluator.over()) return {stopped_by_evaluator};
   if (!suffice(first, start.size())) return {"no two values differ"};
   const auto is_lower = [](const auto& a, const auto& b) { return a.y < b.y; };
@@ -83,9 +81,7 @@ Solver dlib_global_search() {
   solver.version =
       fmt::format("dlib {}.{}.{}", DLIB_MAJOR_VERSION, DLIB_MINOR_VERSION, DLIB_PATCH_VERSION);
   solver.stochastic = true;
-  solver.accepts = [](const Problem& problem) {
-    return has_room(problem) && problem.constraints == 0 && problem.dimension() <= most_variables;
-  };
+  solver.capabilities = dlib_capabilities;
   solver.solve = minimise;
   return solver;
 }

@@ -12,14 +12,12 @@ Solver golden_section() {
   Solver solver;
   solver.name = "golden-section";
   solver.version = "ricochet " RICOCHET_VERSION;
-  solver.accepts = [](const Problem& problem) {
-    return problem.dimension() == 1 && problem.constraints == 0 && has_room(problem);
-  };
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) -> SolverExit {
-    const Problem& problem = evaluator.problem();
-    double a = problem.lower[0], x = start[0], b = problem.upper[0];
+  solver.capabilities.most_variables = 1;
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) -> SolverTermination {
+    double a = evaluator.lower()[0], x = start[0], b = evaluator.upper()[0];
+    const double width = b - a;
     auto best = evaluator.objective(start);
-    while (best && b - a > step_tolerance * (problem.upper[0] - problem.lower[0])) {
+    while (best && b - a > step_tolerance * width) {
       const double y = b - x > x - a ? x + section * (b - x) : x - section * (x - a);
       const auto there = evaluator.objective(Vector::Constant(1, y));
       if (!there) break;

@@ -19,9 +19,9 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
-/// Thrown through Ipopt once the evaluator refuses. An evaluation that merely fails makes Ipopt
-/// halve its step and, in the end, enter its restoration phase; a foreign exception it turns into a
-/// return status.
+/// Thrown through Ipopt once the evaluator refuses. If an evaluation only fails, Ipopt halves its
+/// step and, in the end, enters its restoration phase; an unknown exception it turns into a return
+/// status.
 struct Refused {};
 
 /// Ipopt asks for both kinds of constraints at once.
@@ -29,22 +29,22 @@ constexpr Part constraints_only{static_cast<unsigned>(Part::equalities) |
                                 static_cast<unsigned>(Part::inequalities)};
 
 constexpr const char* tuned_strategy = "monotone";
-constexpr double tuned_barrier = 1e-3;  // to begin with
+constexpr double tuned_barrier = 1e-3;  // the initial value
 
 /// Where second derivatives come from.
 enum class Hessian {
   limited_memory,  ///< Ipopt's own estimate, from gradients
-  exact            ///< the problem
+  exact            ///< from the problem
 };
 
-/// A problem in the unit cube, as Ipopt wants to be asked. The jacobian is dense and row-major.
+/// A problem in the unit cube with Ipopt's interface. The Jacobian is dense and row-major.
 class UnitProblem : public Ipopt::TNLP {
  public:
   UnitProblem(Evaluator& evaluator, const Vector& start, Hessian hessian)
       : box_(evaluator),
         start_(box_.to_unit(start)),
-        constraints_(evaluator.problem().constraints),
-        equalities_(evaluator.problem().equalities),
+        constraints_(evaluator.constraints()),
+        equalities_(evaluator.equalities()),
         hessian_(hessian) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian_entries, Index& hessian_entries,
@@ -63,7 +63,7 @@ class UnitProblem : public Ipopt::TNLP {
     std::fill_n(u_upper, n, 1.0);
     const auto equalities = static_cast<Index>(equalities_);
     std::fill_n(c_lower, equalities, 0.0);
-    std::fill_n(c_lower + equalities, m - equalities, -2e19);  // beyond 1e19 is no bound to Ipopt
+    std::fill_n(c_lower + equalities, m - equalities, -2e19);  // beyond 1e19: no bound
     std::fill_n(c_upper, m, 0.0);
     return true;
   }
@@ -94,7 +94,7 @@ class UnitProblem : public Ipopt::TNLP {
 
   bool eval_jac_g(Index n, const Number* u, bool, Index m, Index, Index* rows, Index* columns,
                   Number* entries) override {
-    if (!entries) {  // asked for the structure
+    if (!entries) {  // Ipopt asks for the structure
       for (Index k = 0; k < n * m; ++k) {
         rows[k] = k / n;
         columns[k] = k % n;
@@ -111,7 +111,7 @@ class UnitProblem : public Ipopt::TNLP {
   bool eval_h(Index n, const Number* u, bool, Number objective_factor, Index m,
               const Number* multipliers, bool, Index, Index* rows, Index* columns,
               Number* entries) override {
-    if (!entries) {  // asked for the structure: the lower triangle
+    if (!entries) {  // Ipopt asks for the structure: the lower triangle
       for (Index i = 0, k = 0; i < n; ++i) {
         for (Index j = 0; j <= i; ++j, ++k) {
           rows[k] = i;
@@ -144,7 +144,7 @@ class UnitProblem : public Ipopt::TNLP {
     if (last.allFinite()) final_ = box_.from_unit(last);
   }
 
-  /// The point that Ipopt ends at; nothing where it was stopped within a step.
+  /// The last point of Ipopt; nothing if it was stopped within a step.
   const std::optional<Vector>& final_point() const { return final_; }
 
  private:
@@ -185,7 +185,8 @@ std::string in_words(Ipopt::ApplicationReturnStatus status) {
   }
 }
 
-/// Guards the whole of Ipopt, its construction and destruction too: it and MUMPS keep global state.
+/// Guards every use of Ipopt, including construction and destruction: it and MUMPS keep global
+/// state.
 std::mutex ipopt_mutex;
 
 void give(Ipopt::IpoptApplication& application, const GivenOptions& given) {
@@ -213,28 +214,28 @@ constexpr Choice own_choice{"ipopt", Settings::own, Hessian::limited_memory};
 constexpr Choice tuned_choice{"ipopt-tuned", Settings::tuned, Hessian::limited_memory};
 constexpr Choice exact_choice{"ipopt-exact", Settings::own, Hessian::exact};
 
-SolverExit minimise(Evaluator& evaluator, const Vector& start, const Choice& choice,
-                    const GivenOptions& given) {
+SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choice& choice,
+                           const GivenOptions& given) {
   const Settings settings = choice.settings;
   const Hessian hessian = choice.hessian;
   const std::lock_guard lock(ipopt_mutex);
   const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, hessian);
-  // false: no console, so there is neither banner nor log to silence.
+  // false: no console, so no banner and no log.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   const auto options = application->Options();
   if (hessian == Hessian::limited_memory) {
     options->SetStringValue("hessian_approximation", "limited-memory");
   }
   if (settings == Settings::tuned) {
-    // Without second derivatives Ipopt adapts its barrier freely, and often loses the way in a
-    // constraint that bends as sharply as a surrogate; a start may be near the optimum, too.
+    // Without second derivatives Ipopt adapts its barrier freely. It then often fails on a
+    // constraint as curved as that of a surrogate. Also, a start may be near the optimum.
     options->SetStringValue("mu_strategy", tuned_strategy);
     options->SetNumericValue("mu_init", tuned_barrier);
   }
-  // The verdict grants no violation, so neither may the solver widen the bounds.
+  // The verdict allows no violation, so the solver must not widen the bounds.
   options->SetNumericValue("bound_relax_factor", 0.0);
   give(*application, given);
-  // "": no options file, not even one that happens to lie in the working directory.
+  // "": no options file, not even one in the working directory.
   Ipopt::ApplicationReturnStatus status = application->Initialize("");
   if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(GetRawPtr(problem));
   return {evaluator.over() ? stopped_by_evaluator : in_words(status), problem->final_point()};
@@ -244,17 +245,15 @@ Solver made(const Choice& choice, const GivenOptions& given) {
   Solver solver;
   solver.name = choice.name;
   solver.version = "Ipopt " IPOPT_VERSION;
-  solver.accepts = [exact = choice.hessian == Hessian::exact](const Problem& problem) {
-    return has_room(problem) && static_cast<bool>(problem.differentiate) &&
-           (!exact || static_cast<bool>(problem.lagrangian_hessian));
-  };
+  solver.capabilities =
+      choice.hessian == Hessian::exact ? ipopt_exact_capabilities : ipopt_capabilities;
   solver.solve = [choice, given](Evaluator& evaluator, const Vector& start, Random&) {
     return minimise(evaluator, start, choice, given);
   };
   return solver;
 }
 
-/// What the adapter itself sets, what would write files or speak, and what hangs on the clock.
+/// Options that the adapter sets itself, that write files or print, or that depend on the clock.
 bool is_kept_back(const std::string& name) {
   static const std::set<std::string> kept = {
       "hessian_approximation", "output_file",
@@ -293,7 +292,7 @@ SolverOption option_of(const Ipopt::RegisteredOption& known) {
   return option;
 }
 
-/// All that Ipopt lists, but for what is kept back.
+/// All options that Ipopt lists, except those kept back.
 std::vector<SolverOption> known_options() {
   const std::lock_guard lock(ipopt_mutex);
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
@@ -304,7 +303,7 @@ std::vector<SolverOption> known_options() {
   return options;
 }
 
-/// What the adapter sets otherwise than Ipopt.
+/// Replaces the default of an option that the adapter sets differently from Ipopt.
 void tell_own(std::vector<SolverOption>& options, const std::string& name,
               const std::string& usual) {
   for (SolverOption& option : options) {

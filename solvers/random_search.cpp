@@ -1,7 +1,6 @@
 #include "solvers/random_search.h"
 
 #include "solvers/unit_box.h"
-#include "src/core/instance.h"
 
 namespace ricochet {
 
@@ -10,12 +9,11 @@ Solver random_search() {
   solver.name = "random-search";
   solver.version = "ricochet " RICOCHET_VERSION;
   solver.stochastic = true;
-  solver.accepts = [](const Problem& problem) {
-    return has_room(problem) && problem.equalities == 0;
-  };
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
+  solver.capabilities.constraints = Capabilities::Constraints::inequalities;
+  solver.solve = [](Evaluator& evaluator, const Vector& start,
+                    Random& random) -> SolverTermination {
     Vector x = start;
-    while (evaluator.values(x)) x = uniform_point(evaluator.problem(), random);
+    while (evaluator.values(x)) x = uniform_point(evaluator.lower(), evaluator.upper(), random);
     return {stopped_by_evaluator};
   };
   return solver;

@@ -4,9 +4,9 @@
 
 namespace ricochet {
 
-/// "random-search": the start, then points uniform in the box until the evaluator refuses. The
-/// floor: a solver that does no better has learnt nothing. Judges nothing itself, so constraints
-/// do not hinder it.
+/// "random-search": the start, then points uniform in the box until the evaluator refuses. It is
+/// the baseline that any other solver should beat. It does not compare points itself, so it takes
+/// any constraints.
 Solver random_search();
 
 }  // namespace ricochet

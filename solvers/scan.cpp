@@ -16,16 +16,14 @@ Solver scan() {
   Solver solver;
   solver.name = "scan";
   solver.version = "ricochet " RICOCHET_VERSION;
-  solver.accepts = [](const Problem& problem) {
-    return problem.dimension() == 1 && problem.equalities == 0 && has_room(problem);
-  };
-  solver.solve = [](Evaluator& evaluator, const Vector&, Random&) -> SolverExit {
-    const Problem& problem = evaluator.problem();
-    const Vector width = problem.upper - problem.lower;
-    evaluator.values(problem.lower);
-    Vector x = problem.upper;
+  solver.capabilities = {.most_variables = 1,
+                         .constraints = Capabilities::Constraints::inequalities};
+  solver.solve = [](Evaluator& evaluator, const Vector&, Random&) -> SolverTermination {
+    const Vector width = evaluator.upper() - evaluator.lower();
+    evaluator.values(evaluator.lower());
+    Vector x = evaluator.upper();
     for (std::uint64_t k = 1; evaluator.values(x); ++k) {
-      x = problem.lower + van_der_corput(k) * width;
+      x = evaluator.lower() + van_der_corput(k) * width;
     }
     return {stopped_by_evaluator};
   };

@@ -2,11 +2,11 @@
 
 namespace ricochet {
 
-/// Whose settings a solver runs with. Both stand in the tables, under names of their own: who was
-/// tuned to the questions of this suite is no fair rival of who was not.
+/// Which settings a solver runs with. Both are reported, under different names: a solver tuned on
+/// the problems of this suite has an unfair advantage over one that is not.
 enum class Settings {
-  own,   ///< those of its library, or of its authors
-  tuned  ///< those that did best here, in a sweep
+  own,   ///< the defaults of its library or its authors
+  tuned  ///< the settings that did best in a sweep on this suite
 };
 
 }  // namespace ricochet

@@ -1,5 +1,7 @@
 #include "solvers/solvers.h"
 
+#include <fmt/format.h>
+
 #include "solvers/bisection.h"
 #include "solvers/ceres.h"
 #include "solvers/ceres_least_squares.h"
@@ -14,6 +16,8 @@
 #include "solvers/random_search.h"
 #include "solvers/scan.h"
 #include "solvers/tao/tao.h"
+#include "src/core/error.h"
+#include "src/core/near_names.h"
 
 namespace ricochet {
 
@@ -64,38 +68,53 @@ std::vector<Solver> all_solvers() {
 std::vector<MissingSolver> missing_solvers() {
   return {
 #ifndef RICOCHET_HAS_IPOPT
-      {"ipopt", "Ipopt"},
-      {"ipopt-tuned", "Ipopt"},
-      {"ipopt-exact", "Ipopt"},
-      {"continuation-ipopt-tuned", "Ipopt"},
+      {"ipopt", "Ipopt", ipopt_capabilities},
+      {"ipopt-tuned", "Ipopt", ipopt_capabilities},
+      {"ipopt-exact", "Ipopt", ipopt_exact_capabilities},
+      {"continuation-ipopt-tuned", "Ipopt", continuation_capabilities(ipopt_capabilities)},
 #endif
 #ifndef RICOCHET_HAS_CERES
-      {"ceres-lbfgs", "Ceres"},
-      {"ceres-trust-region", "Ceres"},
+      {"ceres-lbfgs", "Ceres", ceres_lbfgs_capabilities},
+      {"ceres-trust-region", "Ceres", ceres_least_squares_capabilities},
 #endif
 #ifndef RICOCHET_HAS_PAGMO
-      {"pagmo-cmaes", "pagmo"},
-      {"pagmo-cmaes-tuned", "pagmo"},
-      {"pagmo-cmaes-ipop", "pagmo"},
-      {"pagmo-xnes", "pagmo"},
-      {"pagmo-de", "pagmo"},
-      {"pagmo-sade", "pagmo"},
-      {"pagmo-de1220", "pagmo"},
-      {"pagmo-gaco", "pagmo"},
-      {"pagmo-compass-search", "pagmo"},
-      {"pagmo-constrained-de", "pagmo"},
+      {"pagmo-cmaes", "pagmo", pagmo_bounds_only},
+      {"pagmo-cmaes-tuned", "pagmo", pagmo_bounds_only},
+      {"pagmo-cmaes-ipop", "pagmo", pagmo_bounds_only},
+      {"pagmo-xnes", "pagmo", pagmo_bounds_only},
+      {"pagmo-de", "pagmo", pagmo_bounds_only},
+      {"pagmo-sade", "pagmo", pagmo_bounds_only},
+      {"pagmo-de1220", "pagmo", pagmo_bounds_only},
+      {"pagmo-gaco", "pagmo", pagmo_all_constraints},
+      {"pagmo-compass-search", "pagmo", pagmo_all_constraints},
+      {"pagmo-constrained-de", "pagmo", pagmo_needs_constraints},
 #endif
 #ifndef RICOCHET_HAS_TAO
-      {"tao-blmvm", "TAO"},
-      {"tao-bqnls", "TAO"},
-      {"tao-bncg", "TAO"},
-      {"tao-pounders", "TAO"},
-      {"tao-brgn", "TAO"},
+      {"tao-blmvm", "TAO", tao_gradient_capabilities},
+      {"tao-bqnls", "TAO", tao_gradient_capabilities},
+      {"tao-bncg", "TAO", tao_gradient_capabilities},
+      {"tao-pounders", "TAO", tao_residual_capabilities},
+      {"tao-brgn", "TAO", tao_residual_capabilities},
 #endif
 #ifndef RICOCHET_HAS_DLIB
-      {"dlib-global-search", "dlib"},
+      {"dlib-global-search", "dlib", dlib_capabilities},
 #endif
   };
+}
+
+Solver solver_named(const std::string& name, const std::string& asked_by) {
+  std::vector<std::string> known;
+  for (const Solver& solver : all_solvers()) {
+    if (solver.name == name) return solver;
+    known.push_back(solver.name);
+  }
+  for (const MissingSolver& missing : missing_solvers()) {
+    if (missing.solver != name) continue;
+    throw InputError(fmt::format("{} {}: this build has no {}; allowed: {}", asked_by, name,
+                                 missing.library, fmt::join(known, ", ")));
+  }
+  throw InputError(
+      fmt::format("{} {}: there is no such solver; {}", asked_by, name, what_instead(name, known)));
 }
 
 }  // namespace ricochet

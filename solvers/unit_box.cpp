@@ -4,14 +4,10 @@
 
 namespace ricochet {
 
-bool has_room(const Problem& problem) {
-  return (problem.upper.array() > problem.lower.array()).any();
-}
-
 UnitBox::UnitBox(Evaluator& evaluator)
     : evaluator_(evaluator),
-      lower_(evaluator.problem().lower),
-      width_(evaluator.problem().upper - evaluator.problem().lower) {}
+      lower_(evaluator.lower()),
+      width_(evaluator.upper() - evaluator.lower()) {}
 
 Vector UnitBox::to_unit(const Vector& x) const {
   return (width_.array() > 0).select((x - lower_).cwiseQuotient(width_), 0.0);
@@ -22,7 +18,7 @@ Vector UnitBox::from_unit(const Vector& u) const {
 }
 
 void UnitBox::keep_inside(Values& values) const {
-  const Eigen::Index inequalities = values.constraints.size() - evaluator_.problem().equalities;
+  const Eigen::Index inequalities = values.constraints.size() - evaluator_.equalities();
   values.constraints.tail(inequalities).array() += feasibility_margin;
 }
 

@@ -7,38 +7,36 @@
 
 namespace ricochet {
 
-/// What a solver says when it ended because the evaluator refused.
+/// Termination reason of a solver that ended because the evaluator refused.
 inline constexpr const char* stopped_by_evaluator = "stopped by the evaluator";
 
-/// What a solver says when it ended because it, or the problem, lost its numbers.
+/// Termination reason of a solver that ended because one of its numbers, or of the problem's, is
+/// not finite.
 inline constexpr const char* not_finite = "a number is not finite";
 
 /// How far inside the feasible set the solvers of libraries are kept. They converge to a violation
-/// of about their tolerance, but the verdict grants none.
+/// of about their tolerance, but the verdict allows none.
 inline constexpr double feasibility_margin = 1e-8;
 
-/// Whether the box holds more than one point. In one that does not there is nothing to search.
-bool has_room(const Problem& problem);
-
-/// An evaluator seen through the unit cube, u = (x - lower) / (upper - lower), so that one step and
-/// one tolerance suit every coordinate of every problem.
+/// An evaluator over the unit cube, u = (x - lower) / (upper - lower), so that one step and one
+/// tolerance suit every coordinate of every problem.
 class UnitBox {
  public:
   explicit UnitBox(Evaluator& evaluator);
 
-  /// The u of a point of the box; 0 in a coordinate whose box has no width.
+  /// The u of a point of the box; 0 in a coordinate whose box has width 0.
   Vector to_unit(const Vector& x) const;
   Vector from_unit(const Vector& u) const;
 
-  /// Objective and constraints at u, but equalities, raised by feasibility_margin. Nothing once the
-  /// run is over, or where u is not finite: the evaluator would end the run, but only this start
-  /// has failed.
+  /// Objective and constraints at u; the inequalities are raised by feasibility_margin. Nothing
+  /// once the run is over, or if u is not finite: the evaluator would end the run, but only this
+  /// start has failed.
   std::optional<Values> values(const Vector& u, Part part = Part::everything);
 
-  /// The same with the derivatives with respect to u.
+  /// The same with derivatives with respect to u.
   std::optional<Derivatives> derivatives(const Vector& u, Part part = Part::everything);
 
-  /// The second derivatives of the Lagrangian with respect to u, as the evaluator charges them.
+  /// The second derivatives of the Lagrangian with respect to u, charged as by the evaluator.
   std::optional<Matrix> lagrangian_hessian(const Vector& u, double objective_factor,
                                            const Vector& multipliers);
 
@@ -47,6 +45,7 @@ class UnitBox {
   /// The residuals alone; see Evaluator::residual_values.
   std::optional<Vector> residual_values(const Vector& u, Part part = Part::objective);
 
+  const Evaluator& evaluator() const { return evaluator_; }
   bool over() const { return evaluator_.over(); }
 
  private:
@@ -56,13 +55,13 @@ class UnitBox {
   Vector lower_, width_;
 };
 
-/// Whether objective and constraints are numbers.
+/// Returns true if objective and constraints are finite.
 bool finite(const Values& values);
 
-/// Whether the derivatives are, too.
+/// Returns true if values and derivatives are finite.
 bool finite(const Derivatives& derivatives);
 
-/// Whether the residuals and their derivatives are.
+/// Returns true if the residuals and their derivatives are finite.
 bool finite(const Residuals& residuals);
 
 }  // namespace ricochet

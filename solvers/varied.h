@@ -7,15 +7,15 @@
 
 namespace ricochet {
 
-/// Every solver of this build of which something can be changed.
+/// Every solver of this build that has options.
 std::vector<AdjustableSolver> adjustable_solvers();
 
-/// The solver `of` under another name and with these options in place of its own; its version tells
-/// them. Throws InputError where no such solver has options, where it has none of a name, and for a
-/// value that is not allowed.
+/// The solver `of` under another name and with these options instead of its defaults; its version
+/// lists them. Throws InputError if there is no such solver with options, for an unknown option,
+/// and for a value that is not allowed.
 Solver varied(const std::string& of, const std::string& name, const GivenOptions& given);
 
-/// What can be changed about a solver. Throws InputError where no such solver has options.
+/// The options of a solver. Throws InputError if there is no such solver with options.
 std::vector<SolverOption> options_of(const std::string& solver);
 
 }  // namespace ricochet

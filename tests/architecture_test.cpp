@@ -253,7 +253,7 @@ const std::vector<File> tree = {{"src/core/box.h", {}, {"vector"}},
                                 {"src/core/run.h", {"src/core/box.h"}, {}},
                                 {"solvers/climb.h", {"src/core/run.h"}, {}},
                                 {"solvers/climb.cpp", {"solvers/climb.h"}, {"nlopt.h"}},
-                                {"src/studies/hill/page.cpp",
+                                {"src/research/hill/page.cpp",
                                  {"solvers/climb.h", "src/core/run.h", "embedded/page.h"},
                                  {"nlopt_names.h"}}};
 const std::string drawn =
@@ -310,12 +310,12 @@ TEST(Architecture, HasNoArrowPastAFileThatStandsAlone) {
 
 TEST(Architecture, HasNoArrowThatNobodyUses) {
   EXPECT_THAT(complaints(tree, redrawn("-> solvers", "-> solvers box")),
-              ElementsAre("src/studies/hill -> src/core/box is used by no file"));
+              ElementsAre("src/research/hill -> src/core/box is used by no file"));
 }
 
 TEST(Architecture, HasNoNameWithTwoMeanings) {
   EXPECT_THAT(complaints(with({"problems/hill/box.h", {}, {}}), drawn),
-              testing::Contains("hill may be problems/hill or src/studies/hill"));
+              testing::Contains("hill may be problems/hill or src/research/hill"));
 }
 
 TEST(Architecture, KeepsLibrariesWithThoseWhoAdaptThem) {

@@ -16,7 +16,7 @@ def say(message):
 
 
 class Asked:
-    """NLopt wants objective and constraints one after the other; one question tells both."""
+    """NLopt wants objective and constraints one after the other; one problem tells both."""
 
     def __init__(self):
         self.x, self.answer = None, None

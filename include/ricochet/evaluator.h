@@ -1,6 +1,7 @@
 #pragma once
 
 /// @file
-/// Who counts, times and stops: all that a solver sees of a problem.
+/// The evaluator: a solver's view of a problem. It counts evaluations, measures time and stops the
+/// run.
 
 #include "src/core/evaluator.h"

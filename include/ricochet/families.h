@@ -1,6 +1,6 @@
 #pragma once
 
 /// @file
-/// Every family of questions that there is.
+/// All families of problems.
 
 #include "problems/families.h"

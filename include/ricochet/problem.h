@@ -1,6 +1,6 @@
 #pragma once
 
 /// @file
-/// What is asked of a solver: bounds, objective, constraints, derivatives.
+/// A problem: bounds, objective, constraints, derivatives.
 
 #include "src/core/problem.h"

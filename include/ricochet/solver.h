@@ -1,6 +1,6 @@
 #pragma once
 
 /// @file
-/// What a solver is.
+/// The interface of a solver.
 
 #include "src/core/solver.h"

@@ -1,6 +1,6 @@
 #pragma once
 
 /// @file
-/// Every solver that there is.
+/// All solvers.
 
 #include "solvers/solvers.h"

@@ -1,6 +1,6 @@
 #pragma once
 
 /// @file
-/// Counts over the speeds, and the fastest quiet speed.
+/// Collision counts over a range of speeds, and the fastest quiet speed.
 
 #include "problems/carrier_track/counting/threshold.h"

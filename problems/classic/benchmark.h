@@ -11,13 +11,13 @@ namespace ricochet::classic {
 /// One function of the least-squares benchmark, without its residuals.
 struct Benchmark {
   std::string name;
-  std::string origin;  ///< where the function is from
+  std::string origin;  ///< source of the function
   Vector start;        ///< the standard one
   double best_sum;     ///< the least sum of squares, twice the least objective
   Vector best_point;
   std::string provenance;
   bool rotates = true;
-  Vector lower = {}, upper = {};  ///< the box; empty for the wide one of least_squares.h
+  Vector lower = {}, upper = {};  ///< the box; empty for the wide default of least_squares.h
 };
 
 /// The statement of the benchmark with `residuals` residuals, from `scale` times the start.
@@ -33,7 +33,7 @@ Problem least_squares(const Benchmark& benchmark, double scale, const Formula& f
 /// The origin of a function numbered in the collection of More, Garbow and Hillstrom.
 std::string more_garbow_hillstrom(int number);
 
-/// The origin of the others.
+/// The origin of the other functions.
 inline constexpr const char* cuter = "CUTEr (2003), doi 10.1145/962437.962439";
 
 inline constexpr const char* all_zero = "closed form: every residual is 0 there";

@@ -4,8 +4,7 @@
 
 #include "src/core/problem.h"
 
-/// Problems from the literature, with known optima: what a solver does there is comparable with
-/// what others do.
+/// Problems from the literature with known optima: results are comparable with published ones.
 namespace ricochet::classic {
 
 /// Test functions, "classic-...", and test problems of Hock and Schittkowski, "hs-...".

@@ -9,45 +9,44 @@
 namespace ricochet::classic {
 namespace {
 
-/// A regret relative to the best value, or to 1, that still counts as solved.
+/// An optimality gap relative to the best value, or to 1, that still counts as solved.
 constexpr double relative_tolerance = 1e-6;
 
-/// More than any multiplier at the best point: those of Hock and Schittkowski's problems 72 and 99
-/// have some of 41,500 and 19,300, no other one of more than 6,400. The best point of 13 has none,
-/// and no weight is enough.
+/// Larger than any multiplier at the best point: in Hock and Schittkowski's problems 72 and 99 the
+/// largest are 41,500 and 19,300, elsewhere at most 6,400. The best point of 13 has no multipliers,
+/// so no weight is large enough.
 double penalty_weight(const Problem& problem) {
   return problem.name == "hs-72" || problem.name == "hs-99" ? 1e5 : 1e4;
 }
 
-/// What a gradient takes beside the value [evaluations], about: Question::gradient_cost. Of so many
-/// passes of four directions each takes as long as two values. Measured, for 1 to 5 passes: 0.5 to
-/// 1.4, 0.9 to 4.3, 2.8 to 6.0, 5.0 to 6.7 and 5.2: `ricochet bench
-/// --benchmark_filter=gradient-cost`.
+/// Approximate cost of a gradient beside the value [evaluations]: Problem::gradient_cost. Each pass
+/// of four directions takes as long as two values. Measured, for 1 to 5 passes: 0.5 to 1.4, 0.9 to
+/// 4.3, 2.8 to 6.0, 5.0 to 6.7 and 5.2: `ricochet bench --benchmark_filter=gradient-cost`.
 std::int64_t gradient_cost(const Problem& problem) {
   const std::int64_t passes = (problem.dimension() + 3) / 4;
   return 2 * passes - 1;
 }
 
-/// Those of the problems whose names begin with `prefix`, as questions.
-std::vector<Question> asked(const std::vector<Problem>& problems, const std::string& prefix) {
-  std::vector<Question> questions;
-  for (const Problem& problem : problems) {
+/// The problems whose names begin with `prefix`, with tolerance, penalty weight and cost.
+std::vector<Problem> family_of(const std::vector<Problem>& all, const std::string& prefix) {
+  std::vector<Problem> problems;
+  for (Problem problem : all) {
     if (!problem.name.starts_with(prefix)) continue;
     const double size = std::max(1.0, std::abs(problem.best_known.value()));
-    questions.push_back({.stated = problem,
-                         .tolerance = relative_tolerance * size,
-                         .penalty_weight = penalty_weight(problem),
-                         .gradient_cost = gradient_cost(problem)});
+    problem.tolerance = relative_tolerance * size;
+    problem.penalty_weight = penalty_weight(problem);
+    problem.gradient_cost = gradient_cost(problem);
+    problems.push_back(std::move(problem));
   }
-  return questions;
+  return problems;
 }
 
 }  // namespace
 
 std::vector<Family> families() {
-  return {{"classic", asked(classic_problems(), "classic-")},
-          {"hs", asked(classic_problems(), "hs-")},
-          {"least-squares", asked(least_squares_problems(), "least-squares-")}};
+  return {{"classic", family_of(classic_problems(), "classic-")},
+          {"hs", family_of(classic_problems(), "hs-")},
+          {"least-squares", family_of(least_squares_problems(), "least-squares-")}};
 }
 
 }  // namespace ricochet::classic

@@ -23,12 +23,12 @@ namespace ricochet::classic {
 template <class Scalar>
 using Point = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-/// All of a problem but its formulas; see Problem.
+/// A problem without its formulas; see Problem.
 struct Statement {
   std::string name = {};
   std::string source = {};
   Vector lower = {}, upper = {};
-  Vector start = {};  ///< one outside the box is moved to the nearest point of it
+  Vector start = {};  ///< projected onto the box
   double best_known = 0;
   Vector best_point = {};
   std::string provenance = {};
@@ -56,16 +56,16 @@ Point<Scalar> listed(const std::array<Scalar, count>& values) {
   return Eigen::Map<const Point<Scalar>>(values.data(), static_cast<Eigen::Index>(count));
 }
 
-/// What `formula` yields at x, one after the other.
+/// The values of `formula` at x, in order.
 template <class Formula>
 Vector values_of(const Formula& formula, const Vector& x) {
   return listed(formula(x));
 }
 
-/// The derivatives of what `formula` yields at x: values x n.
+/// The derivatives of the values of `formula` at x: values x n.
 template <class Formula>
 Matrix jacobian_of(const Formula& formula, const Vector& x) {
-  constexpr int block = 4;  // so many directions at a time
+  constexpr int block = 4;  // directions per pass
   using Jet = ceres::Jet<double, block>;
   const Eigen::Index n = x.size();
   Matrix jacobian;
@@ -85,7 +85,7 @@ Matrix jacobian_of(const Formula& formula, const Vector& x) {
 
 }  // namespace detail
 
-/// Minimise `objective` where every one of `constraints` is <= 0.
+/// Minimise `objective` subject to all `constraints` <= 0.
 template <class Objective, class Constraints>
 Problem from_formulas(Statement statement, const Objective& objective,
                       const Constraints& constraints) {

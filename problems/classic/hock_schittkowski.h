@@ -5,20 +5,19 @@
 #include "src/core/problem.h"
 
 /// The 116 test problems of Hock and Schittkowski, Test Examples for Nonlinear Programming Codes
-/// (1981), doi 10.1007/978-3-642-48320-2, "hs-<number>", with their numbers, of which there are no
-/// 82, 94 and 115, and with their bounds and starts. Bounds are the box's; where the source has
-/// none, the box is wide enough to hold the start and to leave the optimum as it is. Inequalities,
-/// there >= 0, are negated, and equations come first. A start that is outside its own bounds is
-/// moved to the nearest point within.
+/// (1981), doi 10.1007/978-3-642-48320-2, "hs-<number>", with their numbers (82, 94 and 115 do not
+/// exist), bounds and starts. Bounds are the box's; if the source has none, the box is wide enough
+/// to contain the start and to keep the optimum. Inequalities, >= 0 in the source, are negated, and
+/// equations come first. A start outside its own bounds is moved to the nearest point within.
 namespace ricochet::classic {
 
 /// All of them, in the order of their numbers.
 std::vector<Problem> hock_schittkowski_problems();
 
-/// Those on Rosenbrock's valley.
+/// Problems on Rosenbrock's valley.
 std::vector<Problem> hock_schittkowski_valley();
 
-/// The others of two variables.
+/// The others with two variables.
 std::vector<Problem> hock_schittkowski_2();
 
 /// Of three variables.

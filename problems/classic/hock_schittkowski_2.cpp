@@ -80,7 +80,7 @@ Problem hs_8() {
       2);
 }
 
-/// The box holds one of the many solutions, (12 k - 3, 16 k - 4).
+/// The box contains one of the many solutions, (12 k - 3, 16 k - 4).
 Problem hs_9() {
   return with_equations(
       from_formulas(
@@ -130,8 +130,8 @@ Problem hs_12() {
       []<class Scalar>(const Point<Scalar>& x) { return 4.0 * x[0] * x[0] + x[1] * x[1] - 25.0; });
 }
 
-/// At the optimum the gradients of what is active depend on one another, and that of the objective
-/// does not on them: it is no point of Karush, Kuhn and Tucker.
+/// At the optimum the gradients of the active constraints are linearly dependent, and the
+/// objective's gradient is not in their span: it is no Karush-Kuhn-Tucker point.
 Problem hs_13() {
   return from_formulas(
       hock_schittkowski(13, "", Vector{{0, 0}}, Vector{{10, 10}}, Vector{{-2, -2}},

@@ -11,7 +11,7 @@ namespace {
 using std::numbers::sqrt2;
 using std::numbers::sqrt3;
 
-/// Minus the volume of a box of these edges, the objective of problems 29, 36 and 37.
+/// Minus the volume of a box with these edges, the objective of problems 29, 36 and 37.
 constexpr auto minus_volume = []<class Scalar>(const Point<Scalar>& x) {
   return Scalar(-x[0] * x[1] * x[2]);
 };
@@ -119,7 +119,7 @@ Problem hs_33() {
       });
 }
 
-/// ln y, or the number next below whose exponential is not beyond y.
+/// ln y, or the next smaller number if its exponential exceeds y.
 double log_within(double y) {
   double x = std::log(y);
   while (std::exp(x) > y) x = std::nextafter(x, 0.0);

@@ -128,8 +128,8 @@ ceres::Jet<double, size> normal_distribution(const ceres::Jet<double, size>& t) 
   return {normal_distribution(t.a), density * t.v};
 }
 
-/// Problems 68 and 69: the costs of a control chart, `scale` the cost of a defect, of samples of
-/// which root_size is the root of the size.
+/// Problems 68 and 69: the cost of a control chart; `scale` is the cost of a defect, root_size the
+/// square root of the sample size.
 Problem control_chart(int number, double fixed, double scale, double root_size, Optimum optimum) {
   return with_equations(
       from_formulas(
@@ -182,7 +182,7 @@ Problem hs_71() {
       1);
 }
 
-/// Sizes of samples.
+/// Sample sizes.
 Problem hs_72() {
   return from_formulas(
       hock_schittkowski(
@@ -198,7 +198,7 @@ Problem hs_72() {
       });
 }
 
-/// Feed for cattle.
+/// Cattle feed.
 Problem hs_73() {
   return with_equations(
       from_formulas(

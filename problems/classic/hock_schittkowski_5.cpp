@@ -38,7 +38,7 @@ Problem hs_46() {
 }
 
 /// The second term of the objective is printed as a third power, which has no minimum at the
-/// published point, and is a second one in the authors' programs, as here.
+/// published point; the authors' programs have a second power, and so has this.
 Problem hs_47() {
   return with_equations(
       from_formulas(
@@ -104,7 +104,7 @@ Problem hs_50() {
                         3);
 }
 
-/// Problems 51 to 53: `stretch` times x_1 should be x_2, and x_1 + 3 x_2 must be `sum`.
+/// Problems 51 to 53: x_2 should equal `stretch` times x_1, and x_1 + 3 x_2 must equal `sum`.
 Problem linear_equations(int number, double stretch, double sum, const Vector& start,
                          Optimum optimum) {
   return with_equations(from_formulas(
@@ -158,7 +158,7 @@ Problem hs_77() {
       2);
 }
 
-/// What must be 0 in problems 78, 80 and 81.
+/// The equality constraints of problems 78, 80 and 81.
 constexpr auto three_equations = []<class Scalar>(const Point<Scalar>& x) {
   return std::array<Scalar, 3>{x.squaredNorm() - 10.0, x[1] * x[2] - 5.0 * x[3] * x[4],
                                cubed(x[0]) + cubed(x[1]) + 1.0};
@@ -198,7 +198,7 @@ Problem hs_79() {
       3);
 }
 
-/// The statement of problems 80 and 81, which have one optimum.
+/// The statement of problems 80 and 81, which have the same optimum.
 Statement exponential_of_product(int number) {
   const Vector upper{{2.3, 2.3, 3.2, 3.2, 3.2}};
   return hock_schittkowski(number, "", -upper, upper, Vector{{-2, 2, 2, -1, -1}},

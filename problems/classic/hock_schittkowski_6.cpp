@@ -10,8 +10,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// The density of a normal distribution, negated. The printed formula is misprinted; this one, of
-/// the authors' programs, has the published optimum.
+/// The density of a normal distribution, negated. The printed formula contains an error; this one,
+/// from the authors' programs, has the published optimum.
 Problem hs_54() {
   return with_equations(
       from_formulas(
@@ -75,7 +75,7 @@ Problem hs_56() {
       4);
 }
 
-/// A transformer.
+/// Design of a transformer.
 Problem hs_93() {
   return from_formulas(
       hock_schittkowski(93, "", Vector::Zero(6), Vector::Constant(6, 20),
@@ -99,7 +99,7 @@ Problem hs_93() {
       });
 }
 
-/// Problems 95 to 98, which differ in what the constraints must be at least.
+/// Problems 95 to 98, which differ in the lower limits of their constraints.
 Problem with_limits(int number, const std::array<double, 4>& least, Optimum optimum) {
   return from_formulas(
       hock_schittkowski(number, "", Vector::Zero(6),
@@ -122,14 +122,15 @@ Problem with_limits(int number, const std::array<double, 4>& least, Optimum opti
       });
 }
 
-/// The one of problems 95 and 96, on the first constraint.
+/// The optimum of problems 95 and 96, where the first constraint is active.
 Optimum optimum_of_95() {
   const double last = 4.97 / 1495.5;
   return {4.7 * last, Vector{{0, 0, 0, 0, 0, last}},
           "closed form: one constraint, linear there; published: 0.015619514"};
 }
 
-/// The one of problems 97 and 98, on the first constraint and the bounds of x_5 and x_6.
+/// The optimum of problems 97 and 98, where the first constraint and the bounds of x_5 and x_6 are
+/// active.
 Optimum optimum_of_97() {
   return {3.135809122807016, Vector{{0.2685649122807014, 0, 0, 0, 0.028, 0.0134}},
           "closed form: one constraint, linear there; published: 3.1358091"};
@@ -151,7 +152,7 @@ Problem hs_98() {
   return with_limits(98, {32.97, 25.12, -124.08, -173.02}, optimum_of_97());
 }
 
-/// A rocket that is to fly far: it turns at the times given, its thrust after the one before.
+/// A rocket of maximal range: it turns at given times, and each phase has a given thrust.
 Problem hs_99() {
   constexpr std::array<double, 8> time = {0, 25, 50, 100, 150, 200, 290, 380};
   constexpr std::array<double, 8> thrust = {0, 50, 50, 75, 75, 75, 100, 100};

@@ -32,7 +32,7 @@ Problem hs_106() {
       });
 }
 
-/// A hexagon without width beyond 1 and of most area, but for the signs that would keep it convex.
+/// The largest hexagon of unit diameter, without the sign conditions that would keep it convex.
 Problem hs_108() {
   Vector lower = Vector::Constant(9, -10);
   lower[8] = 0;
@@ -85,7 +85,7 @@ Problem hs_110() {
 constexpr std::array<double, 10> energy = {-6.089,  -17.164, -34.054, -5.914,  -24.721,
                                            -14.986, -24.1,   -10.708, -26.662, -22.179};
 
-/// The free energy of so much of each, where none is none.
+/// The free energy of these amounts; an amount of 0 contributes 0.
 template <class Scalar>
 Scalar free_energy(const Point<Scalar>& amount) {
   using std::log;
@@ -101,7 +101,7 @@ Scalar free_energy(const Point<Scalar>& amount) {
 constexpr const char* of_the_equilibrium =
     "published: -47.707579, near the minimum, and later -47.76109026; digits by Newton's method";
 
-/// How many atoms of each kind are too many.
+/// The excess of atoms of each kind.
 template <class Scalar>
 std::array<Scalar, 3> atoms_too_many(const Point<Scalar>& x) {
   return {x[0] + 2.0 * x[1] + 2.0 * x[2] + x[5] + x[9] - 2.0, x[3] + 2.0 * x[4] + x[5] + x[6] - 1.0,
@@ -116,7 +116,7 @@ Point<Scalar> exponentials(const Point<Scalar>& x) {
   return result;
 }
 
-/// Problem 112 in the logarithms.
+/// Problem 112 in logarithmic variables.
 Problem hs_111() {
   return with_equations(
       from_formulas(
@@ -183,8 +183,8 @@ Problem hs_113() {
       });
 }
 
-/// Production over five periods: of three goods, each of which may change by little from one to the
-/// next, so much is wanted together.
+/// Production of three goods over five periods: each may change little between periods, and their
+/// total demand in each period is given.
 Problem hs_118() {
   Vector lower = Vector::Zero(15);
   lower.head(3) << 8, 43, 3;
@@ -223,7 +223,7 @@ Problem hs_118() {
 }
 
 Problem hs_119() {
-  // The pairs i < j, from 1, whose products count, beside all squares.
+  // The pairs i < j, numbered from 1, whose products occur, beside all squares.
   using Pairs = std::array<std::array<Eigen::Index, 2>, 30>;
   constexpr Pairs pairs = {{{1, 4},  {1, 7},  {1, 8},   {1, 16},  {2, 3},   {2, 7},
                             {2, 10}, {3, 7},  {3, 9},   {3, 10},  {3, 14},  {4, 7},

@@ -6,8 +6,8 @@
 namespace ricochet::classic {
 namespace {
 
-/// The data of problem 86 and of its dual, 117: minimise e x + x C x + d x^3 where A x >= b.
-/// a_24 is 0.4, as in the authors' programs; others have 4, which leaves both optima as they are.
+/// The data of problem 86 and of its dual, 117: minimise e x + x C x + d x^3 subject to A x >= b.
+/// a_24 is 0.4, as in the authors' programs; others have 4, which does not change either optimum.
 struct Data {
   Eigen::Matrix<double, 10, 5> a;
   Eigen::Matrix<double, 10, 1> b;
@@ -65,7 +65,7 @@ Problem hs_86() {
       });
 }
 
-/// x_1 to x_10 are the multipliers of problem 86, the others its x.
+/// x_1 to x_10 are the multipliers of problem 86, the others are its x.
 Problem hs_117() {
   Vector start = Vector::Constant(15, 1e-3);
   start[6] = 60;

@@ -45,7 +45,7 @@ Problem hs_57() {
       []<class Scalar>(const Point<Scalar>& x) { return 0.09 - 0.49 * x[1] + x[0] * x[1]; });
 }
 
-/// Water that flows down a river.
+/// Flow of water down a river.
 Problem hs_70() {
   constexpr std::array<double, 19> observed = {
       0.00189, 0.1038, 0.268, 0.506, 0.577, 0.604,  0.725,  0.898,   0.947,  0.845,
@@ -59,7 +59,7 @@ Problem hs_70() {
       [observed]<class Scalar>(const Point<Scalar>& x) {
         using std::exp, std::pow, std::sqrt;
         const Scalar b = x[2] + (1.0 - x[2]) * x[3];
-        // One of the two waves, of the share and shape given, at the time t.
+        // One of the two waves, with this share and shape, at time t.
         const auto wave = [](const Scalar& share, const Scalar& shape, const Scalar& rate,
                              double t) {
           return Scalar(share * pow(rate, shape) * sqrt(shape / 6.2832) * pow(t, shape - 1.0) *
@@ -75,8 +75,8 @@ Problem hs_70() {
       []<class Scalar>(const Point<Scalar>& x) { return Scalar(-x[2] - (1.0 - x[2]) * x[3]); });
 }
 
-/// The likelihood of 235 values under a mixture of three normal distributions. The last two are
-/// 260, as in the authors' programs; others have 250.
+/// The likelihood of 235 values under a mixture of three normal distributions. The last two values
+/// are 260, as in the authors' programs; others have 250.
 Problem hs_105() {
   struct Counted {
     int times;

@@ -7,7 +7,7 @@
 namespace ricochet::classic {
 namespace {
 
-/// The objective of problems 101 to 103, which the last two constraints keep within 100 and 3000.
+/// The objective of problems 101 to 103; the last two constraints keep it between 100 and 3000.
 template <class Scalar>
 Scalar four_terms(const Point<Scalar>& x, double power) {
   using std::pow, std::sqrt;
@@ -17,7 +17,7 @@ Scalar four_terms(const Point<Scalar>& x, double power) {
          25.0 * square(x[0] * x[1]) * sqrt(x[4]) * x[6] / (x[2] * x[5] * x[5]);
 }
 
-/// What must be at most 1 there.
+/// The terms of problems 101 to 103 that must be at most 1.
 template <class Scalar>
 std::array<Scalar, 4> sums_of_terms(const Point<Scalar>& x) {
   using std::cbrt, std::pow, std::sqrt;

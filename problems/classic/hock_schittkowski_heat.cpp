@@ -10,7 +10,7 @@ namespace {
 
 constexpr int terms = 30;
 
-/// What the solution of the heat equation needs of its k-th eigenvalue, mu tan mu = 1.
+/// The terms of the heat equation's solution for its k-th eigenvalue, mu tan mu = 1.
 struct Mode {
   double mu;
   double sine;       ///< mu sin mu
@@ -21,7 +21,7 @@ struct Mode {
 std::array<Mode, terms> modes() {
   std::array<Mode, terms> result{};
   for (int k = 0; k < terms; ++k) {
-    // mu is the fixed point of a contraction, by the slope -1 / (1 + mu^2).
+    // mu is the fixed point of a contraction; the slope is -1 / (1 + mu^2).
     double mu = k * std::numbers::pi + 0.9;
     for (int i = 0; i < 100; ++i) mu = k * std::numbers::pi + std::atan(1 / mu);
     const double s = std::sin(mu);
@@ -32,9 +32,9 @@ std::array<Mode, terms> modes() {
   return result;
 }
 
-/// Problems 88 to 92: a rod is heated and cooled in turn, n times; the square of the error of its
-/// temperature in the end must be at most 1e-4. Only the squares of x matter, and, where an x is 0,
-/// only the sum of those of its neighbours: there are many solutions.
+/// Problems 88 to 92: a rod is heated and cooled alternately, n times; the squared error of its
+/// final temperature must be at most 1e-4. Only the squares of x matter and, if an x is 0, only the
+/// sum of its neighbours' squares: there are many solutions.
 Problem heated_rod(int number, Eigen::Index n) {
   Vector start(n);
   for (Eigen::Index i = 0; i < n; ++i) start[i] = i % 2 == 0 ? 0.5 : -0.5;
@@ -51,7 +51,7 @@ Problem heated_rod(int number, Eigen::Index n) {
         Scalar error(2.0 / 15 - 1e-4);
         for (const Mode& mode : modes) {
           const double square_of_mu = mode.mu * mode.mu;
-          Scalar time(0.0);  // from the k-th turn to the end
+          Scalar time(0.0);  // from the k-th switch to the end
           Scalar heat(n % 2 == 0 ? 1.0 : -1.0);
           for (Eigen::Index k = n - 1; k >= 0; --k) {
             time += x[k] * x[k];

@@ -47,8 +47,8 @@ Problem hs_75() {
        "published: 5174.4129; digits by Newton's method"});
 }
 
-/// Power by two generators, whose prices jump with the load. The angle that is printed as 1.48577
-/// is 1.48477 at the published optimum, in the authors' programs and here.
+/// Two generators whose prices jump with the load. The angle printed as 1.48577 is 1.48477 at the
+/// published optimum, in the authors' programs and here.
 Problem hs_87() {
   return with_equations(
       from_formulas(
@@ -80,7 +80,8 @@ Problem hs_87() {
       4);
 }
 
-/// What flows from one node to another, whose voltages' product and angle are given, in two parts.
+/// The two components of the flow from one node to another, from the product of their voltages and
+/// the angle.
 template <class Scalar>
 std::array<Scalar, 2> flow(const Scalar& product, const Scalar& angle) {
   using std::cos, std::sin;
@@ -89,8 +90,8 @@ std::array<Scalar, 2> flow(const Scalar& product, const Scalar& angle) {
   return {product * (d * sin(angle) + c * cos(angle)), product * (d * cos(angle) - c * sin(angle))};
 }
 
-/// Static scheduling of power: x_1 to x_4 are what two generators give, then the voltages at three
-/// nodes and two angles.
+/// Static power scheduling: x_1 to x_4 are the outputs of two generators, then the voltages at
+/// three nodes and two angles.
 Problem hs_107() {
   return with_equations(
       from_formulas(

@@ -7,9 +7,9 @@
 namespace ricochet::classic {
 namespace {
 
-/// What alkylation makes of x in problem 67, y_2 to y_8 there. The source finds y_2 and y_4 by
-/// iterations until they change by less than 0.001; this is the root, of two each, that those
-/// converge to where they do, and real in all of the box.
+/// The results y_2 to y_8 of alkylation for x in problem 67. The source computes y_2 and y_4 by
+/// iterations until they change by less than 0.001. This takes, of each one's two roots, the one to
+/// which the iterations converge if they do; it is real in the whole box.
 template <class Scalar>
 std::array<Scalar, 7> alkylated(const Point<Scalar>& x) {
   using std::sqrt;
@@ -57,7 +57,7 @@ Problem hs_67() {
       });
 }
 
-/// What a plant makes of wood in problem 85: y_1 to y_17 of the source and, behind, its c_12, c_15,
+/// The outputs of the plant in problem 85: y_1 to y_17 of the source, followed by its c_12, c_15,
 /// c_16 and c_17.
 template <class Scalar>
 struct Pulp {
@@ -117,7 +117,7 @@ Problem hs_85() {
       },
       []<class Scalar>(const Point<Scalar>& x) {
         const auto [y, c_12, c_15, c_16, c_17] = pulp_of(x);
-        // Of y_2 to y_17.
+        // Lower limits of y_2 to y_17.
         constexpr std::array<double, 16> least = {
             17.505,  11.275,  214.228, 7.458,    0.961,    1.612, 0.146,    107.99,
             922.693, 926.832, 18.766,  1072.163, 8961.448, 0.063, 71084.33, 2802713};
@@ -139,7 +139,7 @@ Problem hs_85() {
       });
 }
 
-/// Alkylation, with tolerances: what should be equal may be off by a hundredth or a tenth.
+/// Alkylation with tolerances: equations may be off by a hundredth or a tenth.
 Problem hs_114() {
   return with_equations(
       from_formulas(
@@ -172,7 +172,7 @@ Problem hs_114() {
       3);
 }
 
-/// Three stages of a separation by membranes. More constraints meet at the optimum than there are
+/// Three-stage membrane separation. More constraints are active at the optimum than there are
 /// variables; rounding keeps x_4 off its bound there.
 Problem hs_116() {
   Vector lower(13), upper(13), start(13), best(13);

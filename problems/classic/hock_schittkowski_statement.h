@@ -6,7 +6,7 @@
 
 namespace ricochet::classic {
 
-/// What is known of the optimum of a problem of Hock and Schittkowski.
+/// The known optimum of a problem of Hock and Schittkowski.
 struct Optimum {
   double value;
   Vector point;
@@ -14,11 +14,11 @@ struct Optimum {
   bool everywhere = false;  ///< inside the box, and best on all of R^n; see Problem::rotates
 };
 
-/// The statement of problem `number`; `author` as the source names it, or empty.
+/// The statement of problem `number`; `author` as in the source, or empty.
 Statement hock_schittkowski(int number, const std::string& author, Vector lower, Vector upper,
                             Vector start, Optimum optimum);
 
-/// The problem, whose first constraints, so many, are equations.
+/// The problem with its first `equations` constraints as equations.
 Problem with_equations(Problem problem, Eigen::Index equations);
 
 inline constexpr const char* in_closed_form = "closed form, published";

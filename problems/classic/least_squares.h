@@ -10,8 +10,8 @@ namespace ricochet::classic {
 /// optimization algorithms (2009), doi 10.1137/080724083, in their order, named
 /// "least-squares-<01..53>-<function>-<n>x<residuals>"; "-far" marks a standard start times 10.
 /// They publish the sum of squares; the objective here is half of it. They are unconstrained: every
-/// box reaches beyond start and optimum by ten times their own size, and 10 at least, but where the
-/// functions would overflow or lose their meaning, which is said where it is done.
+/// box extends beyond start and optimum by ten times their size, at least by 10. Exceptions, where
+/// functions would overflow or lose their meaning, are stated at the function.
 std::vector<Problem> least_squares_problems();
 
 }  // namespace ricochet::classic

@@ -30,7 +30,7 @@ Problem helical_valley(double scale) {
       scale, []<class Scalar>(const Point<Scalar>& x) {
         using std::atan2;
         using std::sqrt;
-        // Turns about the axis, from -1/4 to 3/4: they jump where x_1 = 0 and x_2 < 0.
+        // The angle in turns, from -1/4 to 3/4; it jumps at x_1 = 0, x_2 < 0.
         const Scalar turns = 0.25 - atan2(x[0], x[1]) / (2 * std::numbers::pi);
         const Scalar radius = sqrt(x[0] * x[0] + x[1] * x[1]);
         return std::array<Scalar, 3>{10.0 * (x[2] - 10.0 * turns), 10.0 * (radius - 1.0), x[2]};
@@ -54,7 +54,7 @@ Problem powell_singular_residuals(double scale) {
 }
 
 Problem freudenstein_roth(double scale) {
-  // There is a second minimum of 48.98 near (11.41, -0.897), where most solvers end.
+  // There is a second minimum of 48.98 near (11.41, -0.897), at which most solvers end.
   return least_squares({.name = "freudenstein-roth",
                         .origin = more_garbow_hillstrom(2),
                         .start = Vector{{0.5, -2}},
@@ -79,8 +79,8 @@ Problem heart_8(double scale) {
                              1.5548658787873983, -1.384637842863253}},
        .provenance = published},
       scale, []<class Scalar>(const Point<Scalar>& x) {
-        // With the pairs of complex numbers p = (x_1 + i x_3, x_2 + i x_4) and
-        // z = (x_5 + i x_7, x_6 + i x_8): the sums of p, p z, p z^2 and p z^3 are given.
+        // In terms of the complex pairs p = (x_1 + i x_3, x_2 + i x_4) and z = (x_5 + i x_7, x_6 +
+        // i x_8), the sums of p, p z, p z^2 and p z^3 are given.
         constexpr double real[] = {-0.69, -1.57, -2.65, -12.6};
         constexpr double imaginary[] = {-0.044, -1.31, 2.0, 9.48};
         Point<Scalar> r(8);

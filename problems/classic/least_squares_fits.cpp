@@ -8,7 +8,7 @@
 namespace ricochet::classic {
 
 Problem bard(double scale) {
-  // Where x_2 or x_3 is negative it has poles, and a valley to infinity.
+  // If x_2 or x_3 is negative, it has poles and a valley to infinity.
   return least_squares(
       {.name = "bard",
        .origin = more_garbow_hillstrom(8),
@@ -31,7 +31,7 @@ Problem bard(double scale) {
 }
 
 Problem kowalik_osborne() {
-  // Where x_3 or x_4 is negative it has poles, and a valley to infinity.
+  // If x_3 or x_4 is negative, it has poles and a valley to infinity.
   return least_squares({.name = "kowalik-osborne",
                         .origin = more_garbow_hillstrom(15),
                         .start = Vector{{0.25, 0.39, 0.415, 0.39}},
@@ -55,7 +55,7 @@ Problem kowalik_osborne() {
 }
 
 Problem meyer() {
-  // The box keeps the temperature 45 + 5 i + x_3 above 0, and the exponential finite.
+  // The box keeps the temperature 45 + 5 i + x_3 above 0 and the exponential finite.
   return least_squares(
       {.name = "meyer",
        .origin = more_garbow_hillstrom(10),
@@ -137,8 +137,8 @@ Problem brown_dennis(double scale) {
 }
 
 Problem osborne_1() {
-  // Rates below 0 would overflow: 32 steps of 10 make exp(320) of a rate of -1. The start is that
-  // of More and Wild; the collection has -1 for its third coordinate.
+  // Rates below 0 would overflow: at a rate of -1, 32 steps of 10 give exp(320). The start is that
+  // of More and Wild; the collection has -1 as its third coordinate.
   return least_squares(
       {.name = "osborne-1",
        .origin = more_garbow_hillstrom(17),

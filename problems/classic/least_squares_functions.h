@@ -2,11 +2,11 @@
 
 #include "src/core/problem.h"
 
-/// The 22 functions of the least-squares benchmark, each from its standard start times `scale`. Not
-/// named by number yet: "<function>-<n>x<residuals>".
+/// The 22 functions of the least-squares benchmark, each from its standard start times `scale`.
+/// Their names have no number yet: "<function>-<n>x<residuals>".
 namespace ricochet::classic {
 
-// Linear in x; the residuals' number is free.
+// Linear in x, with any number m of residuals.
 Problem linear_full_rank(Eigen::Index n, Eigen::Index m, double scale);
 Problem linear_rank_1(Eigen::Index n, Eigen::Index m, double scale);
 Problem linear_rank_1_with_zeros(Eigen::Index n, Eigen::Index m, double scale);

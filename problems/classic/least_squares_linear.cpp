@@ -20,7 +20,7 @@ Problem linear_full_rank(Eigen::Index n, Eigen::Index m, double scale) {
 
 Problem linear_rank_1(Eigen::Index n, Eigen::Index m, double scale) {
   const auto count = static_cast<double>(m);
-  // Only the sum of j x_j matters; of all points with the best sum this is the nearest to 0.
+  // Only the sum of j x_j matters; this is the point of least norm with the best sum.
   const Vector weights = Vector::LinSpaced(n, 1, static_cast<double>(n));
   const Vector best = 3 / (2 * count + 1) / weights.squaredNorm() * weights;
   return least_squares({.name = "linear-rank-1",

@@ -7,7 +7,7 @@
 namespace ricochet::classic {
 namespace {
 
-/// An optimum that was published without a formula.
+/// A published optimum without a formula.
 struct Found {
   double sum;
   Vector point;
@@ -42,7 +42,8 @@ Problem watson(Eigen::Index n, double scale) {
                         .best_point = found.at(n).point,
                         .provenance = published},
                        scale, []<class Scalar>(const Point<Scalar>& x) {
-                         // The polynomial y with coefficients x against y' = y^2 + 1, y(0) = 0.
+                         // The polynomial y with coefficients x should satisfy y' = y^2 + 1, y(0) =
+                         // 0.
                          Point<Scalar> r(31);
                          for (int i = 0; i < 29; ++i) {
                            const double t = (i + 1) / 29.0;
@@ -95,7 +96,8 @@ Problem chebyquad(Eigen::Index n) {
        .best_point = found.at(n).point,
        .provenance = published},
       1, []<class Scalar>(const Point<Scalar>& x) {
-        // Means of the Chebyshev polynomials of [0, 1] over the points, against their integrals.
+        // Means of the shifted Chebyshev polynomials on [0, 1] over the points, minus their
+        // integrals.
         const Eigen::Index count = x.size();
         Point<Scalar> r = Point<Scalar>::Zero(count);
         for (const Scalar& point : x) {

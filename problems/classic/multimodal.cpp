@@ -65,7 +65,8 @@ Problem levy(Eigen::Index n) {
                   Vector::Ones(n)),
       []<class Scalar>(const Point<Scalar>& x) {
         using std::sin;
-        // The first sine's argument is less pi, the last's less 2 pi: exactly 0 at the optimum.
+        // pi is subtracted from the first sine's argument and 2 pi from the last's: exactly 0 at
+        // the optimum.
         const Eigen::Index last = x.size() - 1;
         const Scalar first_wave = sin(pi * (x[0] - 1.0) / 4.0);
         Scalar sum = first_wave * first_wave;
@@ -79,7 +80,7 @@ Problem levy(Eigen::Index n) {
 }
 
 Problem styblinski_tang(Eigen::Index n) {
-  // The lowest root of the derivative 2 x^3 - 16 x + 5/2, by the formula for cubics.
+  // The smallest root of the derivative 2 x^3 - 16 x + 5/2, by the formula for cubics.
   const double root = 2 * std::sqrt(8.0 / 3) *
                       std::cos(std::acos(-15.0 / 64 * std::sqrt(3.0 / 8)) / 3 - 4 * pi / 3);
   Statement styblinski = nonnegative("styblinski-tang",
@@ -109,7 +110,7 @@ Problem schwefel_2_26(Eigen::Index n) {
     using std::sqrt;
     Scalar sum(0);
     for (const Scalar& t : x) {
-      if (t != 0.0) sum -= t * sin(sqrt(abs(t)));  // at 0 value and slope are 0
+      if (t != 0.0) sum -= t * sin(sqrt(abs(t)));  // at 0 the value and the slope are 0
     }
     return sum;
   });

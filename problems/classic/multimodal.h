@@ -10,7 +10,7 @@ namespace ricochet::classic {
 Problem rastrigin(Eigen::Index n);
 
 /// 20 - 20 exp(-r / 5) + e - exp(mean of cos(2 pi x_i)), r the root of the mean of x_i^2. It has a
-/// corner at its optimum; the gradient given there is 0.
+/// kink at its optimum; the gradient returned there is 0.
 Problem ackley(Eigen::Index n);
 
 /// 1 + sum of x_i^2 / 4000 - product of cos(x_i / sqrt(i)).
@@ -23,7 +23,7 @@ Problem levy(Eigen::Index n);
 /// Half the sum of x_i^4 - 16 x_i^2 + 5 x_i: 2^n valleys.
 Problem styblinski_tang(Eigen::Index n);
 
-/// Schwefel's problem 2.26: minus the sum of x_i sin(sqrt|x_i|). Only the box has a best point.
+/// Schwefel's problem 2.26: minus the sum of x_i sin(sqrt|x_i|). It is unbounded below on R^n.
 Problem schwefel_2_26(Eigen::Index n);
 
 /// Hartmann's functions: minus the sum of four Gaussian wells; n = 3 and n = 6.

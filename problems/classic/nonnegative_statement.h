@@ -4,8 +4,8 @@
 
 namespace ricochet::classic {
 
-/// Of a function on [lower, upper]^n that is nowhere negative on R^n, and 0 at `best`: the problem
-/// "classic-<name>-<n>".
+/// The statement of "classic-<name>-<n>", for a function that is nonnegative on R^n and 0 at
+/// `best`, on [lower, upper]^n.
 Statement nonnegative(const char* name, const char* source, double lower, double upper,
                       Vector best);
 

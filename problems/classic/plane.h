@@ -25,8 +25,8 @@ Problem goldstein_price();
 /// 0 for every x, and a cosine that is -1 at x = -pi, pi, 3 pi: 5 / (4 pi).
 Problem branin();
 
-/// (4 - 2.1 x^2 + x^4 / 3) x^2 + x y + (4 y^2 - 4) y^2: six minima, two of them lowest. It is above
-/// 0 outside the box, for x^4 / 3 and 4 y^4 win.
+/// (4 - 2.1 x^2 + x^4 / 3) x^2 + x y + (4 y^2 - 4) y^2: six minima, two of them global. It is above
+/// 0 outside the box, where x^6 / 3 and 4 y^4 dominate.
 Problem six_hump_camel();
 
 }  // namespace ricochet::classic

@@ -15,7 +15,8 @@ Problem hartmann(Statement statement, const Matrix& steepness, const Matrix& cen
   statement.lower = Vector::Zero(n);
   statement.upper = Vector::Ones(n);
   statement.start = Vector::Constant(n, 0.5);
-  // A stationary point is a mean of the centres, coordinate by coordinate: all lie in the box.
+  // A stationary point is a weighted mean of the centres in every coordinate, so all lie in the
+  // box.
   statement.rotates = true;
   return from_formula(statement, [steepness, centre]<class Scalar>(const Point<Scalar>& x) {
     using std::exp;
@@ -78,7 +79,7 @@ Problem shekel() {
       .best_point =
           Vector{{4.0007465315920463, 4.000592934138532, 3.9996633980403224, 3.9995098005868077}},
       .provenance = "published: -10.5364 (Dixon and Szegoe); digits by Newton's method",
-      .rotates = true};  // a stationary point is a mean of the centres
+      .rotates = true};  // a stationary point is a weighted mean of the centres
   return from_formula(statement, []<class Scalar>(const Point<Scalar>& x) {
     constexpr double centre[10][4] = {{4, 4, 4, 4}, {1, 1, 1, 1},    {8, 8, 8, 8}, {6, 6, 6, 6},
                                       {3, 7, 3, 7}, {2, 9, 2, 9},    {5, 5, 3, 3}, {8, 1, 8, 1},

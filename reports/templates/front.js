@@ -2,7 +2,17 @@
 // Without this script the page shows the same rows in pictures that stand still.
 "use strict";
 
-const site = JSON.parse(document.getElementById("site-data").textContent);
+// A list of objects of the same names may stand as a table, {columns, rows}.
+const unpacked = (data) => {
+  if (Array.isArray(data)) return data.map(unpacked);
+  if (data === null || typeof data !== "object") return data;
+  if (data.columns && data.rows && Object.keys(data).length === 2) {
+    return data.rows.map((row) => Object.fromEntries(data.columns.map((name, i) => [name, unpacked(row[i])])));
+  }
+  return Object.fromEntries(Object.entries(data).map(([name, value]) => [name, unpacked(value)]));
+};
+
+const site = unpacked(JSON.parse(document.getElementById("site-data").textContent));
 const element = (id) => document.getElementById(id);
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 const dark = matchMedia("(prefers-color-scheme: dark)");
@@ -102,7 +112,7 @@ const around = (values) => values.length ? {min: Math.min(...values) / 1.3, max:
 
 const charts = {};
 
-// Draws a chart anew; `click` gets the point under the pointer.
+// Redraws a chart; `click` gets the point under the pointer.
 const draw = (id, datasets, x, y, describe, click) => {
   charts[id]?.destroy();
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
@@ -132,19 +142,18 @@ const fill = (select, entries) => {
   if (entries.some(([value]) => String(value) === before)) select.value = before;
 };
 
-// ---- the contest ----
+// ---- the comparison ----
 
-const contest = site.contest;
-const rows = contest ? contest.rows.map((values) =>
-  Object.fromEntries(contest.columns.map((name, i) => [name, values[i]]))) : [];
-// Rows of all families together are of no one form.
-const full = (row) => row.budget === 0 ? row.solver : `${row.solver}, ${row.form}`;
+const comparison = site.comparison;
+const rows = comparison ? comparison.entries : [];
+// Rows of all families together are of no one formulation.
+const full = (row) => row.budget === 0 ? row.solver : `${row.solver}, ${row.formulation}`;
 const shows = (row) => {
   const wanted = element("shown").value;
-  return !wanted || row.form.includes(wanted);
+  return !wanted || row.formulation.includes(wanted);
 };
 
-const fitting = () => contest.families.map((family, index) => [family, index]).filter(([family]) => {
+const fitting = () => comparison.families.map((family, index) => [family, index]).filter(([family]) => {
   const variables = element("by-variables").value, constraints = element("by-constraints").value;
   return (!variables || (variables === "one") === (family.variables.most === 1)) &&
     (!constraints || (constraints === "none") === (family.constraints.most === 0));
@@ -152,8 +161,8 @@ const fitting = () => contest.families.map((family, index) => [family, index]).f
 
 // Where the report speaks of it: of a family on a page of its own.
 const placeOf = (row) => {
-  const {name} = contest.families[row.family];
-  return name === "all" ? `${contest.folder}/index.html#speed-accuracy` : `${contest.folder}/${name}/index.html`;
+  const {name} = comparison.families[row.family];
+  return name === "all" ? `${comparison.folder}/index.html#speed-accuracy` : `${comparison.folder}/${name}/index.html`;
 };
 
 const chosen = () => {
@@ -190,8 +199,8 @@ const drawAccuracy = () => {
   const others = points.filter((point) => !onFront.has(point) && !point.row.outside);
   const [blue, orange] = palette(), grey = colour("--quiet");
   const dot = {showLine: false, pointRadius: 4, pointHoverRadius: 7, pointHitRadius: 6};
-  const words = {evaluations: "evaluations for each variable", seconds: "processor time [s]", solved: "runs solved [%]",
-                 error: "error of the answer (median regret)"};
+  const words = {evaluations: "evaluations for each variable", seconds: "processor time [s]", solved: "success rate [%]",
+                 error: "error of the answer (median optimality gap)"};
   element("accuracy-chart").parentElement.hidden = points.length === 0;
   draw("accuracy-chart", [
     {...dot, label: "front", data: front.map(named), borderColor: blue, backgroundColor: blue, nameColour: colour("--ink"),
@@ -206,11 +215,11 @@ const drawAccuracy = () => {
               `median error ${number(point.row.error)}`],
   (point) => { location.href = placeOf(point.row); });
   const best = front.at(-1);
-  const family = contest.families[Number(element("family").value)]?.name;
+  const family = comparison.families[Number(element("family").value)]?.name;
   element("finding").textContent = best
     ? `${family}: the most accurate is ${full(best.row)}, at ${number(best.x)} ${speed === "seconds" ? "s" : "evaluations for each variable"}; ` +
-      (front.length > 1 ? `the fastest that is not beaten is ${full(front[0].row)}, at ${number(front[0].x)}.` : "none is faster without being worse.")
-    : "No solver fits, or the contest has no times: ./ricochet compare makes one that has.";
+      (front.length > 1 ? `the fastest on the Pareto front is ${full(front[0].row)}, at ${number(front[0].x)}.` : "none is faster without being worse.")
+    : "No solver fits, or the comparison has no times: ./ricochet compare makes one that has.";
   element("accuracy-chart").setAttribute("aria-label",
     `${words[accuracy]} over ${words[speed]}, ${points.length} dots. ${element("finding").textContent}`);
 };
@@ -297,8 +306,8 @@ const offerFiles = (what, names, list) => {
 
 // The rows that are shown, with all their columns.
 const offer = (list) => {
-  const names = contest.columns.filter((name) => name !== "family");
-  const family = contest.families[Number(element("family").value)]?.name;
+  const names = Object.keys(rows[0]).filter((name) => name !== "family");
+  const family = comparison.families[Number(element("family").value)]?.name;
   offerFiles("board", ["family", ...names], list.map((row) => ({family, ...Object.fromEntries(names.map((name) => [name, row[name]]))})));
 };
 
@@ -306,12 +315,12 @@ const offer = (list) => {
 
 const unpicked = new Set();
 
-// All questions together have no curves: those of the first family stand in their place.
+// All problems together have no curves: those of the first family stand in their place.
 const curvesFor = (family, budget) => {
-  const own = contest.curves.filter((curve) => curve.family === family && curve.budget === budget);
-  if (own.length || budget || !contest.curves.length) return own;
-  const first = contest.curves[0].family;
-  const largest = Math.max(...contest.curves.filter((curve) => curve.family === first).map((curve) => curve.budget));
+  const own = comparison.curves.filter((curve) => curve.family === family && curve.budget === budget);
+  if (own.length || budget || !comparison.curves.length) return own;
+  const first = comparison.curves[0].family;
+  const largest = Math.max(...comparison.curves.filter((curve) => curve.family === first).map((curve) => curve.budget));
   return curvesFor(first, largest);
 };
 
@@ -319,7 +328,7 @@ const drawCurves = () => {
   const family = Number(element("family").value), budget = Number(element("budget").value);
   const curves = curvesFor(family, budget).filter(shows);
   element("curves-of").textContent = curves.length
-    ? `Of ${contest.families[curves[0].family].name}, with ${curves[0].budget} evaluations for each variable.` : "";
+    ? `Of ${comparison.families[curves[0].family].name}, with ${curves[0].budget} evaluations for each variable.` : "";
   const colours = palette();
   element("curve-picks").replaceChildren(...curves.map((curve, i) => {
     const item = document.createElement("li"), label = document.createElement("label");
@@ -363,40 +372,37 @@ const showBeside = (id) => {
 // ---- the motion ----
 
 const drawMotion = () => {
-  const view = site.motion.views[Number(element("scene").value)];
-  const colours = palette();
+  const view = site.motion.charts[Number(element("scene").value)];
+  const logarithmic = view.y.scale === "logarithmic", colours = palette();
   const datasets = view.series.map((series, i) => {
-    const own = series.exact ? colour("--ink") : colours[i % colours.length];
-    const data = series.points.filter(([x, y]) => x !== null && y !== null).map(([x, y]) => ({x, y, series}));
-    if (data.length) data.at(-1).name = series.name;
-    return {label: series.name, data, showLine: data.length > 1, borderColor: own, backgroundColor: own, borderWidth: 1.5,
-            pointRadius: series.exact ? 6 : 3, pointStyle: series.exact ? "rectRot" : "circle", pointHitRadius: 6};
+    const own = series.pale ? colour("--ink") : colours[i % colours.length];
+    const data = series.samples.map(({position, value}) => ({x: position, y: value, series}));
+    data.at(-1).name = series.label;
+    return {label: series.label, data, showLine: data.length > 1, borderColor: own, backgroundColor: own, borderWidth: 1.5,
+            pointRadius: series.pale ? 6 : 3, pointStyle: series.pale ? "rectRot" : "circle", pointHitRadius: 6};
   });
-  // The exact one lies on the lowest error that is drawn: it needs room below to be pointed at.
+  // The reference lies on the lowest error that is drawn: it needs room below to be pointed at.
   const points = datasets.flatMap(({data}) => data), lowest = Math.min(...points.map(({y}) => y));
-  draw("motion-chart", datasets, axis(view.x, true, around(points.map(({x}) => x))),
-    axis(view.y, view.y_logarithmic, {min: view.y_logarithmic ? lowest / 10 : -5}),
-    (point) => [point.series.name, `time ${number(point.x)}`,
-                point.series.exact ? "exact: it is the reference" : `error ${number(point.y)}`],
-    () => {
-      const place = view.id === "levels" ? "levels" : `work-${view.id}`;
-      location.href = `${site.motion.folder}/index.html#${place}`;
-    });
+  draw("motion-chart", datasets, axis(view.x.label, true, around(points.map(({x}) => x))),
+    axis(view.y.label, logarithmic, {min: logarithmic ? lowest / 10 : -5}),
+    (point) => [point.series.label, `time ${number(point.x)}`,
+                point.series.pale ? "exact: it is the reference" : `error ${number(point.y)}`],
+    () => { location.href = `${site.motion.folder}/index.html#${view.name}`; });
   element("motion-chart").setAttribute("aria-label",
-    `${view.name}: ${view.y} over ${view.x}, of ${view.series.map((series) => series.name).join(", ")}.`);
+    `${view.title}: ${view.y.label} over ${view.x.label}, of ${view.series.map((series) => series.label).join(", ")}.`);
 };
 
 // ---- solver and simulation ----
 
 const pairs = site.pairs;
-const simulationNames = pairs ? [...new Set(pairs.simulations.map(({name}) => name))] : [];
+const simulationNames = pairs ? [...new Set(pairs.simulations.map(({simulation}) => simulation))] : [];
 const unpickedSimulations = new Set();
 const resolution = 1e-10;  // [rad/s]: a logarithmic axis has no 0, and no threshold is known better
 
 // The same colours as where the motion stands alone; its levels have shapes of their own.
 const lookOf = (name) => {
-  const colours = palette(), methods = site.motion ? site.motion.views[0].series.map((series) => series.name) : [];
-  const one = pairs.simulations.find((simulation) => simulation.name === name), place = methods.indexOf(name);
+  const colours = palette(), methods = site.motion ? site.motion.charts[0].series.map(({label}) => label) : [];
+  const one = pairs.simulations.find(({simulation}) => simulation === name), place = methods.indexOf(name);
   if (one.reference) return {own: colour("--ink"), shape: "rectRot"};
   if (place >= 0) return {own: colours[place % colours.length], shape: "circle"};
   const level = simulationNames.filter((other) => !methods.includes(other)).indexOf(name);
@@ -411,7 +417,7 @@ const pairOf = (solver, simulation, alone) => {
           y: error(simulation.error), low: error(simulation.error_least), high: error(simulation.error)};
 };
 
-const pairName = ({solver, simulation}) => `${solver.solver}, ${simulation.name}${simulation.control ? ` ${simulation.control}` : ""}`;
+const pairName = ({solver, simulation}) => `${solver.solver}, ${simulation.simulation}${simulation.control ? ` ${simulation.control}` : ""}`;
 const timeText = (seconds) => seconds < 0.1 ? `${number(1000 * seconds, 2)} ms` : `${number(seconds, 2)} s`;
 
 const errorText = (error) => error > 0 && error < 1e-4 ? error.toExponential(0) : number(error, 2);
@@ -425,7 +431,7 @@ const findingOfPairs = (count, front) => {
 
 const offerPairs = (points) => {
   const list = points.map(({solver, simulation, x, from, to}) => ({
-    solver: solver.solver, form: solver.form, simulation: simulation.name, control: simulation.control, evaluations: solver.evaluations,
+    solver: solver.solver, formulation: solver.formulation, simulation: simulation.simulation, control: simulation.control, evaluations: solver.evaluations,
     solver_seconds: solver.own, solved: solver.solved, simulation_seconds: simulation.seconds, seconds: x, seconds_lower: from,
     seconds_upper: to, simulation_error: simulation.error, simulation_error_least: simulation.error_least,
     error: simulation.error + pairs.tolerance}));
@@ -435,19 +441,19 @@ const offerPairs = (points) => {
 const drawPairs = () => {
   const alone = element("pair-error").value === "simulation", wanted = element("pair-solver").value;
   const points = pairs.solvers.filter((solver) => !wanted || solver.solver === wanted).flatMap((solver) =>
-    pairs.simulations.filter(({name}) => !unpickedSimulations.has(name)).map((simulation) => pairOf(solver, simulation, alone)));
+    pairs.simulations.filter((one) => !unpickedSimulations.has(one.simulation)).map((simulation) => pairOf(solver, simulation, alone)));
   const front = frontOf(points, (a, b) => a < b), onFront = new Set(front);
   const bare = ({solver, simulation, x, y}) => ({solver, simulation, x, y});
   const ink = colour("--ink");
   const dots = simulationNames.map((name) => {
     const {own, shape} = lookOf(name);
-    return {label: name, data: points.filter((point) => point.simulation.name === name && !onFront.has(point)).map(bare), showLine: false,
+    return {label: name, data: points.filter((point) => point.simulation.simulation === name && !onFront.has(point)).map(bare), showLine: false,
             borderColor: own, backgroundColor: own + (own.length === 7 ? "99" : ""), pointStyle: shape, pointRadius: 2.5, pointHoverRadius: 6, crowd: true};
   });
   const leading = {label: "front", data: front.map((point) => ({...point, name: pairName(point)})), showLine: true, stepped: "before",
                    borderColor: ink, borderWidth: 1.5, nameColour: ink, pointRadius: 5, pointHoverRadius: 7,
-                   pointBackgroundColor: front.map((point) => lookOf(point.simulation.name).own),
-                   pointStyle: front.map((point) => lookOf(point.simulation.name).shape)};
+                   pointBackgroundColor: front.map((point) => lookOf(point.simulation.simulation).own),
+                   pointStyle: front.map((point) => lookOf(point.simulation.simulation).shape)};
   const {min, max} = around(points.map(({y}) => y));
   draw("pairs-chart", [leading, ...dots], axis("processor time to the threshold [s]", true, around(points.map(({x}) => x))),
     axis(alone ? "error of the simulation [rad/s]" : "error of the threshold, at most [rad/s]", true, {min: min / 1.5, max}),
@@ -457,7 +463,7 @@ const drawPairs = () => {
       `error at most ${errorText(y)} rad/s; the simulation's: ${simulation.reference ? "none, it is the reference" : `${errorText(simulation.error_least)} to ${errorText(simulation.error)}`}`],
     () => { location.href = `${pairs.folder}/index.html#thresholds`; });
   element("pairs-finding").textContent = findingOfPairs(points.length, front);
-  element("pairs-note").textContent = `Of ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the contest; runs that fail are repeated. Error: the simulation's ` +
+  element("pairs-note").textContent = `Of ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the comparison; runs that fail are repeated. Error: the simulation's ` +
     `largest of the cases${alone ? "" : ` + ${pairs.tolerance} rad/s, within which a threshold counts as found`}. Bars: the interval of the share solved; down to the smallest of the cases.`;
   element("pairs-chart").setAttribute("aria-label", `Error of the threshold over processor time, ${points.length} dots. ${element("pairs-finding").textContent}`);
   offerPairs(points);
@@ -484,7 +490,7 @@ const offerSimulations = () => {
 
 // ---- all of it ----
 
-const drawContest = () => {
+const drawComparison = () => {
   drawAccuracy();
   drawBoard();
   drawCurves();
@@ -494,7 +500,7 @@ const offerBudgets = () => {
   const family = Number(element("family").value);
   const budgets = [...new Set(rows.filter((row) => row.family === family).map((row) => row.budget))].sort((a, b) => b - a);
   fill(element("budget"), budgets.map((budget) => [budget, budget === 0 ? "the largest" : String(budget)]));
-  drawContest();
+  drawComparison();
 };
 
 const offerFamilies = () => {
@@ -506,10 +512,10 @@ const offerFamilies = () => {
 
 const start = () => {
   document.documentElement.classList.add("moves");
-  if (contest) {
+  if (comparison) {
     for (const id of ["by-variables", "by-constraints"]) element(id).addEventListener("change", offerFamilies);
     element("family").addEventListener("change", offerBudgets);
-    for (const id of ["budget", "shown"]) element(id).addEventListener("change", drawContest);
+    for (const id of ["budget", "shown"]) element(id).addEventListener("change", drawComparison);
     for (const id of ["speed", "accuracy"]) element(id).addEventListener("change", drawAccuracy);
     element("show-board").addEventListener("click", () => showBeside("leaderboard"));
     element("show-reached").addEventListener("click", () => showBeside("reached"));
@@ -522,12 +528,12 @@ const start = () => {
     drawPairs();
   }
   if (site.motion) {
-    fill(element("scene"), site.motion.views.map((view, index) => [index, view.name]));
+    fill(element("scene"), site.motion.charts.map((chart, index) => [index, chart.title]));
     element("scene").addEventListener("change", drawMotion);
     drawMotion();
   }
   dark.addEventListener("change", () => {
-    if (contest) drawContest();
+    if (comparison) drawComparison();
     if (site.motion) drawMotion();
     if (pairs) {
       offerSimulations();

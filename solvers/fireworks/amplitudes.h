@@ -2,20 +2,20 @@
 
 #include "src/core/vector.h"
 
-/// How far the sparks of a firework fly.
+/// Explosion amplitudes: how far sparks lie from their firework.
 namespace ricochet::fireworks {
 
-/// What amplitudes are measured in.
+/// The unit of the amplitudes.
 enum class AmplitudeUnit {
   of_x,        ///< the units of x, whatever the width of the box
   box_widths,  ///< the width of the box, coordinate by coordinate
 };
 
-/// Equation (25): amplitude * (f_i - best + epsilon) / (sum of f - best + epsilon), by the fitness
-/// of all fireworks, finite and better where lower. The best one's is next to nothing.
+/// Equation (25): amplitude * (f_i - best + epsilon) / (sum of f - best + epsilon). `fitness` holds
+/// a finite number for each firework, lower is better. The amplitude of the best one is almost 0.
 Vector explosion_amplitudes(const Vector& fitness, double amplitude, double epsilon);
 
-/// What no amplitude of EFWA falls below; in the amplitudes' unit.
+/// The lower bound of EFWA's amplitudes, in their unit.
 struct AmplitudeFloor {
   double first = 0;  ///< at the beginning, A_init
   double last = 0;   ///< when the budget is spent, A_final; 0 <= last <= first
@@ -25,8 +25,8 @@ struct AmplitudeFloor {
   double after(double evaluations, double budget) const;
 };
 
-/// An amplitude that grows as long as its firework gets better, and else declines (Zheng, Janecek,
-/// Li and Tan, CEC 2014, doi 10.1109/CEC.2014.6900485).
+/// An amplitude that grows while its firework improves, and declines otherwise (Zheng, Janecek, Li
+/// and Tan, CEC 2014, doi 10.1109/CEC.2014.6900485).
 struct AmplitudeSteps {
   double growth = 1.2;   ///< >= 1
   double decline = 0.9;  ///< in (0, 1]
@@ -36,7 +36,7 @@ struct AmplitudeSteps {
   }
 };
 
-/// Throws std::invalid_argument for steps that are none.
+/// Throws std::invalid_argument for steps out of range.
 void check(const AmplitudeSteps& steps);
 
 }  // namespace ricochet::fireworks

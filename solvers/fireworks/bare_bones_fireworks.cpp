@@ -9,23 +9,23 @@ namespace {
 
 void explode_until_refused(const BareBonesFireworksOptions& options, Evaluator& evaluator,
                            const Vector& start, Random& random) {
-  const Box box(evaluator.problem());
-  const Eigen::Index equalities = evaluator.problem().equalities;
+  const Box box(evaluator.lower(), evaluator.upper());
+  const Eigen::Index equalities = evaluator.equalities();
   Vector firework = start;
   auto values = evaluator.values(firework);
   if (!values) return;
-  Truth worth = worth_of(*values, equalities);
+  TrueValues worth = worth_of(*values, equalities);
   double amplitude = 1;
   while (true) {
     Vector spark, best;
-    Truth best_worth;
+    TrueValues best_worth;
     for (int k = 0; k < options.sparks; ++k) {
       spark = firework;
       displace(spark, box.free(), amplitude, box.width(), Offsets::each, random);
       box.bring_back(spark, options.mapping, random);
       values = evaluator.values(spark);
       if (!values) return;
-      const Truth spark_worth = worth_of(*values, equalities);
+      const TrueValues spark_worth = worth_of(*values, equalities);
       if (k > 0 && !better(spark_worth, best_worth)) continue;
       best = spark;
       best_worth = spark_worth;

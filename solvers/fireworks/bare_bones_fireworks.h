@@ -17,10 +17,10 @@ struct BareBonesFireworksOptions {
 };
 
 /// BBFWA, the bare bones fireworks algorithm (Li and Tan, Applied Soft Computing 62 (2018) 454, doi
-/// 10.1016/j.asoc.2017.10.046): one firework, whose sparks are uniform in a box about it. It moves
-/// to the best spark, the first of equals, if that is strictly better; then the amplitude grows,
-/// and else it declines. Goes on until the evaluator refuses. Throws std::invalid_argument for
-/// options that make no sense.
+/// 10.1016/j.asoc.2017.10.046): one firework, whose sparks are uniform in a box around it. It moves
+/// to the best spark (the first one among equals) if that is strictly better, and the amplitude
+/// grows; otherwise the amplitude declines. Continues until the evaluator refuses. Throws
+/// std::invalid_argument for options out of range.
 Solver bare_bones_fireworks(std::string name, const BareBonesFireworksOptions& options = {});
 
 }  // namespace ricochet::fireworks

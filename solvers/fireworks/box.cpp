@@ -7,8 +7,8 @@
 
 namespace ricochet::fireworks {
 
-Box::Box(const Problem& problem)
-    : lower_(problem.lower), upper_(problem.upper), width_(upper_ - lower_) {
+Box::Box(const Vector& lower, const Vector& upper)
+    : lower_(lower), upper_(upper), width_(upper_ - lower_) {
   for (Eigen::Index k = 0; k < width_.size(); ++k) {
     if (width_[k] > 0) free_.push_back(k);
   }

@@ -2,21 +2,20 @@
 
 #include <vector>
 
-#include "src/core/problem.h"
 #include "src/core/random.h"
 
 namespace ricochet::fireworks {
 
-/// How a coordinate outside the box comes back; one inside stays as it is.
+/// How a coordinate outside the box is brought back; one inside stays as it is.
 enum class Mapping {
-  modulo,  ///< lower + |x| mod (upper - lower), equation (28): just outside [-a, a] comes near 0
-  redraw,  ///< uniform in the box, as EFWA and its successors have it
+  modulo,  ///< lower + |x| mod (upper - lower), equation (28): just outside [-a, a] maps to near 0
+  redraw,  ///< uniform in the box, as in EFWA and its successors
 };
 
-/// A problem's box. Coordinates without width are fixed, the others free.
+/// A problem's box. Coordinates of width 0 are fixed, the others free.
 class Box {
  public:
-  explicit Box(const Problem& problem);
+  Box(const Vector& lower, const Vector& upper);
 
   const Vector& lower() const { return lower_; }
   const Vector& upper() const { return upper_; }

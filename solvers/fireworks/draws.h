@@ -7,8 +7,8 @@
 
 namespace ricochet::fireworks {
 
-/// Uniform in [0, 1), in steps of 2^-53: as uniform(), in a third of the time, for most of what a
-/// spark costs is its draws.
+/// Uniform in [0, 1), in steps of 2^-53. Like uniform(), in a third of the time: random draws are
+/// most of the cost of a spark.
 inline double share(Random& random) {
   return static_cast<double>(static_cast<std::int64_t>(random() >> 11)) * 0x1p-53;
 }
@@ -23,7 +23,7 @@ inline std::size_t one_of(std::size_t count, Random& random) {
   return static_cast<std::size_t>(share(random) * static_cast<double>(count));
 }
 
-/// Heads or tails.
+/// True with probability 1/2.
 inline bool toss(Random& random) {
   return (random() >> 63) != 0;
 }

@@ -15,7 +15,7 @@ class DynamicShow {
   DynamicShow(Evaluator& evaluator, const DynamicFireworksOptions& options, Random& random)
       : options_(options),
         random_(random),
-        box_(evaluator.problem()),
+        box_(evaluator.lower(), evaluator.upper()),
         coordinates_(box_.free()),
         population_(evaluator, options.fireworks + most_sparks(options.fireworks, options.counts)) {
   }
@@ -31,8 +31,8 @@ class DynamicShow {
   Random& random_;
   Box box_;
   Coordinates coordinates_;
-  Population population_;  // the fireworks first, and from select() on the best one first of all
-  Eigen::Index core_ = 0;  // the best firework
+  Population population_;      // the fireworks first; after select() the best one is first
+  Eigen::Index core_ = 0;      // the best firework
   double core_amplitude_ = 1;  // in box widths
   Vector spark_;
 };
@@ -66,7 +66,7 @@ bool DynamicShow::explode() {
 }
 
 void DynamicShow::select() {
-  const Truth before = population_.worth(core_);
+  const TrueValues before = population_.worth(core_);
   population_.keep(selected(population_.points(), population_.worths(), options_.fireworks,
                             options_.selection, random_));
   core_ = 0;

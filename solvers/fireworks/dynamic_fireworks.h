@@ -24,9 +24,9 @@ struct DynamicFireworksOptions {
 };
 
 /// dynFWA, the dynamic search fireworks algorithm (Zheng, Janecek, Li and Tan, CEC 2014, doi
-/// 10.1109/CEC.2014.6900485): the best firework's amplitude grows as long as its generation finds
-/// something strictly better, and else declines. No Gaussian sparks. Goes on until the evaluator
-/// refuses. Throws std::invalid_argument for options that make no sense.
+/// 10.1109/CEC.2014.6900485): the amplitude of the best firework grows while its generation finds a
+/// strictly better point, and declines otherwise. No Gaussian sparks. Continues until the evaluator
+/// refuses. Throws std::invalid_argument for options out of range.
 Solver dynamic_fireworks(std::string name, const DynamicFireworksOptions& options = {});
 
 }  // namespace ricochet::fireworks

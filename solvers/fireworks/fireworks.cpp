@@ -17,7 +17,7 @@ class Show {
       : evaluator_(evaluator),
         options_(options),
         random_(random),
-        box_(evaluator.problem()),
+        box_(evaluator.lower(), evaluator.upper()),
         coordinates_(box_.free()),
         unit_(options.amplitude_unit == AmplitudeUnit::of_x
                   ? Vector(Vector::Ones(box_.width().size()))
@@ -40,7 +40,7 @@ class Show {
   void draw_start(int number, const Vector& start);
   Vector amplitudes(const Vector& fitness) const;
 
-  /// Evaluates spark_, which came of this firework.
+  /// Evaluates spark_, a spark of this firework.
   bool add_spark(Eigen::Index firework) {
     box_.bring_back(spark_, options_.mapping, random_);
     if (options_.redraw_clones && spark_ == population_.point(firework)) box_.draw(spark_, random_);

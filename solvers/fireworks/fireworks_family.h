@@ -6,8 +6,8 @@
 
 namespace ricochet::fireworks {
 
-/// Every member of the family, as published or, "corrected", as we would have it. "as-printed" is
-/// what the third branch of equation (24) comes to in the paper's print.
+/// Every member of the family, as published or, for "corrected", with the known defects removed.
+/// "as-printed" follows the third branch of equation (24) as the paper prints it.
 std::vector<Solver> family();
 
 }  // namespace ricochet::fireworks

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Sums and differences of a few such numbers are numbers, too.
+/// Bound on the size of numbers: sums and differences of a few such numbers stay finite.
 constexpr double largest = 1e300;
 
 double usable(double value) {
@@ -18,14 +18,14 @@ double usable(double value) {
 
 }  // namespace
 
-Truth worth_of(const Values& values, Eigen::Index equalities) {
-  const Truth truth = truth_of(values, equalities);
-  return {usable(truth.objective), usable(truth.violation)};
+TrueValues worth_of(const Values& values, Eigen::Index equalities) {
+  const TrueValues true_values = true_values_of(values, equalities);
+  return {usable(true_values.objective), usable(true_values.violation)};
 }
 
-Vector fitness_of(std::span<const Truth> worths) {
+Vector fitness_of(std::span<const TrueValues> worths) {
   double worst_feasible = -infinity;
-  for (const Truth& worth : worths) {
+  for (const TrueValues& worth : worths) {
     if (worth.violation == 0 && worth.objective < infinity) {
       worst_feasible = std::max(worst_feasible, worth.objective);
     }
@@ -34,7 +34,7 @@ Vector fitness_of(std::span<const Truth> worths) {
   Vector fitness(static_cast<Eigen::Index>(worths.size()));
   double worst = -infinity;
   for (Eigen::Index i = 0; i < fitness.size(); ++i) {
-    const Truth& worth = worths[static_cast<std::size_t>(i)];
+    const TrueValues& worth = worths[static_cast<std::size_t>(i)];
     fitness[i] = worth.violation > 0 ? worst_feasible + worth.violation : worth.objective;
     if (fitness[i] < infinity) worst = std::max(worst, fitness[i]);
   }

@@ -6,15 +6,15 @@
 
 namespace ricochet::fireworks {
 
-/// What a point is shown to be worth, so that any two can be compared: an objective that is not a
-/// number below 1e300 in size becomes infinite, and so does such a violation.
-Truth worth_of(const Values& values, Eigen::Index equalities);
+/// The values of a point, made comparable: an objective or a violation that is not a number below
+/// 1e300 in size becomes infinite.
+TrueValues worth_of(const Values& values, Eigen::Index equalities);
 
 /// Numbers that rank points, for operators that need differences. A feasible point has its
-/// objective, an infeasible one that of the worst feasible point, or 0 where there is none, plus
-/// its violation: the penalty without a parameter (Deb, Computer Methods in Applied Mechanics and
-/// Engineering 186 (2000) 311, doi 10.1016/S0045-7825(99)00389-8). An infinite worth counts as the
-/// worst finite one; all numbers are 0 where none is finite.
-Vector fitness_of(std::span<const Truth> worths);
+/// objective. An infeasible one has the objective of the worst feasible point (0 if there is none)
+/// plus its violation: the penalty without a parameter (Deb, Computer Methods in Applied Mechanics
+/// and Engineering 186 (2000) 311, doi 10.1016/S0045-7825(99)00389-8). An infinite worth counts as
+/// the worst finite one; if none is finite, all numbers are 0.
+Vector fitness_of(std::span<const TrueValues> worths);
 
 }  // namespace ricochet::fireworks

@@ -16,7 +16,7 @@ namespace {
 
 struct Firework {
   Vector x;
-  Truth worth;
+  TrueValues worth;
   double amplitude = 1;  // in box widths
 };
 
@@ -26,7 +26,7 @@ class Tournament {
       : evaluator_(evaluator),
         options_(options),
         random_(random),
-        box_(evaluator.problem()),
+        box_(evaluator.lower(), evaluator.upper()),
         sparks_(evaluator, options.sparks + 1),
         ranked_(static_cast<std::size_t>(options.sparks)),
         order_(static_cast<std::size_t>(options.sparks)) {}
@@ -38,7 +38,7 @@ class Tournament {
  private:
   bool begin_anew(Firework& firework);
   bool explode(Firework& firework);
-  bool replace_losers(const std::vector<Truth>& before);
+  bool replace_losers(const std::vector<TrueValues>& before);
   void rank_sparks();
 
   Evaluator& evaluator_;
@@ -47,16 +47,16 @@ class Tournament {
   Box box_;
   std::vector<Firework> fireworks_;
   Population sparks_;  // of one firework, the guiding spark last
-  std::vector<std::tuple<double, double, Eigen::Index>> ranked_;  // as better() and the index do
-  std::vector<Eigen::Index> order_;  // of them, but the guiding one: from the best to the worst
+  std::vector<std::tuple<double, double, Eigen::Index>> ranked_;  // sorted: better(), then index
+  std::vector<Eigen::Index> order_;  // without the guiding one: from the best to the worst
   Vector spark_;
 };
 
-/// Evaluates it where it is, with the amplitude of a beginner.
+/// Evaluates the firework at its place and resets its amplitude to the initial one.
 bool Tournament::begin_anew(Firework& firework) {
   const auto values = evaluator_.values(firework.x);
   if (!values) return false;
-  firework.worth = worth_of(*values, evaluator_.problem().equalities);
+  firework.worth = worth_of(*values, evaluator_.equalities());
   firework.amplitude = 1;
   return true;
 }
@@ -104,8 +104,8 @@ bool Tournament::explode(Firework& firework) {
   return true;
 }
 
-bool Tournament::replace_losers(const std::vector<Truth>& before) {
-  std::vector<Truth> worths = before;
+bool Tournament::replace_losers(const std::vector<TrueValues>& before) {
+  std::vector<TrueValues> worths = before;
   for (const Firework& firework : fireworks_) worths.push_back(firework.worth);
   const Vector fitness = fitness_of(worths);
   const double best = fitness.tail(options_.fireworks).minCoeff();
@@ -121,7 +121,7 @@ bool Tournament::replace_losers(const std::vector<Truth>& before) {
 }
 
 bool Tournament::next_generation() {
-  std::vector<Truth> before;
+  std::vector<TrueValues> before;
   for (const Firework& firework : fireworks_) before.push_back(firework.worth);
   for (Firework& firework : fireworks_) {
     if (!explode(firework)) return false;

@@ -13,9 +13,10 @@ Solver member(std::string name,
   solver.name = std::move(name);
   solver.version = "ricochet " RICOCHET_VERSION;
   solver.stochastic = true;
-  solver.accepts = has_room;
-  solver.solve = [until_refused = std::move(until_refused)](
-                     Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
+  solver.capabilities.constraints = Capabilities::Constraints::all;
+  solver.solve = [until_refused = std::move(until_refused)](Evaluator& evaluator,
+                                                            const Vector& start,
+                                                            Random& random) -> SolverTermination {
     until_refused(evaluator, start, random);
     return {stopped_by_evaluator};
   };

@@ -8,14 +8,14 @@ namespace ricochet::fireworks {
 
 Population::Population(Evaluator& evaluator, Eigen::Index room)
     : evaluator_(evaluator),
-      points_(room, evaluator.problem().dimension()),
+      points_(room, evaluator.dimension()),
       worths_(static_cast<std::size_t>(room)) {}
 
 bool Population::add(const Vector& x) {
   const auto values = evaluator_.values(x);
   if (!values) return false;
   points_.row(size_) = x.transpose();
-  worths_[static_cast<std::size_t>(size_)] = worth_of(*values, evaluator_.problem().equalities);
+  worths_[static_cast<std::size_t>(size_)] = worth_of(*values, evaluator_.equalities());
   ++size_;
   return true;
 }
@@ -23,7 +23,7 @@ bool Population::add(const Vector& x) {
 void Population::keep(std::span<const Eigen::Index> chosen) {
   const auto count = static_cast<Eigen::Index>(chosen.size());
   Matrix points(count, points_.cols());
-  std::vector<Truth> worths;
+  std::vector<TrueValues> worths;
   worths.reserve(chosen.size());
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::Index from = chosen[static_cast<std::size_t>(i)];

@@ -7,8 +7,8 @@
 
 namespace ricochet::fireworks {
 
-/// Fireworks and sparks of one generation, with what they are shown to be worth, in the order in
-/// which they were evaluated. Has room for so many from the beginning.
+/// Fireworks and sparks of one generation with their values as shown to the solver, in the order of
+/// evaluation. The capacity is fixed.
 class Population {
  public:
   Population(Evaluator& evaluator, Eigen::Index room);
@@ -19,15 +19,15 @@ class Population {
 
   Eigen::Index size() const { return size_; }
 
-  /// A row a point.
+  /// One row for each point.
   auto points() const { return points_.topRows(size_); }
   auto point(Eigen::Index i) const { return points_.row(i).transpose(); }
-  std::span<const Truth> worths() const {
+  std::span<const TrueValues> worths() const {
     return {worths_.data(), static_cast<std::size_t>(size_)};
   }
-  const Truth& worth(Eigen::Index i) const { return worths_[static_cast<std::size_t>(i)]; }
+  const TrueValues& worth(Eigen::Index i) const { return worths_[static_cast<std::size_t>(i)]; }
 
-  /// Leaves these, in this order; one may be named several times.
+  /// Keeps these points, in this order; an index may be repeated.
   void keep(std::span<const Eigen::Index> chosen);
 
   void clear() { size_ = 0; }
@@ -35,7 +35,7 @@ class Population {
  private:
   Evaluator& evaluator_;
   Matrix points_;
-  std::vector<Truth> worths_;
+  std::vector<TrueValues> worths_;
   Eigen::Index size_ = 0;
 };
 

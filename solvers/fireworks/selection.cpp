@@ -9,7 +9,7 @@
 namespace ricochet::fireworks {
 namespace {
 
-/// Drawn with probabilities as the weights, which are >= 0 and not all 0.
+/// Draws an index with probabilities proportional to the weights, which are >= 0 and not all 0.
 Eigen::Index spin(const Vector& weights, Random& random) {
   double left = share(random) * weights.sum();
   Eigen::Index last = 0;
@@ -22,7 +22,7 @@ Eigen::Index spin(const Vector& weights, Random& random) {
   return last;
 }
 
-/// Of points in any dimension, pair by pair.
+/// For points in any dimension, pair by pair.
 Vector sums_in_space(const Eigen::Ref<const Matrix>& points) {
   Vector sums = Vector::Zero(points.rows());
   Eigen::ArrayXd distance(points.rows());
@@ -39,8 +39,9 @@ Vector sums_in_space(const Eigen::Ref<const Matrix>& points) {
   return sums;
 }
 
-/// Of points on a line, in order: from one to the next the distances to all on its one side grow by
-/// the gap, and those to all on its other side shrink by it. The pairs would cost most of a run.
+/// For points on a line, sorted: from one point to the next, the distances to all points on one
+/// side grow by the gap, those to all points on the other side shrink by it. Summing over pairs
+/// would take most of the time of a run.
 Vector sums_on_a_line(const Eigen::Ref<const Matrix>& points) {
   const auto count = static_cast<std::size_t>(points.rows());
   std::vector<std::pair<double, Eigen::Index>> order(count);
@@ -48,7 +49,7 @@ Vector sums_on_a_line(const Eigen::Ref<const Matrix>& points) {
     const auto row = static_cast<Eigen::Index>(i);
     order[i] = {points(row, 0), row};
   }
-  // Who is tied has the same sum, in whichever order.
+  // Tied points have the same sum, in any order.
   std::sort(order.begin(), order.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   Vector sums = Vector::Zero(points.rows());
@@ -65,7 +66,7 @@ Vector sums_on_a_line(const Eigen::Ref<const Matrix>& points) {
 
 }  // namespace
 
-Eigen::Index best_of(std::span<const Truth> worths, Ties ties, Random& random) {
+Eigen::Index best_of(std::span<const TrueValues> worths, Ties ties, Random& random) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < worths.size(); ++i) {
     if (better(worths[i], worths[best])) best = i;
@@ -87,7 +88,7 @@ Vector distance_sums(const Eigen::Ref<const Matrix>& points) {
 }
 
 std::vector<Eigen::Index> selected(const Eigen::Ref<const Matrix>& points,
-                                   std::span<const Truth> worths, int count,
+                                   std::span<const TrueValues> worths, int count,
                                    const SelectionOptions& options, Random& random) {
   std::vector<Eigen::Index> chosen = {best_of(worths, options.ties, random)};
   chosen.reserve(static_cast<std::size_t>(count));

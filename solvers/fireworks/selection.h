@@ -6,7 +6,7 @@
 #include "src/core/problem.h"
 #include "src/core/random.h"
 
-/// Who lives on.
+/// Selection of the points that survive a generation.
 namespace ricochet::fireworks {
 
 /// Which of several equally good points is the best.
@@ -15,28 +15,30 @@ enum class Ties {
   any,    ///< one of them, drawn uniformly
 };
 
-/// How those are drawn that live on beside the best.
+/// How the survivors other than the best are drawn.
 enum class Others {
-  by_distance,  ///< with probabilities as their sums of distances, equations (29) and (30)
-  uniform,      ///< all alike, as EFWA has it
+  by_distance,  ///< with probability proportional to the sum of distances, equations (29) and (30)
+  uniform,      ///< all equally likely, as in EFWA
 };
 
 struct SelectionOptions {
   Ties ties = Ties::first;
   Others others = Others::by_distance;
-  bool replacement = true;  ///< one point, the best too, may live on several times
+  bool replacement = true;  ///< a point, also the best, may be selected several times
 };
 
-/// The best by the rules of feasibility, see better(); `worths` has at least one entry.
-Eigen::Index best_of(std::span<const Truth> worths, Ties ties, Random& random);
+/// Index of the best point by the feasibility rules, see better(); `worths` has at least one entry.
+Eigen::Index best_of(std::span<const TrueValues> worths, Ties ties, Random& random);
 
-/// Equation (29), the numerators of (30): for every point, a row, the sum of its Euclidean
-/// distances to all. All 1 where they are all 0, for then (30) is 0 / 0, or where one is infinite.
+/// Equation (29), the numerators of (30): for every point (row), the sum of its Euclidean distances
+/// to all points. Returns all 1 if all sums are 0, because (30) would be 0 / 0, or if one is
+/// infinite.
 Vector distance_sums(const Eigen::Ref<const Matrix>& points);
 
-/// `count` points, the best first; the others are drawn. At least as many points are given.
+/// Indices of `count` points, the best first, the others drawn. `count` is at most the number of
+/// points.
 std::vector<Eigen::Index> selected(const Eigen::Ref<const Matrix>& points,
-                                   std::span<const Truth> worths, int count,
+                                   std::span<const TrueValues> worths, int count,
                                    const SelectionOptions& options, Random& random);
 
 }  // namespace ricochet::fireworks

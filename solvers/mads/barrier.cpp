@@ -6,7 +6,7 @@
 namespace ricochet {
 namespace {
 
-/// Whether `a` is as good as `b` in both respects.
+/// Returns true if `a` is no worse than `b` in objective and violation.
 bool no_worse(const Trial& a, const Trial& b) {
   return a.objective <= b.objective && a.violation <= b.violation;
 }
@@ -45,7 +45,7 @@ Progress Barrier::add_infeasible(const Trial& trial) {
   if (std::any_of(undominated_.begin(), undominated_.end(), beats)) return Progress::none;
   std::erase_if(undominated_, [&](const Trial& other) { return dominates(trial, other); });
   undominated_.push_back(trial);
-  if (!infeasible_) return Progress::none;  // there is nothing to beat
+  if (!infeasible_) return Progress::none;  // there is no incumbent to beat
   if (dominates(trial, *infeasible_)) return Progress::dominating;
   return trial.violation < infeasible_->violation ? Progress::improving : Progress::none;
 }

@@ -8,34 +8,34 @@
 
 namespace ricochet {
 
-/// A point of the unit box and what it is worth.
+/// A point of the unit box with its objective and violation.
 struct Trial {
   Vector u;
   double objective = 0;
   double violation = 0;  ///< >= 0, see violation_of
 };
 
-/// The sum of the squares of what the constraints are broken by; 0 where they hold.
+/// The sum of squares of the constraint violations; 0 where all constraints hold.
 double violation_of(const Values& values, Eigen::Index equalities);
 
-/// What a trial, or an iteration, brought on.
+/// The result of a trial or of an iteration.
 enum class Progress {
   none,
-  improving,  ///< less violated than the infeasible incumbent, but of a higher objective
-  dominating  ///< an incumbent is beaten: less violated or lower, and neither more so
+  improving,  ///< less violated than the infeasible incumbent, but with a higher objective
+  dominating  ///< better than an incumbent: less violated or lower, and not worse in either
 };
 
 /// The progressive barrier of Audet and Dennis, SIAM J. Optim. 20 (2009) 445-472, doi
-/// 10.1137/070692662: remembers the best feasible point, and of the infeasible ones the lowest
-/// whose violation is within a limit that falls as points of less violation are found. Two points
-/// are searched around, from both sides of the constraints.
+/// 10.1137/070692662. It remembers the best feasible point, and the infeasible point of lowest
+/// objective whose violation is within a limit; the limit falls as points with less violation are
+/// found. The search polls around both points.
 class Barrier {
  public:
-  /// Judges a trial by the incumbents. One that is not a number is none. A feasible one that ties
-  /// with the best is no progress, but takes its place.
+  /// Compares a trial with the incumbents. A trial that is not a number is ignored. A feasible
+  /// trial that ties with the best is no progress, but replaces it.
   Progress add(const Trial& trial);
 
-  /// Ends an iteration that made this progress: the best of the trials are the incumbents now.
+  /// Ends an iteration with this progress: the best trials become the incumbents.
   void settle(Progress progress);
 
   const std::optional<Trial>& feasible() const { return feasible_; }

@@ -14,8 +14,8 @@ namespace {
 
 struct Options {
   double finest_mesh = 1e-8;  ///< of the box
-  int mesh_index = 2;         ///< to begin with
-  double further = 3;         ///< how far to look along a success, in its steps
+  int mesh_index = 2;         ///< at the beginning
+  double further = 3;         ///< how far to look ahead after a success, in lengths of its step
 };
 
 /// The search from one start.
@@ -26,10 +26,10 @@ class Search {
         evaluator_(evaluator),
         random_(random),
         box_(evaluator),
-        has_width_(evaluator.problem().upper.array() > evaluator.problem().lower.array()),
+        has_width_(evaluator.upper().array() > evaluator.lower().array()),
         mesh_(options.mesh_index) {}
 
-  SolverExit run(const Vector& start) {
+  SolverTermination run(const Vector& start) {
     start_ = inside(box_.to_unit(start));
     try_point(start_);
     barrier_.settle(Progress::none);
@@ -84,16 +84,15 @@ class Search {
     return progress;
   }
 
-  /// A point that was tried before brings nothing on, and costs nothing.
+  /// Tries a point. One that was tried before is no progress and costs no evaluation.
   Progress try_point(const Vector& u) {
     if (!tried_.insert({u.begin(), u.end()}).second) return Progress::none;
     const auto values = evaluator_.values(box_.from_unit(u));
     if (!values) return Progress::none;
-    return barrier_.add(
-        {u, values->objective, violation_of(*values, evaluator_.problem().equalities)});
+    return barrier_.add({u, values->objective, violation_of(*values, evaluator_.equalities())});
   }
 
-  /// The nearest point of the unit box; a coordinate whose box has no width stays where it is.
+  /// The nearest point of the unit box; a coordinate whose box has width 0 stays as it is.
   Vector inside(const Vector& u) const {
     return has_width_.select(u.cwiseMax(0.0).cwiseMin(1.0), 0.0);
   }
@@ -116,7 +115,7 @@ Solver made(const Options& options) {
   solver.name = "mads";
   solver.version = "ricochet " RICOCHET_VERSION;
   solver.stochastic = true;
-  solver.accepts = has_room;
+  solver.capabilities.constraints = Capabilities::Constraints::all;
   solver.solve = [options](Evaluator& evaluator, const Vector& start, Random& random) {
     return Search(evaluator, random, options).run(start);
   };

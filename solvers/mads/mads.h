@@ -6,22 +6,22 @@
 namespace ricochet {
 
 /// "mads": mesh adaptive direct search (Audet and Dennis, SIAM J. Optim. 17 (2006) 188-217, doi
-/// 10.1137/040603371) in the unit cube. It needs neither slopes nor continuity, and takes
+/// 10.1137/040603371) in the unit cube. It needs neither slopes nor continuity, and handles
 /// constraints by a progressive barrier; see barrier.h. An iteration first looks further along the
-/// step of the last success, to four times its length, and then polls around the incumbents in the
-/// n + 1 directions of OrthoMADS that lead most along it; see poll_directions.h. It goes on from
-/// the first point that beats an incumbent, on a coarser mesh; else the mesh is refined. Points
-/// beyond the box are moved to its faces.
+/// step of the last success, up to four times its length. It then polls around the incumbents in
+/// the n + 1 directions of OrthoMADS that point most along this step; see poll_directions.h. The
+/// first point that beats an incumbent ends the iteration, and the mesh becomes coarser; if there
+/// is none, the mesh is refined. Points outside the box are moved to its faces.
 ///
-/// Around the feasible incumbent it polls in full, around the infeasible one, where it is lower, in
-/// two opposite directions. A feasible point that ties with its incumbent is no success, but takes
-/// its place, so that a plateau is walked on, not only looked around. Ends where the mesh is finer
-/// than 1e-8 of the box, at polls of 1e-4 of it, to be started again elsewhere.
+/// It polls in all directions around the feasible incumbent, and in two opposite directions around
+/// the infeasible one if that has a lower objective. A feasible point that ties with its incumbent
+/// is no success, but replaces it, so that the search moves along a plateau. Ends when the mesh is
+/// finer than 1e-8 of the box, with polls at 1e-4 of it; it can then be restarted elsewhere.
 Solver mads();
 
-/// With "finest_mesh", in parts of the box; "mesh_index", where it begins, with polls at 2^-index
-/// of the box; and "further", how many times the last success's step it looks further, 0: not at
-/// all.
+/// Options: "finest_mesh", as a share of the box; "mesh_index", the initial index, with polls at
+/// 2^-index of the box; and "further", how far to look along the last success, in lengths of its
+/// step (0: not at all).
 AdjustableSolver adjustable_mads();
 
 }  // namespace ricochet

@@ -5,12 +5,12 @@
 
 namespace ricochet {
 
-/// How far apart the points of a mesh in the unit box lie, and how far from its centre a poll
-/// looks: 4^-index and 2^-index, so that a finer mesh offers ever more directions (Abramson, Audet,
-/// Dennis and Le Digabel 2009, doi 10.1137/080716980, table 3.1).
+/// Mesh size in the unit box and distance of a poll from its centre: 4^-index and 2^-index, so that
+/// a finer mesh offers more directions (Abramson, Audet, Dennis and Le Digabel 2009, doi
+/// 10.1137/080716980, table 3.1).
 class Mesh {
  public:
-  explicit Mesh(int index = 2) : index_(index) {}  // a quarter of the box, as NLopt's solvers do
+  explicit Mesh(int index = 2) : index_(index) {}  // a quarter of the box, as in NLopt's solvers
 
   int index() const { return index_; }
   double spacing() const { return std::ldexp(1.0, -2 * index_); }
@@ -20,7 +20,7 @@ class Mesh {
   void coarsen() { index_ = std::max(index_ - 1, coarsest); }
 
  private:
-  static constexpr int coarsest = 1;  // polls half the box around
+  static constexpr int coarsest = 1;  // polls at half the box
 
   int index_;
 };

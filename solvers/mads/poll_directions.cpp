@@ -10,15 +10,15 @@ Vector rounded(const Vector& x) {
   return x.unaryExpr([](double each) { return std::round(each); });
 }
 
-/// The longest vector of integers along `direction` with a norm of at most `most`, >= 1.
+/// The longest integer vector along `direction` with a norm of at most `most`, >= 1.
 Vector integers_along(const Vector& direction, double most) {
   Eigen::Index largest = 0;
   const Vector along = direction / direction.cwiseAbs().maxCoeff(&largest);
   Vector best = Vector::Zero(direction.size());
   best[largest] = along[largest];  // 1 or -1
   double shorter = 0;
-  double longer = most + 1;       // the largest coordinate alone is too long then
-  constexpr int bisections = 60;  // to the last digit
+  double longer = most + 1;       // then even the largest coordinate alone is too long
+  constexpr int bisections = 60;  // to machine precision
   for (int i = 0; i < bisections; ++i) {
     const double middle = (shorter + longer) / 2;
     const Vector q = rounded(middle * along);

@@ -8,14 +8,14 @@
 /// 948-966, doi 10.1137/080716980.
 namespace ricochet {
 
-/// An orthogonal n x n matrix of integers: |q|^2 I - 2 q q^T, a Householder matrix, of the longest
-/// vector of integers q along `direction` (length n, not 0) whose norm is at most 2^(index / 2).
+/// An orthogonal n x n matrix of integers: the Householder matrix |q|^2 I - 2 q q^T, where q is the
+/// longest integer vector along `direction` (length n, not 0) with a norm of at most 2^(index / 2).
 /// Its columns have the norm |q|^2, at most 2^index. index >= 0.
 Matrix poll_basis(const Vector& direction, int index);
 
-/// n + 1 directions that span the space positively: the columns of `basis`, each or its opposite,
-/// whichever leads along `leading`, those first that lead most along it, and last the opposite of
-/// their sum (Audet, Ianni, Le Digabel and Tribes, SIAM J. Optim. 24 (2014) 621-642, doi
+/// n + 1 directions that span the space positively. The first n are the columns of `basis`, each
+/// with the sign that points along `leading`, sorted by how much they do; the last is the opposite
+/// of their sum (Audet, Ianni, Le Digabel and Tribes, SIAM J. Optim. 24 (2014) 621-642, doi
 /// 10.1137/120895056, without their quadratic models).
 std::vector<Vector> poll_directions(const Matrix& basis, const Vector& leading);
 

@@ -19,15 +19,15 @@ Solver solver_of(const NloptAlgorithm& algorithm) {
   solver.name = fmt::format("nlopt-{}", algorithm.name);
   solver.version = fmt::format("NLopt {}", fmt::join(version, "."));
   solver.stochastic = algorithm.draws;
-  solver.accepts = [algorithm](const Problem& problem) { return algorithm.accepts(problem); };
+  solver.capabilities = algorithm.capabilities;
   solver.solve = [algorithm](Evaluator& evaluator, const Vector& start, Random& random) {
-    nlopt_srand(random());  // the state is this thread's own, left over from its last run
+    nlopt_srand(random());  // the state belongs to this thread and is left over from its last run
     return NloptSearch(algorithm, evaluator).from(start);
   };
   return solver;
 }
 
-/// Those that mean something to the algorithm.
+/// The options that affect this algorithm.
 std::vector<SolverOption> options_of(const NloptAlgorithm& algorithm) {
   const auto is_one_of = [&](std::initializer_list<nlopt_algorithm> ids) {
     return std::find(ids.begin(), ids.end(), algorithm.id) != ids.end();

@@ -11,7 +11,7 @@ namespace ricochet {
 namespace {
 
 constexpr std::int64_t direct_points = 500'000;   // NLopt's own default
-constexpr std::int64_t all_points = 200'000'000;  // ten times as many are still an int
+constexpr std::int64_t all_points = 200'000'000;  // ten times as many still fit into an int
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -52,14 +52,14 @@ NloptSearch::NloptSearch(const NloptAlgorithm& algorithm, Evaluator& evaluator)
   nlopt_set_initial_step1(nlopt, algorithm.initial_step);
   nlopt_set_population(nlopt, static_cast<unsigned>(algorithm.population));
   if (algorithm.local) nlopt_set_local_optimizer(nlopt, made(*algorithm.local).get());
-  // The evaluator ends the search.
+  // NLopt's limit lies beyond the budget: the evaluator ends the search first.
   const bool direct = algorithm.is_original_direct();
   const std::int64_t left = std::min(evaluator.remaining(), direct ? direct_points : all_points);
   nlopt_set_maxeval(nlopt, static_cast<int>(direct ? left + 1 : 10 * left + 10));
 }
 
 NloptSearch::Handle NloptSearch::made(nlopt_algorithm id) const {
-  const auto n = static_cast<unsigned>(evaluator_.problem().dimension());
+  const auto n = static_cast<unsigned>(evaluator_.dimension());
   Handle nlopt(nlopt_create(id, n), nlopt_destroy);
   nlopt_set_xtol_abs1(nlopt.get(), algorithm_.tolerance);
   nlopt_set_vector_storage(nlopt.get(), static_cast<unsigned>(algorithm_.vectors));
@@ -68,14 +68,14 @@ NloptSearch::Handle NloptSearch::made(nlopt_algorithm id) const {
 
 void NloptSearch::constrain() {
   nlopt_opt nlopt = nlopt_.get();
-  const auto m = static_cast<unsigned>(evaluator_.problem().equalities);
-  const auto others = static_cast<unsigned>(evaluator_.problem().constraints) - m;
+  const auto m = static_cast<unsigned>(evaluator_.equalities());
+  const auto others = static_cast<unsigned>(evaluator_.constraints()) - m;
   if (m > 0) {
     const std::vector<double> tolerances(m, equality_tolerance);
     nlopt_add_equality_mconstraint(nlopt, m, equalities, this, tolerances.data());
   }
   if (others == 0) return;
-  if (algorithm_.id == NLOPT_GN_AGS) {  // which takes them one by one, ten at most
+  if (algorithm_.id == NLOPT_GN_AGS) {  // it takes them one by one, at most ten
     nlopt_add_inequality_constraint(nlopt, largest_inequality, this, 0.0);
   } else {
     nlopt_add_inequality_mconstraint(nlopt, others, inequalities, this, nullptr);
@@ -87,11 +87,11 @@ void NloptSearch::end(const char* why) {
   nlopt_force_stop(nlopt_.get());
 }
 
-/// What is to be seen at a point; `slopes` asks for derivatives too.
+/// Objective and constraints at a point; `slopes` asks for derivatives too.
 Derivatives NloptSearch::look(const double* point, bool slopes, Part part) {
-  // No exception may cross NLopt, which is C.
+  // No exception may pass through NLopt, which is C.
   try {
-    const Vector u = Eigen::Map<const Vector>(point, evaluator_.problem().dimension());
+    const Vector u = Eigen::Map<const Vector>(point, evaluator_.dimension());
     std::optional<Derivatives> seen;
     if (slopes) {
       seen = box_.derivatives(u, part);
@@ -112,10 +112,10 @@ Derivatives NloptSearch::look(const double* point, bool slopes, Part part) {
   return no_number();
 }
 
-/// What is shown where there is no number, or nothing more to be seen.
+/// What NLopt gets if a value is not finite or the run is over.
 Derivatives NloptSearch::no_number() const {
-  const Eigen::Index n = evaluator_.problem().dimension();
-  const Eigen::Index m = evaluator_.problem().constraints;
+  const Eigen::Index n = evaluator_.dimension();
+  const Eigen::Index m = evaluator_.constraints();
   const bool mild = algorithm_.no_number == NloptAlgorithm::NoNumber::is_the_worst_so_far;
   const Values values{mild ? worst_ : HUGE_VAL, Vector::Constant(m, mild ? 1 : HUGE_VAL)};
   return {values, Vector::Zero(n), Matrix::Zero(m, n)};
@@ -142,24 +142,24 @@ void NloptSearch::inequalities(unsigned, double* result, unsigned, const double*
   static_cast<NloptSearch*>(self)->constraints(Part::inequalities, result, u, jacobian);
 }
 
-/// One kind of the constraints: equalities come first.
+/// Equalities or inequalities, as chosen by `part`.
 void NloptSearch::constraints(Part part, double* result, const double* u, double* jacobian) {
-  const Problem& problem = evaluator_.problem();
-  const Eigen::Index first = part == Part::equalities ? 0 : problem.equalities;
-  const Eigen::Index end = part == Part::equalities ? problem.equalities : problem.constraints;
+  const Eigen::Index m = evaluator_.equalities();
+  const Eigen::Index first = part == Part::equalities ? 0 : m;
+  const Eigen::Index end = part == Part::equalities ? m : evaluator_.constraints();
   const Eigen::Index count = end - first;
   const Derivatives seen = look(u, jacobian, part);
   Eigen::Map<Vector>(result, count) = seen.values.constraints.segment(first, count);
   if (jacobian) {
-    Eigen::Map<RowMajor>(jacobian, count, problem.dimension()) =
+    Eigen::Map<RowMajor>(jacobian, count, evaluator_.dimension()) =
         seen.jacobian.middleRows(first, count);
   }
 }
 
-SolverExit NloptSearch::from(const Vector& start) {
+SolverTermination NloptSearch::from(const Vector& start) {
   Vector u = box_.to_unit(start).cwiseMax(0.0).cwiseMin(1.0);
   // NLopt 2.7.1 reads beyond its memory when DIRECT is stopped at its first point, the middle. So
-  // that is looked at beforehand; the evaluator remembers it.
+  // that point is evaluated beforehand; the evaluator remembers it.
   if (algorithm_.is_original_direct()) {
     const Vector middle = Vector::Constant(u.size(), 0.5);
     look(middle.data(), false, Part::nothing);

@@ -12,12 +12,12 @@
 
 namespace ricochet {
 
-/// One call of nlopt_optimize in the unit cube, seen from inside its callbacks.
+/// One call of nlopt_optimize in the unit cube, with its callbacks.
 class NloptSearch {
  public:
   NloptSearch(const NloptAlgorithm& algorithm, Evaluator& evaluator);
 
-  SolverExit from(const Vector& start);
+  SolverTermination from(const Vector& start);
 
  private:
   using Handle = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-#include "solvers/unit_box.h"
 #include "src/core/error.h"
 #include "src/core/one_line.h"
 
@@ -36,13 +36,12 @@ Solver solver_as_claimed(const Claims& claims, const std::string& source) {
   solver.name = name;
   solver.version = one_line(claims.version);
   solver.stochastic = claims.stochastic;
-  solver.accepts = [takes = claims.takes_constraints, derivatives = claims.needs_derivatives,
-                    residuals = claims.needs_residuals](const Problem& problem) {
-    const bool can =
-        takes == 2 || (takes == 1 && problem.equalities == 0) || problem.constraints == 0;
-    return can && has_room(problem) && (!derivatives || problem.differentiate) &&
-           (!residuals || problem.residuals);
-  };
+  using Constraints = Capabilities::Constraints;
+  solver.capabilities.constraints =
+      std::array{Constraints::none, Constraints::inequalities,
+                 Constraints::all}[static_cast<std::size_t>(claims.takes_constraints)];
+  if (claims.needs_derivatives) solver.capabilities.derivatives = Capabilities::Order::gradient;
+  solver.capabilities.needs_residuals = claims.needs_residuals;
   return solver;
 }
 

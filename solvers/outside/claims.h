@@ -6,7 +6,7 @@
 
 namespace ricochet::outside {
 
-/// What a solver from outside says of itself.
+/// What an external solver declares about itself.
 struct Claims {
   std::string name, version;
   int takes_constraints = 0;  ///< 0: none; 1: inequalities; 2: equalities, too
@@ -15,8 +15,8 @@ struct Claims {
   bool stochastic = false;
 };
 
-/// A solver that is as it claims; what it does is left open. Throws InputError, naming `source`,
-/// for a name that could not stand in a list of names, or a claim out of its range.
+/// A solver with these claims; its `solve` is left empty. Throws InputError, naming `source`, for a
+/// name that cannot stand in a list of names, or a claim out of range.
 Solver solver_as_claimed(const Claims& claims, const std::string& source);
 
 }  // namespace ricochet::outside

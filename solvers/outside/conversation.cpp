@@ -19,11 +19,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::seconds patience{60};  // imports of a large library take long
-constexpr int most_asked_when_over = 500;     // as of every solver; see its tests
+constexpr std::chrono::seconds patience{60};  // importing a large library takes long
+constexpr int most_asked_when_over = 500;     // the same for every solver; see the tests
 constexpr std::size_t shown_of_a_line = 80;   // bytes
 
-/// One line of a program, an object with no keys but those allowed.
+/// One line of a program: an object with allowed keys only.
 class Message {
  public:
   Message(const LineProgram& program, std::string_view line)
@@ -44,8 +44,8 @@ class Message {
   bool has(const char* key) const { return content_.contains(key); }
   const Json& operator[](const char* key) const { return content_[key]; }
 
-  /// What the key holds, or `otherwise` where it is not there; `is` says whether it is of the type
-  /// that is described.
+  /// The value of the key, or `otherwise` if it is missing; `is` checks that it has the described
+  /// type.
   template <class T>
   T get(const char* key, T otherwise, bool (Json::*is)() const noexcept, const char* type) const {
     if (!has(key)) return otherwise;
@@ -99,28 +99,26 @@ Json rows_of(const Matrix& matrix) {
 }
 
 void send(LineProgram& program, const Json& message) {
-  // Names of problems are the user's own: what is no UTF-8 in them is replaced.
+  // Names of problems come from the user: invalid UTF-8 in them is replaced.
   program.send(message.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Json description_of(Evaluator& evaluator, const Vector& start, std::uint32_t seed) {
-  const Problem& problem = evaluator.problem();
   return {{"ricochet", 1},
-          {"name", problem.name},
-          {"dimension", problem.dimension()},
-          {"lower", list_of(problem.lower)},
-          {"upper", list_of(problem.upper)},
+          {"name", evaluator.name()},
+          {"dimension", evaluator.dimension()},
+          {"lower", list_of(evaluator.lower())},
+          {"upper", list_of(evaluator.upper())},
           {"start", list_of(start)},
-          {"constraints", problem.constraints},
-          {"equalities", problem.equalities},
-          {"derivatives", static_cast<bool>(problem.differentiate)},
-          {"residuals", static_cast<bool>(problem.residuals)},
+          {"constraints", evaluator.constraints()},
+          {"equalities", evaluator.equalities()},
+          {"derivatives", evaluator.has_derivatives()},
+          {"residuals", evaluator.has_residuals()},
           {"budget", evaluator.remaining()},
           {"seed", seed}};
 }
 
-/// The residuals at a point, with their Jacobian if derivatives are wanted, too; nothing once the
-/// run is over.
+/// The residuals at a point, with their Jacobian if `derivatives`; nothing once the run is over.
 std::optional<Json> told_residuals(Evaluator& evaluator, const Vector& x, bool derivatives) {
   if (!derivatives) {
     const auto values = evaluator.residual_values(x);
@@ -133,7 +131,7 @@ std::optional<Json> told_residuals(Evaluator& evaluator, const Vector& x, bool d
               {"residual_jacobian", rows_of(known->jacobian)}};
 }
 
-/// What is told of a point; nothing once the run is over.
+/// The reply for one point; nothing once the run is over.
 std::optional<Json> told(Evaluator& evaluator, const Vector& x, bool derivatives) {
   if (!derivatives) {
     const auto values = evaluator.values(x);
@@ -148,18 +146,18 @@ std::optional<Json> told(Evaluator& evaluator, const Vector& x, bool derivatives
               {"jacobian", rows_of(known->jacobian)}};
 }
 
-/// The answer to what is asked: of a batch, what is told of each point in turn, key by key; nothing
+/// The reply to a request: for a batch, the replies for each point in order, key by key; nothing
 /// once the run is over.
 std::optional<Json> answer(Evaluator& evaluator, const Message& message) {
   message.allow({"ask", "derivatives", "residuals"});
-  const Eigen::Index dimension = evaluator.problem().dimension();
+  const Eigen::Index dimension = evaluator.dimension();
   const Json& asked = message["ask"];
   const bool derivatives = message.flag("derivatives");
   const bool residuals = message.flag("residuals");
-  if (residuals && !evaluator.problem().residuals) {
+  if (residuals && !evaluator.has_residuals()) {
     message.refuse("wants residuals, but the problem has none");
   }
-  if (derivatives && !residuals && !evaluator.problem().differentiate) {
+  if (derivatives && !residuals && !evaluator.has_derivatives()) {
     message.refuse("wants derivatives, but the problem has none");
   }
   const auto told_of = [&](const Json& list) {
@@ -181,11 +179,11 @@ std::optional<Json> answer(Evaluator& evaluator, const Message& message) {
   return result;
 }
 
-SolverExit exit_of(const Evaluator& evaluator, const Message& message) {
+SolverTermination exit_of(const Evaluator& evaluator, const Message& message) {
   message.allow({"done", "point"});
-  SolverExit exit{one_line(message.text("done"))};
+  SolverTermination exit{one_line(message.text("done"))};
   if (message.has("point")) {
-    exit.point = message.point("point", message["point"], evaluator.problem().dimension());
+    exit.point = message.point("point", message["point"], evaluator.dimension());
   }
   if (evaluator.over()) exit.reason = stopped_by_evaluator;
   return exit;
@@ -207,8 +205,8 @@ Claims greeting_of(LineProgram& program) {
           greeting.flag("stochastic")};
 }
 
-std::optional<SolverExit> converse(LineProgram& program, Evaluator& evaluator, const Vector& start,
-                                   std::uint32_t seed) {
+std::optional<SolverTermination> converse(LineProgram& program, Evaluator& evaluator,
+                                          const Vector& start, std::uint32_t seed) {
   if (program.has_spoken()) {
     throw std::runtime_error(
         fmt::format("spoke after output line {}, when it was done", program.lines()));
@@ -221,7 +219,7 @@ std::optional<SolverExit> converse(LineProgram& program, Evaluator& evaluator, c
     if (evaluator.over()) limit = Patience{patience, "it was told to stop"};
     const auto line = program.line(limit);
     if (!line && program.lines() == lines_before) return std::nullopt;
-    if (!line && evaluator.over()) return SolverExit{stopped_by_evaluator};
+    if (!line && evaluator.over()) return SolverTermination{stopped_by_evaluator};
     if (!line)
       throw std::runtime_error(program.how_it_ended() + ", and has not said that it is done");
     const Message message(program, *line);

@@ -20,11 +20,12 @@ namespace ricochet::outside {
 namespace {
 
 constexpr std::size_t longest_line = 4 << 20;  // bytes
-constexpr std::size_t chunk = 1 << 16;         // bytes: what a pipe holds
+constexpr std::size_t chunk = 1 << 16;         // bytes: the capacity of a pipe
 constexpr int grace = 1000;                    // ms, for a program to end by itself
 constexpr int forever = -1;
 
-/// While it lives, a write to a program that has ended is an error, and not the end of ours.
+/// While this object lives, writing to a program that has ended is an error and does not end
+/// ricochet.
 class WithoutBrokenPipes {
  public:
   WithoutBrokenPipes() {
@@ -52,14 +53,15 @@ class WithoutBrokenPipes {
 
 void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
   int ends[2] = {};
-  if (pipe2(ends, O_CLOEXEC) != 0) refuse("pipe");  // no other program holds them open
+  if (pipe2(ends, O_CLOEXEC) != 0) refuse("pipe");  // not inherited by other programs
   end_to_read.take(ends[0]);
   end_to_write.take(ends[1]);
 }
 
-/// Becomes the program. Between fork and exec only what is safe in a signal handler.
+/// Replaces this process by the program. Between fork and exec only async-signal-safe calls are
+/// allowed.
 [[noreturn]] void become(char* const* arguments, int input, int output, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a solver that hangs shall not outlive a run that is killed
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // if the run is killed, a hanging solver ends too
   if (getppid() != parent) _exit(127);
   dup2(input, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
@@ -67,7 +69,7 @@ void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);
-  std::signal(SIGINT, SIG_IGN);  // a Ctrl-C ends ricochet, which has the last word, and so this
+  std::signal(SIGINT, SIG_IGN);  // a Ctrl-C ends ricochet, which then ends this program
   execvp(arguments[0], arguments);
   _exit(errno == ENOENT ? 127 : 126);
 }
@@ -97,15 +99,15 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
   child_ = fork();
   if (child_ < 0) refuse("fork");
   if (child_ == 0) become(pointers.data(), its_input.number(), its_output.number(), maker_);
-  // By its number: glibc 2.36 does not declare pidfd_open for C++. -1 on an old kernel, where the
-  // end of the output must do.
+  // By its number: glibc 2.36 does not declare pidfd_open for C++. It returns -1 on an old kernel;
+  // then the end of the output signals the end of the program.
   process_.take(static_cast<int>(syscall(SYS_pidfd_open, child_, 0)));
 }
 
 LineProgram::~LineProgram() {
-  if (getpid() != maker_) return;  // in a copy of the process that started it
+  if (getpid() != maker_) return;  // in a forked copy of the process that started it
   input_.close();
-  output_.close();  // so that one that is still writing ends, too
+  output_.close();  // so that a program that is still writing also ends
   if (!ends_within(grace)) {
     kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);
@@ -137,19 +139,19 @@ std::string LineProgram::how_it_ended() {
   return fmt::format("ended with exit code {}{}", code, usual);
 }
 
-/// Reads what there is, once there is something, into read_. Returns false at the limit; at the end
-/// of the output sets at_end_.
+/// Waits for output and reads it into read_. Returns false at the time limit; sets at_end_ at the
+/// end of the output.
 bool LineProgram::read_more(int limit_in_milliseconds) {
   read_.erase(0, begin_);
   begin_ = 0;
-  // What a program started may hold its output open after it has ended.
+  // A process that the program started may keep the output open after the program has ended.
   pollfd ends[] = {{output_.number(), POLLIN, 0}, {process_.number(), POLLIN, 0}};
   if (poll(ends, 2, limit_in_milliseconds) == 0) return false;
-  if (ends[0].revents == 0 && poll(ends, 1, 0) == 0) {  // nor did it write just before
+  if (ends[0].revents == 0 && poll(ends, 1, 0) == 0) {  // nothing written just before either
     at_end_ = true;
     return true;
   }
-  char piece[chunk];  // NOLINT: not filled with zeros, which would take longer than to read
+  char piece[chunk];  // NOLINT: not zeroed, which would take longer than reading
   const ssize_t count = ::read(output_.number(), piece, chunk);
   read_.append(piece, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   at_end_ = count == 0 || (count < 0 && errno != EINTR);
@@ -184,7 +186,8 @@ bool LineProgram::has_spoken() {
   return poll(&end, 1, 0) == 1 && (end.revents & POLLIN) != 0;
 }
 
-/// Returns when it takes more, and reads on meanwhile: it may do the same.
+/// Waits until the program accepts more, and reads meanwhile: the program may also be waiting to
+/// write.
 void LineProgram::wait_to_send() {
   pollfd ends[] = {{input_.number(), POLLOUT, 0}, {output_.number(), POLLIN, 0}};
   poll(ends, 2, forever);

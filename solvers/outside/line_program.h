@@ -11,7 +11,7 @@
 
 namespace ricochet::outside {
 
-/// A file descriptor that is closed when it goes.
+/// A file descriptor that is closed on destruction.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -27,48 +27,49 @@ class Descriptor {
   int number_;  // -1: none
 };
 
-/// How long a line is waited for, and after what.
+/// Time limit for a line, and the event it is counted from.
 struct Patience {
   std::chrono::seconds limit;
   const char* after;  ///< e.g. "it was started"
 };
 
-/// A program that lines are exchanged with, through its standard input and output. Its standard
-/// error is ours. For the thread that started it alone; it ends when that thread does, at the
-/// latest.
+/// A program that exchanges lines with ricochet through its standard input and output. Its standard
+/// error is that of ricochet. Only the thread that started it may use it; the program ends at the
+/// latest with that thread.
 ///
-/// A program that writes without reading, ends, or closes its streams blocks nobody. One that does
-/// nothing at all is waited for, unless there is a limit.
+/// A program that writes without reading, ends, or closes its streams blocks no one. One that does
+/// nothing is waited for, unless there is a limit.
 class LineProgram {
  public:
-  /// Starts arguments[0], found on PATH. Throws std::system_error if the system has no room for it.
-  /// A program that is not there ends with exit code 127.
+  /// Starts arguments[0], found on PATH. Throws std::system_error if the system has no resources
+  /// for it. A program that does not exist ends with exit code 127.
   explicit LineProgram(std::vector<std::string> arguments);
 
-  /// Closes its standard streams, and ends it where it does not do so itself within a second.
+  /// Closes the program's standard streams, and kills it if it does not end within a second.
   ~LineProgram();
   LineProgram(const LineProgram&) = delete;
   LineProgram& operator=(const LineProgram&) = delete;
 
-  /// Sends text that ends in a newline. What a program does not take because it ended is lost: the
-  /// next line() says so. Throws std::runtime_error where it writes 4 MiB without reading.
+  /// Sends text that ends in a newline. Text to a program that has ended is lost; the next line()
+  /// reports that end. Throws std::runtime_error if the program writes 4 MiB without reading.
   void send(std::string_view text);
 
-  /// Its next line, without the newline, until the next call of line() or send(); nothing once it
-  /// has ended. Throws std::runtime_error where a line is longer than 4 MiB, or none comes within
-  /// the limit.
+  /// The program's next line, without the newline, valid until the next call of line() or send();
+  /// nothing if the program has ended. Throws std::runtime_error if a line is longer than 4 MiB, or
+  /// if none comes within the limit.
   std::optional<std::string_view> line(const std::optional<Patience>& patience = std::nullopt);
 
-  /// Lines that it has written so far, and that were read.
+  /// The number of lines written by the program and read so far.
   int lines() const { return lines_; }
 
-  /// Whether it has written what nobody has read.
+  /// Returns true if the program has written output that is not yet read.
   bool has_spoken();
 
-  /// Whether it was started by the calling thread of this very process.
+  /// Returns true if the calling thread of this very process started it.
   bool is_of_this_thread() const;
 
-  /// "ended with exit code 1": how it did, once line() returned nothing.
+  /// How the program ended, e.g. "ended with exit code 1"; to be called after line() returned
+  /// nothing.
   std::string how_it_ended();
 
  private:
@@ -79,13 +80,13 @@ class LineProgram {
   const pid_t maker_;
   const std::thread::id thread_;
   pid_t child_ = 0;
-  bool ended_ = false;  // and was waited for
+  bool ended_ = false;  // and its exit status was collected
   int status_ = 0;
-  Descriptor process_;  // readable once it has ended
+  Descriptor process_;  // readable once the program has ended
   Descriptor input_, output_;
-  std::string read_;  // and not yet handed out, from begin_ on
+  std::string read_;  // read but not yet returned, from begin_ on
   std::size_t begin_ = 0;
-  bool at_end_ = false;  // of what it writes
+  bool at_end_ = false;  // of its output
   int lines_ = 0;
 };
 

@@ -30,7 +30,7 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-/// The programs that wait for a start, each for the thread that it was started by.
+/// Started programs that wait for a start, each for the thread that started it.
 class WaitingPrograms {
  public:
   explicit WaitingPrograms(const std::string& command) : words_(words_of(command)) {}
@@ -41,7 +41,7 @@ class WaitingPrograms {
     return program;
   }
 
-  /// A program of this thread, or null where none waits.
+  /// A program of this thread, or null if none waits.
   std::unique_ptr<LineProgram> take() {
     const std::scoped_lock lock(mutex_);
     const auto found = std::find_if(waiting_.begin(), waiting_.end(),
@@ -63,11 +63,11 @@ class WaitingPrograms {
   std::vector<std::unique_ptr<LineProgram>> waiting_;
 };
 
-/// One start. A program that ended after the last one is started anew.
-SolverExit solve(WaitingPrograms& programs, Evaluator& evaluator, const Vector& start,
-                 Random& random) {
+/// One start. If the program ended after the last start, it is started again.
+SolverTermination solve(WaitingPrograms& programs, Evaluator& evaluator, const Vector& start,
+                        Random& random) {
   const auto seed = static_cast<std::uint32_t>(random() >> 32U);
-  std::optional<SolverExit> exit;
+  std::optional<SolverTermination> exit;
   std::unique_ptr<LineProgram> program = programs.take();
   if (program) exit = converse(*program, evaluator, start, seed);
   if (!exit) {

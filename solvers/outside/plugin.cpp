@@ -48,7 +48,7 @@ Claims claims_of(const ricochet_solver& exported, const std::string& path) {
           exported.stochastic != 0};
 }
 
-/// Nothing that is thrown on refers to the library.
+/// An exception thrown from here holds no reference to the library.
 const char* solved(const ricochet_solver& exported, ricochet_problem* problem, Vector& point,
                    const std::string& path) {
   try {
@@ -71,14 +71,13 @@ Solver plugin(const std::string& path) {
   return solver;
 }
 
-SolverExit solve_by(const ricochet_solver& exported, const std::string& path, Evaluator& evaluator,
-                    const Vector& start, Random& random) {
-  interface::SeenProblem problem(evaluator, random);
-  problem.start = start.data();
+SolverTermination solve_by(const ricochet_solver& exported, const std::string& path,
+                           Evaluator& evaluator, const Vector& start, Random& random) {
+  interface::SeenProblem problem(evaluator, start, random);
   Vector point = start;
   const char* said = solved(exported, &problem, point, path);
   if (problem.failure()) std::rethrow_exception(problem.failure());
-  SolverExit exit{said != nullptr ? one_line(said) : "done"};
+  SolverTermination exit{said != nullptr ? one_line(said) : "done"};
   if (evaluator.over()) exit.reason = stopped_by_evaluator;
   if (point != start) exit.point = point;
   return exit;

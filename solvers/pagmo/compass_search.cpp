@@ -9,17 +9,17 @@ namespace {
 constexpr double first_step = 0.25;  // of the box
 constexpr double shrinkage = 0.5;
 
-SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
-                    Random& random) {
+SolverTermination minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
+                           Random& random) {
   UnitBox box(evaluator);
   pagmo::compass_search(endless, number_of(given, "initial_step", first_step), pagmo_step_tolerance,
                         number_of(given, "shrinkage", shrinkage))
-      .evolve(population_of(box, evaluator.problem(), start, 1, random));
+      .evolve(population_of(box, start, 1, random));
   return {converged};
 }
 
 Solver compass_search(const GivenOptions& given) {
-  Solver solver = pagmo_solver("compass-search", Takes::both,
+  Solver solver = pagmo_solver("compass-search", pagmo_all_constraints,
                                [=](Evaluator& evaluator, const Vector& start, Random& random) {
                                  return minimise(given, evaluator, start, random);
                                });

@@ -8,7 +8,7 @@
 namespace ricochet {
 namespace {
 
-/// From the best point to the worst, along all axes together.
+/// The distance from the best point to the worst, summed over the axes.
 double spread(const pagmo::population& population) {
   const pagmo::vector_double best = population.get_x()[population.best_idx()];
   const pagmo::vector_double worst = population.get_x()[population.worst_idx()];
@@ -19,17 +19,17 @@ double spread(const pagmo::population& population) {
 
 constexpr double weight = 0.8, crossover = 0.9;  // pagmo's own defaults, as is the rest
 
-SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
-                    Random& random) {
+SolverTermination minimise_constrained(const GivenOptions& given, Evaluator& evaluator,
+                                       const Vector& start, Random& random) {
   UnitBox box(evaluator);
-  pagmo::population population = population_of(box, evaluator.problem(), start,
-                                               size_of(given, usual_size(start.size())), random);
+  pagmo::population population =
+      population_of(box, start, size_of(given, usual_size(start.size())), random);
   constexpr unsigned rand_1_exp = 2;
   const pagmo::de generation(1, number_of(given, "weight", weight),
                              number_of(given, "crossover", crossover), rand_1_exp, 0.0, 0.0,
                              seed_from(random));
   const pagmo::cstrs_self_adaptive algorithm(1, generation, seed_from(random));
-  // pagmo remembers the points of a generation: it asks for none where they are all alike.
+  // pagmo remembers the points of a generation and evaluates none if they are all equal.
   unsigned long long asked = 0;
   while (population.get_problem().get_fevals() > asked &&
          spread(population) >= pagmo_step_tolerance) {
@@ -40,9 +40,9 @@ SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vecto
 }
 
 Solver constrained_de(const GivenOptions& given) {
-  return pagmo_solver("constrained-de", Takes::constrained,
+  return pagmo_solver("constrained-de", pagmo_needs_constraints,
                       [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise(given, evaluator, start, random);
+                        return minimise_constrained(given, evaluator, start, random);
                       });
 }
 

@@ -8,7 +8,7 @@
 namespace ricochet {
 namespace {
 
-constexpr double weight = 0.8, crossover = 0.9;  // pagmo's own defaults
+constexpr double de_weight = 0.8, de_crossover = 0.9;  // pagmo's own defaults
 constexpr unsigned rand_1_exp = 2;
 constexpr unsigned jde = 1;
 
@@ -21,8 +21,8 @@ unsigned adaptation_of(const GivenOptions& given) {
 }
 
 pagmo::de plain(const GivenOptions& given, unsigned seed) {
-  return pagmo::de(endless, number_of(given, "weight", weight),
-                   number_of(given, "crossover", crossover), variant_of(given),
+  return pagmo::de(endless, number_of(given, "weight", de_weight),
+                   number_of(given, "crossover", de_crossover), variant_of(given),
                    pagmo_value_tolerance, pagmo_step_tolerance, seed);
 }
 
@@ -39,17 +39,17 @@ pagmo::de1220 choosing(const GivenOptions& given, unsigned seed) {
 template <auto algorithm>
 Solver made(const std::string& name, const GivenOptions& given) {
   return pagmo_solver(
-      name, Takes::unconstrained,
-      [given](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
+      name, pagmo_bounds_only,
+      [given](Evaluator& evaluator, const Vector& start, Random& random) -> SolverTermination {
         UnitBox box(evaluator);
-        const pagmo::population population = population_of(
-            box, evaluator.problem(), start, size_of(given, usual_size(start.size())), random);
+        const pagmo::population population =
+            population_of(box, start, size_of(given, usual_size(start.size())), random);
         algorithm(given, seed_from(random)).evolve(population);
         return {converged};
       });
 }
 
-/// pagmo's numbers from 1 on.
+/// An option with pagmo's numbers, from 1 on.
 SolverOption kind_option(const std::string& name, int most, unsigned usual) {
   SolverOption option = whole_option(name, 1, static_cast<int>(usual));
   option.most = most;
@@ -74,7 +74,7 @@ std::vector<AdjustableSolver> adjustable_pagmo_de() {
   const SolverOption adaptation = kind_option("adaptation", 2, jde);
   const SolverOption population = population_option(7, usual_size_in_words);
   return {{"pagmo-de",
-           {real_option("weight", 0, 1, weight), real_option("crossover", 0, 1, crossover),
+           {real_option("weight", 0, 1, de_weight), real_option("crossover", 0, 1, de_crossover),
             kind_option("variant", 10, rand_1_exp), population_option(5, usual_size_in_words)},
            [](const GivenOptions& given) { return made<plain>("de", given); }},
           {"pagmo-sade",

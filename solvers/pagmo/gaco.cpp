@@ -8,8 +8,8 @@
 namespace ricochet {
 namespace {
 
-/// The highest objective of the population, points without a number left out: with this as pagmo's
-/// oracle what is feasible comes first.
+/// The highest objective of the population, without points that are not finite. With this value as
+/// pagmo's oracle, feasible points come first.
 double highest(const pagmo::population& population) {
   double highest = std::numeric_limits<double>::lowest();
   for (const pagmo::vector_double& values : population.get_f()) {
@@ -18,13 +18,13 @@ double highest(const pagmo::population& population) {
   return highest;
 }
 
-SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
-                    Random& random) {
+SolverTermination minimise_by_gaco(const GivenOptions& given, Evaluator& evaluator,
+                                   const Vector& start, Random& random) {
   UnitBox box(evaluator);
   const Eigen::Index size = size_of(given, usual_size(start.size()));
-  const pagmo::population population = population_of(box, evaluator.problem(), start, size, random);
-  constexpr double spread = 1;                             // pagmo's own default
-  constexpr double accuracy = 0;                           // two values differ, however little
+  const pagmo::population population = population_of(box, start, size, random);
+  constexpr double spread = 1;    // pagmo's own default
+  constexpr double accuracy = 0;  // two values differ if they are not equal
   constexpr unsigned threshold = 1, marks = 7, never = 0;  // pagmo's own defaults
   const int kernel =
       std::min(whole_of(given, "kernel", static_cast<int>(size)), static_cast<int>(size));
@@ -35,9 +35,9 @@ SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vecto
 }
 
 Solver gaco(const GivenOptions& given) {
-  return pagmo_solver("gaco", Takes::both,
+  return pagmo_solver("gaco", pagmo_all_constraints,
                       [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise(given, evaluator, start, random);
+                        return minimise_by_gaco(given, evaluator, start, random);
                       });
 }
 

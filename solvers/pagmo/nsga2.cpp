@@ -10,11 +10,11 @@
 namespace ricochet {
 namespace {
 
-constexpr double crossover = 0.95;      // its probability, and
-constexpr double crossover_index = 10;  // how near the parents: pagmo's own
-constexpr double mutation_index = 20;   // Deb's
+constexpr double nsga2_crossover = 0.95;  // probability
+constexpr double crossover_index = 10;    // closeness to the parents: pagmo's own
+constexpr double mutation_index = 20;     // Deb's
 
-/// The goals, as pagmo wants to be told; it copies this. Every point goes into the front.
+/// The goals with pagmo's interface; pagmo copies this. Every point evaluated goes into the front.
 struct ToldGoals {
   const SeveralGoals* problem = nullptr;
   Front* front = nullptr;
@@ -57,8 +57,8 @@ Front nsga2_front(const SeveralGoals& problem, const FrontSearch& search) {
     population.push_back(uniform_in_cube(problem.variables, random));
   }
   const double mutation = 1.0 / static_cast<double>(problem.variables);
-  pagmo::nsga2(static_cast<unsigned>(search.generations), crossover, crossover_index, mutation,
-               mutation_index, static_cast<unsigned>(random()))
+  pagmo::nsga2(static_cast<unsigned>(search.generations), nsga2_crossover, crossover_index,
+               mutation, mutation_index, static_cast<unsigned>(random()))
       .evolve(population);
   return front;
 }

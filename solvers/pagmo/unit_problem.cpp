@@ -7,7 +7,7 @@
 #include <pagmo/problem.hpp>
 #include <utility>
 
-#include "src/core/instance.h"
+#include "src/core/random.h"
 
 namespace ricochet {
 namespace {
@@ -15,18 +15,12 @@ namespace {
 /// Thrown through pagmo.
 struct Refused {};
 
-bool accepts(Takes takes, const Problem& problem) {
-  if (!has_room(problem)) return false;
-  if (takes == Takes::both) return true;
-  return (problem.constraints > 0) == (takes == Takes::constrained);
-}
-
 }  // namespace
 
 pagmo::vector_double UnitProblem::fitness(const pagmo::vector_double& u) const {
   const auto values = box_->values(Eigen::Map<const Vector>(u.data(), std::ssize(u)));
   if (box_->over()) throw Refused();
-  pagmo::vector_double result(1 + static_cast<std::size_t>(problem_->constraints),
+  pagmo::vector_double result(1 + static_cast<std::size_t>(box_->evaluator().constraints()),
                               without_a_number);
   if (values && finite(*values)) {
     result.front() = values->objective;
@@ -36,34 +30,35 @@ pagmo::vector_double UnitProblem::fitness(const pagmo::vector_double& u) const {
 }
 
 std::pair<pagmo::vector_double, pagmo::vector_double> UnitProblem::get_bounds() const {
-  const auto n = static_cast<std::size_t>(problem_ ? problem_->dimension() : 1);
+  const auto n = static_cast<std::size_t>(box_ ? box_->evaluator().dimension() : 1);
   return {pagmo::vector_double(n, 0.0), pagmo::vector_double(n, 1.0)};
 }
 
 pagmo::vector_double::size_type UnitProblem::get_nec() const {
-  return problem_ ? static_cast<std::size_t>(problem_->equalities) : 0;
+  return box_ ? static_cast<std::size_t>(box_->evaluator().equalities()) : 0;
 }
 
 pagmo::vector_double::size_type UnitProblem::get_nic() const {
-  return problem_ ? static_cast<std::size_t>(problem_->constraints - problem_->equalities) : 0;
+  return box_ ? static_cast<std::size_t>(box_->evaluator().constraints()) - get_nec() : 0;
 }
 
 unsigned seed_from(Random& random) {
   return static_cast<unsigned>(random());
 }
 
-pagmo::population population_of(UnitBox& box, const Problem& problem, const Vector& start,
-                                Eigen::Index size, Random& random) {
-  pagmo::problem shown(UnitProblem(&box, &problem));
+pagmo::population population_of(UnitBox& box, const Vector& start, Eigen::Index size,
+                                Random& random) {
+  const Evaluator& evaluator = box.evaluator();
+  pagmo::problem shown{UnitProblem(&box)};
   pagmo::vector_double tolerances(shown.get_nc(), 0.0);
-  std::fill_n(tolerances.begin(), problem.equalities, equality_tolerance);
+  std::fill_n(tolerances.begin(), evaluator.equalities(), equality_tolerance);
   shown.set_c_tol(tolerances);
   pagmo::population population(shown, 0, seed_from(random));
   Vector x = start;
   for (Eigen::Index i = 0; i < size; ++i) {
     const Vector u = box.to_unit(x).cwiseMax(0.0).cwiseMin(1.0);
     population.push_back(pagmo::vector_double(u.begin(), u.end()));
-    x = uniform_point(problem, random);
+    x = uniform_point(evaluator.lower(), evaluator.upper(), random);
   }
   return population;
 }
@@ -86,14 +81,14 @@ SolverOption population_option(int least, const std::string& usual) {
   return option;
 }
 
-Solver pagmo_solver(const std::string& name, Takes takes, Minimise minimise) {
+Solver pagmo_solver(const std::string& name, const Capabilities& capabilities, Minimise minimise) {
   Solver solver;
   solver.name = "pagmo-" + name;
   solver.version = "pagmo " PAGMO_VERSION;
   solver.stochastic = true;
-  solver.accepts = [takes](const Problem& problem) { return accepts(takes, problem); };
+  solver.capabilities = capabilities;
   solver.solve = [minimise = std::move(minimise)](Evaluator& evaluator, const Vector& start,
-                                                  Random& random) -> SolverExit {
+                                                  Random& random) -> SolverTermination {
     try {
       return minimise(evaluator, start, random);
     } catch (const Refused&) {

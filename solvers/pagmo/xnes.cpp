@@ -8,11 +8,11 @@ namespace {
 
 constexpr double automatic = -1;
 
-SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vector& start,
-                    Random& random) {
+SolverTermination minimise_by_xnes(const GivenOptions& given, Evaluator& evaluator,
+                                   const Vector& start, Random& random) {
   UnitBox box(evaluator);
-  const pagmo::population population = population_of(
-      box, evaluator.problem(), start, size_of(given, evolution_size(start.size())), random);
+  const pagmo::population population =
+      population_of(box, start, size_of(given, evolution_size(start.size())), random);
   pagmo::xnes(endless, automatic, automatic, automatic, number_of(given, "initial_step", automatic),
               pagmo_value_tolerance, pagmo_step_tolerance, false, true, seed_from(random))
       .evolve(population);
@@ -20,9 +20,9 @@ SolverExit minimise(const GivenOptions& given, Evaluator& evaluator, const Vecto
 }
 
 Solver xnes(const GivenOptions& given) {
-  return pagmo_solver("xnes", Takes::unconstrained,
+  return pagmo_solver("xnes", pagmo_bounds_only,
                       [=](Evaluator& evaluator, const Vector& start, Random& random) {
-                        return minimise(given, evaluator, start, random);
+                        return minimise_by_xnes(given, evaluator, start, random);
                       });
 }
 

@@ -1,5 +1,5 @@
-/// What TAO's solvers are to the C interface: a shared library of its own, because PETSc's MPI and
-/// the stand-in for it that sequential Ipopt brings must not see each other.
+/// The adapter of TAO's solvers to the C interface, in a separate shared library: PETSc's MPI and
+/// the MPI stub of sequential Ipopt must not see each other's symbols.
 
 #include <petsctao.h>
 #include <ricochet/ricochet.h>
@@ -17,7 +17,7 @@
 namespace ricochet::tao {
 namespace {
 
-/// What a function of ours returns to make TAO give up at once.
+/// A callback returns this to make TAO stop at once.
 constexpr PetscErrorCode give_up = PETSC_ERR_USER;
 
 /// A problem over the unit cube, u = (x - lower) / (upper - lower).
@@ -25,9 +25,9 @@ struct Asked {
   ricochet_problem* problem;
   std::vector<double> width, x, best_x, rows, first;
   double best = std::numeric_limits<double>::infinity();
-  std::set<Vec> seen;       // those of residuals_at
-  bool over = false;        // the run is
-  bool not_finite = false;  // what was told last
+  std::set<Vec> seen;       // vectors seen by residuals_at
+  bool over = false;        // the run is over
+  bool not_finite = false;  // the last numbers sent to TAO
 
   explicit Asked(ricochet_problem* asked)
       : problem(asked), width(size()), x(asked->start, asked->start + size()) {
@@ -40,7 +40,7 @@ struct Asked {
     for (std::size_t i = 0; i < size(); ++i) x[i] = problem->lower[i] + width[i] * u[i];
   }
 
-  /// What TAO is told of a call that returned `refused`, and told of such an objective.
+  /// The return code for TAO after a call that returned `refused` with this objective.
   PetscErrorCode end(int32_t refused, double objective) {
     over = refused != 0;
     not_finite = !over && !std::isfinite(objective);
@@ -85,7 +85,7 @@ PetscErrorCode slope_at(Tao, Vec u, PetscReal* objective, Vec gradient, void* co
   return self.end(refused, *objective);
 }
 
-/// At self.x. What was asked for at the start, before TAO did, is told once more.
+/// The residuals at self.x. Those computed at the start, before TAO began, are used once more.
 PetscErrorCode tell_residuals(Asked& self, PetscScalar* values, std::size_t count) {
   if (!self.first.empty()) {
     std::copy(self.first.begin(), self.first.end(), values);
@@ -141,8 +141,8 @@ PetscErrorCode residual_slopes_at(Tao, Vec u, Mat jacobian, Mat, void* context) 
   return finite ? 0 : give_up;
 }
 
-/// Destroys a vector whoever holds it: POUNDERS forgets those that it has just made if its function
-/// gives up.
+/// Destroys a vector however many references it has: POUNDERS leaks the vectors it has just made if
+/// its function fails.
 void destroy(Vec vec) {
   PetscInt holders = 0;
   PetscObjectGetReference(reinterpret_cast<PetscObject>(vec), &holders);
@@ -152,7 +152,7 @@ void destroy(Vec vec) {
   }
 }
 
-/// One start, and all that it holds of PETSc's.
+/// One start, with all PETSc objects that it owns.
 class Search {
  public:
   explicit Search(Asked& asked) : asked_(asked) {}
@@ -184,7 +184,7 @@ class Search {
     PetscCall(TaoSetSolution(tao_, u_));
     PetscCall(TaoSetVariableBounds(tao_, lower_, upper_));
     PetscCall(TaoSetMaximumIterations(tao_, std::numeric_limits<PetscInt>::max()));
-    // POUNDERS makes room for all at once; no run comes near a million.
+    // POUNDERS allocates for all evaluations at once; no run comes near a million.
     const std::int64_t left = asked_.problem->remaining(asked_.problem);
     const auto most = static_cast<PetscInt>(std::clamp<std::int64_t>(left, 0, 1'000'000));
     return TaoSetMaximumFunctionEvaluations(tao_, most + 1);
@@ -199,7 +199,7 @@ class Search {
     const PetscInt count = asked_.problem->residual_count(asked_.problem, asked_.x.data());
     asked_.over = count == 0;
     if (asked_.over) return give_up;
-    // POUNDERS loses memory if its first call fails.
+    // POUNDERS leaks memory if its first call fails.
     std::vector<double> first(static_cast<std::size_t>(count));
     PetscCall(tell_residuals(asked_, first.data(), first.size()));
     asked_.first = first;
@@ -226,7 +226,7 @@ class Search {
 };
 
 const char* search(Asked& asked, TaoType type, PetscErrorCode (Search::*show)()) {
-  static std::mutex one_at_a_time;  // PETSc knows no threads
+  static std::mutex one_at_a_time;  // PETSc is not thread-safe
   const std::lock_guard lock(one_at_a_time);
   if (!initialised()) return "PETSc could not be initialised";
   Search search(asked);

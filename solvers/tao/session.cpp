@@ -12,8 +12,8 @@
 namespace ricochet::tao {
 namespace {
 
-/// Sets environment variables, or removes them, and puts them back when it goes: programs that are
-/// started later may be parallel ones.
+/// Sets or removes environment variables and restores them on destruction: programs started later
+/// may be parallel ones.
 class Environment {
  public:
   explicit Environment(const std::map<std::string, std::optional<std::string>>& wanted) {
@@ -41,7 +41,7 @@ class Environment {
   std::map<std::string, std::optional<std::string>> before_;
 };
 
-/// Puts all signal handlers back when it goes: MPI takes nearly every signal.
+/// Restores all signal handlers on destruction: MPI replaces nearly every one.
 class SignalHandlers {
  public:
   SignalHandlers() {
@@ -58,8 +58,8 @@ class SignalHandlers {
 };
 
 bool initialise() {
-  // A process alone: no daemon, no network, even within a parallel job. Components that are not
-  // there need not be looked for, which takes ten times as long.
+  // A single process: no daemon, no network, even within a parallel job. Missing components need
+  // not be searched for, which takes ten times as long.
   const Environment environment({{"OMPI_MCA_ess", "singleton"},
                                  {"OMPI_MCA_ess_singleton_isolated", "1"},
                                  {"OMPI_MCA_pmix", "isolated"},
@@ -83,7 +83,7 @@ bool initialise() {
   char** arguments = words;
   int count = 3;
   if (PetscInitialize(&count, &arguments, nullptr, nullptr) != 0) return false;
-  return PetscPushErrorHandler(PetscReturnErrorHandler, nullptr) == 0;  // say nothing, return
+  return PetscPushErrorHandler(PetscReturnErrorHandler, nullptr) == 0;  // print nothing, return
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "solvers/outside/claims.h"
 #include "solvers/outside/plugin.h"
 
 namespace ricochet {
@@ -19,19 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the library exports, in its order.
+/// The solvers that the library exports, in its order.
 struct Exported {
   const char* name;
-  bool needs_derivatives, needs_residuals;
+  Capabilities capabilities;
 };
 
-constexpr Exported all[] = {{"tao-blmvm", true, false},
-                            {"tao-bqnls", true, false},
-                            {"tao-bncg", true, false},
-                            {"tao-pounders", false, true},
-                            {"tao-brgn", false, true}};
+constexpr Exported all[] = {{"tao-blmvm", tao_gradient_capabilities},
+                            {"tao-bqnls", tao_gradient_capabilities},
+                            {"tao-bncg", tao_gradient_capabilities},
+                            {"tao-pounders", tao_residual_capabilities},
+                            {"tao-brgn", tao_residual_capabilities}};
 
-/// Where it is installed, seen from the program, or else where it was built; empty where it is not.
+/// Path where the library is installed, relative to the program, or else where it was built; empty
+/// if it is missing.
 std::string library_path() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -43,14 +43,14 @@ std::string library_path() {
   return {};
 }
 
-/// Its own symbols before those of the program: Ipopt's sequential MUMPS brings functions of MPI
-/// that do nothing.
+/// Loads it with its own symbols before those of the program: Ipopt's sequential MUMPS brings MPI
+/// functions that do nothing.
 const ricochet_solver* loaded(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
   const void* exported = library != nullptr ? dlsym(library, "ricochet_tao_solvers") : nullptr;
   if (exported == nullptr) throw std::runtime_error(dlerror());
-  // What PETSc brings along flushes at the program's end a std::cout that, loaded so, is none. This
-  // comes before it, as it is registered later, and leaves nothing else undone.
+  // At the program's end PETSc's dependencies flush a std::cout that, loaded this way, is not
+  // valid. This handler is registered later, so it runs before, and skips nothing else.
   on_exit(
       [](int status, void* /*nothing*/) {
         std::cout.flush();
@@ -65,14 +65,14 @@ const ricochet_solver* loaded(const std::string& path) {
 
 std::vector<Solver> tao_solvers() {
   const std::string path = library_path();
-  // To load PETSc in order to see whether it loads would cost every program a twentieth of a
-  // second.
+  // Loading PETSc to see whether it loads would cost every program a twentieth of a second.
   if (path.empty() || !fs::exists(RICOCHET_PETSC_FILE)) return {};
   std::vector<Solver> solvers;
   for (std::size_t k = 0; k < std::size(all); ++k) {
-    const auto& [name, derivatives, residuals] = all[k];
-    Solver solver = outside::solver_as_claimed(
-        {name, "PETSc " RICOCHET_PETSC_VERSION, 0, derivatives, residuals, false}, path);
+    Solver solver;
+    solver.name = all[k].name;
+    solver.version = "PETSc " RICOCHET_PETSC_VERSION;
+    solver.capabilities = all[k].capabilities;
     solver.solve = [k, path](Evaluator& evaluator, const Vector& start, Random& random) {
       static const ricochet_solver* const exported = loaded(path);
       return outside::solve_by(exported[k], path, evaluator, start, random);

@@ -59,10 +59,10 @@ AskedPoint parse_asked_point(const std::string& line, const Problem& problem, bo
     (key == "derivatives" ? asked.derivatives : asked.residuals) = value.get<bool>();
   }
   if (asked.derivatives && !problem.differentiate) {
-    throw InputError("there are no derivatives in this form");
+    throw InputError("there are no derivatives in this formulation");
   }
   if (asked.residuals && !problem.residuals) {
-    throw InputError("there are no residuals in this form");
+    throw InputError("there are no residuals in this formulation");
   }
   return asked;
 }

@@ -5,17 +5,19 @@
 #include <cmath>
 #include <filesystem>
 
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/families.h"
+#include "problems/families.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"
 #include "src/core/text_file.h"
-#include "src/studies/best_values/best_values.h"
-#include "src/studies/best_values/hard_search.h"
+#include "src/research/best_values/best_values.h"
+#include "src/research/best_values/hard_search.h"
+#include "src/research/paper/calibration_problem.h"
 
 namespace ricochet::cli {
 namespace {
 
-/// Of 500 machines around each case, the twenty hardest.
+/// Finds the twenty hardest of 500 machines around each case.
 int look_for_hard_machines(const std::string& file) {
   const auto found = studies::best_values::find_hard_machines(500, 20);
   write_text_file(file, carrier_track::write_hard_machines(found));
@@ -33,15 +35,14 @@ int best_values(const BestValuesOptions& options) {
     throw InputError(fmt::format("--seconds {}: must be >= 0", *options.seconds));
   }
   Plan plan;
-  plan.questions = options.questions;
+  plan.problems = options.problems;
   if (options.seconds) plan.seconds = *options.seconds;
   const std::filesystem::path file = options.out;
   const FolderLock alone(file.has_parent_path() ? file.parent_path() : ".");
-  std::vector<Question> questions;
-  for (const Family& family : carrier_track::case_families()) {
-    questions.insert(questions.end(), family.questions.begin(), family.questions.end());
-  }
-  const Outcome outcome = find_best_values(questions, plan, file);
+  std::vector<Family> families = carrier_track::case_families();
+  families.push_back(carrier_track::calibration_family());
+  const std::vector<Problem> problems = every_problem(families);
+  const Outcome outcome = find_best_values(problems, plan, file);
   fmt::print(
       "{} of {} best values looked for; {} better than before or new; {} without a feasible "
       "point\n",

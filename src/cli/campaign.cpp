@@ -1,9 +1,7 @@
 #include "src/cli/campaign.h"
 
 #include <fcntl.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sys/utsname.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
@@ -15,18 +13,21 @@
 #include <filesystem>
 #include <optional>
 
-#include "src/campaign/forecast.h"
-#include "src/campaign/frame.h"
-#include "src/campaign/planned_runs.h"
-#include "src/campaign/progress.h"
-#include "src/campaign/service.h"
+#include "src/benchmark/experiment/campaign/forecast.h"
+#include "src/benchmark/experiment/campaign/frame.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/benchmark/experiment/campaign/service.h"
 #include "src/cli/campaign_size.h"
+#include "src/cli/cores.h"
 #include "src/cli/other_program.h"
 #include "src/cli/plan.h"
+#include "src/cli/provenance.h"
+#include "src/cli/tell.h"
 #include "src/cli/version.h"
 #include "src/core/error.h"
 #include "src/core/folder_lock.h"
-#include "src/studies/contest/catalogue.h"
+#include "src/core/progress.h"
+#include "src/research/suite/catalogue.h"
 
 namespace ricochet::cli {
 namespace {
@@ -47,76 +48,36 @@ Shard shard_of(const std::string& text) {
       fmt::format("--shard {}: must be I/N, two whole numbers with 1 <= I <= N", text));
 }
 
-/// What made a store: the same for all its parts.
-std::map<std::string, std::string> program() {
-  return {{"version", version()}};
-}
-
-std::map<std::string, std::string> made_here() {
-  utsname machine{};
-  uname(&machine);
-  return {{"machine", fmt::format("{} {}, {}", machine.sysname, machine.release, machine.machine)},
-          {"cores", std::to_string(cores())},
-          {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))}};
-}
-
-CampaignDescription description_of(const Campaign& campaign) {
-  CampaignDescription description = campaign.description();
-  description.program = program();
-  description.made = made_here();
-  return description;
-}
-
-/// The store to go on with: of this campaign, made by this program; by any where no run is missing,
-/// for its report alone. Another one stays as it is.
-Store store_to_resume(const std::filesystem::path& file, const Campaign& campaign,
-                      const CampaignDescription& description) {
-  Store found = Store::open(file, Store::For::reading);
-  CampaignDescription theirs = found.description();
-  theirs.made = description.made;
-  const bool whole = found.size() == campaign.runs();
-  if (theirs == description)
-    return whole ? std::move(found) : Store::open(file, Store::For::adding);
-  const bool same_program =
-      std::exchange(theirs.program, description.program) == description.program;
-  if (whole && theirs == description) return found;
-  const char* what = theirs.plan != description.plan ? "of another plan"
-                     : !same_program                 ? "made by another program"
-                                                     : "of other questions or solvers";
-  throw InputError(fmt::format("{}: is {}: another --out begins anew", file.string(), what));
-}
-
-/// Makes the runs that the folder's store lacks, or has the other ranks make them.
-Store carried_out(const Campaign& campaign, const Shard& shard, const RunOptions& options) {
+/// Makes the runs that are missing in the folder's store, or has the other ranks make them.
+StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const Shard& shard,
+                           const RunOptions& options) {
   const FolderLock alone(options.out);
   const auto file = std::filesystem::path(options.out) / "runs.sqlite";
-  const bool there = std::filesystem::exists(file);
-  if (there && !options.resume) {
+  if (std::filesystem::exists(file) && !options.resume) {
     throw InputError(file.string() +
                      ": is there already: --resume goes on with it, and another "
-                     "--out begins anew");
+                     "--out starts again");
   }
-  const CampaignDescription description = description_of(campaign);
-  Store store =
-      there ? store_to_resume(file, campaign, description) : Store::create(file, description);
+  StoredCampaign stored = stored_campaign(plan, catalogue, file, provenance());
+  const auto& [campaign, store] = stored;
   const std::int64_t before = store.size();
   Progress::announce(in_words(size_of(campaign)));
   if (before > 0) Progress::announce(fmt::format("{} runs are there already", before));
-  if (options.serve.empty() && before == campaign.runs()) return store;
+  if (options.serve.empty() && before == campaign.runs()) return stored;
   if (options.serve.empty()) {
     if (before == 0) {
       const double seconds = foretold_seconds(campaign) / shard.count / cores();
       Progress::announce(fmt::format("about {} on {} cores", duration(seconds), cores()));
     }
-    make_runs(campaign, shard, store);
-  } else if (!serve_store(campaign, shard, store, STDIN_FILENO, frames_out)) {
+    make_runs(campaign, shard, stored.store);
+  } else if (!serve_store(campaign, shard, stored.store, STDIN_FILENO, frames_out)) {
     throw std::runtime_error("not all runs were made; finished ones are kept: --resume goes on");
   }
-  return store;
+  return stored;
 }
 
-/// Whether mpirun has started this process as one of several; by what Open MPI, and MPICH and its
-/// kin, tell it.
+/// Returns true if mpirun started this process as one of several, by the environment variables of
+/// Open MPI and of MPICH and its derivatives.
 bool started_with_other_ranks() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     const char* ranks = std::getenv(name);
@@ -125,7 +86,7 @@ bool started_with_other_ranks() {
   return false;
 }
 
-/// Becomes the program that moves runs between ranks.
+/// Replaces this process by the program that distributes runs over ranks.
 [[noreturn]] void hand_over_to_mpi(const RunOptions& options) {
   const OtherCommand mpi{"run", "ricochet-mpi", ""};
   if (options.plan == "-") throw InputError("under mpirun the plan must be a file");
@@ -156,36 +117,40 @@ int run_plan(const RunOptions& options) {
     limited.emplace(tbb::global_control::max_allowed_parallelism, options.jobs);
   }
   if (options.serve == "runs") {
-    const Campaign campaign(plan_named(options.plan), studies::whole_catalogue());
-    fcntl(frames_out, F_SETFD, FD_CLOEXEC);  // what runs start has no business with it
+    Progress::silence();  // the process that holds the store shows progress
+    const Campaign campaign =
+        searched_campaign(plan_named(options.plan), studies::whole_catalogue());
+    fcntl(frames_out, F_SETFD, FD_CLOEXEC);  // child processes of the runs must not inherit it
     serve_runs(campaign, shard, STDIN_FILENO, frames_out);
     return 0;
   }
-  const Campaign campaign(plan_named(options.plan), studies::whole_catalogue());
-  const Store store = carried_out(campaign, shard, options);
+  const auto [campaign, store] =
+      carried_out(plan_named(options.plan), studies::whole_catalogue(), shard, options);
   std::string digest;
+  std::vector<std::string> failures;
   if (store.size() == campaign.runs()) {
-    const auto study = studies::contest_study(campaign, store, false);
-    const studies::Finished report = studies::run(study, false, options.out);
-    fmt::print("{}", report.epilogue);
-    digest = report.data["digest"].get<std::string>();
+    const auto study = studies::comparison_study(campaign, store);
+    const studies::Finished finished = studies::run(study, false, options.out);
+    fmt::print("{}", finished.epilogue);
+    digest = finished.data["digest"].get<std::string>();
+    failures = finished.failures;
   } else {
     digest = store.digest();
   }
   fmt::print("{} runs: {}\ndigest {}\n", store.size(),
              (std::filesystem::path(options.out) / "runs.sqlite").string(), digest);
+  report::require_none(failures);
   return 0;
 }
 
-int compare(const studies::ContestOptions& options, bool quick, const std::string& out) {
+int compare(const studies::ComparisonOptions& options, bool quick, const std::string& out) {
   const Catalogue catalogue = studies::whole_catalogue();
-  const Campaign campaign(studies::contest_plan(options, quick, catalogue), catalogue);
+  const Plan plan = studies::comparison_plan(options, quick, catalogue);
   RunOptions here;
   here.out = out;
   here.resume = true;
-  const Store store = carried_out(campaign, {}, here);
-  const auto study = studies::contest_study(campaign, store, true);
-  fmt::print("{}", studies::run(study, quick, out).epilogue);
+  const auto [campaign, store] = carried_out(plan, catalogue, {}, here);
+  tell(studies::run(studies::comparison_study(campaign, store), quick, out));
   return 0;
 }
 

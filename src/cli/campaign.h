@@ -4,25 +4,26 @@
 #include <string>
 #include <vector>
 
-#include "src/studies/contest/study.h"
+#include "src/benchmark/comparison/study.h"
+#include "src/benchmark/experiment/campaign/stored_campaign.h"
 
 namespace ricochet::cli {
 
 struct RunOptions {
-  std::string plan = "default";          ///< TOML file, or the name of one that comes along
-  std::string out = "reports/campaign";  ///< folder of its store, runs.sqlite
+  std::string plan = "default";          ///< TOML file, or the name of a plan that is included
+  std::string out = "reports/campaign";  ///< folder of the store, runs.sqlite
   std::string shard = "1/1";
   bool resume = false;
-  int jobs = 0;       ///< runs at once; 0: one on every core, and under MPI one
-  std::string serve;  ///< under MPI, what this process does: "store" or "runs"; see service.h
+  int jobs = 0;       ///< runs at once; 0: one for every core, or one under MPI
+  std::string serve;  ///< under MPI, the role of this process: "store" or "runs"; see service.h
 };
 
-/// Carries out a plan, or goes on with it, as one of the ranks where mpirun has started several; a
-/// whole campaign ends with its report.
+/// Runs or resumes a plan; it is one of the ranks if mpirun started several. After all runs it
+/// writes the report.
 int run_plan(const RunOptions& options);
 
-/// What solvers do on questions, as a campaign of its own, which goes on by itself where it was
+/// Compares solvers on problems as a separate campaign, which resumes automatically if it was
 /// interrupted.
-int compare(const studies::ContestOptions& options, bool quick, const std::string& out);
+int compare(const studies::ComparisonOptions& options, bool quick, const std::string& out);
 
 }  // namespace ricochet::cli

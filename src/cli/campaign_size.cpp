@@ -10,11 +10,6 @@ namespace ricochet::cli {
 
 using report::Json;
 
-int cores() {
-  return static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-}
-
 std::string duration(double seconds) {
   if (seconds < 90) return fmt::format("{:.2g} s", std::max(seconds, 0.1));
   if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
@@ -24,21 +19,29 @@ std::string duration(double seconds) {
 
 Json size_of(const Campaign& campaign) {
   double evaluations = 0;
-  std::map<std::string, int> features;
+  std::map<std::string, int> perturbations;
   for (const PlannedCell& cell : campaign.cells()) {
     evaluations += static_cast<double>(cell.budget.evaluations) * cell.instances * cell.seeds;
-    ++features[cell.cell.feature];
+    ++perturbations[cell.cell.perturbation];
   }
-  return {{"name", campaign.plan().name},         {"questions", campaign.questions().size()},
-          {"solvers", campaign.solvers().size()}, {"features", features.size()},
-          {"cells", campaign.cells().size()},     {"runs", campaign.runs()},
-          {"evaluations", evaluations},           {"simulations", campaign.work()}};
+  return {{"name", campaign.plan().name},
+          {"problems", campaign.problems().size()},
+          {"solvers", campaign.solvers().size()},
+          {"perturbations", perturbations.size()},
+          {"cells", campaign.cells().size()},
+          {"runs", campaign.runs()},
+          {"evaluations", evaluations},
+          {"simulations", campaign.work()},
+          {"to_search", campaign.to_search().size()}};
 }
 
 std::string in_words(const Json& size) {
-  return fmt::format("{} runs of {} solvers on {} questions, at most {:.3g} evaluations",
-                     size["runs"].get<std::int64_t>(), size["solvers"].get<int>(),
-                     size["questions"].get<int>(), size["evaluations"].get<double>());
+  const auto to_search = size["to_search"].get<int>();
+  return fmt::format(
+      "{} runs of {} solvers on {} problems, at most {:.3g} evaluations{}",
+      size["runs"].get<std::int64_t>(), size["solvers"].get<int>(), size["problems"].get<int>(),
+      size["evaluations"].get<double>(),
+      to_search > 0 ? fmt::format("; {} best values to be searched first", to_search) : "");
 }
 
 }  // namespace ricochet::cli

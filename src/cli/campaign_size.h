@@ -2,21 +2,18 @@
 
 #include <string>
 
-#include "src/campaign/campaign.h"
+#include "src/benchmark/experiment/campaign/campaign.h"
 #include "src/report/json.h"
 
 namespace ricochet::cli {
 
-/// Runs that are made at once.
-int cores();
-
-/// Seconds in the unit that people would say it in.
+/// Seconds as text in a suitable unit.
 std::string duration(double seconds);
 
-/// What a campaign runs, in numbers.
+/// Counts what a campaign runs.
 report::Json size_of(const Campaign& campaign);
 
-/// The same for people.
+/// The same as text.
 std::string in_words(const report::Json& size);
 
 }  // namespace ricochet::cli

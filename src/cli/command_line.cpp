@@ -15,12 +15,14 @@
 #include <system_error>
 #include <vector>
 
-#include "src/campaign/progress.h"
+#include "src/cli/old_names.h"
+#include "src/cli/tell.h"
 #include "src/cli/version.h"
 #include "src/core/error.h"
 #include "src/core/interruption.h"
 #include "src/core/near_names.h"
 #include "src/core/one_line.h"
+#include "src/core/progress.h"
 #include "src/core/text_file.h"
 #include "src/report/json.h"
 
@@ -36,8 +38,8 @@ constexpr const char* exit_codes =
     "Exit codes: 0 done; 1 a failure, as of a full disk; 2 bad input; 130 and 143 interrupted, by\n"
     "Ctrl-C and by SIGTERM.";
 
-/// A file that is opened must never take the place of a standard stream that was closed. In its
-/// place stands one that refuses what is asked of it, so that lost output is noticed.
+/// A file that is opened must never take the descriptor of a standard stream that was closed. The
+/// replacement rejects all input and output, so that lost output is noticed.
 void fill_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
@@ -53,7 +55,7 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
   return names;
 }
 
-/// What stands in braces in the type of an option: the values that it takes.
+/// Returns the allowed values of an option: those in braces in its type.
 Json choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t start = type.find('{');
@@ -75,7 +77,7 @@ Json description_of(const CLI::Option& option) {
           {"default", option.get_default_str()}};
 }
 
-/// A command's own commands, as the value that follows it.
+/// The subcommands of a command, as the value that follows it.
 Json description_of(const std::vector<const CLI::App*>& parts) {
   std::string help;
   for (const CLI::App* part : parts) {
@@ -96,7 +98,7 @@ void append_options(const CLI::App& command, Json& options) {
   }
 }
 
-/// An empty value is mostly a variable of a script that was never set.
+/// An empty value is usually a shell variable that was never set.
 void refuse_empty_values(const CLI::App& called) {
   for (const CLI::Option* option : called.get_options()) {
     for (const std::string& value : option->results()) {
@@ -109,8 +111,10 @@ void refuse_empty_values(const CLI::App& called) {
 }  // namespace
 
 CommandLine::CommandLine()
-    : app_("ricochet: the fastest quiet speed of a braiding machine, and solvers put to it",
-           "ricochet") {
+    : app_(
+          "ricochet: the fastest quiet speed of a braiding machine, and a benchmark of solvers on "
+          "it",
+          "ricochet") {
   app_.require_subcommand(1);
   app_.set_version_flag("--version", version);
   app_.footer(fmt::format("{}\nricochet COMMAND --help shows what a command takes, with examples.",
@@ -157,7 +161,7 @@ CLI::App* CommandLine::add_study(const std::string& command, const std::string& 
   CLI::App* added = add(command, summary, examples);
   StudyOptions& options = add_study_options(added, make());
   on_call(added, [make, &options] {
-    std::fputs(studies::run(make(), options.quick, options.out).epilogue.c_str(), stdout);
+    tell(studies::run(make(), options.quick, options.out));
     return 0;
   });
   return added;
@@ -165,7 +169,7 @@ CLI::App* CommandLine::add_study(const std::string& command, const std::string& 
 
 int CommandLine::run(int argc, char** argv) {
   fill_closed_streams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error to report, not the end
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error, not the end
   return finish_output(carry_out(argc, argv));
 }
 
@@ -187,7 +191,7 @@ int CommandLine::carry_out(int argc, char** argv) {
                 error.path1().string() + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
     return fail(failure, "failed: there is not enough memory");
-  } catch (const std::system_error& error) {  // fmt::print has one for what is not printed
+  } catch (const std::system_error& error) {  // fmt::print throws one if it cannot print
     if (std::ferror(stdout) != 0)
       return fail(failure, "standard output: " + error.code().message());
     return fail(failure, fmt::format("failed: {}", error.what()));
@@ -216,10 +220,11 @@ int CommandLine::finish_output(int exit_code) const {
   return fail(failure, "standard output: " + reason);
 }
 
-/// What CLI11 says, but where a command or an option is none, what may have been meant.
+/// Returns CLI11's message; for an unknown command or option it adds a suggestion.
 std::string CommandLine::explanation(const CLI::ParseError& error) const {
   const std::vector<std::string> extra = app_.remaining(true);
   if (extra.empty()) return error.what();
+  if (const std::string renaming = renaming_of(extra.front()); !renaming.empty()) return renaming;
   const CLI::App* called = &app_;
   while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
   std::vector<std::string> known = names_of(called->get_subcommands(nullptr));
@@ -231,6 +236,15 @@ std::string CommandLine::explanation(const CLI::ParseError& error) const {
   }
   return fmt::format("{}: {} is not expected; {}", called->get_name(), extra.front(),
                      what_instead(extra.front().substr(0, extra.front().find('=')), known));
+}
+
+void CommandLine::add_description() {
+  CLI::App* command = add("describe", "Prints a description of all commands as JSON");
+  command->group("");  // hidden
+  on_call(command, [this] {
+    fmt::print("{}\n", description().dump());
+    return 0;
+  });
 }
 
 Json CommandLine::description() const {

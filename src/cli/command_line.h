@@ -6,45 +6,50 @@
 #include <string>
 
 #include "src/report/json.h"
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
 
 namespace ricochet::cli {
 
-/// What every study is asked.
+/// The options of every study.
 struct StudyOptions {
   bool quick;
   std::string out;
 };
 
-/// A program of commands, of which one is carried out. Made for ricochet and for ricochet-studies.
+/// A program with commands, one of which is executed: the base of ricochet and of the programs that
+/// it calls.
 class CommandLine {
  public:
   CommandLine();
 
-  /// Returns the exit code: 0, 1 for a failure, 2 for bad input. Explains both in one line on
-  /// stderr. What was printed has then reached standard output, or that is a failure.
+  /// Returns the exit code: 0, 1 for a failure, 2 for bad input. A failure and bad input are
+  /// explained in one line on stderr. Standard output has been flushed, or that is a failure.
   int run(int argc, char** argv);
 
  protected:
-  /// A command. `examples`: a line each, for its help.
+  /// Adds a command. `examples`: one line each, for its help.
   CLI::App* add(const std::string& command, const std::string& summary,
                 const std::string& examples = "");
 
-  /// What is done if the command is the one called: returns the exit code.
+  /// Sets the function that runs if this command is called; it returns the exit code.
   void on_call(CLI::App* command, const std::function<int()>& work);
 
   void add_format(CLI::App* command, bool& json);
 
-  /// The options of a study, with its report in the folder of that name by default.
+  /// Adds the options of a study; its report goes to the folder of its name by default.
   StudyOptions& add_study_options(CLI::App* command, const studies::Study& study);
 
-  /// A command that carries out the study that `make` makes when it is called. Further options may
+  /// Adds a command that runs the study returned by `make` when it is called. Further options may
   /// be added.
   CLI::App* add_study(const std::string& command, const std::string& summary,
                       const std::function<studies::Study()>& make,
                       const std::string& examples = "");
 
-  /// All commands that the help shows, with their options: what manual and completion are made of.
+  /// Adds a hidden command that prints description(), with which ricochet describes the commands of
+  /// all programs.
+  void add_description();
+
+  /// Returns all commands in the help, with their options: the input of manual and completion.
   report::Json description() const;
 
  private:
@@ -54,7 +59,7 @@ class CommandLine {
   std::string explanation(const CLI::ParseError& error) const;
 
   CLI::App app_;
-  std::deque<StudyOptions> studies_;  // stay where they are
+  std::deque<StudyOptions> studies_;  // addresses must remain valid
   std::function<int()> work_;
   std::string color_ = "auto";
 };

@@ -37,7 +37,7 @@ bool is_positional(const Json& option) {
   return option.at("names").empty();
 }
 
-/// What follows a command's name and, where there is one, an option that takes a value.
+/// The words that can follow a command's name and, if given, an option that takes a value.
 std::string bash_case(const std::string& pattern, const Json& option) {
   if (is_file(option)) return fmt::format("    {}) files=yes ;;\n", pattern);
   return fmt::format("    {}) words={} ;;\n", pattern,
@@ -79,7 +79,7 @@ complete -F _ricochet ricochet
                      shell_quoted(names), cases);
 }
 
-/// What a value can be, as zsh's _arguments has it.
+/// Possible values of an option, in the syntax of zsh's _arguments.
 std::string zsh_value(const Json& option) {
   if (is_file(option)) return ":file:_files";
   return option.at("choices").empty() ? ":value: "
@@ -127,7 +127,7 @@ std::string fish_quoted(const std::string& text) {
   return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
 }
 
-/// How fish is told what a value can be.
+/// Possible values of an option, in the syntax of fish.
 std::string fish_value(const Json& option) {
   if (is_file(option)) return " -r -F";
   return option.at("choices").empty() ? " -x"

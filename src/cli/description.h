@@ -6,7 +6,7 @@
 
 namespace ricochet::cli {
 
-/// What a description of the commands (CommandLine::description) says under a key.
+/// Returns the text under a key in a description of the commands (CommandLine::description).
 inline std::string text_of(const report::Json& object, const char* key) {
   return object.at(key).get<std::string>();
 }

@@ -16,30 +16,32 @@
 #include "src/core/instance.h"
 #include "src/core/one_line.h"
 #include "src/report/json.h"
+#include "src/research/suite/families.h"
 
 namespace ricochet::cli {
 namespace {
 
 using report::Json;
 
-/// Of a line; what is longer is no point, and is not kept.
+/// Longest line; a longer one is not a point and is not stored.
 constexpr std::size_t longest_line = 1 << 20;
 
-Question question_of(const EvaluateOptions& options) {
+Problem problem_of(const EvaluateOptions& options) {
   if (options.scene_file == "-") {
     throw InputError("--scene -: must be a file, because standard input holds the points");
   }
-  return named(every_question(all_families(options.scene_file)), options.question, "question",
-               [](const Question& question) { return question.name(); });
+  return named(every_problem(suite_families(options.scene_file)), options.problem, "problem",
+               [](const Problem& problem) { return problem.name; });
 }
 
-Json description_of(const Question& question, const Form& form, const Problem& problem) {
+Json description_of(const Problem& asked, const Formulation& formulation, const Problem& problem) {
   return {
-      {"question", question.name()},
+      {"problem", asked.name},
       {"source", problem.source},
-      {"form", question.name_of(form)},
-      {"forms",
-       report::list_of(question.forms(), [&](const Form& each) { return question.name_of(each); })},
+      {"formulation", asked.name_of(formulation)},
+      {"formulations",
+       report::list_of(asked.formulations(),
+                       [&](const Formulation& each) { return asked.name_of(each); })},
       {"instance", problem.instance},
       {"dimension", problem.dimension()},
       {"constraints", problem.constraints},
@@ -54,11 +56,11 @@ Json description_of(const Question& question, const Form& form, const Problem& p
       {"upper", problem.upper},
       {"start", problem.start},
       {"best_known", problem.best_known},
-      {"tolerance", question.tolerance}};
+      {"tolerance", asked.tolerance}};
 }
 
-/// The next line of standard input, without its end; of one that is too long the beginning. Returns
-/// false where there is none.
+/// Reads the next line of standard input, without its end; of a line that is too long only the
+/// beginning. Returns false at the end of the input.
 bool read_line(std::string& line) {
   line.clear();
   int letter = getc_unlocked(stdin);
@@ -69,7 +71,8 @@ bool read_line(std::string& line) {
   return true;
 }
 
-/// Whoever asked waits for it. Throws std::system_error where nobody takes it.
+/// Prints and flushes: the caller waits for the line. Throws std::system_error if it cannot be
+/// written.
 void print_line(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
@@ -81,7 +84,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Answers line by line.
+/// Answers the lines of standard input one by one.
 class Service {
  public:
   Service(const Problem& problem, const EvaluateOptions& options)
@@ -89,7 +92,7 @@ class Service {
     if (options.replay) again_.emplace(problem);
   }
 
-  /// Throws what is wrong with the line, or with the point.
+  /// Throws an error if the line or the point is invalid.
   Json answer(const std::string& line) {
     if (line.size() > longest_line) {
       throw InputError(fmt::format("is longer than {} bytes", longest_line));
@@ -119,7 +122,7 @@ class Service {
 
  private:
   OutsideRun run_;
-  std::optional<OutsideRun> again_;  // asked the same, where all is evaluated twice
+  std::optional<OutsideRun> again_;  // repeats every evaluation, if requested
   bool derivatives_;
   bool all_well_ = true;
 };
@@ -130,16 +133,16 @@ int evaluate(const EvaluateOptions& options) {
   if (options.instance < 0) {
     throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
   }
-  const Question question = question_of(options);
-  const Form form = question.form_named(options.form);
-  const Problem problem = instance(question.problem(form), options.instance);
+  const Problem asked = problem_of(options);
+  const Formulation formulation = asked.formulation_named(options.formulation);
+  const Problem problem = instance(asked.formulated(formulation), options.instance);
   if (options.describe) {
-    print_line(description_of(question, form, problem));
+    print_line(description_of(asked, formulation, problem));
     return 0;
   }
   if (options.derivatives && !problem.differentiate) {
-    throw InputError(fmt::format("--derivatives: {} has none in form {}", question.name(),
-                                 question.name_of(form)));
+    throw InputError(fmt::format("--derivatives: {} has none in formulation {}", asked.name,
+                                 asked.name_of(formulation)));
   }
   Service service(problem, options);
   std::string line;

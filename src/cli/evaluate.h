@@ -5,18 +5,18 @@
 namespace ricochet::cli {
 
 struct EvaluateOptions {
-  std::string question;
-  std::string scene_file;    ///< asked of this machine; empty for the paper's and the literature's
-  std::string form;          ///< its name; empty: as it is judged
-  int instance = 0;          ///< 0: the question as stated
-  bool derivatives = false;  ///< tell them, too, where a line does not say
+  std::string problem;
+  std::string scene_file;    ///< use this machine; empty: no machine of the user
+  std::string formulation;   ///< its name; empty: original
+  int instance = 0;          ///< 0: the original problem
+  bool derivatives = false;  ///< return them, too, unless a line says otherwise
   bool replay = false;       ///< evaluate every point twice, and compare
-  bool describe = false;     ///< say what is asked, and evaluate nothing
+  bool describe = false;     ///< describe the problem and evaluate nothing
 };
 
-/// Evaluates the question for an optimiser outside: a line of JSON on standard input for each
-/// point, a line of JSON on standard output with what there is to say of it. Returns the exit code:
-/// 1 where a line was bad, or where a point evaluated twice had two answers.
+/// Evaluates the problem for an external optimiser: reads a line of JSON for each point on standard
+/// input and writes a line of JSON with its values on standard output. Returns the exit code: 1 if
+/// a line was invalid, or if a point evaluated twice had two results.
 int evaluate(const EvaluateOptions& options);
 
 }  // namespace ricochet::cli

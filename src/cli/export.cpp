@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "src/benchmark/experiment/store/store.h"
+#include "src/benchmark/export/formats.h"
+#include "src/benchmark/export/output_folder.h"
 #include "src/cli/named.h"
-#include "src/export/formats.h"
-#include "src/export/output_folder.h"
-#include "src/store/store.h"
 
 namespace ricochet::cli {
 

@@ -10,7 +10,7 @@ struct ExportOptions {
   std::string out;  ///< folder, empty or missing
 };
 
-/// Writes what a campaign's store holds for other tools.
+/// Exports a campaign's store to the formats of other tools.
 int export_store(const ExportOptions& options);
 
 }  // namespace ricochet::cli

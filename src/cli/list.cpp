@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
 #include "problems/families.h"
-#include "solvers/acceptance.h"
 #include "solvers/solvers.h"
 #include "src/core/error.h"
 #include "src/core/near_names.h"
 #include "src/report/json.h"
+#include "src/research/paper/fitted_interpretation.h"
+#include "src/research/suite/families.h"
 
 namespace ricochet::cli {
 namespace {
@@ -36,19 +36,9 @@ Json cases() {
   return rows;
 }
 
-Solver solver_named(const std::string& name) {
-  std::vector<std::string> known;
-  for (const Solver& solver : all_solvers()) {
-    if (solver.name == name) return solver;
-    known.push_back(solver.name);
-  }
-  throw InputError(fmt::format("--solver-accepts {}: there is no such solver; {}", name,
-                               what_instead(name, known)));
-}
-
-/// Those of the families asked for.
+/// Returns the selected families.
 std::vector<Family> families_of(const ListOptions& options) {
-  std::vector<Family> families = all_families(options.scene_file);
+  std::vector<Family> families = suite_families(options.scene_file);
   if (options.family.empty()) return families;
   std::vector<std::string> known;
   for (const Family& family : families) {
@@ -59,33 +49,34 @@ std::vector<Family> families_of(const ListOptions& options) {
                                what_instead(options.family, known)));
 }
 
-bool accepts_a_form(const Solver& solver, const Question& question) {
-  const std::vector<Form> forms = question.forms();
-  return std::any_of(forms.begin(), forms.end(),
-                     [&](const Form& form) { return solver.accepts(question.problem(form)); });
+bool accepts_a_formulation(const Solver& solver, const Problem& problem) {
+  const std::vector<Formulation> formulations = problem.formulations();
+  return std::any_of(formulations.begin(), formulations.end(), [&](const Formulation& formulation) {
+    return solver.accepts(problem.formulated(formulation));
+  });
 }
 
-Json questions(const ListOptions& options) {
+Json problems(const ListOptions& options) {
   Json rows = Json::array();
   std::optional<Solver> solver;
-  if (!options.solver.empty()) solver = solver_named(options.solver);
+  if (!options.solver.empty()) solver = solver_named(options.solver, "--solver-accepts");
   for (const Family& family : families_of(options)) {
-    for (const Question& q : family.questions) {
-      if (solver && !accepts_a_form(*solver, q)) continue;
-      Json forms = Json::array();
+    for (const Problem& q : family.problems) {
+      if (solver && !accepts_a_formulation(*solver, q)) continue;
+      Json formulations = Json::array();
       bool derivatives = false;
-      for (const Form& form : q.forms()) {
-        forms.push_back(q.name_of(form));
-        derivatives = derivatives || q.problem(form).differentiate;
+      for (const Formulation& formulation : q.formulations()) {
+        formulations.push_back(q.name_of(formulation));
+        derivatives = derivatives || q.formulated(formulation).differentiate;
       }
-      rows.push_back({{"question", q.name()},
-                      {"dimension", q.stated.dimension()},
-                      {"constraints", q.stated.constraints},
-                      {"equalities", q.stated.equalities},
-                      {"forms", forms},
+      rows.push_back({{"problem", q.name},
+                      {"dimension", q.dimension()},
+                      {"constraints", q.constraints},
+                      {"equalities", q.equalities},
+                      {"formulations", formulations},
                       {"derivatives", derivatives},
-                      {"best_known", q.stated.best_known},
-                      {"source", q.stated.source}});
+                      {"best_known", q.best_known},
+                      {"source", q.source}});
     }
   }
   return rows;
@@ -93,42 +84,39 @@ Json questions(const ListOptions& options) {
 
 Json solvers() {
   Json rows = Json::array();
-  for (const Solver& s : all_solvers()) {
-    const Acceptance acceptance = acceptance_of(s);
-    rows.push_back({{"solver", s.name},
-                    {"variables", acceptance.variables},
-                    {"constraints", acceptance.constraints},
-                    {"needs", acceptance.needs},
-                    {"stochastic", s.stochastic},
-                    {"version", s.version}});
-  }
+  const auto add = [&rows](const std::string& name, const Capabilities& capabilities,
+                           const Json& stochastic, const std::string& version) {
+    rows.push_back({{"solver", name},
+                    {"variables", capabilities.variables_in_words()},
+                    {"constraints", capabilities.constraints_in_words()},
+                    {"needs", capabilities.needs_in_words()},
+                    {"stochastic", stochastic},
+                    {"version", version}});
+  };
+  for (const Solver& s : all_solvers()) add(s.name, s.capabilities, s.stochastic, s.version);
   for (const MissingSolver& missing : missing_solvers()) {
-    rows.push_back({{"solver", missing.solver},
-                    {"variables", nullptr},
-                    {"constraints", nullptr},
-                    {"needs", nullptr},
-                    {"stochastic", nullptr},
-                    {"version", fmt::format("missing: built without {}", missing.library)}});
+    add(missing.solver, missing.capabilities, nullptr,
+        fmt::format("missing: built without {}", missing.library));
   }
   return rows;
 }
 
-Json readings() {
+Json interpretations() {
   Json rows = Json::array();
-  const auto add = [&rows](const Reading& r) {
-    rows.push_back({{"reading", name_of(r)},
-                    {"constants", open_of(r).size()},
-                    {"default", r == default_reading().reading},
+  const auto add = [&rows](const Interpretation& r) {
+    rows.push_back({{"interpretation", name_of(r)},
+                    {"constants", unknowns_of(r).size()},
+                    {"default", r == default_interpretation().interpretation},
                     {"description", description_of(r)}});
   };
-  for (const Reading& core : core_readings()) {
+  for (const Interpretation& core : core_interpretations()) {
     add(core);
-    for (const Reading& r : variations(core)) add(r);
+    for (const Interpretation& r : variations(core)) add(r);
   }
   return rows;
 }
 
-/// A cell as text: strings without quotes, of lists their length, a dash for what is missing.
+/// A cell as text: strings without quotes, lists as their length, a dash for missing values.
 std::string cell(const Json& value) {
   if (value.is_array()) return std::to_string(value.size());
   if (value.is_number_float()) return fmt::format("{:.8g}", value.get<double>());
@@ -137,16 +125,17 @@ std::string cell(const Json& value) {
   return value.is_null() ? "-" : value.dump();
 }
 
-/// A column: the key of its cells, and what stands above them.
+/// A column: the key of its cells, and its heading.
 struct Column {
   std::string key, title;
 };
 
-/// Without the columns that would make rows too long.
+/// Omits the columns that would make rows too long.
 std::vector<Column> columns_of(const std::string& what, const Json& rows) {
-  if (what == "questions" || what == "problems") {
-    return {{"question", "question"},     {"dimension", "n"}, {"constraints", "constraints"},
-            {"equalities", "equalities"}, {"forms", "forms"}, {"best_known", "best known"}};
+  if (what == "problems") {
+    return {{"problem", "problem"},           {"dimension", "n"},
+            {"constraints", "constraints"},   {"equalities", "equalities"},
+            {"formulations", "formulations"}, {"best_known", "best known"}};
   }
   std::vector<Column> columns;
   for (const auto& [key, value] : rows.front().items()) {
@@ -155,7 +144,7 @@ std::vector<Column> columns_of(const std::string& what, const Json& rows) {
   return columns;
 }
 
-/// A line a row, of no more than 100 columns: the last cell is cut.
+/// Prints a line for each row, at most 100 columns wide: the last cell is truncated.
 void print_table(const Json& rows, const std::vector<Column>& columns) {
   constexpr std::size_t longest = 100;
   std::vector<std::size_t> widths;
@@ -183,17 +172,17 @@ void print_table(const Json& rows, const std::vector<Column>& columns) {
 
 int list(const ListOptions& options) {
   const std::string& what = options.what;
-  const bool asks = what == "questions" || what == "problems";
+  const bool asks = what == "problems";
   for (const auto& [option, value] :
        {std::pair("--scene", options.scene_file), std::pair("--family", options.family),
         std::pair("--solver-accepts", options.solver)}) {
     if (asks || value.empty()) continue;
-    throw InputError(fmt::format("{}: has questions alone, not {}", option, what));
+    throw InputError(fmt::format("{}: has problems alone, not {}", option, what));
   }
   const Json rows = what == "cases"     ? cases()
-                    : asks              ? questions(options)
+                    : asks              ? problems(options)
                     : what == "solvers" ? solvers()
-                                        : readings();
+                                        : interpretations();
   if (options.json) {
     fmt::print("{}\n", rows.dump(2));
     return 0;

@@ -5,14 +5,14 @@
 namespace ricochet::cli {
 
 struct ListOptions {
-  std::string what;  ///< cases, questions (or problems, as they were called), solvers or readings
-  std::string scene_file;  ///< of questions: of this machine; empty for the paper's
-  std::string family;      ///< of questions: those of this family; empty for all
-  std::string solver;      ///< of questions: those that it accepts in some form; empty for all
+  std::string what;        ///< cases, problems, solvers or interpretations
+  std::string scene_file;  ///< problems of this machine; empty for the paper's
+  std::string family;      ///< problems of this family; empty for all
+  std::string solver;      ///< problems that it accepts in some formulation; empty for all
   bool json = false;
 };
 
-/// Prints what there is. Returns the exit code.
+/// Lists cases, problems, solvers or interpretations. Returns the exit code.
 int list(const ListOptions& options);
 
 }  // namespace ricochet::cli

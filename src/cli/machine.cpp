@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "problems/carrier_track/advice/study.h"
 #include "problems/carrier_track/scene/scene_doubts.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/scene_choice.h"
-#include "src/studies/advice/study.h"
+#include "src/cli/tell.h"
 
 namespace ricochet::cli {
 
@@ -39,7 +40,7 @@ int advise_machine(const std::string& scene_file, const QuietSpeedRequest& asked
   refuse_profile(chosen.scene, chosen.name);
   const studies::Study study =
       studies::advice_study({chosen.name, chosen.scene, options_of(asked), asked.tolerance / 100});
-  fmt::print("{}", studies::run(study, false, folder).epilogue);
+  tell(studies::run(study, false, folder));
   return 0;
 }
 

@@ -1,14 +1,16 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_file.h"
+#include "src/benchmark/comparison/study.h"
+#include "src/benchmark/experiment/perturbations/perturbation.h"
+#include "src/benchmark/export/formats.h"
 #include "src/cli/campaign.h"
 #include "src/cli/command_line.h"
 #include "src/cli/completion.h"
@@ -17,20 +19,18 @@
 #include "src/cli/list.h"
 #include "src/cli/machine.h"
 #include "src/cli/manual.h"
+#include "src/cli/old_names.h"
 #include "src/cli/other_program.h"
 #include "src/cli/plan.h"
 #include "src/cli/simulate.h"
 #include "src/cli/solve.h"
 #include "src/cli/stored_runs.h"
 #include "src/cli/threshold.h"
+#include "src/core/error.h"
 #include "src/core/folder_lock.h"
-#include "src/export/formats.h"
-#include "src/features/feature.h"
-#include "src/report/process.h"
+#include "src/report/drawn_chart.h"
 #include "src/report/report.h"
-#include "src/site/site.h"
-#include "src/studies/contest/study.h"
-#include "src/studies/reproduction/study.h"
+#include "src/report/site/site.h"
 
 namespace ricochet::cli {
 namespace {
@@ -60,19 +60,16 @@ void add_request(CLI::App* command, QuietSpeedRequest& asked) {
                       "How uncertain every constant is [%]: the range of the answer");
 }
 
-std::vector<std::string> features() {
+std::vector<std::string> perturbations() {
   std::vector<std::string> names;
-  for (const auto& feature : all_features()) names.push_back(feature.name);
+  for (const auto& perturbation : all_perturbations()) names.push_back(perturbation.name);
   return names;
 }
 
 class Program : public CommandLine {
  public:
   Program() {
-    add_study("reproduce", "The main job: every case against the paper, as a report",
-              studies::reproduction_study,
-              "  ricochet reproduce                      writes reports/reproduction/index.html\n"
-              "  ricochet reproduce --quick --out first  a first look, in seconds");
+    add_other(reproduction);
     add_simulate();
     add_threshold();
     add_machine();
@@ -86,7 +83,8 @@ class Program : public CommandLine {
     add_list();
     add_report();
     for (const OtherCommand& other : other_commands) add_other(other);
-    add_description();
+    add_moved("trials", "calibrate --variants");
+    add_descriptions();
   }
 
  private:
@@ -102,7 +100,7 @@ class Program : public CommandLine {
     for (const auto& [name, level] : carrier_track::fidelity_names()) levels.emplace(name);
     command->add_option("--fidelity", simulate_.fidelity, "Level of the model, for the scene's own")
         ->check(CLI::IsMember(levels));
-    command->add_option("--width", simulate_.width, "Smoothing width of the surrogate")
+    command->add_option("--smoothing", simulate_.smoothing, "Smoothing parameter of the surrogate")
         ->capture_default_str();
     command->add_option("--csv", simulate_.csv, "File for the path: time, position, velocity")
         ->type_name("FILE");
@@ -162,8 +160,8 @@ class Program : public CommandLine {
 
   void add_solve() {
     CLI::App* command =
-        add("solve", "One run of one solver on one question, watched and judged",
-            "  ricochet solve nlopt-cobyla top-speed-C1 --form penalised-count\n"
+        add("solve", "One run of one solver on one problem, watched and judged",
+            "  ricochet solve nlopt-cobyla top-speed-C1 --formulation penalised-count\n"
             "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg\n"
             "  ricochet solve ./mine.so count-C1\n"
             "  ricochet solve 'python3 mine.py' count-C1");
@@ -172,12 +170,13 @@ class Program : public CommandLine {
                      "One of ricochet list solvers; or your own, a library or a program")
         ->required()
         ->type_name("SOLVER");
-    command->add_option("question", solve_.question, "One of ricochet list questions")
+    command->add_option("problem", solve_.problem, "One of ricochet list problems")
         ->required()
         ->type_name("QUESTION");
-    command->add_option("--form", solve_.form, "That it is shown; else the first it accepts");
-    command->add_option("--feature", solve_.feature, "That disturbs what it is shown")
-        ->type_name(fmt::format("FEATURE:{{{}}}", fmt::join(features(), ",")))
+    command->add_option("--formulation", solve_.formulation,
+                        "That it is shown; else the first it accepts");
+    command->add_option("--perturbation", solve_.perturbation, "That disturbs what it is shown")
+        ->type_name(fmt::format("FEATURE:{{{}}}", fmt::join(perturbations(), ",")))
         ->capture_default_str();
     command->add_option("--budget", solve_.budget, "Evaluations")->capture_default_str();
     command->add_option("--instance", solve_.instance, "0: as stated; others: in another box")
@@ -200,30 +199,35 @@ class Program : public CommandLine {
 
   void add_compare() {
     CLI::App* command =
-        add("compare", "Solvers against each other: who solves what, in which form, at what cost",
+        add("compare",
+            "Solvers against each other: who solves what, in which formulation, at what cost",
             "  ricochet compare --quick\n"
-            "  ricochet compare --questions 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
+            "  ricochet compare --problems 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
             "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'");
     StudyOptions& options =
-        add_study_options(command, {"contest", "Fewer instances and evaluations", nullptr});
-    on_call(command, [this, &options] { return compare(contest_, options.quick, options.out); });
-    command->add_option("--questions", contest_.questions,
-                        "Patterns, with commas between; else the standing contest's");
-    command->add_option("--solvers", contest_.solvers, "Patterns")->capture_default_str();
+        add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
+    on_call(command, [this, &options] { return compare(comparison_, options.quick, options.out); });
+    command->add_option("--problems", comparison_.problems,
+                        "Patterns, with commas between; else the default comparison's");
+    command->add_option("--solvers", comparison_.solvers, "Patterns")->capture_default_str();
     command
-        ->add_option("--solver", contest_.added_solvers,
+        ->add_option("--solver", comparison_.added_solvers,
                      "One more, such as your own, a library or a program; may be repeated")
         ->type_name("SOLVER")
         ->allow_extra_args(false);
-    command->add_option("--forms", contest_.forms, "Patterns, such as *count or penalised*")
+    command
+        ->add_option("--formulations", comparison_.formulations,
+                     "Patterns, such as *count or penalised*")
         ->capture_default_str();
-    command->add_option("--widths", contest_.widths, "Of surrogates, beside the usual one")
+    command
+        ->add_option("--smoothings", comparison_.smoothings,
+                     "Smoothing parameters of surrogates, beside the usual one")
         ->delimiter(',');
-    command->add_option("--budget", contest_.budgets, "Evaluations for each variable")
+    command->add_option("--budget", comparison_.budgets, "Evaluations for each variable")
         ->delimiter(',');
-    command->add_option("--instances", contest_.instances, "Of every question")
+    command->add_option("--instances", comparison_.instances, "Of every problem")
         ->capture_default_str();
-    add_limits(command, contest_.limits);
+    add_limits(command, comparison_.limits);
   }
 
   void add_plan() {
@@ -274,7 +278,7 @@ class Program : public CommandLine {
     on_call(command, [this] { return run_plan(run_); });
   }
 
-  /// What can be done with a campaign's store.
+  /// Adds the commands for a campaign's store.
   void add_stores() {
     CLI::App* merge = add("merge", "Joins the stores of a campaign's shards",
                           "  ricochet merge runs.sqlite part-*/runs.sqlite");
@@ -320,20 +324,21 @@ class Program : public CommandLine {
   }
 
   void add_evaluate() {
-    CLI::App* command =
-        add("evaluate", "A question for an optimiser outside: points in, values out, as JSON lines",
-            "  ricochet evaluate profile-count-8-C4 --form surrogate --instance 1 --describe\n"
-            "  echo '[5.0]' | ricochet evaluate top-speed-C1\n"
-            "  ricochet evaluate hs-71 --derivatives < points.jsonl > values.jsonl\n"
-            "A line in is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}.");
-    command->add_option("question", evaluate_.question, "One of ricochet list questions")
+    CLI::App* command = add(
+        "evaluate", "A problem for an optimiser outside: points in, values out, as JSON lines",
+        "  ricochet evaluate profile-count-8-C4 --formulation surrogate --instance 1 --describe\n"
+        "  echo '[5.0]' | ricochet evaluate top-speed-C1\n"
+        "  ricochet evaluate hs-71 --derivatives < points.jsonl > values.jsonl\n"
+        "A line in is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}.");
+    command->add_option("problem", evaluate_.problem, "One of ricochet list problems")
         ->required()
         ->type_name("QUESTION");
     command
         ->add_option("--scene", evaluate_.scene_file,
-                     "The question is asked of a machine of your own, a TOML file")
+                     "The problem is asked of a machine of your own, a TOML file")
         ->type_name("FILE");
-    command->add_option("--form", evaluate_.form, "That it is shown in; else as it is judged");
+    command->add_option("--formulation", evaluate_.formulation,
+                        "That it is shown in; else as it is judged");
     command->add_option("--instance", evaluate_.instance, "0: as stated; others: in another box")
         ->capture_default_str();
     command->add_flag("--derivatives", evaluate_.derivatives,
@@ -345,21 +350,21 @@ class Program : public CommandLine {
   }
 
   void add_list() {
-    CLI::App* command = add("list", "What there is",
-                            "  ricochet list questions --family top-speed\n"
-                            "  ricochet list questions --solver-accepts nlopt-slsqp --format json");
-    command->add_option("what", list_.what, "cases, questions, solvers or readings")
+    CLI::App* command = add("list", "List cases, problems, solvers or interpretations",
+                            "  ricochet list problems --family top-speed\n"
+                            "  ricochet list problems --solver-accepts nlopt-slsqp --format json");
+    command->add_option("what", list_.what, "cases, problems, solvers or interpretations")
         ->required()
-        ->check(CLI::IsMember({"cases", "questions", "problems", "solvers", "readings"}));
+        ->check([](const std::string& what) { return renaming_of(what); })
+        ->check(CLI::IsMember({"cases", "problems", "solvers", "interpretations"}));
     command
-        ->add_option("--scene", list_.scene_file,
-                     "Of questions: a machine of your own, a TOML file")
+        ->add_option("--scene", list_.scene_file, "Of problems: a machine of your own, a TOML file")
         ->type_name("FILE");
-    command->add_option("--family", list_.family, "Of questions: those of this family")
+    command->add_option("--family", list_.family, "Of problems: those of this family")
         ->type_name("FAMILY");
     command
         ->add_option("--solver-accepts", list_.solver,
-                     "Of questions: those with a form that this solver accepts")
+                     "Of problems: those with a formulation that this solver accepts")
         ->type_name("SOLVER");
     add_format(command, list_.json);
     on_call(command, [this] { return list(list_); });
@@ -378,29 +383,43 @@ class Program : public CommandLine {
     on_call(command, [this] {
       const std::string& out = report_out_.empty() ? report_from_ : report_out_;
       const FolderLock alone(out);
-      if (!site::redraw_site(report_from_, out)) {
-        report::redraw_report(report_from_, out);
-        site::write_site_above(out);
+      auto failures = site::redraw_site(report_from_, out);
+      if (!failures) {
+        failures = report::redraw_report(report_from_, out).failures;
+        const std::vector<std::string> above = site::write_site_above(out);
+        failures->insert(failures->end(), above.begin(), above.end());
       }
+      report::require_none(*failures);
       return 0;
     });
   }
 
-  /// All that follows the command is for the other program, --help too.
+  /// All arguments after the command are passed to the other program, including --help.
   void add_other(const OtherCommand& other) {
     CLI::App* command = add(other.command, other.summary);
-    if (other.command == std::string("best-values")) command->alias("certify");  // as it was called
+    if (other.command == std::string("best-values")) command->alias("certify");  // its old name
     command->set_help_flag();
     for (CLI::Option* option : command->get_options()) command->remove_option(option);
     command->prefix_command();
     on_call(command, [other, command]() -> int { hand_over(other, command->remaining()); });
   }
 
-  /// What is installed beside the program: its manual, and completions for the shells.
-  void add_description() {
+  /// Adds the old name of a command, which fails with an error that gives the new one.
+  void add_moved(const std::string& command, const std::string& now) {
+    CLI::App* moved = add(command, "Is now: ricochet " + now);
+    moved->group("");  // hidden
+    moved->allow_extras();
+    on_call(moved, [command, now]() -> int {
+      throw InputError(fmt::format("{}: is now: ricochet {}", command, now));
+    });
+  }
+
+  /// Adds the commands that print what is installed beside the program: its manual, and completions
+  /// for the shells.
+  void add_descriptions() {
     CLI::App* command = add("describe", "Prints the manual, or the completion of a shell");
     command->group("");  // hidden
-    command->add_option("form", description_, "What to print")
+    command->add_option("formulation", description_, "What to print")
         ->required()
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
     on_call(command, [this] {
@@ -412,22 +431,23 @@ class Program : public CommandLine {
     });
   }
 
-  /// Of the commands of the other programs, too, as far as these can be asked.
+  /// Includes the commands of the other programs, if these can be called.
   Json every_description() const {
     Json commands = description();
-    const auto result =
-        report::run_process({path_of(other_commands[0]), "describe"}, "", std::chrono::seconds(10));
-    if (result.status != 0) return commands;
-    for (const Json& theirs : Json::parse(result.output)) {
-      for (Json& own : commands) {
-        if (own["name"] == theirs["name"]) own = theirs;
+    for (const OtherCommand& other : {reproduction, other_commands[0]}) {
+      const Json others = Json::parse(output_of(other, "describe"), nullptr, false);
+      if (others.is_discarded()) continue;
+      for (const Json& theirs : others) {
+        for (Json& own : commands) {
+          if (own["name"] == theirs["name"]) own = theirs;
+        }
       }
     }
     return commands;
   }
 
   SolveOptions solve_;
-  studies::ContestOptions contest_;
+  studies::ComparisonOptions comparison_;
   RunOptions run_;
   bool plan_json_ = false;
   int slurm_jobs_ = 8;

@@ -13,7 +13,7 @@ namespace {
 
 using report::Json;
 
-/// Text as man reads it: no sign of it is a command.
+/// Escapes text for man, so that no character of it is a command.
 std::string plain(const std::string& text) {
   std::string escaped;
   std::istringstream lines(text);

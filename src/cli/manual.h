@@ -6,7 +6,7 @@
 
 namespace ricochet::cli {
 
-/// The manual page of the commands of the description, in the language of man.
+/// Returns the manual page of the commands of the description, as roff.
 std::string manual(const report::Json& commands);
 
 }  // namespace ricochet::cli

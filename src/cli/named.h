@@ -10,7 +10,8 @@
 
 namespace ricochet::cli {
 
-/// The entry of that name. Throws InputError, with `what` it should be, where there is none.
+/// Returns the element of that name. Throws InputError, which says `what` it should be, if there is
+/// none.
 template <class List, class NameOf>
 auto named(const List& list, const std::string& wanted, const std::string& what, NameOf name_of) {
   std::vector<std::string> known;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
@@ -21,6 +22,18 @@ const char* summary_of(const std::string& command) {
 
 std::string path_of(const OtherCommand& other) {
   return std::filesystem::read_symlink("/proc/self/exe").replace_filename(other.program).string();
+}
+
+std::string output_of(const OtherCommand& other, const std::string& argument) {
+  std::string quoted;  // for the shell
+  for (const char c : path_of(other)) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  std::FILE* output = popen(fmt::format("'{}' '{}' 2>/dev/null", quoted, argument).c_str(), "re");
+  if (output == nullptr) return "";
+  std::string text;
+  char part[4096];
+  for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, output)) > 0;)
+    text.append(part, size);
+  return pclose(output) == 0 ? text : "";
 }
 
 void hand_over(const OtherCommand& other, std::vector<std::string> arguments) {

@@ -5,42 +5,48 @@
 
 namespace ricochet::cli {
 
-/// A command that a program of its own carries out, so that who does not call it need not build it.
+/// A command that is a separate program, so that it need not be built unless it is used.
 struct OtherCommand {
   const char* command;
-  const char* program;  ///< its file's name, beside ricochet
+  const char* program;  ///< file name, in ricochet's folder
   const char* summary;
 };
+
+/// The reproduction of the paper.
+inline constexpr OtherCommand reproduction = {
+    "reproduce", "ricochet-reproduce", "The main job: every case against the paper, as a report"};
 
 /// The studies of the suite itself, and the speed measurements.
 inline constexpr OtherCommand other_commands[] = {
     {"calibrate", "ricochet-studies",
-     "Which reading of the paper, and which constants, give its thresholds"},
-    {"limits", "ricochet-studies", "How near any reading can come to the paper, as a report"},
+     "Which interpretation of the paper, and which constants, give its thresholds"},
+    {"limits", "ricochet-studies",
+     "How near any interpretation can come to the paper, as a report"},
     {"dynamics", "ricochet-studies",
      "Contact laws, numerical methods, hard and compliant walls, as a report"},
     {"surrogate", "ricochet-studies",
      "Where the smooth surrogate and its gradient can be trusted, as a report"},
-    {"trials", "ricochet-studies",
-     "Would a reading of the paper that nobody has tried come nearer, as a report"},
     {"fireworks", "ricochet-studies",
      "The fireworks family beside what is published of it, as a report"},
     {"verify", "ricochet-studies", "The impact model against an oracle in extended precision"},
-    {"stress", "ricochet-studies", "What every solver does where a problem is ill, as a report"},
-    {"problems", "ricochet-studies", "What every question asks, as a report"},
+    {"stress", "ricochet-studies", "What every solver does on pathological problems, as a report"},
+    {"problems", "ricochet-studies", "What every problem asks, as a report"},
     {"best-values", "ricochet-studies",
-     "The best known value of every question, looked for at length"},
+     "The best known value of every problem, looked for at length"},
     {"bench", "ricochet-bench", "The speed measurements; further flags are Google Benchmark's"},
 };
 
-/// The summary of one of these commands. Throws std::out_of_range if it is none.
+/// Returns the summary of one of these commands. Throws std::out_of_range for any other.
 const char* summary_of(const std::string& command);
 
-/// Where that program is: beside this one.
+/// Returns the path of that program: in the folder of this one.
 std::string path_of(const OtherCommand& other);
 
-/// Becomes that program, which is called with the command and the arguments. Throws
-/// std::runtime_error if it is not there; otherwise it does not return.
+/// Returns the output of that program for this argument; empty if it fails.
+std::string output_of(const OtherCommand& other, const std::string& argument);
+
+/// Replaces this process by that program, called with the command and the arguments. Throws
+/// std::runtime_error if it does not exist; otherwise does not return.
 [[noreturn]] void hand_over(const OtherCommand& other, std::vector<std::string> arguments);
 
 }  // namespace ricochet::cli

@@ -10,7 +10,7 @@
 namespace ricochet::cli {
 namespace {
 
-/// Whether both are one regular file, or would be.
+/// Returns true if both are, or would be, the same regular file.
 bool are_same(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code none;
   if (std::filesystem::exists(a, none) && !std::filesystem::is_regular_file(a, none)) return false;

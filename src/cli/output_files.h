@@ -4,8 +4,8 @@
 
 namespace ricochet::cli {
 
-/// Throws InputError where an option's `file` would be written over `other`, which is `what`.
-/// Either may be empty: then there is no such file.
+/// Throws InputError if an option's `file` would overwrite `other`, described by `what`. An empty
+/// name means no file.
 void refuse_same_file(const char* option, const std::string& file, const std::string& other,
                       const char* what);
 

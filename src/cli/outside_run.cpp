@@ -23,7 +23,7 @@ void append(const auto& values, std::vector<double>& numbers) {
 }  // namespace
 
 std::vector<double> Answer::numbers() const {
-  std::vector<double> all = {told.values.objective, truth.objective, truth.violation};
+  std::vector<double> all = {told.values.objective, true_values.objective, true_values.violation};
   append(told.values.constraints, all);
   append(told.gradient, all);
   append(told.jacobian, all);
@@ -43,14 +43,12 @@ Json json_of(const Answer& answer, const AskedPoint& asked) {
   if (asked.residuals && asked.derivatives) {
     json["residual_jacobian"] = rows_of(answer.residuals.jacobian);
   }
-  json["truth"] = {{"objective", answer.truth.objective}, {"violation", answer.truth.violation}};
+  json["true_values"] = {{"objective", answer.true_values.objective},
+                         {"violation", answer.true_values.violation}};
   return json;
 }
 
 OutsideRun::OutsideRun(Problem problem) : problem_(std::move(problem)) {
-  if (problem_.truth) {
-    problem_.truth = [this, truth = problem_.truth](const Vector& x) { return truth_ = truth(x); };
-  }
   evaluator_.emplace(problem_, Budget{std::numeric_limits<std::int64_t>::max()});
 }
 
@@ -71,7 +69,10 @@ Answer OutsideRun::answer(const AskedPoint& asked) {
     evaluator_.emplace(problem_, Budget{std::numeric_limits<std::int64_t>::max()});
     std::rethrow_exception(failure);
   }
-  answer.truth = problem_.truth ? truth_ : truth_of(answer.told.values, problem_.equalities);
+  const Vector inside = asked.x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+  answer.true_values = problem_.true_values
+                           ? problem_.true_values(inside)
+                           : true_values_of(answer.told.values, problem_.equalities);
   return answer;
 }
 

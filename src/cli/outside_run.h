@@ -10,21 +10,21 @@
 
 namespace ricochet::cli {
 
-/// What there is to say of a point.
+/// The values at a point.
 struct Answer {
-  Derivatives told;     ///< the values alone where no derivatives were asked for
-  Residuals residuals;  ///< where they were asked for, their Jacobian only with derivatives
-  Truth truth;          ///< what the suite judges by
+  Derivatives told;        ///< only the values if no derivatives were requested
+  Residuals residuals;     ///< if requested; with their Jacobian only if derivatives were requested
+  TrueValues true_values;  ///< the suite scores by these
 
-  /// All its numbers, one after the other.
+  /// Returns all its numbers as one list.
   std::vector<double> numbers() const;
 };
 
-/// With keys for the derivatives and residuals where they were asked for. JSON has no number for
-/// what is infinite or no number at all: these are null.
+/// Has keys for derivatives and residuals if they were requested. JSON has no infinity and no NaN:
+/// these are null.
 report::Json json_of(const Answer& answer, const AskedPoint& asked);
 
-/// The run of an optimiser outside, which ends when that wants it to.
+/// A run of an external optimiser, which ends when the optimiser decides so.
 class OutsideRun {
  public:
   explicit OutsideRun(Problem problem);
@@ -33,17 +33,16 @@ class OutsideRun {
 
   const Problem& problem() const { return problem_; }
 
-  /// Throws what the problem throws; the run goes on all the same.
+  /// Throws what the problem throws; the run continues.
   Answer answer(const AskedPoint& asked);
 
-  /// So many as a solver would have been charged.
+  /// The number of evaluations that a solver would have been charged.
   std::int64_t evaluations() { return before_ + evaluator_->ledger().charged; }
 
  private:
-  Problem problem_;          // whose truth is remembered as it is computed
-  Truth truth_;              // of the point asked for last, where it is not what is shown
-  std::int64_t before_ = 0;  // evaluations until the problem threw last
-  std::optional<Evaluator> evaluator_;  // a new one after that
+  Problem problem_;
+  std::int64_t before_ = 0;             // evaluations until the problem last threw
+  std::optional<Evaluator> evaluator_;  // renewed after that
 };
 
 }  // namespace ricochet::cli

@@ -13,18 +13,19 @@
 #include "embedded/quick_plan.h"
 #include "embedded/slurm_template.h"
 #include "solvers/varied.h"
-#include "src/campaign/forecast.h"
+#include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/cli/campaign_size.h"
+#include "src/cli/cores.h"
 #include "src/core/error.h"
 #include "src/report/filled_text.h"
-#include "src/studies/contest/catalogue.h"
+#include "src/research/suite/catalogue.h"
 
 namespace ricochet::cli {
 namespace {
 
 using report::Json;
 
-/// A word of a shell, whatever it has in it.
+/// Quotes any word for a shell.
 std::string in_shell_quotes(const std::string& word) {
   std::string quoted = "'";
   for (const char c : word) {
@@ -46,7 +47,8 @@ std::string value_in_words(const Json& value) {
   return value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump();
 }
 
-/// A solver with options, and what else could be given; of those that can be given much, what is.
+/// Describes a solver with options and the options that can still be set; if it has many, only
+/// those that are set.
 Json varied_solver(const VariedSolver& varied) {
   constexpr std::size_t few = 20;
   const std::vector<SolverOption> known = ricochet::options_of(varied.of);

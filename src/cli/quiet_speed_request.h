@@ -6,20 +6,20 @@
 
 namespace ricochet::cli {
 
-/// What a user asks of a machine's quiet speed.
+/// The user's options for a machine's quiet speed.
 struct QuietSpeedRequest {
   double fastest = 18.0;                 ///< [rad/s], end of the range searched
   std::optional<double> allow;           ///< collisions in the window
   std::optional<double> allow_per_turn;  ///< collisions
   std::optional<double> allow_energy;    ///< [J], in the window
   std::optional<double> allow_speed;     ///< [m/s], of the fastest impact
-  double tolerance = 0;                  ///< [%], of every constant
+  double tolerance = 0;                  ///< [%], of every model parameter
 };
 
-/// Throws InputError for what is out of range, and for more than one limit.
+/// Throws InputError if a value is out of range, or if more than one limit is given.
 carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request);
 
-/// Throws InputError for a scene with a speed profile: a threshold is of constant speeds.
+/// Throws InputError for a scene with a speed profile: a threshold needs constant speeds.
 void refuse_profile(const carrier_track::Scene& scene, const std::string& name);
 
 }  // namespace ricochet::cli

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 
 namespace ricochet::cli {
 
-/// Which scene the user asked for: one of the paper's cases, or a machine of their own.
+/// The scene that the user selected: one of the paper's cases, or a machine of the user.
 struct SceneChoice {
   std::string case_id;     ///< of --case, empty if not given
   std::string scene_file;  ///< of --scene, empty if not given
@@ -16,15 +16,16 @@ struct SceneChoice {
 
 struct ChosenScene {
   std::string name;  ///< the case's id, or the file's stem
-  std::string reading;
+  std::string interpretation;
   carrier_track::Scene scene;
-  carrier_track::Claim claim;  ///< empty for a machine of the user's own
+  carrier_track::Claim claim;  ///< empty for a user's machine
 };
 
-/// Throws InputError for an unknown case, a bad file, or anything but one of the two.
+/// Throws InputError for an unknown case, an invalid file, or unless exactly one of the two is
+/// given.
 ChosenScene choose_scene(const SceneChoice& choice);
 
-/// Every case of the paper, in the default reading.
+/// Every case of the paper, in the default interpretation.
 std::vector<ChosenScene> every_case();
 
 }  // namespace ricochet::cli

@@ -9,16 +9,15 @@
 #include <utility>
 #include <vector>
 
+#include "problems/carrier_track/advice/path_chart.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "src/cli/output_files.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
-#include "src/report/gnuplot.h"
+#include "src/report/drawn_chart.h"
 #include "src/report/json.h"
-#include "src/report/svg.h"
-#include "src/studies/path_chart.h"
 
 namespace ricochet::cli {
 namespace {
@@ -55,7 +54,7 @@ Json json_of(const Peak& p) {
   return {{"time", p.time}, {"position", p.position}};
 }
 
-/// All but the impacts and the maxima, whose lists are empty.
+/// Everything but the impacts and the maxima, whose lists are left empty.
 Json frame_of(const Recording& recording) {
   return {{"count", recording.count},
           {"surrogate", recording.surrogate},
@@ -74,7 +73,8 @@ Json frame_of(const Recording& recording) {
           {"fidelity", name_of(fidelity_names(), recording.fidelity)}};
 }
 
-/// Prints the elements of a list one by one: as one tree, millions of them would fill the memory.
+/// Prints the elements of a list one by one: millions of them would not fit into memory as one
+/// tree.
 template <class Element>
 void print_elements(const std::vector<Element>& list) {
   const char* separator = "\n    ";
@@ -107,7 +107,7 @@ std::string csv_of(const Recording& recording) {
   return text;
 }
 
-std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
+report::Plot plot_of(const ChosenScene& chosen, const Recording& recording) {
   std::vector<report::Chart> charts = {
       studies::path_chart(chosen.scene, recording, "path",
                           fmt::format("{} at {}: {} collisions", chosen.name,
@@ -119,7 +119,7 @@ std::string picture_of(const ChosenScene& chosen, const Recording& recording) {
     chart.width = 960;
     chart.height = 360;
   }
-  return report::stacked(report::to_svgs(charts));
+  return report::plot_of(charts);
 }
 
 /// Prints a line for each element, up to a limit.
@@ -131,7 +131,7 @@ void print_first(const std::vector<Element>& all, const Print& print) {
   fmt::print("... and {} more; --format json lists all\n", all.size() - shown);
 }
 
-/// The impacts or the maxima, whichever the rule looks at, and which of them count.
+/// Prints the impacts or the maxima, whichever the rule uses, and marks those that count.
 void print_features(const Scene& scene, const Recording& recording) {
   const std::vector<Feature> features = features_of(scene, recording);
   auto feature = features.begin();
@@ -173,7 +173,7 @@ void print(const ChosenScene& chosen, const Recording& recording) {
   print_features(chosen.scene, recording);
 }
 
-/// Throws InputError where a file would be written over the scene, or over the other.
+/// Throws InputError if a file would overwrite the scene, or the other file.
 void refuse_same_files(const SimulateOptions& options) {
   refuse_same_file("--csv", options.csv, options.scene.scene_file, "the scene");
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
@@ -192,21 +192,24 @@ int simulate(const SimulateOptions& options) {
     chosen.scene.fidelity = fidelity_named(options.fidelity);
     check(chosen.scene, chosen.name);
   }
-  if (!(options.width > 0 && std::isfinite(options.width))) {
-    throw InputError(fmt::format("--width {}: must be a finite number > 0", options.width));
+  if (!(options.smoothing > 0 && std::isfinite(options.smoothing))) {
+    throw InputError(fmt::format("--smoothing {}: must be a finite number > 0", options.smoothing));
   }
   refuse_same_files(options);
   const bool path = !options.csv.empty() || !options.plot.empty();
-  const Recording recording = record(chosen.scene, options.width, path ? 2000 : 0);
+  const Recording recording = record(chosen.scene, options.smoothing, path ? 2000 : 0);
   std::deque<TextDraft> drafts;
   if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(recording));
-  if (!options.plot.empty()) drafts.emplace_back(options.plot, picture_of(chosen, recording));
+  report::Plot plot;
+  if (!options.plot.empty()) plot = plot_of(chosen, recording);
+  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
   for (TextDraft& draft : drafts) draft.commit();
   if (options.json) {
     print_json(recording);
   } else {
     print(chosen, recording);
   }
+  report::require_none(plot.failures);
   return 0;
 }
 

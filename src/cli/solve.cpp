@@ -12,16 +12,17 @@
 #include "problems/families.h"
 #include "solvers/outside/outside.h"
 #include "solvers/solvers.h"
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/runner.h"
+#include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/cli/named.h"
 #include "src/core/error.h"
 #include "src/core/instance.h"
 #include "src/core/seed.h"
 #include "src/core/text_file.h"
 #include "src/core/verdict.h"
-#include "src/features/feature.h"
-#include "src/report/gnuplot.h"
+#include "src/report/drawn_chart.h"
 #include "src/report/json.h"
+#include "src/research/suite/families.h"
 
 namespace ricochet::cli {
 namespace {
@@ -34,49 +35,56 @@ Solver solver_of(const std::string& wanted) {
   return named(all_solvers(), wanted, "solver", [](const Solver& s) { return s.name; });
 }
 
-/// The form asked for, or the first that the solver accepts.
-Form form_of(const SolveOptions& options, const Question& question, const Solver& solver) {
-  std::vector<Form> accepted;
+/// The formulation asked for, or the first that the solver accepts.
+Formulation formulation_of(const SolveOptions& options, const Problem& problem,
+                           const Solver& solver) {
+  std::vector<Formulation> accepted;
   std::vector<std::string> names;
-  for (const Form& form : question.forms()) {
-    if (!solver.accepts(question.problem(form))) continue;
-    accepted.push_back(form);
-    names.push_back(question.name_of(form));
+  for (const Formulation& formulation : problem.formulations()) {
+    if (!solver.accepts(problem.formulated(formulation))) continue;
+    accepted.push_back(formulation);
+    names.push_back(problem.name_of(formulation));
   }
   if (accepted.empty()) {
-    throw InputError(fmt::format("{} accepts no form of {}", solver.name, question.name()));
+    const Capabilities& can = solver.capabilities;
+    throw InputError(fmt::format(
+        "{} accepts no formulation of {}; variables: {}; constraints: {}; needs: {}", solver.name,
+        problem.name, can.variables_in_words(), can.constraints_in_words(), can.needs_in_words()));
   }
-  if (options.form.empty()) return accepted.front();
-  return named(accepted, options.form,
-               fmt::format("form of {} that {} accepts", question.name(), solver.name),
-               [&](const Form& form) { return question.name_of(form); });
+  if (options.formulation.empty()) return accepted.front();
+  return named(accepted, options.formulation,
+               fmt::format("formulation of {} that {} accepts", problem.name, solver.name),
+               [&](const Formulation& formulation) { return problem.name_of(formulation); });
 }
 
-/// The problem behind the feature asked for. Its draws are those of problem, instance and run, the
-/// same for every solver.
-Problem featured(const SolveOptions& options, const Problem& problem, const std::string& form) {
-  const Feature feature = named(all_features(), options.feature, "feature",
-                                [](const Feature& known) { return known.name; });
-  if (!feature.applies(problem)) {
-    throw InputError(fmt::format("--feature {}: cannot be had of {}, shown {}: {}", feature.name,
-                                 problem.name, form, feature.summary));
+/// Wraps the problem in the selected perturbation. Its random numbers depend on problem, instance
+/// and run, and are the same for every solver.
+Problem featured(const SolveOptions& options, const Problem& problem,
+                 const std::string& formulation) {
+  const Perturbation perturbation = named(all_perturbations(), options.perturbation, "perturbation",
+                                          [](const Perturbation& known) { return known.name; });
+  if (!perturbation.applies(problem)) {
+    throw InputError(fmt::format("--perturbation {}: cannot be had of {}, shown {}: {}",
+                                 perturbation.name, problem.name, formulation,
+                                 perturbation.summary));
   }
-  return feature.perturbed(problem,
-                           seed_of(problem.name, feature.name, problem.instance, options.seed));
+  return perturbation.perturbed(
+      problem, seed_of(problem.name, perturbation.name, problem.instance, options.seed));
 }
 
-/// The problem, which says on a terminal whenever a truly better point was evaluated.
+/// Wraps the problem so that it reports on a terminal whenever a better true objective was
+/// evaluated.
 Problem watched(const Problem& problem) {
   if (isatty(STDERR_FILENO) == 0) return problem;
   Problem result = problem;
-  result.truth = [problem, best = std::optional<Truth>()](const Vector& x) mutable {
-    const Truth truth = truth_at(problem, x);
-    if (!best || better(truth, *best)) {
-      best = truth;
-      fmt::print(stderr, "\r\033[Kbest {:.9g}{}", truth.objective,
-                 truth.violation > 0 ? ", not feasible" : "");
+  result.true_values = [problem, best = std::optional<TrueValues>()](const Vector& x) mutable {
+    const TrueValues true_values = true_values_at(problem, x);
+    if (!best || better(true_values, *best)) {
+      best = true_values;
+      fmt::print(stderr, "\r\033[Kbest {:.9g}{}", true_values.objective,
+                 true_values.violation > 0 ? ", not feasible" : "");
     }
-    return truth;
+    return true_values;
   };
   return result;
 }
@@ -86,15 +94,15 @@ std::string trace_of(const RunRecord& record, const Problem& problem) {
   for (Eigen::Index i = 0; i < problem.dimension(); ++i) text += fmt::format(",x{}", i + 1);
   text += "\n";
   for (const Improvement& step : record.trace) {
-    text += fmt::format("{},{},{},{}", step.evaluations, step.seconds, step.truth.objective,
-                        step.truth.violation);
+    text += fmt::format("{},{},{},{}", step.evaluations, step.seconds, step.true_values.objective,
+                        step.true_values.violation);
     for (const double x : step.x) text += fmt::format(",{}", x);
     text += "\n";
   }
   return text;
 }
 
-std::string picture_of(const RunRecord& record, const Problem& problem, const std::string& title) {
+report::Plot plot_of(const RunRecord& record, const Problem& problem, const std::string& title) {
   report::Chart chart;
   chart.name = "trace";
   chart.title = title;
@@ -103,8 +111,8 @@ std::string picture_of(const RunRecord& record, const Problem& problem, const st
   chart.width = 720;
   report::Series series{"", report::Mark::steps, {}};
   for (const Improvement& step : record.trace) {
-    if (step.truth.violation > 0) continue;
-    series.samples.push_back({static_cast<double>(step.evaluations), step.truth.objective});
+    if (step.true_values.violation > 0) continue;
+    series.samples.push_back({static_cast<double>(step.evaluations), step.true_values.objective});
   }
   if (!series.samples.empty()) {
     series.samples.push_back(
@@ -114,56 +122,57 @@ std::string picture_of(const RunRecord& record, const Problem& problem, const st
   if (problem.best_known) {
     chart.lines = {{report::Direction::horizontal, *problem.best_known, "best known"}};
   }
-  return report::to_svg(chart);
+  return report::plot_of({chart});
 }
 
-Json json_of(const RunRecord& record, const Verdict& verdict, const std::string& form,
-             const std::string& feature, const Problem& problem) {
-  Json exits = Json::array();
-  for (const SolverExit& exit : record.exits) exits.push_back(exit.reason);
+Json json_of(const RunRecord& record, const Verdict& verdict, const std::string& formulation,
+             const std::string& perturbation, const Problem& problem) {
+  Json terminations = Json::array();
+  for (const SolverTermination& exit : record.terminations) terminations.push_back(exit.reason);
   Json point;
   if (!record.trace.empty()) point = record.trace.back().x;
-  return {{"question", record.problem},
+  return {{"problem", record.problem},
           {"solver", record.solver},
-          {"form", form},
-          {"feature", feature},
+          {"formulation", formulation},
+          {"perturbation", perturbation},
           {"instance", record.instance},
           {"run", record.run},
           {"budget", record.budget.evaluations},
           {"solved", verdict.solved},
           {"objective", verdict.objective},
           {"best_known", problem.best_known},
-          {"gap", verdict.regret},
+          {"gap", verdict.optimality_gap},
           {"evaluations_to_solve", verdict.evaluations_to_solve},
-          {"handed_over_solved", verdict.handed_over_solved},
-          {"handed_over_gap", verdict.handed_over_regret},
+          {"returned_solved", verdict.returned_solved},
+          {"returned_gap", verdict.returned_optimality_gap},
           {"evaluations", record.ledger.charged},
           {"seconds", record.ledger.seconds},
           {"point", point},
-          {"exits", exits},
+          {"terminations", terminations},
           {"failure", record.failure}};
 }
 
-void print(const RunRecord& record, const Verdict& verdict, const std::string& form,
-           const std::string& feature, const Problem& problem) {
-  fmt::print("{} on {}, shown {}{}, instance {}: {}.\n", record.solver, record.problem, form,
-             feature == "plain" ? "" : ", " + feature, record.instance,
+void print(const RunRecord& record, const Verdict& verdict, const std::string& formulation,
+           const std::string& perturbation, const Problem& problem) {
+  fmt::print("{} on {}, shown {}{}, instance {}: {}.\n", record.solver, record.problem, formulation,
+             perturbation == "plain" ? "" : ", " + perturbation, record.instance,
              verdict.solved
                  ? fmt::format("solved after {} evaluations", *verdict.evaluations_to_solve)
              : verdict.feasible ? "not solved"
                                 : "nothing feasible found");
   if (verdict.objective) {
     fmt::print("Found {:.9g}", *verdict.objective);
-    if (verdict.regret)
-      fmt::print(", {:.3g} from the best known, {:.9g}", *verdict.regret, *problem.best_known);
+    if (verdict.optimality_gap)
+      fmt::print(", {:.3g} from the best known, {:.9g}", *verdict.optimality_gap,
+                 *problem.best_known);
     fmt::print(".\n");
   }
-  if (!record.handed_over) {
-    fmt::print("Handed over: nothing.\n");
-  } else if (record.handed_over->truth.violation > 0) {
-    fmt::print("Handed over: a point that is not feasible.\n");
+  if (!record.returned) {
+    fmt::print("Returned: nothing.\n");
+  } else if (record.returned->true_values.violation > 0) {
+    fmt::print("Returned: a point that is not feasible.\n");
   } else {
-    fmt::print("Handed over {:.9g}.\n", record.handed_over->truth.objective);
+    fmt::print("Returned {:.9g}.\n", record.returned->true_values.objective);
   }
   if (!record.trace.empty()) {
     const Vector& x = record.trace.back().x;
@@ -173,10 +182,10 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
     fmt::print("{}.\n", x.size() > 8 ? fmt::format(" ... ({} variables)", x.size()) : "");
   }
   fmt::print("{} evaluations, {:.3g} ms of processor time, {} starts:", record.ledger.charged,
-             1e3 * record.ledger.seconds, record.exits.size());
-  std::map<std::string, int> exits;
-  for (const SolverExit& exit : record.exits) ++exits[exit.reason];
-  for (const auto& [reason, times] : exits) fmt::print(" {} times \"{}\"", times, reason);
+             1e3 * record.ledger.seconds, record.terminations.size());
+  std::map<std::string, int> terminations;
+  for (const SolverTermination& exit : record.terminations) ++terminations[exit.reason];
+  for (const auto& [reason, times] : terminations) fmt::print(" {} times \"{}\"", times, reason);
   fmt::print(".\n");
   if (!record.failure.empty()) fmt::print("Failed: {}\n", record.failure);
 }
@@ -192,31 +201,34 @@ int solve(const SolveOptions& options) {
   if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
   check(options.limits);
   const Solver solver = solver_of(options.solver);
-  const Question question = named(every_question(all_families()), options.question, "question",
-                                  [](const Question& q) { return q.name(); });
-  const Form form = form_of(options, question, solver);
-  const std::string form_name = question.name_of(form);
-  const Problem problem =
-      featured(options, instance(question.problem(form), options.instance), form_name);
+  const Problem asked = named(every_problem(suite_families()), options.problem, "problem",
+                              [](const Problem& q) { return q.name; });
+  const Formulation formulation = formulation_of(options, asked, solver);
+  const std::string formulation_name = asked.name_of(formulation);
+  const Problem problem = featured(
+      options, instance(asked.formulated(formulation), options.instance), formulation_name);
   const Problem seen = watched(problem);
-  const std::string shown = shown_as(form_name, options.feature);
+  const std::string shown = shown_as(formulation_name, options.perturbation);
   RunRecord record;
   run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, options.limits,
           [&record](std::size_t, RunRecord made) { record = std::move(made); });
   if (isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\033[K");
-  const Verdict verdict = judge(record, problem, question.tolerance);
+  const Verdict verdict = judge(record, problem, asked.tolerance);
   std::deque<TextDraft> drafts;
   if (!options.trace.empty()) drafts.emplace_back(options.trace, trace_of(record, problem));
+  report::Plot plot;
   if (!options.plot.empty()) {
-    drafts.emplace_back(options.plot,
-                        picture_of(record, problem, solver.name + " on " + question.name()));
+    plot = plot_of(record, problem, solver.name + " on " + asked.name);
+    if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
   }
   for (TextDraft& draft : drafts) draft.commit();
   if (options.json) {
-    fmt::print("{}\n", json_of(record, verdict, form_name, options.feature, problem).dump(2));
+    fmt::print("{}\n",
+               json_of(record, verdict, formulation_name, options.perturbation, problem).dump(2));
   } else {
-    print(record, verdict, form_name, options.feature, problem);
+    print(record, verdict, formulation_name, options.perturbation, problem);
   }
+  report::require_none(plot.failures);
   return 0;
 }
 

@@ -12,7 +12,7 @@ int merge_stores(const std::vector<std::string>& parts, const std::string& out);
 /// Prints the digest of a store.
 int print_digest(const std::string& store);
 
-/// Makes a run of a store again and says whether it ends in the same bits: exit code 0, or 1.
+/// Repeats a stored run and says whether the results are identical to the bit: exit code 0, or 1.
 int replay(const std::string& store, std::int64_t number, bool json);
 
 }  // namespace ricochet::cli

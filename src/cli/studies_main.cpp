@@ -1,32 +1,30 @@
-#include <fmt/format.h>
-
 #include <optional>
 
+#include "problems/carrier_track/check/verification/study.h"
 #include "solvers/solvers.h"
+#include "src/benchmark/problem_pages/study.h"
+#include "src/benchmark/stress/study.h"
 #include "src/cli/best_values.h"
 #include "src/cli/command_line.h"
 #include "src/cli/other_program.h"
+#include "src/cli/tell.h"
 #include "src/cli/verify.h"
-#include "src/studies/calibration/study.h"
-#include "src/studies/dynamics/study.h"
-#include "src/studies/fireworks/study.h"
-#include "src/studies/limits/study.h"
-#include "src/studies/problems/study.h"
-#include "src/studies/stress/study.h"
-#include "src/studies/surrogate/study.h"
-#include "src/studies/trials/study.h"
-#include "src/studies/verification/study.h"
+#include "src/research/calibration/study.h"
+#include "src/research/dynamics/study.h"
+#include "src/research/fireworks/study.h"
+#include "src/research/limits/study.h"
+#include "src/research/suite/families.h"
+#include "src/research/surrogate/study.h"
 
 namespace ricochet::cli {
 namespace {
 
-/// The studies of the suite itself, to which ricochet hands over.
+/// The studies of the suite itself, which ricochet calls.
 class Studies : public CommandLine {
  public:
   Studies() {
     add_calibrate();
     add_limits();
-    add_trials();
     add_study("dynamics", summary_of("dynamics"), studies::dynamics_study,
               "  ricochet dynamics --quick");
     add_study("surrogate", summary_of("surrogate"), studies::surrogate_study,
@@ -46,16 +44,20 @@ class Studies : public CommandLine {
   void add_calibrate() {
     CLI::App* command = add("calibrate", summary_of("calibrate"),
                             "  ricochet calibrate --quick\n"
-                            "  ricochet calibrate --all-readings --check");
-    command->add_option("--reading", calibration_.reading,
-                        "One of ricochet list readings, for the default one");
-    command->add_flag("--all-readings", calibration_.all_readings, "Every reading, compared");
+                            "  ricochet calibrate --all-interpretations --check\n"
+                            "  ricochet calibrate --variants");
+    command->add_option("--interpretation", calibration_.interpretation,
+                        "One of ricochet list interpretations, for the default one");
+    command->add_flag("--all-interpretations", calibration_.all_interpretations,
+                      "Every interpretation, compared");
     command->add_flag("--check", calibration_.check,
-                      "Rank the readings by another seed and by another solver too");
+                      "Rank the interpretations by another seed and by another solver too");
     command->add_flag(
         "--converge", calibration_.converge,
-        "Search the best readings at length, from three seeds by two solvers: do they "
+        "Search the best interpretations at length, from three seeds by two solvers: do they "
         "end alike?");
+    command->add_flag("--variants", calibration_.variants,
+                      "Fit twelve model variants, too, which no interpretation of the paper says");
     command->add_option("--seed", calibration_.seed, "Of the searches")->capture_default_str();
     command->add_option("--solver", calibration_.solver, "That searches the whole of the bounds")
         ->capture_default_str();
@@ -63,17 +65,7 @@ class Studies : public CommandLine {
     on_call(command, [this, &options] {
       calibration_.folder = options.out;
       const studies::Study study = studies::calibration_study(calibration_);
-      std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
-      return 0;
-    });
-  }
-
-  void add_trials() {
-    CLI::App* command = add("trials", summary_of("trials"), "  ricochet trials --quick");
-    StudyOptions& options = add_study_options(command, studies::trials_study({}));
-    on_call(command, [&options] {
-      const studies::Study study = studies::trials_study(options.out);
-      std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+      tell(studies::run(study, options.quick, options.out));
       return 0;
     });
   }
@@ -86,7 +78,7 @@ class Studies : public CommandLine {
     StudyOptions& options = add_study_options(command, studies::limits_study({}));
     on_call(command, [&options] {
       const studies::Study study = studies::limits_study(options.out);
-      std::fputs(studies::run(study, options.quick, options.out).epilogue.c_str(), stdout);
+      tell(studies::run(study, options.quick, options.out));
       return 0;
     });
   }
@@ -112,7 +104,10 @@ class Studies : public CommandLine {
   void add_problems() {
     CLI::App* command = add_study(
         "problems", summary_of("problems"),
-        [this] { return studies::problems_study(problems_scene_); },
+        [this] {
+          return studies::problems_study([this] { return suite_families(problems_scene_); },
+                                         problems_scene_);
+        },
         "  ricochet problems\n"
         "  ricochet problems --scene machine.toml --out mine");
     command
@@ -123,9 +118,9 @@ class Studies : public CommandLine {
 
   void add_best_values() {
     CLI::App* command = add("best-values", summary_of("best-values"),
-                            "  ricochet best-values --questions 'robust-*-C4'\n"
+                            "  ricochet best-values --problems 'robust-*-C4'\n"
                             "  ricochet best-values --seconds 600  # and the same again, to go on");
-    command->add_option("--questions,--problems", best_values_.questions,
+    command->add_option("--problems,--problems", best_values_.problems,
                         "A pattern such as robust-*-C4, or a part of their names");
     command->add_option("--seconds", best_values_.seconds,
                         "Begin nothing later; the same command then goes on");
@@ -137,18 +132,8 @@ class Studies : public CommandLine {
                      "Instead: look for machines whose fastest quiet speed is hard to find, into "
                      "this file")
         ->type_name("FILE")
-        ->excludes("--questions", "--seconds", "--out");
+        ->excludes("--problems", "--seconds", "--out");
     on_call(command, [this] { return best_values(best_values_); });
-  }
-
-  /// For ricochet, which describes all commands.
-  void add_description() {
-    CLI::App* command = add("describe", "Prints what there is to say of the commands, as JSON");
-    command->group("");  // hidden
-    on_call(command, [this] {
-      fmt::print("{}\n", description().dump());
-      return 0;
-    });
   }
 
   studies::CalibrationOptions calibration_;

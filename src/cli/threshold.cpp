@@ -6,16 +6,16 @@
 #include <cmath>
 #include <optional>
 
+#include "problems/carrier_track/advice/quiet_speed_answer.h"
+#include "problems/carrier_track/advice/staircase_chart.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "src/campaign/progress.h"
 #include "src/cli/output_files.h"
 #include "src/core/error.h"
+#include "src/core/progress.h"
 #include "src/core/text_file.h"
-#include "src/report/gnuplot.h"
+#include "src/report/drawn_chart.h"
 #include "src/report/json.h"
 #include "src/report/text.h"
-#include "src/studies/advice/quiet_speed_answer.h"
-#include "src/studies/advice/staircase_chart.h"
 
 namespace ricochet::cli {
 namespace {
@@ -49,7 +49,7 @@ Json json_of(const ChosenScene& chosen, const Score& score) {
           {"loudness", score.loudness},
           {"paper_quiet_count", chosen.claim.quiet_count},
           {"quiet_count", score.quiet_count},
-          {"reading", chosen.reading},
+          {"interpretation", chosen.interpretation},
           {"evaluations", score.evaluations},
           {"seconds", score.seconds},
           {"examples", examples}};
@@ -80,7 +80,7 @@ void print_row(const ChosenScene& chosen, const Score& score) {
              report::text_or_dash(score.loudness, "{:.2f}"), examples);
 }
 
-/// What the paper's own rule says of a case, in words.
+/// Prints the result of the paper's rule for a case.
 void print_case(const ChosenScene& chosen, const Score& score, const ScanOptions& options) {
   fmt::print("{}: ", chosen.name);
   if (score.first_loud) {
@@ -126,7 +126,7 @@ int threshold_of_all(const ScanOptions& scan, bool json) {
   return 0;
 }
 
-/// What the answer for a machine says of the parts of the score.
+/// Returns the score that corresponds to the answer for a machine.
 Score score_of(const QuietSpeed& answer) {
   Score score;
   score.threshold = answer.split.speed;
@@ -138,14 +138,14 @@ Score score_of(const QuietSpeed& answer) {
   return score;
 }
 
-/// The staircase, with the answer and with what the paper claims.
-std::string picture_of(const ChosenScene& chosen, const QuietSpeed& answer, const Score& score,
-                       bool by_the_paper) {
+/// The staircase, with the answer and the paper's claim.
+report::Plot plot_of(const ChosenScene& chosen, const QuietSpeed& answer, const Score& score,
+                     bool by_the_paper) {
   const MarkedSpeed ours = by_the_paper
                                ? MarkedSpeed{score.threshold, "threshold by the paper's rule"}
                                : MarkedSpeed{answer.fastest_quiet, "fastest quiet speed"};
-  return report::to_svg(staircase_chart(answer, chosen.name + ": collisions against speed",
-                                        {ours, {chosen.claim.threshold, "paper's threshold"}}));
+  return report::plot_of({staircase_chart(answer, chosen.name + ": collisions against speed",
+                                          {ours, {chosen.claim.threshold, "paper's threshold"}})});
 }
 
 }  // namespace
@@ -175,9 +175,9 @@ int threshold(const ThresholdOptions& options) {
                                                     scan.stride)
                              : score_of(output.answer);
   score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!options.plot.empty()) {
-    write_text_file(options.plot, picture_of(chosen, output.answer, score, by_the_paper));
-  }
+  report::Plot plot;
+  if (!options.plot.empty()) plot = plot_of(chosen, output.answer, score, by_the_paper);
+  if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
   if (options.json) {
     Json json = json_of(chosen, score);
     json.update(studies::advice::json_of(output));
@@ -188,6 +188,7 @@ int threshold(const ThresholdOptions& options) {
   } else {
     fmt::print("{}", text_of(output));
   }
+  report::require_none(plot.failures);
   return 0;
 }
 

@@ -11,13 +11,13 @@ struct ThresholdOptions {
   SceneChoice scene;
   bool all = false;  ///< every case of the paper
   bool json = false;
-  std::string plot;  ///< SVG file for the staircase, empty for none
+  std::string plot;  ///< SVG file for the staircase; empty: none
   QuietSpeedRequest asked;
 };
 
-/// The fastest quiet speed of a machine: by the limit that is allowed, or by the staircase's own
-/// steps. Of the paper's cases the threshold by the paper's rule, and the steps beside it. Returns
-/// the exit code.
+/// Prints the fastest quiet speed of a machine: by the allowed limit, or by the steps of the
+/// staircase. For the paper's cases it prints the threshold by the paper's rule, and the steps for
+/// comparison. Returns the exit code.
 int threshold(const ThresholdOptions& options);
 
 }  // namespace ricochet::cli

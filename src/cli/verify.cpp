@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "problems/carrier_track/check/oracle/hostile_scenes.h"
+#include "problems/carrier_track/check/oracle/oracle.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/hostile_scenes.h"
-#include "problems/carrier_track/oracle/oracle.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/core/error.h"
+#include "src/report/drawn_chart.h"
 #include "src/report/json.h"
 
 namespace ricochet::cli {
@@ -32,7 +33,7 @@ Json json_of(const std::vector<Impact>& impacts) {
 void show_hostile_scene(int seed, int index, bool json) {
   if (index < 0) throw InputError(fmt::format("--scene-index {}: must be >= 0", index));
   const HostileScene hostile = hostile_scene(seed, index);
-  const OracleRun truth = oracle_run(hostile.scene);
+  const OracleRun true_values = oracle_run(hostile.scene);
   const Recording recording = record(hostile.scene, 0.0, 0);
   if (json) {
     const Json shown = {{"hostility", carrier_track::name_of(hostile.hostility)},
@@ -40,20 +41,20 @@ void show_hostile_scene(int seed, int index, bool json) {
                         {"scene", write_scene(hostile.scene)},
                         {"count", recording.count},
                         {"certain", recording.certainty.certain},
-                        {"oracle_count", truth.count},
-                        {"oracle_finished", truth.finished},
+                        {"oracle_count", true_values.count},
+                        {"oracle_finished", true_values.finished},
                         {"impacts", json_of(recording.impacts)},
-                        {"oracle_impacts", json_of(truth.impacts)}};
+                        {"oracle_impacts", json_of(true_values.impacts)}};
     fmt::print("{}\n", shown.dump(2));
     return;
   }
   fmt::print("# {}, closeness {}: count {}, {}; oracle {}{}\n{}\n",
              carrier_track::name_of(hostile.hostility), hostile.closeness, recording.count,
-             recording.certainty.certain ? "certain" : "uncertain", truth.count,
-             truth.finished ? "" : ", broken off", write_scene(hostile.scene));
+             recording.certainty.certain ? "certain" : "uncertain", true_values.count,
+             true_values.finished ? "" : ", broken off", write_scene(hostile.scene));
   for (const bool of_oracle : {false, true}) {
     fmt::print("# impacts of the {}\n", of_oracle ? "oracle" : "library");
-    for (const Impact& i : of_oracle ? truth.impacts : recording.impacts) {
+    for (const Impact& i : of_oracle ? true_values.impacts : recording.impacts) {
       fmt::print("# {:.17g} s  {}  {:.17g} m/s\n", i.time, name_of(i.wall), i.speed);
     }
   }
@@ -70,6 +71,7 @@ int verify(const studies::VerificationOptions& options, const std::string& folde
   } else {
     fmt::print("{}", finished.epilogue);
   }
+  report::require_none(finished.failures);
   return failed ? 1 : 0;
 }
 

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "src/studies/verification/study.h"
+#include "problems/carrier_track/check/verification/study.h"
 
 namespace ricochet::cli {
 
-/// Prints a scene of `verify`, as TOML or JSON, with the impacts that the library and the oracle
-/// find, to look at a disagreement. Throws InputError for a negative index.
+/// Prints a scene of `verify` as TOML or JSON, with the impacts of the library and of the oracle,
+/// to examine a disagreement. Throws InputError for a negative index.
 void show_hostile_scene(int seed, int index, bool json);
 
 /// Runs the study, writes its report into the folder, and prints its summary, or its results as

@@ -4,7 +4,7 @@
 
 namespace ricochet::cli {
 
-/// What --version prints: version, commit, compiler, and the libraries that this was built with.
+/// Returns the output of --version: version, commit, compiler, and the linked libraries.
 std::string version();
 
 }  // namespace ricochet::cli

@@ -10,7 +10,7 @@
 
 #include "src/core/vector.h"
 
-/// Derivatives by differences, as good as they can be had: what exact ones are held against.
+/// Accurate derivatives by extrapolated differences: the reference for exact derivatives.
 namespace ricochet {
 
 struct Difference {
@@ -18,13 +18,13 @@ struct Difference {
   double error = std::numeric_limits<double>::infinity();  ///< estimated
 };
 
-/// Extrapolates slopes over steps h, h/2, h/4, ... whose errors are a series in h^order to step 0,
-/// where the extrapolations agree best (Ridders 1982, doi 10.1016/S0141-1195(82)80057-0). The order
-/// is 1 or, of central differences, 2.
+/// Extrapolates slopes over steps h, h/2, h/4, ..., whose errors are a series in h^order, to step 0
+/// and returns the value where the extrapolations agree best (Ridders 1982, doi
+/// 10.1016/S0141-1195(82)80057-0). The order is 1, or 2 for central differences.
 template <class Number = double>
 class Extrapolation {
  public:
-  /// How many steps, at most; where rounding is far away, fewer do.
+  /// Largest number of steps; fewer are enough where rounding errors are small.
   static constexpr std::size_t levels = std::is_same_v<Number, double> ? 12 : 7;
 
   explicit Extrapolation(int order = 2) : first_(order == 1 ? 2 : 4) {}
@@ -52,7 +52,7 @@ class Extrapolation {
   Difference best_;
 };
 
-/// Slope of f at x by central differences of steps h and less.
+/// Slope of f at x by central differences of step h and smaller.
 template <class Function, class Number>
 Difference difference(Function f, Number x, Number h) {
   Extrapolation<Number> extrapolation;
@@ -62,7 +62,7 @@ Difference difference(Function f, Number x, Number h) {
   return extrapolation.best();
 }
 
-/// The same by differences to one side, that of h.
+/// Slope of f at x by one-sided differences, on the side given by the sign of h.
 template <class Function, class Number>
 Difference one_sided_difference(Function f, Number x, Number h) {
   Extrapolation<Number> extrapolation(1);

@@ -4,7 +4,7 @@
 
 namespace ricochet {
 
-/// The user's input is at fault. The message is one line that names what is wrong, where, and what
+/// An error in the user's input. The message is one line that names what is wrong, where, and what
 /// is allowed. The command line ends with exit code 2 and has written nothing.
 class InputError : public std::runtime_error {
  public:

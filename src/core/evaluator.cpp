@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
+
+#include "src/core/scorer.h"
 
 namespace ricochet {
 
-Evaluator::Evaluator(const Problem& problem, const Budget& budget,
-                     std::function<void(const Improvement&)> on_improvement)
-    : problem_(problem), budget_(budget), on_improvement_(std::move(on_improvement)) {}
+Evaluator::Evaluator(const Problem& problem, const Budget& budget, Scorer* scorer)
+    : problem_(problem), scorer_(scorer), budget_(budget) {}
 
 std::int64_t Evaluator::remaining() const {
   return over() ? 0 : std::min(budget_.evaluations, pause_) - ledger_.charged;
@@ -17,7 +17,8 @@ std::int64_t Evaluator::remaining() const {
 
 void Evaluator::allow(std::int64_t evaluations) {
   pause_ = ledger_.charged + evaluations;
-  if (refusal_ == Refusal::paused) refusal_ = Refusal::none;
+  if (termination_reason_ == TerminationReason::paused)
+    termination_reason_ = TerminationReason::none;
 }
 
 Ledger Evaluator::ledger() {
@@ -31,12 +32,14 @@ std::int64_t Evaluator::gradient_price() const {
 
 bool Evaluator::admits(const Vector& x, std::int64_t price) {
   if (!over()) {
-    if (ledger_.charged + price > pause_) refusal_ = Refusal::paused;
-    if (ledger_.charged + price > budget_.evaluations) refusal_ = Refusal::evaluations;
+    if (ledger_.charged + price > pause_) termination_reason_ = TerminationReason::paused;
+    if (ledger_.charged + price > budget_.evaluations)
+      termination_reason_ = TerminationReason::evaluations;
     if (std::isfinite(budget_.seconds) && stopwatch_.glance() >= budget_.seconds) {
-      refusal_ = Refusal::seconds;
+      termination_reason_ = TerminationReason::seconds;
     }
-    if (x.size() != problem_.dimension() || !x.allFinite()) refusal_ = Refusal::bad_point;
+    if (x.size() != problem_.dimension() || !x.allFinite())
+      termination_reason_ = TerminationReason::bad_point;
   }
   if (over()) ++ledger_.refused;
   return !over();
@@ -57,7 +60,7 @@ void Evaluator::forget() {
   residuals_ = {};
 }
 
-/// Forgets all but a point that is remembered.
+/// Makes x the remembered point; forgets all values if it is another one.
 void Evaluator::move_to(const Vector& x) {
   if (remembers(x)) return;
   forget();
@@ -73,40 +76,28 @@ bool Evaluator::guarded(Work work) {
     return true;
   } catch (...) {
     failure_ = std::current_exception();
-    refusal_ = Refusal::failure;
+    termination_reason_ = TerminationReason::failure;
     return false;
   }
 }
 
 void Evaluator::look(const Vector& x, const Values& values) {
-  const Truth taken_for = truth_of(values, problem_.equalities);
+  const TrueValues taken_for = true_values_of(values, problem_.equalities);
   if (!best_shown_ || better(taken_for, best_shown_->taken_for)) best_shown_ = {taken_for, x};
 }
 
-void Evaluator::smooth(double width) {
-  if (!problem_.smoothed) throw std::logic_error(problem_.name + " has no smoothing width");
-  smoothed_ = problem_.smoothed(width);
+void Evaluator::smooth(double smoothing) {
+  if (!problem_.smoothed) throw std::logic_error(problem_.name + " has no smoothing parameter");
+  smoothed_ = problem_.smoothed(smoothing);
   best_shown_.reset();
   forget();
 }
 
-/// `known`: the values at x, or null where nobody has asked for them.
-void Evaluator::score(const Vector& x, const Values* known) {
-  if (known && std::isnan(known->objective)) return;
-  Truth truth;
-  if (known && !smoothed_ && !problem_.truth) {
-    truth = truth_of(*known, problem_.equalities);
-  } else {
-    stopwatch_.leave_out([&] {
-      truth =
-          problem_.truth ? problem_.truth(x) : truth_of(problem_.evaluate(x), problem_.equalities);
-    });
-  }
-  const bool is_number = !std::isnan(truth.objective) && !std::isnan(truth.violation);
-  if (is_number && (trace_.empty() || better(truth, trace_.back().truth))) {
-    trace_.push_back({ledger_.charged, stopwatch_.read(), truth, x});
-    if (on_improvement_) stopwatch_.leave_out([&] { on_improvement_(trace_.back()); });
-  }
+/// Scores the remembered point, unless the solver received NaN as its objective.
+void Evaluator::score() {
+  const Values* told = values_.told ? &*values_.told : nullptr;
+  if (!scorer_ || (told && std::isnan(told->objective))) return;
+  scorer_->score(inside_, smoothed_ ? nullptr : told, ledger_.charged, stopwatch_);
 }
 
 std::optional<Values> Evaluator::values(const Vector& x, Part part) {
@@ -119,7 +110,7 @@ std::optional<Values> Evaluator::values(const Vector& x, Part part) {
     ++ledger_.values;
     ++ledger_.charged;
     look(inside_, *values_.told);
-    score(inside_, &*values_.told);
+    score();
   });
   return done ? values_.told : std::nullopt;
 }
@@ -144,7 +135,7 @@ std::optional<Derivatives> Evaluator::derivatives(const Vector& x, Part part) {
     ++ledger_.derivatives;
     ledger_.charged += price;
     look(inside_, *values_.told);
-    score(inside_, &*values_.told);
+    score();
   });
   return done ? derivatives_.told : std::nullopt;
 }
@@ -166,7 +157,7 @@ std::optional<Matrix> Evaluator::lagrangian_hessian(const Vector& x, double obje
     }
     ++ledger_.hessians;
     ledger_.charged += price;
-    score(inside_, values_.told ? &*values_.told : nullptr);
+    score();
   });
   return done ? hessian : std::nullopt;
 }
@@ -184,7 +175,7 @@ bool Evaluator::ask_residuals(const Vector& x, Part part, std::int64_t price) {
     }
     ++ledger_.derivatives;
     ledger_.charged += price;
-    score(inside_, values_.told ? &*values_.told : nullptr);
+    score();
   });
 }
 

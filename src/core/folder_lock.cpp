@@ -13,7 +13,7 @@ namespace ricochet {
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : made_(folder), descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  // Where a file system has no locks, or the folder cannot be read, there is none.
+  // No lock is held if the file system has none or the folder cannot be read.
   if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
     return;
   }

@@ -6,10 +6,10 @@
 
 namespace ricochet {
 
-/// A folder, made if missing, that no other process locks as long as this lives, or runs.
+/// A folder, made if missing, that no other process can lock while this object lives.
 class FolderLock {
  public:
-  /// Throws as MadeFolder does, and InputError where another process has locked it.
+  /// Throws as MadeFolder does, and InputError if another process has locked the folder.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

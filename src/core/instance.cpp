@@ -9,7 +9,7 @@
 namespace ricochet {
 namespace {
 
-/// A box of coordinates that are turned, but not moved or reflected yet.
+/// A box in coordinates that are rotated, but not yet moved or reflected.
 struct Box {
   Vector lower, upper;
 
@@ -20,7 +20,7 @@ struct Box {
 };
 
 /// solver's x = offset + direction * straight x, coordinate by coordinate; direction is +1 or -1.
-/// Before that the natural x may be turned about a centre, which makes it straight.
+/// The straight x is the natural x, rotated about the centre if `turns`.
 struct Frame {
   Vector offset;
   Vector direction;
@@ -43,7 +43,7 @@ struct Frame {
   }
 };
 
-/// A box in which the best point lies elsewhere.
+/// Returns a box in which the best point has another relative position.
 Box box_around_best(const Problem& problem, Random& random) {
   Box box{problem.lower, problem.upper};
   if (!problem.best_point) return box;
@@ -52,7 +52,7 @@ Box box_around_best(const Problem& problem, Random& random) {
     const double whole = problem.upper[i] - problem.lower[i];
     const double share = uniform(random);
     const double width = problem.rotates ? whole : (0.5 + 0.5 * uniform(random)) * whole;
-    // The lower end may lie within these.
+    // The lower end is drawn from [from, to].
     const double from =
         problem.rotates ? best[i] - 0.9 * width : std::max(problem.lower[i], best[i] - width);
     const double to =
@@ -60,17 +60,17 @@ Box box_around_best(const Problem& problem, Random& random) {
     box.lower[i] = from + share * (to - from);
     box.upper[i] = box.lower[i] + width;
   }
-  box.hold(best);  // whatever rounding did
+  box.hold(best);  // despite rounding
   if (!problem.rotates)
     box = {box.lower.cwiseMax(problem.lower), box.upper.cwiseMin(problem.upper)};
   return box;
 }
 
-/// The problem with its functions in the frame's coordinates, and all else as it was.
+/// The problem with its functions in the frame's coordinates, otherwise unchanged.
 Problem seen_through(const Frame& frame, const Problem& problem) {
   const auto original = std::make_shared<const Problem>(problem);
-  // NOTE: rounding in the frame can lead a hair outside the box; the original is asked inside it.
-  // One that can be turned is defined outside, too.
+  // NOTE: rounding in the frame can lead slightly outside the box, so the point is projected onto
+  // it. A problem that can be rotated is defined outside, too.
   const auto inside = [original, frame](const Vector& x) -> Vector {
     const Vector natural = frame.natural(x);
     return original->rotates ? natural
@@ -101,8 +101,10 @@ Problem seen_through(const Frame& frame, const Problem& problem) {
       return r;
     };
   }
-  if (problem.truth) {
-    result.truth = [original, inside](const Vector& x) { return original->truth(inside(x)); };
+  if (problem.true_values) {
+    result.true_values = [original, inside](const Vector& x) {
+      return original->true_values(inside(x));
+    };
   }
   return result;
 }
@@ -110,11 +112,7 @@ Problem seen_through(const Frame& frame, const Problem& problem) {
 }  // namespace
 
 Vector uniform_point(const Problem& problem, Random& random) {
-  Vector x(problem.dimension());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    x[i] = uniform(random) * (problem.upper[i] - problem.lower[i]) + problem.lower[i];
-  }
-  return x;
+  return uniform_point(problem.lower, problem.upper, random);
 }
 
 Problem instance(const Problem& problem, int number) {
@@ -150,8 +148,8 @@ Problem instance(const Problem& problem, int number) {
   result.start = start.size() > 0 ? frame.shown(start) : uniform_point(result, random);
   if (problem.best_point) result.best_point = frame.shown(*problem.best_point);
   if (problem.smoothed) {
-    result.smoothed = [smoothed = problem.smoothed, number](double width) {
-      return instance(smoothed(width), number);
+    result.smoothed = [smoothed = problem.smoothed, number](double smoothing) {
+      return instance(smoothed(smoothing), number);
     };
   }
   return result;

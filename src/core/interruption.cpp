@@ -16,7 +16,7 @@ namespace {
 
 constexpr int interruptions[] = {SIGHUP, SIGINT, SIGTERM};
 
-// Both are never destroyed: the program may be interrupted while it ends.
+// Neither is ever destroyed: an interruption may come while the program ends.
 std::recursive_mutex& mutex() {
   static auto& mutex = *new std::recursive_mutex;
   return mutex;
@@ -47,13 +47,14 @@ void end_tidily_when_interrupted() {
     sigaction(signal, nullptr, &now);
     if (now.sa_handler != SIG_IGN) sigaddset(&waited_for, signal);
   }
-  // Blocked in this thread and in all that it begins, so that one of its own takes them, which may
-  // do what a handler may not.
+  // Blocked in this thread and all that it starts. A thread of its own receives the signals: it may
+  // do what a signal handler may not.
   pthread_sigmask(SIG_BLOCK, &waited_for, nullptr);
   std::thread([waited_for] {
     int signal = 0;
     sigwait(&waited_for, &signal);
-    // Some, such as timeout(1), signal a program and then its whole group: this is no second wish.
+    // Some programs, such as timeout(1), signal a process and then its whole group: this is not a
+    // second interruption.
     const timespec echo{0, 50'000'000};
     sigtimedwait(&waited_for, nullptr, &echo);
     pthread_sigmask(SIG_UNBLOCK, &waited_for, nullptr);

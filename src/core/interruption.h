@@ -6,18 +6,19 @@
 
 namespace ricochet {
 
-/// From now on SIGHUP, SIGINT and SIGTERM, where they are not ignored, end the program tidily: what
-/// is registered below is done, one line says so on standard error, and the exit code is 128 and
-/// the signal. A second signal ends it at once. To be called before there is a second thread.
+/// From now on SIGHUP, SIGINT and SIGTERM, unless ignored, end the program tidily: the work
+/// registered below is done, one line on standard error reports it, and the exit code is 128 plus
+/// the signal. A second signal ends the program at once. Must be called before a second thread
+/// starts.
 void end_tidily_when_interrupted();
 
-/// Lets these signals end the program as the system does: for a program that takes its place.
+/// Restores the system's handling of these signals: for a program that replaces this one.
 void end_at_once_when_interrupted();
 
-/// What is done if an interruption ends the program while this lives, latest first.
+/// Work to do if an interruption ends the program while this object lives; the latest first.
 class AtInterruption {
  public:
-  /// `says` is for the user: what was kept, and how to go on.
+  /// `says` is a message for the user: what was kept, and how to continue.
   explicit AtInterruption(std::function<void()> work, std::string says = "");
   ~AtInterruption();
   AtInterruption(const AtInterruption&) = delete;
@@ -29,7 +30,7 @@ class AtInterruption {
   std::string says_;
 };
 
-/// While it lives, an interruption waits: for what must be done as a whole.
+/// While this object lives, an interruption waits: for work that must not be cut in two.
 class Uninterrupted {
  public:
   Uninterrupted();

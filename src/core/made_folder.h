@@ -7,11 +7,11 @@
 
 namespace ricochet {
 
-/// Makes a folder and what is missing above it, and takes back at the end what is still empty.
+/// Makes a folder and its missing parents; at the end it removes those that are still empty.
 class MadeFolder {
  public:
-  /// Throws InputError, one line with path and reason, and leaves no trace, where it cannot be made
-  /// or not be written to; OutputError where the disk is full.
+  /// If the folder cannot be made or written to, leaves no trace and throws InputError (one line
+  /// with path and reason), or OutputError if the disk is full.
   explicit MadeFolder(const std::filesystem::path& folder);
   ~MadeFolder();
   MadeFolder(const MadeFolder&) = delete;

@@ -13,7 +13,7 @@ char lower(char letter) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
 }
 
-/// Whether all letters stand in the name, in this order.
+/// Returns true if the name contains all the letters in this order.
 bool are_within(std::string_view letters, std::string_view name) {
   std::size_t found = 0;
   for (const char letter : name) {
@@ -48,7 +48,7 @@ bool equal_in_any_case(std::string_view a, std::string_view b) {
 
 std::vector<std::string> near_names(std::string_view wanted,
                                     const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 100;  // nobody has mistyped so much
+  constexpr std::size_t longest = 100;  // longer names are not corrected
   constexpr std::size_t most = 3;
   if (wanted.empty() || wanted.size() > longest) return {};
   std::vector<std::pair<int, std::string>> near;

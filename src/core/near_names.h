@@ -6,17 +6,17 @@
 
 namespace ricochet {
 
-/// How many letters must be changed, put in, left out or exchanged with their neighbour to make one
-/// of the other; letter case does not matter.
+/// The number of letters to change, insert, delete or swap with their neighbour to turn one name
+/// into the other; letter case does not matter.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// Whether both are the same but for their letter case.
+/// Returns true if both are equal apart from letter case.
 bool equal_in_any_case(std::string_view a, std::string_view b);
 
-/// The names that someone may have meant, the nearest first, at most three.
+/// The known names that may have been meant, nearest first, at most three.
 std::vector<std::string> near_names(std::string_view wanted, const std::vector<std::string>& known);
 
-/// What an error says of a name that is none: "did you mean ...?", or what is allowed.
+/// The hint for an unknown name: "did you mean ...?", or else the allowed names.
 std::string what_instead(std::string_view wanted, const std::vector<std::string>& known);
 
 }  // namespace ricochet

@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t longest_start = 3000;
 constexpr std::size_t longest_end = 1000;
 
-/// The bytes of the character that the text starts with; 0 where it starts with none, or with one
-/// that steers a terminal.
+/// The length in bytes of the text's first character; 0 if it is invalid UTF-8 or a control
+/// character.
 std::size_t size_of_first(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t first = byte(0);

@@ -5,7 +5,7 @@
 
 namespace ricochet {
 
-/// The text as one line that a terminal can be shown: control characters and what is no UTF-8 are
+/// The text as one line that is safe on a terminal: control characters and invalid UTF-8 are
 /// written as \x1b, and of more than a few thousand bytes the middle is left out.
 std::string one_line(std::string_view text);
 

@@ -6,7 +6,7 @@
 
 namespace ricochet {
 
-/// What an option of a solver is given: a number or a word.
+/// The value of a solver's option: a number or a word.
 using OptionValue = std::variant<double, std::string>;
 
 /// By name.

@@ -3,7 +3,7 @@
 namespace ricochet {
 namespace {
 
-/// What the constraints are broken by, with its sign.
+/// The violations of the constraints, with their sign.
 Vector broken(const Vector& constraints, Eigen::Index equalities) {
   Vector result = constraints;
   const Eigen::Index inequalities = result.size() - equalities;
@@ -41,13 +41,13 @@ Problem penalised(const Problem& problem, double weight) {
   }
   result.residuals = nullptr;
   if (problem.smoothed) {
-    result.smoothed = [smoothed = problem.smoothed, weight](double width) {
-      return penalised(smoothed(width), weight);
+    result.smoothed = [smoothed = problem.smoothed, weight](double smoothing) {
+      return penalised(smoothed(smoothing), weight);
     };
   }
-  if (!problem.truth) {
-    result.truth = [evaluate = problem.evaluate, m = problem.equalities](const Vector& x) {
-      return truth_of(evaluate(x), m);
+  if (!problem.true_values) {
+    result.true_values = [evaluate = problem.evaluate, m = problem.equalities](const Vector& x) {
+      return true_values_of(evaluate(x), m);
     };
   }
   return result;

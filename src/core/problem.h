@@ -1,35 +1,36 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "src/core/formulation.h"
 #include "src/core/vector.h"
 
 namespace ricochet {
 
-/// Objective and constraints at one point; a point is feasible where the equalities, which come
-/// first, are 0 and every other constraint is <= 0.
+/// Objective and constraints at one point. A point is feasible if the equalities, which come first,
+/// are 0 (see equality_tolerance) and every other constraint is <= 0.
 struct Values {
   double objective = 0;
   Vector constraints;  ///< length Problem::constraints
 };
 
-/// Why an exact gradient tells less than it seems to.
+/// Why an exact gradient may mislead.
 enum class GradientDoubt {
   none,       ///< no reason known
-  flat,       ///< it is zero, or would change the function by next to nothing across the box
+  flat,       ///< zero, or so small that the function hardly changes across the box
   kink,       ///< the function has a corner, or an infinite slope, next to the point
-  sensitive,  ///< the point's digits are lost on the way to the value
+  sensitive,  ///< rounding of the point changes the value by a loss of digits
 };
 
-/// How far a gradient can be believed. Problems that know nothing of it leave it as it is.
+/// How far a gradient can be trusted. A problem without this knowledge keeps the default.
 struct Trust {
-  /// How far from the point the function stays smooth, to first order, in the box's own measure: a
-  /// box has width 1 in every coordinate.
+  /// Distance from the point up to which the function stays smooth, to first order, in box widths.
   double reach = std::numeric_limits<double>::infinity();
   GradientDoubt doubt = GradientDoubt::none;
 };
@@ -41,78 +42,106 @@ struct Derivatives {
   Trust trust = {};
 };
 
-/// The objective as a solver for least squares sees it: half the sum of the squares of `values`.
+/// The objective as a least-squares solver sees it: half the sum of the squares of `values`.
 struct Residuals {
-  Vector values;    ///< at least one, as many at every point
+  Vector values;    ///< at least one, the same number at every point
   Matrix jacobian;  ///< residuals x n
 };
 
-/// An equality holds where it is not further from 0 than this: rounding breaks every equation.
+/// An equality holds if its absolute value is at most this: rounding violates every exact equation.
 inline constexpr double equality_tolerance = 1e-6;
 
-/// What a point is really worth, whatever the solver was shown.
-struct Truth {
+/// The true objective and the true violation of a point, whatever the formulation.
+struct TrueValues {
   double objective = 0;
-  double violation = 0;  ///< largest true constraint value, of an equality its size; 0 if feasible
+  double violation = 0;  ///< largest constraint value, absolute for equalities; 0 if feasible
 };
 
-/// What a coordinate is.
+/// Name and unit of a coordinate.
 struct Variable {
   std::string name;  ///< e.g. "omega"
-  std::string unit;  ///< empty where it has none
+  std::string unit;  ///< empty if it has none
 };
 
-/// A minimisation problem within a box. Immutable once built; runs own all state. The functions may
-/// be called from several threads at once. They throw what went wrong; the evaluator catches it.
+/// A minimisation problem of n variables within a box: what is benchmarked. Immutable once built;
+/// runs own all state. The functions may be called from several threads at once. They throw what
+/// went wrong; the evaluator catches it. A solver does not see a Problem but an Evaluator.
 struct Problem {
   std::string name;                 ///< e.g. "count-C1"
-  std::string source;               ///< what it is, and where it comes from
+  std::string source;               ///< short description and origin
   int instance = 0;                 ///< 0 is the problem as stated; see instance.h
-  std::vector<Variable> variables;  ///< one a coordinate, or none where they have no names
-  Vector lower, upper, start;
+  std::vector<Variable> variables;  ///< n, or empty if they have no names
+  Vector lower, upper, start;       ///< length n, lower <= start <= upper, finite
   Eigen::Index constraints = 0;
-  Eigen::Index equalities = 0;  ///< so many of the constraints, the first ones, must be 0
+  Eigen::Index equalities = 0;  ///< this many of the constraints, the first ones, must be 0
 
-  /// What a solver sees.
+  /// Objective and constraints at a point of length n.
   std::function<Values(const Vector&)> evaluate;
-  /// Values and first derivatives in one call; empty where the problem has none.
+  /// Values and first derivatives in one call; empty if the problem has none.
   std::function<Derivatives(const Vector&)> differentiate;
   /// Second derivatives, n x n and symmetric, of the Lagrangian: objective_factor times the
   /// objective, plus every constraint times its multiplier, of which there are
-  /// Problem::constraints. Empty where the problem has none.
+  /// Problem::constraints. Empty if the problem has none.
   std::function<Matrix(const Vector& x, double objective_factor, const Vector& multipliers)>
       lagrangian_hessian;
-  /// Residuals and first derivatives in one call; empty where the problem is no sum of squares.
-  /// Theirs may be a smooth stand-in for the objective.
+  /// Residuals and first derivatives in one call; empty if the problem is no sum of squares. Their
+  /// sum of squares may be a smooth approximation of the objective.
   std::function<Residuals(const Vector&)> residuals;
-  /// What the suite judges by; empty where `evaluate` is the truth.
-  std::function<Truth(const Vector&)> truth;
-  /// The same problem, of the same name, box and truth, shown at a smoothing width >= 0: the wider,
-  /// the smoother; 0 is what is judged. Empty where there is no such knob.
-  std::function<Problem(double width)> smoothed;
-  /// The best true objective of a feasible point, where it is known, a point that attains it, and
-  /// how it was found.
+  /// The true objective and violation, which score a run; empty if `evaluate` returns them.
+  std::function<TrueValues(const Vector&)> true_values;
+  /// The same problem, with the same name, box and true objective, smoothed with a parameter >= 0:
+  /// the larger, the smoother; 0 means no smoothing. Empty if the problem cannot be smoothed.
+  std::function<Problem(double smoothing)> smoothed;
+  /// The best true objective of a feasible point, a point that attains it, and how they were found;
+  /// empty if not known.
   std::optional<double> best_known;
   std::optional<Vector> best_point;
   std::string provenance;
-  /// Whether the problem is defined on all of R^n and best_point, which is then known, is best
-  /// there too, so that its instances may be turned about it.
+  /// True if the problem is defined on all of R^n and best_point, which is then known, is best
+  /// there too: instances may then be rotated about it.
   bool rotates = false;
-  /// Empty where instances draw their start. Else the start is part of the problem: instance k
-  /// begins at its own image of start_scales[(k - 1) % size] times the start.
+  /// Empty if instances draw their start. Otherwise the start is part of the problem: instance k
+  /// starts at its own image of start_scales[(k - 1) % size] times the start.
   std::vector<double> start_scales = {};
 
+  std::string machine = {};   ///< whose scene it is, e.g. "C1"; empty where it is of none
+  double smoothing = 0;       ///< smoothing parameter of the formulation "surrogate"
+  double tolerance = 1e-6;    ///< >= 0, optimality gap that still counts as solved
+  double penalty_weight = 1;  ///< > 0: the best point stays best where constraints are penalised
+  double scan_step = 1e-3;    ///< of an exhaustive scan of the box, if n = 1
+  double cost = 1;            ///< approximate number of simulations per evaluation
+  /// Measured cost of a gradient beside the value [evaluations]; n if empty.
+  std::optional<std::int64_t> gradient_cost = {};
+  /// What varies from machine to machine, by name, e.g. "restitution".
+  std::map<std::string, double> factors = {};
+
   Eigen::Index dimension() const { return lower.size(); }
+
+  /// Its formulations: original, then smoothed with its usual smoothing parameter and with these;
+  /// if it has constraints, each is followed by its penalised variant.
+  std::vector<Formulation> formulations(const std::vector<double>& smoothings = {}) const;
+
+  /// The problem in this formulation, with any smoothing parameter. Throws std::invalid_argument
+  /// for a formulation that it does not have.
+  Problem formulated(const Formulation& formulation) const;
+
+  /// "count" and "surrogate" if the problem can be smoothed, with the smoothing parameter if it is
+  /// not the usual one, else "original"; "penalised-count", "penalised" and so on.
+  std::string name_of(const Formulation& formulation) const;
+
+  /// The one of formulations() with this name; the first one for an empty name. Throws InputError,
+  /// with similar names, for any other.
+  Formulation formulation_named(const std::string& name) const;
 };
 
-/// What a point is truly worth: by the problem's truth, or by what it shows where that is the
-/// truth.
-Truth truth_at(const Problem& problem, const Vector& x);
+/// The true objective and violation at x, of length n. Throws what the problem throws.
+TrueValues true_values_at(const Problem& problem, const Vector& x);
 
-/// Values taken at their word, of which so many constraints are equalities.
-Truth truth_of(const Values& values, Eigen::Index equalities = 0);
+/// The same, computed from true values with this number of equalities.
+TrueValues true_values_of(const Values& values, Eigen::Index equalities = 0);
 
-/// Whether `a` is strictly better than `b`: less violated, or equally so and lower.
-bool better(const Truth& a, const Truth& b);
+/// Returns true if `a` is strictly better than `b`: its violation is smaller, or equal with a
+/// lower objective.
+bool better(const TrueValues& a, const TrueValues& b);
 
 }  // namespace ricochet

@@ -1,4 +1,4 @@
-#include "src/campaign/progress.h"
+#include "src/core/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -10,11 +10,11 @@
 namespace ricochet {
 
 /// The share done and the time left, on standard error: a line that is redrawn at most ten times a
-/// second on a terminal, a new line every ten seconds elsewhere. Safe to advance from several
-/// threads.
+/// second on a terminal, a new line every ten seconds elsewhere. advance() may be called from
+/// several threads.
 class Progress {
  public:
-  /// `work` > 0 is in any unit that grows evenly with time.
+  /// `work` > 0 is in any unit proportional to time.
   Progress(std::string what, double work);
   ~Progress();
   Progress(const Progress&) = delete;
@@ -22,10 +22,10 @@ class Progress {
 
   void advance(double work);
 
-  /// What is about to be done, a line of its own.
+  /// Writes a line of its own that announces the next step.
   static void announce(std::string_view line);
 
-  /// From now on nothing is shown.
+  /// Suppresses all output from now on.
   static void silence();
 
  private:

@@ -10,6 +10,14 @@ double uniform(Random& random) {
   return std::min(static_cast<double>(random()) * 0x1p-64, below_one);
 }
 
+Vector uniform_point(const Vector& lower, const Vector& upper, Random& random) {
+  Vector x(lower.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    x[i] = uniform(random) * (upper[i] - lower[i]) + lower[i];
+  }
+  return x;
+}
+
 Vector normal(Eigen::Index size, Random& random) {
   Vector drawn(size);
   for (Eigen::Index k = 0; k < size; k += 2) {
@@ -27,7 +35,7 @@ Vector normal(Eigen::Index size, Random& random) {
 }
 
 Matrix random_turn(Eigen::Index n, Random& random) {
-  // Normal columns, made orthogonal one after the other, twice for the sake of rounding.
+  // Normal columns, orthogonalised one after the other, twice because of rounding.
   Matrix turn = normal(n * n, random).reshaped(n, n);
   for (Eigen::Index k = 0; k < n; ++k) {
     Vector column = turn.col(k);

@@ -5,14 +5,17 @@
 
 #include "src/core/vector.h"
 
-/// Random numbers from a generator's bits alone: the same with every standard library, which the
-/// distributions of <random> are not.
+/// Random numbers computed from a generator's bits alone, so that every standard library gives the
+/// same ones; the distributions of <random> differ.
 namespace ricochet {
 
 using Random = std::mt19937_64;
 
 /// Uniform in [0, 1).
 double uniform(Random& random);
+
+/// A point uniform in the box; both ends have length n.
+Vector uniform_point(const Vector& lower, const Vector& upper, Random& random);
 
 /// `size` independent numbers of mean 0 and deviation 1, by Marsaglia's polar method (Marsaglia and
 /// Bray, SIAM Review 6 (1964) 260, doi 10.1137/1006063).

@@ -10,8 +10,8 @@
 namespace ricochet {
 namespace {
 
-/// So many starts in a row that ask for nothing new end a run. One may happen by chance, where a
-/// solver moves its start to the point asked for last.
+/// A run ends after this many starts in a row without a new evaluation. A single one may happen by
+/// chance, if a solver moves its start to the point evaluated last.
 constexpr int idle_starts = 10;
 
 std::string message_of(const std::exception_ptr& failure) {
@@ -26,10 +26,10 @@ std::string message_of(const std::exception_ptr& failure) {
   }
 }
 
-/// The points that the starts handed over, within the box.
+/// The points that the starts returned, projected onto the box.
 std::vector<Vector> candidates(const Problem& problem, const RunRecord& record) {
   std::vector<Vector> points;
-  for (const SolverExit& exit : record.exits) {
+  for (const SolverTermination& exit : record.terminations) {
     if (!exit.point || exit.point->size() != problem.dimension() || !exit.point->allFinite()) {
       continue;
     }
@@ -39,24 +39,26 @@ std::vector<Vector> candidates(const Problem& problem, const RunRecord& record) 
   return points;
 }
 
-/// Picks from them by what is shown there. Returns what the problem threw.
+/// Sets the returned point: of the candidates, the one with the best values in this formulation.
+/// Returns the problem's exception, or null.
 std::exception_ptr hand_over(const Problem& problem, RunRecord& record) {
   try {
     const std::vector<Vector> points = candidates(problem, record);
     if (points.empty()) return nullptr;
     const Vector* best = &points.front();
     if (points.size() > 1) {
-      Truth best_shown{std::numeric_limits<double>::infinity(),
-                       std::numeric_limits<double>::infinity()};
+      TrueValues best_shown{std::numeric_limits<double>::infinity(),
+                            std::numeric_limits<double>::infinity()};
       for (const Vector& point : points) {
-        const Truth shown = truth_of(problem.evaluate(point), problem.equalities);
+        const TrueValues shown = true_values_of(problem.evaluate(point), problem.equalities);
         if (!better(shown, best_shown)) continue;
         best_shown = shown;
         best = &point;
       }
     }
     const bool known = !record.trace.empty() && record.trace.back().x == *best;
-    record.handed_over = {*best, known ? record.trace.back().truth : truth_at(problem, *best)};
+    record.returned = {*best,
+                       known ? record.trace.back().true_values : true_values_at(problem, *best)};
   } catch (...) {
     return std::current_exception();
   }
@@ -82,7 +84,8 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
   RunRecord record = nothing_run(problem, solver, budget, number, shown);
   Random random(record.seed);
   Random starts(seed_of(problem.name, "start", problem.instance, number));
-  Evaluator evaluator(problem, budget, std::move(on_improvement));
+  Scorer scorer(problem, std::move(on_improvement));
+  Evaluator evaluator(problem, budget, &scorer);
   std::exception_ptr failure;
   try {
     const bool stated = number == 0 || !problem.start_scales.empty();
@@ -90,9 +93,9 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
     int idle = 0;
     while (!evaluator.over() && idle < idle_starts) {
       const std::int64_t before = evaluator.ledger().charged;
-      SolverExit exit = solver.solve(evaluator, start, random);
+      SolverTermination exit = solver.solve(evaluator, start, random);
       if (!exit.point && evaluator.best_shown() != nullptr) exit.point = *evaluator.best_shown();
-      record.exits.push_back(std::move(exit));
+      record.terminations.push_back(std::move(exit));
       start = uniform_point(problem, starts);
       idle = evaluator.ledger().charged > before ? 0 : idle + 1;
     }
@@ -100,8 +103,8 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
     failure = std::current_exception();
   }
   record.ledger = evaluator.ledger();
-  record.refusal = evaluator.refusal();
-  record.trace = evaluator.trace();
+  record.termination_reason = evaluator.termination_reason();
+  record.trace = scorer.trace();
   if (!failure) failure = evaluator.failure();
   if (!failure) failure = hand_over(problem, record);
   if (failure) record.failure = message_of(failure);

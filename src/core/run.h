@@ -8,17 +8,18 @@
 #include <vector>
 
 #include "src/core/evaluator.h"
+#include "src/core/scorer.h"
 #include "src/core/solver.h"
 
 namespace ricochet {
 
-/// What a run ends with, in the solver's opinion.
-struct HandedOver {
+/// The point that a run returns, and its score.
+struct ReturnedPoint {
   Vector x;
-  Truth truth;
+  TrueValues true_values;
 };
 
-/// All that is kept of one run of one solver on one instance of a problem.
+/// The record of one run of one solver on one instance of a problem.
 struct RunRecord {
   std::string problem;
   std::string solver;
@@ -27,28 +28,28 @@ struct RunRecord {
   std::uint64_t seed = 0;
   Budget budget;
   Ledger ledger;
-  Refusal refusal = Refusal::none;
-  std::vector<SolverExit> exits;  ///< one for each start
-  /// Of the points that the starts handed over, the best as it was shown; nothing where there is
-  /// none.
-  std::optional<HandedOver> handed_over;
-  std::string failure;  ///< what the problem or the solver threw; empty if nothing
-  std::vector<Improvement> trace;
+  TerminationReason termination_reason = TerminationReason::none;
+  std::vector<SolverTermination> terminations;  ///< one for each start
+  /// Of the points that the starts returned, the one with the best values in this formulation;
+  /// empty if there is none.
+  std::optional<ReturnedPoint> returned;
+  std::string failure;             ///< what the problem or the solver threw; empty if nothing
+  std::vector<Improvement> trace;  ///< see Scorer
 };
 
-/// Runs the solver from the problem's start, or, where that is no part of the problem and the run's
-/// number is not 0, from a uniform one; and from new starts uniform in the box until the budget is
-/// spent, ten starts in a row ask for nothing new, or something throws. The starts depend
-/// on problem, instance and run alone, so that all solvers get the same ones; the solver's
-/// randomness depends on the solver too. An exception ends the run and is recorded, never passed
-/// on.
-/// `on_improvement`, where there is one, is told at once of every point of the trace. `shown` goes
-/// into the seed of the solver: see seed_of.
+/// Runs the solver from the problem's start, or from a uniform one if the problem has no
+/// start_scales and `number` is not 0. Then restarts it from points uniform in the box until the
+/// budget is spent, ten starts in a row evaluate nothing new, or something throws. The starts
+/// depend only on problem, instance and number, so that all solvers get the same ones; the solver's
+/// randomness depends on the solver too. An exception ends the run and is recorded, not rethrown.
+/// `on_improvement`, if not empty, is called at once for every point of the trace. `shown` goes
+/// into the seed of the solver: see seed_of. The caller checks whether the solver accepts the
+/// problem.
 RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget, int number,
               std::function<void(const Improvement&)> on_improvement = nullptr,
               std::string_view shown = {});
 
-/// The record of a run of which nothing has been done yet.
+/// The record of a run that has not begun.
 RunRecord nothing_run(const Problem& problem, const Solver& solver, const Budget& budget,
                       int number, std::string_view shown = {});
 

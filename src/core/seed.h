@@ -5,9 +5,9 @@
 
 namespace ricochet {
 
-/// A seed that depends on what a run is, never on when or where it executes: a 64-bit FNV-1a hash
-/// of the names and numbers, each closed by a separator. `shown`, unless it is empty, tells apart
-/// runs on the same problem that is shown in different ways.
+/// A seed that depends on the identity of a run, not on when or where it executes: a 64-bit FNV-1a
+/// hash of the names and numbers, each closed by a separator. `shown`, unless empty, distinguishes
+/// the formulations of the same problem.
 std::uint64_t seed_of(std::string_view problem, std::string_view solver, int instance, int run,
                       std::string_view shown = {});
 

@@ -4,18 +4,19 @@
 #include <optional>
 #include <string>
 
+#include "src/core/capabilities.h"
 #include "src/core/evaluator.h"
 #include "src/core/random.h"
 
 namespace ricochet {
 
-/// What a solver says of its own end. Data, never the truth: the suite judges by itself.
-struct SolverExit {
-  std::string reason;
-  /// The point that it hands over; without one the best that it was shown since it began.
+/// What a solver returns when it ends. It is not trusted: the suite scores the points itself.
+struct SolverTermination {
+  std::string reason;  ///< readable text
+  /// The returned point, of length n; if empty, the best one that it evaluated.
   std::optional<Vector> point = {};
 
-  bool operator==(const SolverExit&) const = default;
+  bool operator==(const SolverTermination&) const = default;
 };
 
 /// A solver of box-bounded minimisation problems.
@@ -23,15 +24,15 @@ struct Solver {
   std::string name;     ///< e.g. "nlopt-cobyla"
   std::string version;  ///< of the library behind it
   bool stochastic = false;
+  Capabilities capabilities = {};
 
-  /// Whether it can be put to work on this problem: dimension, constraints (equalities and
-  /// others), derivatives.
-  std::function<bool(const Problem&)> accepts;
+  /// Minimises from `start`, a point of the box, until it is done or the evaluator refuses. A run
+  /// restarts it elsewhere while budget is left. `random` is its only source of randomness. It may
+  /// be called from several threads at once.
+  std::function<SolverTermination(Evaluator&, const Vector& start, Random& random)> solve;
 
-  /// Minimises from `start` with what the evaluator grants. Returns when it is done or when the
-  /// evaluator refuses; the harness restarts it elsewhere while budget is left. All randomness
-  /// comes from `random`. May be called from several threads at once.
-  std::function<SolverExit(Evaluator&, const Vector& start, Random& random)> solve;
+  /// Returns true if the solver can run on the problem.
+  bool accepts(const Problem& problem) const { return capabilities.accept(problem); }
 };
 
 }  // namespace ricochet

@@ -8,7 +8,7 @@ namespace ricochet {
 namespace {
 
 constexpr double between_readings = 1e-4;  // [s], about
-constexpr double most_glances = 64;        // between two: then they cost next to nothing
+constexpr double most_glances = 64;        // between two readings: the cost is then negligible
 
 }  // namespace
 

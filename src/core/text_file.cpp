@@ -25,7 +25,7 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// Of a name in /proc/self/fd, to which /dev/stdout and /dev/fd lead.
+/// The descriptor of a path in /proc/self/fd, the target of /dev/stdout and /dev/fd.
 std::optional<int> descriptor_named(const fs::path& path) {
   std::error_code error;
   const fs::path descriptors = fs::canonical("/proc/self/fd", error);
@@ -47,7 +47,7 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// Closes it whatever came before; a disk may tell only then that it is full.
+/// Closes the descriptor after any error; a full disk may be reported only now.
 int close_after(int descriptor, int error) {
   const bool closed = ::close(descriptor) == 0;
   return error == 0 && !closed ? errno : error;
@@ -64,7 +64,7 @@ bool is_failure_of_the_system(int error) {
 
 TextDraft::TextDraft(fs::path file, std::string_view text)
     : file_(std::move(file)), target_(file_), interrupted_([this] { discard(); }) {
-  constexpr int most_links = 40;  // as many as the system follows
+  constexpr int most_links = 40;  // the system's own limit
   std::error_code none;
   descriptor_ = descriptor_named(target_);
   for (int links = 0; !descriptor_ && fs::is_symlink(target_, none); ++links) {
@@ -80,14 +80,14 @@ TextDraft::TextDraft(fs::path file, std::string_view text)
     text_ = text;
     return;
   }
-  // Root may write to all files, and still means a read-only one to stay.
+  // Root can write to every file; a read-only one is refused nevertheless.
   constexpr mode_t writable = S_IWUSR | S_IWGRP | S_IWOTH;
   if (there && ((now.st_mode & writable) == 0 || ::access(target_.c_str(), W_OK) != 0)) {
     fail(EACCES);
   }
   write_aside(text);
   if (!there) return;
-  // Of another owner's file the mode alone can be kept.
+  // The owner of another user's file cannot be kept, only the mode.
   if (::chown(draft_.c_str(), now.st_uid, now.st_gid) != 0) errno = 0;
   constexpr mode_t all_modes = 07777;
   if (::chmod(draft_.c_str(), now.st_mode & all_modes) != 0) {
@@ -117,7 +117,7 @@ void TextDraft::write_aside(std::string_view text) {
   int descriptor = -1;
   {
     const Uninterrupted made_and_known;
-    do {  // the name may be that of a process which was killed
+    do {  // a killed process may have left a file of this name
       draft_ = folder_of(target_) / fmt::format(".ricochet.{}.{}.part", getpid(), drafts++);
       descriptor = ::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor < 0 && errno == EEXIST);

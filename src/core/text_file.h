@@ -10,30 +10,31 @@
 
 namespace ricochet {
 
-/// What was asked for is right, but its output gets nowhere: the disk is full, the device fails.
-/// The message is one line with the file and the reason. The command line ends with exit code 1.
+/// Correct input whose output cannot be written: the disk is full, the device fails. The message is
+/// one line with the file and the reason. The command line ends with exit code 1.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Whether the error number blames the system, as a full disk does, and not what the user named.
+/// Returns true if the error number is a fault of the system, such as a full disk, and not of the
+/// path that the user gave.
 bool is_failure_of_the_system(int error);
 
-/// A text on its way into a file. Until it is committed it stands aside in the same folder; a draft
-/// that is not leaves no trace. A link is followed, a regular file keeps its mode and owner, and
-/// one that is read-only is refused. Devices, pipes and names such as /dev/stdout are written
-/// through.
+/// A text to be written to a file. Until commit() it is in a temporary file in the same folder;
+/// without commit() no trace is left. Symbolic links are followed; a regular file keeps its mode
+/// and owner, and a read-only one is refused. Devices, pipes and names such as /dev/stdout are
+/// written directly.
 class TextDraft {
  public:
-  /// Writes the text aside, down to the disk. Throws InputError where the file can be none, and
-  /// OutputError where the text does not get there.
+  /// Writes the temporary file, down to the disk. Throws InputError if the path cannot be a file,
+  /// and OutputError if writing fails.
   TextDraft(std::filesystem::path file, std::string_view text);
   ~TextDraft();
   TextDraft(const TextDraft&) = delete;
   TextDraft& operator=(const TextDraft&) = delete;
 
-  /// Replaces the file by the draft, all or nothing. Throws as the constructor does.
+  /// Replaces the file by the draft atomically. Throws as the constructor does.
   void commit();
 
  private:
@@ -42,11 +43,11 @@ class TextDraft {
   void write_aside(std::string_view text);
   void write_through() const;
 
-  std::filesystem::path file_;     ///< as the user knows it
-  std::filesystem::path target_;   ///< where its links lead to
+  std::filesystem::path file_;     ///< as the user gave it
+  std::filesystem::path target_;   ///< after following links
   std::optional<int> descriptor_;  ///< of a name such as /dev/stdout
-  std::filesystem::path draft_;    ///< empty where it is written through, and once committed
-  std::string text_;               ///< where it is written through
+  std::filesystem::path draft_;    ///< empty if written directly, and after commit()
+  std::string text_;               ///< only if written directly
   AtInterruption interrupted_;
 };
 

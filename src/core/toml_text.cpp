@@ -11,8 +11,8 @@
 namespace ricochet {
 namespace {
 
-/// Refuses a key of too many names. It is told by its dots, with something between them that can
-/// be no list of numbers; that it may stand in a text or a remark is no matter.
+/// Refuses a key of too many names. It counts dots between parts that cannot be a list of numbers;
+/// dots in strings and comments count too, which is harmless.
 void check_depth(const std::string& text, const std::string& origin) {
   int names = 1;
   bool named = false;

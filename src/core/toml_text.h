@@ -8,19 +8,19 @@
 
 namespace ricochet {
 
-/// What a TOML text may have: its reader needs some hundred bytes of memory for each, and calls
-/// itself for every table within a table.
+/// Limits of a TOML text: its parser needs some hundred bytes of memory for each byte, and calls
+/// itself for every nested table.
 inline constexpr std::size_t longest_toml = 4'000'000;  ///< [bytes]
 inline constexpr int deepest_toml = 32;                 ///< names in one key: a.b.c has three
 
-/// The tables of a TOML text. Throws InputError, with origin and line, for a text that is none, and
-/// for one beyond these limits.
+/// The tables of a TOML text. Throws InputError, with origin and line, for invalid TOML and for a
+/// text beyond these limits.
 toml::table parse_toml(const std::string& text, const std::string& origin);
 
-/// The same of a file, of which no more than that is read: it may be a pipe, or without end.
+/// The same for a file; reads no more than the limit, as it may be a pipe or endless.
 toml::table parse_toml_file(const std::filesystem::path& path);
 
-/// The shortest text that reads back to the same number, as a TOML float.
+/// The shortest TOML float that reads back to the same number.
 std::string toml_float(double x);
 
 }  // namespace ricochet

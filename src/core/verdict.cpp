@@ -5,21 +5,21 @@ namespace ricochet {
 Verdict judge(const RunRecord& record, const std::optional<double>& best_known, double tolerance) {
   Verdict verdict;
   for (const Improvement& step : record.trace) {
-    if (step.truth.violation > 0) continue;
+    if (step.true_values.violation > 0) continue;
     verdict.feasible = true;
-    verdict.objective = step.truth.objective;
+    verdict.objective = step.true_values.objective;
     if (!best_known) continue;
-    verdict.regret = step.truth.objective - *best_known;
-    if (*verdict.regret <= tolerance && !verdict.solved) {
+    verdict.optimality_gap = step.true_values.objective - *best_known;
+    if (*verdict.optimality_gap <= tolerance && !verdict.solved) {
       verdict.solved = true;
       verdict.evaluations_to_solve = step.evaluations;
       verdict.seconds_to_solve = step.seconds;
     }
   }
-  const auto& handed_over = record.handed_over;
-  if (handed_over && handed_over->truth.violation <= 0 && best_known) {
-    verdict.handed_over_regret = handed_over->truth.objective - *best_known;
-    verdict.handed_over_solved = *verdict.handed_over_regret <= tolerance;
+  const auto& returned = record.returned;
+  if (returned && returned->true_values.violation <= 0 && best_known) {
+    verdict.returned_optimality_gap = returned->true_values.objective - *best_known;
+    verdict.returned_solved = *verdict.returned_optimality_gap <= tolerance;
   }
   return verdict;
 }

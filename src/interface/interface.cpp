@@ -14,30 +14,31 @@
 #include "src/core/near_names.h"
 #include "src/interface/last_error.h"
 #include "src/interface/opened_problem.h"
+#include "src/research/suite/families.h"
 
-/// The functions that ricochet.h declares for programs outside.
+/// The functions that ricochet.h declares for external programs.
 namespace ricochet::interface {
 namespace {
 
-/// Every question, made when the first is asked for: in about a tenth of a second. Never
-/// destroyed: a program may close its problems while it ends.
-const std::vector<Question>& questions() {
-  static const auto& all = *new const std::vector<Question>(every_question(all_families()));
+/// Every problem, made at the first call in about a tenth of a second. Never destroyed: a program
+/// may close its problems while it ends.
+const std::vector<Problem>& problems() {
+  static const auto& all = *new const std::vector<Problem>(every_problem(suite_families()));
   return all;
 }
 
-/// Throws InputError where there is none of this name.
-const Question& question_named(const std::string& name) {
+/// Throws InputError if there is no problem of this name.
+const Problem& problem_named(const std::string& name) {
   std::vector<std::string> known;
-  for (const Question& question : questions()) {
-    if (question.name() == name) return question;
-    known.push_back(question.name());
+  for (const Problem& problem : problems()) {
+    if (problem.name == name) return problem;
+    known.push_back(problem.name);
   }
   throw InputError(
-      fmt::format("{}: there is no such question; {}", name, what_instead(name, known)));
+      fmt::format("{}: there is no such problem; {}", name, what_instead(name, known)));
 }
 
-/// All problems that are open, so that one that is not is told apart.
+/// All open problems; detects a pointer that is not one of them.
 class OpenProblems {
  public:
   ricochet_problem* add(std::unique_ptr<OpenedProblem> problem) {
@@ -47,15 +48,15 @@ class OpenProblems {
     return shown;
   }
 
-  /// Throws InputError where it is not open.
+  /// Throws InputError if it is not open.
   const OpenedProblem& at(const ricochet_problem* shown) {
     const std::lock_guard lock(mutex_);
     return *found(shown)->second;
   }
 
-  /// Throws InputError where it is not open.
+  /// Throws InputError if it is not open.
   void close(const ricochet_problem* shown) {
-    std::unique_ptr<OpenedProblem> closed;  // destroyed when others may go on
+    std::unique_ptr<OpenedProblem> closed;  // destroyed after the lock is released
     const std::lock_guard lock(mutex_);
     const auto problem = found(shown);
     closed = std::move(problem->second);
@@ -76,19 +77,19 @@ class OpenProblems {
 };
 
 OpenProblems& open_problems() {
-  static auto& all = *new OpenProblems;  // never destroyed, as the questions
+  static auto& all = *new OpenProblems;  // never destroyed, like the problems
   return all;
 }
 
-ricochet_problem* open(const char* name, const char* form, std::int32_t number, std::int64_t budget,
-                       std::uint64_t seed) {
-  if (!name) throw InputError("the name of the question is NULL");
-  const Question& question = question_named(name);
-  const Form shown = question.form_named(form ? form : "");
+ricochet_problem* open(const char* name, const char* formulation, std::int32_t number,
+                       std::int64_t budget, std::uint64_t seed) {
+  if (!name) throw InputError("the name of the problem is NULL");
+  const Problem& problem = problem_named(name);
+  const Formulation shown = problem.formulation_named(formulation ? formulation : "");
   if (number < 0) throw InputError(fmt::format("instance {}: must be >= 0", number));
   if (budget < 1) throw InputError(fmt::format("budget {}: must be >= 1", budget));
   return open_problems().add(
-      std::make_unique<OpenedProblem>(instance(question.problem(shown), number), budget, seed));
+      std::make_unique<OpenedProblem>(instance(problem.formulated(shown), number), budget, seed));
 }
 
 }  // namespace
@@ -98,11 +99,11 @@ using namespace ricochet::interface;
 
 #define EXPORTED extern "C" __attribute__((visibility("default")))
 
-EXPORTED ricochet_problem* ricochet_open(const char* question, const char* form,
+EXPORTED ricochet_problem* ricochet_open(const char* problem, const char* formulation,
                                          std::int32_t instance, std::int64_t budget,
                                          std::uint64_t seed) {
   ricochet_problem* opened = nullptr;
-  succeeds([&] { opened = open(question, form, instance, budget, seed); });
+  succeeds([&] { opened = open(problem, formulation, instance, budget, seed); });
   return opened;
 }
 
@@ -113,19 +114,19 @@ EXPORTED void ricochet_close(ricochet_problem* problem) {
 EXPORTED std::int32_t ricochet_judge(ricochet_problem* problem, const double* x, double* objective,
                                      double* violation) {
   const bool done = succeeds([&] {
-    const ricochet::Truth truth = open_problems().at(problem).judge(x);
-    if (objective) *objective = truth.objective;
-    if (violation) *violation = truth.violation;
+    const ricochet::TrueValues true_values = open_problems().at(problem).judge(x);
+    if (objective) *objective = true_values.objective;
+    if (violation) *violation = true_values.violation;
   });
   return done ? 0 : 1;
 }
 
-EXPORTED const char* ricochet_question_name(std::int32_t index) {
+EXPORTED const char* ricochet_problem_name(std::int32_t index) {
   const char* name = nullptr;
   succeeds([&] {
-    const auto& all = questions();
+    const auto& all = problems();
     if (index < 0 || static_cast<std::size_t>(index) >= all.size()) return;
-    name = all[static_cast<std::size_t>(index)].name().c_str();
+    name = all[static_cast<std::size_t>(index)].name.c_str();
   });
   return name;
 }

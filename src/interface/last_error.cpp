@@ -27,7 +27,7 @@ void keep_error(const std::exception_ptr& failure) noexcept {
       kept = "an exception that is not a std::exception";
     }
     shown = kept.c_str();
-  } catch (...) {  // the message was not to be kept
+  } catch (...) {  // the message could not be stored
     shown = "there is not enough memory";
   }
 }

@@ -5,14 +5,14 @@
 
 namespace ricochet::interface {
 
-/// What went wrong last in this thread, in one line; "" where nothing did. Stays valid until the
-/// next error in this thread.
+/// The last error in this thread, in one line; "" if there was none. Valid until the next error in
+/// this thread.
 const char* last_error() noexcept;
 
-/// Keeps what the exception says as the last error; does nothing where it is null.
+/// Stores the exception's message as the last error; does nothing for null.
 void keep_error(const std::exception_ptr& failure) noexcept;
 
-/// Does the work, and keeps what it throws. Returns whether it threw nothing.
+/// Does the work and stores its exception, if any. Returns true if nothing was thrown.
 template <class Work>
 bool succeeds(Work&& work) noexcept {
   try {

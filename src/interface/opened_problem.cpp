@@ -10,7 +10,7 @@ namespace ricochet::interface {
 
 OpenedProblem::OpenedProblem(Problem asked, std::int64_t budget, std::uint64_t seed)
     : OpenedRun(std::move(asked), budget, seed),
-      SeenProblem(OpenedRun::evaluator, OpenedRun::random),
+      SeenProblem(OpenedRun::evaluator, problem.start, OpenedRun::random),
       budget_(budget) {
   values = values_or_reason;
   derivatives = derivatives_or_reason;
@@ -18,13 +18,13 @@ OpenedProblem::OpenedProblem(Problem asked, std::int64_t budget, std::uint64_t s
   residuals = residuals_or_reason;
 }
 
-Truth OpenedProblem::judge(const double* x) const {
+TrueValues OpenedProblem::judge(const double* x) const {
   if (!x) throw std::invalid_argument("the point to be judged is NULL");
-  const Eigen::Map<const Vector> point(x, dimension);
+  const Eigen::Map<const Vector> point(x, problem.dimension());
   if (!point.allFinite()) {
     throw std::invalid_argument("the point to be judged has a coordinate that is not finite");
   }
-  return truth_at(problem, point.cwiseMax(problem.lower).cwiseMin(problem.upper));
+  return true_values_at(problem, point.cwiseMax(problem.lower).cwiseMin(problem.upper));
 }
 
 std::int32_t OpenedProblem::values_or_reason(ricochet_problem* problem, const double* x,
@@ -56,13 +56,13 @@ std::int32_t OpenedProblem::residuals_or_reason(ricochet_problem* problem, const
 }
 
 std::exception_ptr OpenedProblem::reason() const {
-  switch (OpenedRun::evaluator.refusal()) {
-    case Refusal::bad_point:
+  switch (OpenedRun::evaluator.termination_reason()) {
+    case TerminationReason::bad_point:
       return std::make_exception_ptr(std::runtime_error(
           "the run is over: it asked for a point with a coordinate that is not finite"));
-    case Refusal::failure:
+    case TerminationReason::failure:
       return OpenedRun::evaluator.failure();
-    case Refusal::none:
+    case TerminationReason::none:
       return failure();
     default:
       return std::make_exception_ptr(std::runtime_error(

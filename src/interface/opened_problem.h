@@ -9,7 +9,7 @@
 
 namespace ricochet::interface {
 
-/// A problem, and the run that asks it.
+/// A problem, and the run that evaluates it.
 struct OpenedRun {
   OpenedRun(Problem asked, std::int64_t budget, std::uint64_t seed)
       : problem(std::move(asked)), evaluator(problem, Budget{budget}), random(seed) {}
@@ -19,15 +19,16 @@ struct OpenedRun {
   Random random;
 };
 
-/// A problem that a program outside has opened. Whenever it refuses, last_error() says why.
+/// A problem opened by an external program. After every refused call, last_error() gives the
+/// reason.
 class OpenedProblem : private OpenedRun, public SeenProblem {
  public:
-  /// `budget`: evaluations; `seed`: of uniform().
+  /// `budget`: evaluations; `seed`: for uniform().
   OpenedProblem(Problem asked, std::int64_t budget, std::uint64_t seed);
 
-  /// What x, or its projection onto the box, is truly worth; costs nothing. Throws
+  /// The true objective and violation of x, or of its projection onto the box; not charged. Throws
   /// std::invalid_argument for null or a point that is not finite, and what the problem throws.
-  Truth judge(const double* x) const;
+  TrueValues judge(const double* x) const;
 
  private:
   static std::int32_t values_or_reason(ricochet_problem* problem, const double* x,

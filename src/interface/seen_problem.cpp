@@ -6,7 +6,7 @@
 namespace ricochet::interface {
 namespace {
 
-/// Copies to where a caller wants it, which is nowhere if null.
+/// Copies to the caller's array, unless it is null.
 void write(const Vector& values, double* to) {
   if (to) std::copy(values.begin(), values.end(), to);
 }
@@ -15,7 +15,7 @@ void write(double value, double* to) {
   if (to) *to = value;
 }
 
-/// Row by row.
+/// Writes in row-major order.
 void write_rows(const Matrix& matrix, double* to) {
   if (!to) return;
   for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
@@ -23,7 +23,7 @@ void write_rows(const Matrix& matrix, double* to) {
   }
 }
 
-/// What a caller asks for who wants to know of the objective, of the constraints, or of both.
+/// The part that a caller requests: the objective, the constraints, or both.
 Part part_of(bool of_objective, bool of_constraints) {
   if (of_objective && !of_constraints) return Part::objective;
   if (!of_objective && of_constraints) {
@@ -39,19 +39,23 @@ SeenProblem& seen(ricochet_problem* problem) {
 
 }  // namespace
 
-SeenProblem::SeenProblem(Evaluator& evaluator, Random& random)
-    : ricochet_problem(), evaluator_(evaluator), random_(random) {
-  const Problem& problem = evaluator.problem();
+SeenProblem::SeenProblem(Evaluator& evaluator, const Vector& from, Random& random)
+    : ricochet_problem(),
+      evaluator_(evaluator),
+      random_(random),
+      lower_(evaluator.lower()),
+      upper_(evaluator.upper()),
+      start_(from) {
   abi = RICOCHET_ABI;
-  dimension = static_cast<std::int32_t>(problem.dimension());
-  constraints = static_cast<std::int32_t>(problem.constraints);
-  equalities = static_cast<std::int32_t>(problem.equalities);
-  has_derivatives = problem.differentiate ? 1 : 0;
-  has_residuals = problem.residuals ? 1 : 0;
-  name = problem.name.c_str();
-  lower = problem.lower.data();
-  upper = problem.upper.data();
-  start = problem.start.data();
+  dimension = static_cast<std::int32_t>(evaluator.dimension());
+  constraints = static_cast<std::int32_t>(evaluator.constraints());
+  equalities = static_cast<std::int32_t>(evaluator.equalities());
+  has_derivatives = evaluator.has_derivatives() ? 1 : 0;
+  has_residuals = evaluator.has_residuals() ? 1 : 0;
+  name = evaluator.name().c_str();
+  lower = lower_.data();
+  upper = upper_.data();
+  start = start_.data();
   values = values_at;
   derivatives = derivatives_at;
   residual_count = count_residuals_at;
@@ -64,7 +68,7 @@ template <class Ask>
 auto SeenProblem::told(const double* x, Ask ask) -> decltype(ask(Vector())) {
   try {
     if (!x) throw std::invalid_argument("the point asked for is NULL");
-    point_ = Eigen::Map<const Vector>(x, dimension);
+    point_ = Eigen::Map<const Vector>(x, evaluator_.dimension());
     return ask(point_);
   } catch (...) {
     failure_ = std::current_exception();

@@ -9,23 +9,21 @@
 
 namespace ricochet::interface {
 
-/// What an evaluator's problem looks like from C. Whoever is handed it sees the problem through the
-/// evaluator alone, and draws from `random`; both must outlive it, and it stays where it is.
+/// The C interface of an evaluator's problem. Its user sees the problem only through the evaluator
+/// and draws from `random`; both must outlive it, and it must not be moved.
 ///
-/// What is asked for is told by which pointers are not null: who asks for objective and constraints
-/// of one point in two calls pays once.
+/// The pointers that are not null select what is requested: separate calls for objective and
+/// constraints of one point are charged once.
 ///
-/// Nothing is thrown through its functions. Where one cannot do what it is asked, because the run
-/// is over or because no memory is left, they return 1, residual_count() 0, and write nothing.
+/// Its functions throw nothing. If one fails, because the run is over or memory is exhausted, it
+/// returns 1 (residual_count() 0) and writes nothing.
 class SeenProblem : public ricochet_problem {
  public:
-  SeenProblem(Evaluator& evaluator, Random& random);
+  SeenProblem(Evaluator& evaluator, const Vector& start, Random& random);
   SeenProblem(const SeenProblem&) = delete;
   SeenProblem& operator=(const SeenProblem&) = delete;
 
-  Evaluator& evaluator() { return evaluator_; }
-
-  /// What one of the functions would have thrown, or null; what the problem throws is the
+  /// The exception that one of the functions caught, or null; exceptions of the problem are the
   /// evaluator's failure instead.
   std::exception_ptr failure() const { return failure_; }
 
@@ -42,7 +40,7 @@ class SeenProblem : public ricochet_problem {
   static std::int64_t evaluations_left(ricochet_problem* problem);
   static double next_uniform(ricochet_problem* problem);
 
-  /// What `ask` tells of x, or nothing.
+  /// Returns the result of `ask` at x, or nothing.
   template <class Ask>
   auto told(const double* x, Ask ask) -> decltype(ask(Vector()));
 
@@ -50,8 +48,9 @@ class SeenProblem : public ricochet_problem {
 
   Evaluator& evaluator_;
   Random& random_;
-  Vector point_;            // asked for last: kept, so that no call allocates another
-  std::int32_t count_ = 0;  // of the residuals, once it is known
+  Vector lower_, upper_, start_;  // copies: a solver may write into them
+  Vector point_;                  // the last one, kept so that no call allocates another
+  std::int32_t count_ = 0;        // of residuals, once known
   std::exception_ptr failure_;
 };
 

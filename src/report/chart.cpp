@@ -15,13 +15,17 @@ class Checker {
   explicit Checker(const Chart& chart) : chart_(chart) {}
 
   void require(bool holds, const std::string& reason) const {
-    if (!holds) throw std::invalid_argument(fmt::format("chart {}: {}", chart_.name, reason));
+    if (!holds) throw std::invalid_argument(reason);
   }
   void number(const std::string& where, double value, const Axis& axis) const {
     require(std::isfinite(value), fmt::format("{}: {} is not finite", where, value));
+    // Beyond this, differences and ratios of two values may overflow.
+    require(std::abs(value) <= 1e100, fmt::format("{}: {} is beyond 1e100", where, value));
     require(
         axis.scale == Scale::linear || value > 0,
         fmt::format("{}: {} must be > 0 on the logarithmic axis \"{}\"", where, value, axis.label));
+    require(axis.scale == Scale::linear || value >= 1e-300,
+            fmt::format("{}: {} is below 1e-300", where, value));
   }
   void range(const std::string& where, const Range& range, const Axis& axis) const {
     number(where, range.lower, axis);
@@ -78,7 +82,9 @@ void check(const Chart& chart) {
   };
   checker.require(!chart.name.empty() && std::ranges::all_of(chart.name, allowed),
                   "the name must be of lower-case letters, digits and hyphens");
-  checker.require(chart.width >= 200 && chart.height >= 150, "is smaller than 200 x 150 pixels");
+  checker.require(
+      chart.width > 0 && chart.height > 0 && chart.width <= 10000 && chart.height <= 10000,
+      fmt::format("{} x {} pixels must be between 1 and 10000", chart.width, chart.height));
   checker.axis(chart.x);
   checker.axis(chart.y);
   for (const Series& series : chart.series) checker.series(series);
@@ -91,7 +97,7 @@ void check(const Chart& chart) {
 std::string description(const Chart& chart) {
   if (!chart.description.empty()) return chart.description;
   if (chart.heat_map) {
-    std::vector<std::string> axes;  // names of rows and columns may say enough
+    std::vector<std::string> axes;  // names of rows and columns may suffice
     for (const Axis* axis : {&chart.x, &chart.y})
       if (!axis->label.empty()) axes.push_back(axis->label);
     return fmt::format("Heat map of {}{}{}.", chart.heat_map->label, axes.empty() ? "" : " over ",

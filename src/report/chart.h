@@ -15,18 +15,18 @@ struct Range {
 struct Axis {
   std::string label;  ///< with its unit: "speed [rad/s]"
   Scale scale = Scale::linear;
-  std::optional<Range> range = {};  ///< without one the data and the reference lines decide
-  /// Names of the positions 0, 1, ... of an axis that has names instead of numbers; on y, where
-  /// only a heat map has them, from the bottom.
+  std::optional<Range> range = {};  ///< if missing, the data and the reference lines determine it
+  /// Names of the positions 0, 1, ... of an axis that has names instead of numbers. Only a heat map
+  /// may have them on y, counted from the bottom.
   std::vector<std::string> categories = {};
 };
 
 /// One value of a series.
 struct Sample {
   double position;
-  std::optional<double> value;       ///< without one: a gap
+  std::optional<double> value;       ///< if missing: a gap
   std::optional<Range> spread = {};  ///< around the value: a band of a line, a bar of a point
-  std::string name = {};             ///< written beside a point, where there is room
+  std::string name = {};             ///< written beside a point if there is room
 };
 
 enum class Mark {
@@ -39,14 +39,14 @@ struct Series {
   std::string label;  ///< its entry in the legend; empty: no entry
   Mark mark = Mark::line;
   std::vector<Sample> samples;  ///< by rising position, if joined
-  bool pale = false;            ///< grey: what others are set against
+  bool pale = false;            ///< grey: a background for comparison
 };
 
 /// Coloured cells over the categories of x and y. A cell without a value is hatched.
 struct HeatMap {
   std::string label;  ///< of the colours, with its unit
   std::vector<std::vector<std::optional<double>>>
-      rows;                         ///< one a category of y, a cell a category of x
+      rows;                         ///< a row for each category of y, a cell for each category of x
   std::optional<Range> range = {};  ///< of the colours, for maps that are compared
 };
 
@@ -59,7 +59,8 @@ struct ReferenceLine {
   std::string label;
 };
 
-/// What a chart shows; how it looks is the renderer's business. Series or a heat map, not both.
+/// The content of a chart; the renderer decides how it looks. Either series or a heat map, not
+/// both.
 struct Chart {
   std::string name;  ///< the file's stem: lower-case letters, digits and hyphens; unique on a page
   std::string title;
@@ -67,12 +68,13 @@ struct Chart {
   std::vector<Series> series = {};
   std::optional<HeatMap> heat_map = {};
   std::vector<ReferenceLine> lines = {};
-  int width = 480, height = 320;  ///< pixels
-  std::string description = {};   ///< for those who cannot see it; empty: made from the labels
+  int width = 480, height = 320;  ///< pixels; the picture is larger if the content needs more room
+  std::string description = {};   ///< for readers who cannot see it; empty: made from the labels
 };
 
-/// Throws std::invalid_argument, one line with chart, place and reason, unless the chart can be
-/// drawn: finite numbers, positive ones on logarithmic axes, categories that match.
+/// Throws std::invalid_argument, one line with place and reason, unless the chart can be
+/// drawn: finite numbers of at most 1e100, of at least 1e-300 on logarithmic axes, categories that
+/// match.
 void check(const Chart& chart);
 
 /// The description, or one made from the labels.

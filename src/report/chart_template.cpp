@@ -8,7 +8,7 @@
 namespace ricochet::report {
 namespace {
 
-/// What one of some words stands for; the first where there is none.
+/// Returns the value that a word stands for; the first value if the word is missing.
 template <class Value>
 Value chosen(const Part& part, std::string_view key, const Scopes& scopes,
              std::initializer_list<std::pair<std::string_view, Value>> words) {
@@ -20,7 +20,7 @@ Value chosen(const Part& part, std::string_view key, const Scopes& scopes,
   throw std::logic_error(fmt::format("a template's {} cannot be {}", key, text));
 }
 
-/// Small letters and digits, other characters as hyphens.
+/// Converts text to lower-case letters and digits; other characters become hyphens.
 std::string stem_of(std::string text) {
   for (char& c : text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -67,7 +67,7 @@ Axis axis_of(const Part& part, const Scopes& scopes) {
   return axis;
 }
 
-/// Whether an axis has a place for the number.
+/// Returns true if the axis can show the number.
 bool has_place(const Axis& axis, const std::optional<double>& number) {
   return number && (axis.scale == Scale::linear || *number > 0);
 }
@@ -122,9 +122,13 @@ HeatMap heat_map_of(const Part& part, const Part& y, const Scopes& scopes) {
 
 }  // namespace
 
+std::string chart_name(const Part& part, const Scopes& scopes) {
+  return stem_of(filled(part.text("name"), scopes));
+}
+
 Chart chart_of(const Part& part, const Scopes& scopes) {
   Chart chart;
-  chart.name = stem_of(filled(part.text("name"), scopes));
+  chart.name = chart_name(part, scopes);
   chart.title = filled(part.text("title"), scopes);
   chart.x = axis_of(part.part("x"), scopes);
   chart.y = axis_of(part.part("y"), scopes);

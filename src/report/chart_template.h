@@ -5,8 +5,11 @@
 
 namespace ricochet::report {
 
-/// The chart that a [[section.chart]] of a template declares, see page_template.h. Throws
-/// std::logic_error where it does not fit the data.
+/// Returns the chart's name, in lower-case letters, digits and hyphens.
+std::string chart_name(const Part& part, const Scopes& scopes);
+
+/// Returns the chart that a [[section.chart]] of a template declares, see page_template.h. Throws
+/// std::logic_error if it does not fit the data.
 Chart chart_of(const Part& part, const Scopes& scopes);
 
 }  // namespace ricochet::report

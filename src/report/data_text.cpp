@@ -20,7 +20,7 @@ Json rounded(double number, int digits) {
   return kept;
 }
 
-/// NOTE: an entry of a list has the name of the list.
+/// NOTE: an entry of a list is rounded by the name of the list.
 Json rounded(Json data, const Digits& known, int digits) {
   if (data.is_number_float()) return rounded(data.get<double>(), digits);
   if (data.is_array()) {
@@ -34,7 +34,8 @@ Json rounded(Json data, const Digits& known, int digits) {
   return data;
 }
 
-/// Writes what is short on one line, lists of plain values on full lines, all else line by line.
+/// Writes short values on one line, fills lines with plain values of a list, and puts everything
+/// else on lines of its own.
 class Writer {
  public:
   std::string text(const Json& data) {

@@ -7,16 +7,16 @@
 
 namespace ricochet::report {
 
-/// How many significant digits of numbers are kept, by the name that they have in the data.
+/// Number of significant digits that are kept, by the name of the number in the data.
 using Digits = std::map<std::string, int, std::less<>>;
 
-/// The text of a report's data.json: lists of records as tables, see packed; numbers with a
-/// fraction rounded to `usual_digits` significant digits or those of their name; whole numbers
-/// below 2^53, and texts, exactly. A line is short where it can be, so that changes are seen.
+/// Returns the text of a report's data.json: lists of records as tables, see packed; numbers with a
+/// fraction rounded to `usual_digits` significant digits or those for their name; whole numbers
+/// below 2^53, and texts, exactly. Lines are kept short, so that diffs are readable.
 std::string data_text(const Json& data, const Digits& digits = {});
 inline constexpr int usual_digits = 6;
 
-/// The data that such a text, or any JSON, holds. Throws Json::exception where it is none.
+/// Parses such a text, or any JSON. Throws Json::exception if it is not JSON.
 Json data_in(const std::string& text);
 
 }  // namespace ricochet::report

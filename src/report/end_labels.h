@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "src/report/frame.h"
+#include "src/report/chart.h"
 
 namespace ricochet::report {
 
-/// What a curve is called, written beside its end at the right of the plot.
+/// A curve's label, written beside its end at the right of the plot.
 struct EndLabel {
   std::string text;
   std::size_t series;  ///< the curve's number
@@ -16,21 +16,16 @@ struct EndLabel {
   double place;        ///< of the label
 };
 
-/// The labels of all curves that have one, which then need no legend. Where curves end close to
-/// each other, labels are moved apart. None where there are fewer than two or very many, where a
-/// curve ends elsewhere than at the right, where labels would lie far from their curves, or take
-/// much of the width.
-std::vector<EndLabel> end_labels(const Chart& chart, const Frame& frame);
+/// Returns the labels of all curves that have one; they replace the legend. x and y are the limits
+/// of the axes, and the plot is `height` pixels high. Labels of curves that end close together are
+/// moved apart. Returns none if there are fewer than two or very many, if a curve does not end at
+/// the right, if labels would lie far from their curves, or if they would take much of the width.
+std::vector<EndLabel> end_labels(const Chart& chart, const Range& x, const Range& y, double height);
 
-/// Whether labels lie so far from their curves that lines must lead to them.
-bool need_leaders(const Chart& chart, const std::vector<EndLabel>& labels);
+/// Returns true if labels lie so far from their curves that they need leader lines.
+bool need_leaders(const std::vector<EndLabel>& labels, double height);
 
-/// Pixels at the right of the plot that the labels need.
-int room_for(const Chart& chart, const std::vector<EndLabel>& labels);
-
-/// Script that writes them, with lines that lead to them where these are needed; `colours` are the
-/// curves', by their numbers.
-std::string end_label_script(const Chart& chart, const std::vector<EndLabel>& labels,
-                             const std::vector<std::string>& colours);
+/// Width of a leader line in pixels.
+inline constexpr int leader_width = 18;
 
 }  // namespace ricochet::report

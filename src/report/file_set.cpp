@@ -35,7 +35,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// What an earlier report wrote, nobody has changed since, and no file replaces.
+/// Returns the files of an earlier report that are unchanged and that no new file replaces.
 std::vector<fs::path> stale_files(const fs::path& folder, const FileSet& files) {
   std::vector<fs::path> stale;
   std::istringstream manifest(text_of(folder / manifest_name));
@@ -49,12 +49,25 @@ std::vector<fs::path> stale_files(const fs::path& folder, const FileSet& files) 
   return stale;
 }
 
+/// Writes all texts to the disk.
+std::deque<TextDraft> drafts_of(const fs::path& folder, const FileSet& files) {
+  std::deque<TextDraft> drafts;
+  for (const auto& [name, text] : files) drafts.emplace_back(folder / name, text);
+  return drafts;
+}
+
 }  // namespace
+
+void add_files(const fs::path& folder, const FileSet& files) {
+  const MadeFolder made(folder);
+  std::deque<TextDraft> drafts = drafts_of(folder, files);
+  const Uninterrupted whole;
+  for (TextDraft& draft : drafts) draft.commit();
+}
 
 void replace_files(const fs::path& folder, const FileSet& files) {
   const MadeFolder made(folder);
-  std::deque<TextDraft> drafts;
-  for (const auto& [name, text] : files) drafts.emplace_back(folder / name, text);
+  std::deque<TextDraft> drafts = drafts_of(folder, files);
   TextDraft manifest(folder / manifest_name, manifest_of(files));
   const std::vector<fs::path> stale = stale_files(folder, files);
   const Uninterrupted whole;

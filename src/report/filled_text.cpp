@@ -26,40 +26,41 @@ const Json* looked_up(const Json& scope, const std::string& name) {
   return data;
 }
 
-std::string formatted(const Json& data, std::string form, const std::string& name) {
+std::string formatted(const Json& data, std::string formulation, const std::string& name) {
   if (data.is_null()) return "–";
   double scale = 1;
-  if (form.ends_with('%')) {
+  if (formulation.ends_with('%')) {
     scale = 100;
-    form.back() = 'f';
+    formulation.back() = 'f';
   }
-  form = "{:" + form + "}";
-  // An integer in the data may be a number with a fraction of zero: the form tells.
-  const bool fraction = form.find_first_of("eEfFgG.") != std::string::npos;
+  formulation = "{:" + formulation + "}";
+  // An integer in the data may be a number with a zero fraction: the format decides.
+  const bool fraction = formulation.find_first_of("eEfFgG.") != std::string::npos;
   try {
-    if (data.is_string()) return fmt::format(fmt::runtime(form), data.get<std::string>());
+    if (data.is_string()) return fmt::format(fmt::runtime(formulation), data.get<std::string>());
     if (data.is_number_integer() && !fraction) {
-      return fmt::format(fmt::runtime(form), data.get<std::int64_t>());
+      return fmt::format(fmt::runtime(formulation), data.get<std::int64_t>());
     }
     if (data.is_number()) {
-      const auto text = [&](double value) { return fmt::format(fmt::runtime(form), value); };
+      const auto text = [&](double value) { return fmt::format(fmt::runtime(formulation), value); };
       const std::string exact = text(scale * data.get<double>());
       return exact == text(-0.0) ? text(0.0) : exact;
     }
   } catch (const fmt::format_error& error) {
-    throw std::logic_error(fmt::format("a template's {} as {}: {}", name, form, error.what()));
+    throw std::logic_error(
+        fmt::format("a template's {} as {}: {}", name, formulation, error.what()));
   }
   throw std::logic_error(fmt::format("a template's {} is neither number nor text", name));
 }
 
-/// What Mustache asks for names, answered from JSON.
+/// Answers Mustache's look-ups of names from JSON.
 class Context : public mustache::basic_context<std::string> {
  public:
   explicit Context(const Scopes& scopes) : scopes_(scopes) {}
 
   void push(const mustache::data* node) override {
     const auto found = source_.find(node);
-    // A mere condition adds nothing to look up in.
+    // A condition without entries adds no scope.
     const bool condition = found == source_.end();
     scopes_.push_back(condition ? scopes_.back() : found->second.data);
     firsts_.push_back(condition ? firsts_.back() : found->second.first);
@@ -111,7 +112,7 @@ class Context : public mustache::basic_context<std::string> {
 
   Scopes scopes_;
   std::vector<bool> firsts_ = {true};         // of the lists that the scopes are entries of
-  mutable std::deque<mustache::data> nodes_;  // stay where they are
+  mutable std::deque<mustache::data> nodes_;  // addresses must remain valid
   mutable std::unordered_map<const mustache::data*, Source> source_;
 };
 

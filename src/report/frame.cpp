@@ -1,31 +1,30 @@
 #include "src/report/frame.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
-#include "src/report/look.h"
-#include "src/report/quote.h"
-#include "src/report/script.h"
-#include "src/report/ticks.h"
+#include "src/report/wrapped.h"
 
 namespace ricochet::report {
 namespace {
 
-int widest(const std::vector<std::string>& texts) {
+constexpr double least_width = 60, least_height = 30;  // of the plot, pixels
+constexpr double text_height = 18;                     // of a line
+constexpr double tick_room = 9;                        // a tick and the gap up to its label
+constexpr double widest_share = 0.45;                  // of the picture, for a name
+const double sine = std::sin(name_angle * std::numbers::pi / 180);
+const double cosine = std::cos(name_angle * std::numbers::pi / 180);
+
+double widest(const std::vector<Tick>& ticks) {
   int width = 0;
-  for (const std::string& text : texts) width = std::max(width, text_width(text));
+  for (const Tick& tick : ticks) width = std::max(width, text_width(tick.label));
   return width;
 }
 
-/// A long legend beside the plot, a short one below it.
-bool legend_at_right(const Frame& frame) {
-  return frame.legend.size() > 4;
-}
-
 bool whole_numbers(const Chart& chart, bool positions) {
-  return std::ranges::all_of(chart.series, [&](const Series& series) {
+  return !chart.series.empty() && std::ranges::all_of(chart.series, [&](const Series& series) {
     return std::ranges::all_of(series.samples, [&](const Sample& sample) {
       const double value = positions ? sample.position : sample.value.value_or(0);
       return value == std::round(value);
@@ -33,102 +32,229 @@ bool whole_numbers(const Chart& chart, bool positions) {
   });
 }
 
-std::string tick_list(const std::vector<Tick>& ticks) {
-  std::string list;
-  for (const Tick& tick : ticks)
-    list += fmt::format("{}{} {:.10g} {}", list.empty() ? "" : ", ", quoted_tick(tick.label),
-                        tick.position, tick.label.empty() ? 1 : 0);
-  return "(" + list + ")";
-}
-
-std::string axis_script(const Chart& chart, const Frame& frame, bool x) {
-  const Axis& axis = x ? chart.x : chart.y;
-  const Range& range = x ? frame.x : frame.y;
-  const int room = x ? plot_width(chart, frame) : plot_height(chart);
-  std::string marks;
-  std::string style = x ? "scale 0.5,0.3 offset 0,0.3" : "scale 0.5,0.3";
-  if (axis.categories.empty()) {
-    const int wanted = std::max(2, room / (x ? 65 : 38));
-    const bool whole = !chart.series.empty() && whole_numbers(chart, x);
-    marks = axis.scale == Scale::logarithmic
-                ? tick_list(logarithmic_ticks(range, wanted))
-                : fmt::format("{:.10g}", tick_step(range, wanted, whole));
-  } else {
-    const auto count = static_cast<int>(axis.categories.size());
-    const int slot = std::max(1, room / count);
-    const int needed = x ? widest(axis.categories) + 8 : 13;
-    const bool turned = x && needed > slot && needed > 50;
-    const int stride = 1 + ((turned ? 16 : needed) - 1) / slot;
-    std::vector<Tick> names;
-    for (int i = 0; i < count; i += stride)
-      names.push_back({static_cast<double>(i), axis.categories[static_cast<std::size_t>(i)]});
-    marks = tick_list(names);
-    style = turned ? "scale 0 rotate by 35 right" : x ? "scale 0 offset 0,0.3" : "scale 0";
+Range data_limits(const Chart& chart, Direction of_lines) {
+  const bool positions = of_lines == Direction::vertical;
+  const Axis& axis = positions ? chart.x : chart.y;
+  if (axis.range) return *axis.range;
+  if (!axis.categories.empty()) return {-0.5, static_cast<double>(axis.categories.size()) - 0.5};
+  std::vector<double> values;
+  for (const ReferenceLine& line : chart.lines)
+    if (line.direction == of_lines) values.push_back(line.position);
+  for (const Series& series : chart.series) {
+    for (const Sample& sample : series.samples) {
+      if (positions) values.push_back(sample.position);
+      if (!positions && sample.value) values.push_back(*sample.value);
+      if (!positions && sample.value && sample.spread)
+        values.insert(values.end(), {sample.spread->lower, sample.spread->upper});
+    }
   }
-  const char which = x ? 'x' : 'y';
-  // A second, empty line of the label keeps the legend below at a distance.
-  const char* const distance = x && !legend_at_right(frame) ? " . \"\\n \"" : "";
-  return fmt::format(
-      "set {0}label {1}{2} offset {3}\nset {0}range [{4:.10g}:{5:.10g}]\n{6}"
-      "set {0}tics nomirror out {7} tc rgb '#444444' {8}\n",
-      which, quoted(axis.label), distance, x ? "0,0.8" : "0,0", range.lower, range.upper,
-      axis.scale == Scale::logarithmic ? fmt::format("set logscale {}\n", which) : "", style,
-      marks);
+  return limits(values, axis.scale);
 }
 
-std::string colour_script(const HeatMap& map, const Range& colours) {
-  return fmt::format(
-      "set palette defined {}\nset cbrange [{:.6g}:{:.6g}]\nset cblabel {} offset 0.8,0\n"
-      "set cbtics scale 0.5 tc rgb '#444444' {:.10g}\n",
-      palette(), colours.lower, colours.upper, quoted(map.label), tick_step(colours, 6, false));
+Range colour_limits(const HeatMap& map) {
+  std::vector<double> values;
+  for (const auto& row : map.rows)
+    for (const auto& cell : row)
+      if (cell) values.push_back(*cell);
+  Range colours = map.range.value_or(Range{0, 1});
+  if (!map.range && !values.empty()) {
+    const auto [least, most] = std::ranges::minmax(values);
+    colours = {least, most};
+  }
+  return colours.lower < colours.upper ? colours : limits({colours.lower}, Scale::linear);
 }
 
-std::string legend_script(const Chart& chart, const Frame& frame) {
-  // One series needs no legend: title and axis say what it is.
-  if (frame.legend.empty() || (frame.legend.size() == 1 && !chart.heat_map)) return "unset key\n";
-  if (!legend_at_right(frame)) return "set key bmargin left horizontal Left reverse samplen 2\n";
-  // Entries that need more than the plot's height would flow into a second column.
-  const double fitting = plot_height(chart) / (19.0 * static_cast<double>(frame.legend.size()));
-  return fmt::format("set key rmargin top vertical Left reverse samplen 2.5 spacing {:.3g}\n",
-                     std::clamp(fitting, 0.8, 1.2));
+bool has_gaps(const HeatMap& map) {
+  return std::ranges::any_of(map.rows, [](const auto& row) {
+    return std::ranges::any_of(row, [](const auto& cell) { return !cell; });
+  });
 }
+
+/// Returns the names of an axis that fit, each `needed` pixels wide.
+std::vector<Tick> name_ticks(const std::vector<std::string>& names, double room, double needed) {
+  const double slot = room / static_cast<double>(names.size());
+  const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(needed / slot)));
+  std::vector<Tick> ticks;
+  for (std::size_t i = 0; i < names.size(); i += stride)
+    ticks.push_back({static_cast<double>(i), names[i]});
+  return ticks;
+}
+
+std::vector<LegendEntry> legend_of(const Chart& chart, const std::vector<EndLabel>& ends) {
+  using Of = LegendEntry::Of;
+  std::vector<LegendEntry> legend;
+  if (chart.heat_map) {
+    if (has_gaps(*chart.heat_map)) legend.push_back({Of::cells_without_value, 0, "no value"});
+    return legend;
+  }
+  for (std::size_t i = 0; i < chart.series.size() && ends.empty(); ++i)
+    if (!chart.series[i].label.empty()) legend.push_back({Of::series, i, chart.series[i].label});
+  const std::vector<std::string> lines = line_labels(chart);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (!lines[i].empty()) legend.push_back({Of::line, i, lines[i]});
+  // A single entry needs no legend: title and axis name it.
+  if (legend.size() == 1) legend.clear();
+  for (LegendEntry& entry : legend)
+    entry.label = shortened(entry.label, widest_share * chart.width);
+  return legend;
+}
+
+/// Places the parts of a frame one after the other; each part may depend only on earlier ones.
+class Layout {
+ public:
+  explicit Layout(const Chart& chart) : chart_(chart) {}
+
+  Frame frame() {
+    frame_.width = chart_.width;
+    frame_.height = chart_.height;
+    frame_.title = wrapped(chart_.title, chart_.width - 16, title_size);
+    frame_.plot.top = 26 + title_height * static_cast<double>(frame_.title.size());
+    frame_.x = data_limits(chart_, Direction::vertical);
+    frame_.y = data_limits(chart_, Direction::horizontal);
+    if (chart_.heat_map) frame_.colours = colour_limits(*chart_.heat_map);
+    frame_.x_label = shortened(chart_.x.label, chart_.width - 40);
+    place_y_ticks();
+    // The height without a legend, which end labels replace.
+    const double height = rough_height();
+    frame_.ends = end_labels(chart_, frame_.x, frame_.y, height);
+    frame_.legend = legend_of(chart_, frame_.ends);
+    legend_beside_ = frame_.legend.size() > 4;
+    place_sides(need_leaders(frame_.ends, height));
+    place_x_ticks();
+    place_bottom();
+    if (legend_beside_) place_legend_beside();
+    return std::move(frame_);
+  }
+
+ private:
+  double rough_height() const {
+    const double label = frame_.x_label.empty() ? 0 : text_height;
+    return std::max(least_height, chart_.height - frame_.plot.top - text_height - label - 8);
+  }
+
+  void place_y_ticks() {
+    const double room = rough_height();
+    if (chart_.y.categories.empty()) {
+      const int wanted = std::max(2, static_cast<int>(room / 38));
+      frame_.y_ticks = chart_.y.scale == Scale::logarithmic
+                           ? logarithmic_ticks(frame_.y, wanted)
+                           : linear_ticks(frame_.y, wanted, whole_numbers(chart_, false));
+    } else {
+      frame_.y_ticks = name_ticks(chart_.y.categories, room, 13);
+      for (Tick& tick : frame_.y_ticks)
+        tick.label = shortened(tick.label, widest_share * chart_.width);
+    }
+    if (chart_.heat_map)
+      frame_.colour_ticks =
+          linear_ticks(frame_.colours, std::clamp(static_cast<int>(room / 25), 2, 6), false);
+    frame_.y_label = shortened(chart_.y.label, std::max(room, 0.7 * chart_.height));
+    if (chart_.heat_map) {
+      frame_.colour_label = shortened(chart_.heat_map->label, std::max(room, 0.7 * chart_.height));
+    }
+  }
+
+  void place_sides(bool leaders) {
+    frame_.plot.left = (frame_.y_label.empty() ? 6 : 26) + widest(frame_.y_ticks) + tick_room;
+    double right = 18;
+    if (chart_.heat_map) {
+      right = bar_gap + bar_width + tick_room + widest(frame_.colour_ticks) +
+              (frame_.colour_label.empty() ? 6 : 28);
+    } else if (!frame_.ends.empty()) {
+      double label = 0;
+      for (const EndLabel& end : frame_.ends) label = std::max<double>(label, text_width(end.text));
+      right = label + 14 + (leaders ? leader_width : 0);
+    } else if (legend_beside_) {
+      double label = 0;
+      for (const LegendEntry& entry : frame_.legend)
+        label = std::max<double>(label, text_width(entry.label));
+      right = label + key_width + 28;
+    }
+    const double width = std::max(least_width, chart_.width - frame_.plot.left - right);
+    frame_.plot.right = frame_.plot.left + width;
+    frame_.width = static_cast<int>(std::ceil(frame_.plot.right + right));
+  }
+
+  void place_x_ticks() {
+    const std::vector<std::string>& names = chart_.x.categories;
+    if (names.empty()) {
+      const int wanted = std::max(2, static_cast<int>(frame_.plot.width() / 65));
+      frame_.x_ticks = chart_.x.scale == Scale::logarithmic
+                           ? logarithmic_ticks(frame_.x, wanted)
+                           : linear_ticks(frame_.x, wanted, whole_numbers(chart_, true));
+      return;
+    }
+    const double slot = frame_.plot.width() / static_cast<double>(names.size());
+    const double needed = widest(name_ticks(names, 1e9, 0)) + 8;
+    frame_.names_turned = needed > slot && needed > 50;
+    frame_.x_ticks = name_ticks(names, frame_.plot.width(), frame_.names_turned ? 16 : needed);
+    if (!frame_.names_turned) return;
+    for (Tick& tick : frame_.x_ticks) {
+      // The first names must end within the picture.
+      const double before = frame_.plot.left + slot * (tick.position + 0.5) - 6;
+      tick.label = shortened(tick.label, std::min(before / cosine, 260.0));
+    }
+  }
+
+  void place_bottom() {
+    double below = frame_.names_turned ? 14 + sine * widest(frame_.x_ticks) : text_height;
+    if (!frame_.x_label.empty()) below += text_height;
+    frame_.below_ticks = below;
+    if (!frame_.legend.empty() && !legend_beside_) below += 4 + place_legend_below();
+    const double height = std::max(least_height, chart_.height - frame_.plot.top - below - 8);
+    frame_.plot.bottom = frame_.plot.top + std::floor(height);
+    frame_.height = static_cast<int>(std::ceil(frame_.plot.bottom + below + 8));
+    for (LegendEntry& entry : frame_.legend) entry.place.y += frame_.plot.bottom;
+  }
+
+  /// Places the legend relative to the plot's bottom, which is not known yet. Returns the height of
+  /// all lines.
+  double place_legend_below() {
+    Pixel next{frame_.plot.left, frame_.below_ticks + 4 + text_height};
+    for (LegendEntry& entry : frame_.legend) {
+      const double width = key_width + 6 + text_width(entry.label);
+      if (next.x > frame_.plot.left && next.x + width > frame_.width) {
+        next = {frame_.plot.left, next.y + text_height};
+      }
+      entry.place = next;
+      next.x += width + 18;
+    }
+    return next.y - frame_.below_ticks - 4;
+  }
+
+  void place_legend_beside() {
+    const auto lines = static_cast<double>(frame_.legend.size());
+    const double distance = std::clamp(frame_.plot.height() / lines, 14.0, 20.0);
+    double y = frame_.plot.top + 10;
+    for (LegendEntry& entry : frame_.legend) {
+      entry.place = {frame_.plot.right + 14, y};
+      y += distance;
+    }
+    frame_.height = std::max(frame_.height, static_cast<int>(std::ceil(y - distance + 8)));
+  }
+
+  const Chart& chart_;
+  Frame frame_{};
+  bool legend_beside_ = false;
+};
 
 }  // namespace
 
-int text_width(const std::string& text) {
-  return static_cast<int>(7 *
-                          std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
+Frame frame_of(const Chart& chart) {
+  return Layout(chart).frame();
 }
 
-int plot_width(const Chart& chart, const Frame& frame) {
-  const int labels = chart.y.categories.empty() ? 40 : widest(chart.y.categories);
-  const int right = chart.heat_map            ? 75
-                    : frame.room_for_ends > 0 ? frame.room_for_ends
-                    : legend_at_right(frame)  ? widest(frame.legend) + 50
-                                              : 15;
-  return std::max(chart.width - 30 - labels - right, 50);
+std::vector<std::string> line_labels(const Chart& chart) {
+  std::vector<std::string> labels;
+  for (const ReferenceLine& line : chart.lines)
+    if (std::ranges::find(labels, line.label) == labels.end()) labels.push_back(line.label);
+  return labels;
 }
 
-int plot_height(const Chart& chart) {
-  return std::max(chart.height - 120, 50);
-}
-
-std::string frame_script(const Chart& chart, const Frame& frame) {
-  std::string script = fmt::format(
-      "set encoding utf8\nset minussign\nset format '%.10g'\n"
-      "set terminal svg noenhanced size {},{} font '{},12' background 'white'\n"
-      "set label 1 {} at screen 0, screen 1 offset 1,-1.3 left font '{},14'\nset tmargin 3\n"
-      "set border {} lc rgb '#888888'\n",
-      chart.width, chart.height, body_font, quoted(chart.title), title_font,
-      chart.heat_map ? 0 : 3);
-  if (!chart.heat_map) script += "set grid xtics ytics back lt 1 lw 0.7 lc rgb '#e4e4e4'\n";
-  script += axis_script(chart, frame, true) + axis_script(chart, frame, false);
-  if (chart.heat_map) script += colour_script(*chart.heat_map, frame.colours);
-  if (frame.room_for_ends > 0) {
-    script += fmt::format("set rmargin at screen {:.4f}\n",
-                          1 - static_cast<double>(frame.room_for_ends) / chart.width);
-  }
-  return script + legend_script(chart, frame);
+Pixel place_of(const Chart& chart, const Frame& frame, double position, double value) {
+  const auto pixels = [](double exact) { return std::clamp(exact, -1e5, 1e5); };
+  const Box& plot = frame.plot;
+  return {pixels(plot.left + plot.width() * share(position, frame.x, chart.x.scale)),
+          pixels(plot.bottom - plot.height() * share(value, frame.y, chart.y.scale))};
 }
 
 }  // namespace ricochet::report

@@ -4,24 +4,47 @@
 #include <vector>
 
 #include "src/report/chart.h"
+#include "src/report/end_labels.h"
+#include "src/report/path_data.h"
+#include "src/report/ticks.h"
 
 namespace ricochet::report {
 
-/// What surrounds the data of a chart.
-struct Frame {
-  Range x{0, 1}, y{0, 1}, colours{0, 1};
-  std::vector<std::string> legend = {};
-  int room_for_ends = 0;  ///< pixels at the right, for labels at the ends of curves
+/// An entry of the legend, of series or line number `index`.
+struct LegendEntry {
+  enum class Of { series, line, cells_without_value } of;
+  std::size_t index;
+  std::string label;
+  Pixel place = {};  ///< of the sample's left end, on the text's base line
 };
 
-/// About as wide as the text is in pixels; gnuplot guesses no better.
-int text_width(const std::string& text);
+/// The parts around the data of a chart, and their positions.
+struct Frame {
+  int width, height;  ///< of the picture: the chart's, or the least that the data need
+  Box plot;           ///< the area for the data
+  std::vector<std::string> title;
+  Range x{0, 1}, y{0, 1}, colours{0, 1};
+  std::vector<Tick> x_ticks, y_ticks, colour_ticks;
+  bool names_turned = false;  ///< of the ticks of x
+  std::string x_label, y_label, colour_label;
+  double below_ticks = 0;  ///< base line of the label of x
+  std::vector<LegendEntry> legend;
+  std::vector<EndLabel> ends;
+};
 
-/// Size of the area for the data in pixels, roughly: it only decides how many labels fit.
-int plot_width(const Chart& chart, const Frame& frame);
-int plot_height(const Chart& chart);
+Frame frame_of(const Chart& chart);
 
-/// The part of the gnuplot script that sets size, title, axes and legend.
-std::string frame_script(const Chart& chart, const Frame& frame);
+/// Returns the labels of reference lines, without duplicates.
+std::vector<std::string> line_labels(const Chart& chart);
+
+/// Returns the pixel of a position and a value; points far outside the plot are moved closer.
+Pixel place_of(const Chart& chart, const Frame& frame, double position, double value);
+
+inline constexpr int title_size = 14;    ///< pixels
+inline constexpr int title_height = 18;  ///< of a line
+inline constexpr int key_width = 22;     ///< of a legend's sample
+inline constexpr int bar_gap = 14;       ///< between a heat map and the bar of its colours
+inline constexpr int bar_width = 20;
+inline constexpr int name_angle = 35;  ///< of turned names, degrees
 
 }  // namespace ricochet::report

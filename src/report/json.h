@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace ricochet::report {
 
@@ -18,6 +23,46 @@ Json list_of(const List& list, const Make& make) {
   return all;
 }
 
+/// The key of a member: its name, without the underscore that ends the name of a C++ keyword.
+constexpr std::string_view key_of_member(std::string_view member) {
+  return member.ends_with('_') ? member.substr(0, member.size() - 1) : member;
+}
+
+template <class T>
+Json as_json(const std::optional<T>& value);
+template <class T>
+Json as_json(const std::vector<T>& values);
+
+/// Any value as JSON. What is missing becomes null, and so does a number that is not finite.
+template <class T>
+Json as_json(const T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return std::isfinite(value) ? Json(value) : Json();
+  } else {
+    return Json(value);
+  }
+}
+template <class T>
+Json as_json(const std::optional<T>& value) {
+  return value ? as_json(*value) : Json();
+}
+template <class T>
+Json as_json(const std::vector<T>& values) {
+  return list_of(values, [](const T& value) { return as_json(value); });
+}
+
+/// Reads a member of an object. Throws Json::exception where it is missing or of another kind.
+template <class T>
+void read_member(const Json& json, std::string_view key, T& value) {
+  json.at(std::string(key)).get_to(value);
+}
+/// NOTE: a member that is missing and one that is null are the same to an optional.
+template <class T>
+void read_member(const Json& json, std::string_view key, std::optional<T>& value) {
+  const auto found = json.find(std::string(key));
+  value = found == json.end() || found->is_null() ? std::nullopt : std::optional(found->get<T>());
+}
+
 }  // namespace ricochet::report
 
 /// What is missing becomes null.
@@ -28,3 +73,29 @@ struct nlohmann::adl_serializer<std::optional<T>> {
     json = value ? Json(*value) : Json();
   }
 };
+
+/// Turns a struct into a JSON object with one key for each named member, in this order. Write it
+/// after the struct, in its namespace.
+#define RICOCHET_WRITTEN_AS_JSON(Type, ...)                                       \
+  inline void to_json(ricochet::report::Json& json, const Type& value) {          \
+    json = ricochet::report::Json::object();                                      \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(RICOCHET_WRITE_MEMBER, __VA_ARGS__)) \
+  }                                                                               \
+  static_assert(true)
+#define RICOCHET_WRITE_MEMBER(member)                           \
+  json[std::string(ricochet::report::key_of_member(#member))] = \
+      ricochet::report::as_json(value.member);
+
+/// Reads a struct from such an object. Throws Json::exception where a member is missing.
+#define RICOCHET_READ_FROM_JSON(Type, ...)                                       \
+  inline void from_json(const ricochet::report::Json& json, Type& value) {       \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(RICOCHET_READ_MEMBER, __VA_ARGS__)) \
+  }                                                                              \
+  static_assert(true)
+#define RICOCHET_READ_MEMBER(member) \
+  ricochet::report::read_member(json, ricochet::report::key_of_member(#member), value.member);
+
+/// Both.
+#define RICOCHET_JSON(Type, ...)               \
+  RICOCHET_WRITTEN_AS_JSON(Type, __VA_ARGS__); \
+  RICOCHET_READ_FROM_JSON(Type, __VA_ARGS__)

@@ -3,31 +3,43 @@
 #include <cstddef>
 #include <string>
 
+#include "src/report/path_data.h"
+
 namespace ricochet::report {
 
-/// How the n-th series looks. Colours after Okabe and Ito (2008), which colour-blind readers tell
-/// apart, without their yellow and black: too pale on white, and kept for text. Dashes and markers
-/// repeat with periods that share no factor with the colours', so neither need be told alone.
+/// The shape of a point: a circle, or a polygon whose first corner points up.
+struct Marker {
+  int corners;  ///< 0: a circle
+  bool filled;
+};
+
+/// Style of the n-th series. Colours after Okabe and Ito (2008), distinguishable by colour-blind
+/// readers, without their yellow (too pale on white) and black (used for text). The periods of
+/// dashes and markers share no factor with that of the colours, so that either alone identifies a
+/// series.
 struct SeriesLook {
   std::string colour;  ///< #rrggbb
-  std::string dash;    ///< gnuplot's dash type
-  int marker;          ///< gnuplot's point type
+  std::string dash;    ///< SVG's stroke-dasharray; empty: solid
+  Marker marker;
 };
 SeriesLook series_look(std::size_t n);
 
-/// How what others are set against looks.
+/// Style of a series in the background.
 SeriesLook pale_look();
 
-/// How the n-th label of reference lines looks: dark dashes over a broad pale line over dots, so
-/// that lines that coincide all stay visible.
+/// A marker of a radius around a place, both in pixels.
+Outline outline_of(const Marker& marker, const Pixel& place, double radius);
+
+/// Style of the n-th label of reference lines: dark dashes over a broad pale line over dots, so
+/// that coinciding lines all stay visible.
 struct LineLook {
   std::string colour, dash;
-  double width;  ///< pixels
+  std::string width;  ///< pixels
 };
 LineLook line_look(std::size_t n);
 
-/// The colours of a heat map, dark to light, as gnuplot's palette.
-std::string palette();
+/// Returns the colour of a heat map at a share in [0, 1], from dark to light, in 100 steps.
+std::string palette_colour(double share);
 
 /// The colour of text on the palette's colour at the share in [0, 1].
 std::string text_colour(double share);

@@ -1,146 +1,95 @@
 #include "src/report/names_of_points.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <optional>
-#include <vector>
 
-#include "src/report/quote.h"
-#include "src/report/script.h"
+#include "src/report/wrapped.h"
 
 namespace ricochet::report {
 namespace {
 
-/// In pixels, from the lower left corner of the plot.
-struct Box {
-  double left, right, bottom, top;
+constexpr double dot_size = 4;  // half, pixels
+constexpr double half_line = 6.5;
 
-  bool meets(const Box& other) const {
-    return left < other.right && other.left < right && bottom < other.top && other.bottom < top;
-  }
-};
-
-struct Place {
-  double x, y;  ///< from the dot to the text's nearer end, pixels
-  bool to_the_left;
-  bool led;
-  Box box;
-};
+bool meet(const Box& a, const Box& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
 
 class Names {
  public:
-  Names(const Chart& chart, const Frame& frame)
-      : chart_(chart),
-        frame_(frame),
-        width_(plot_width(chart, frame)),
-        height_(plot_height(chart)) {
-    constexpr double dot = 4;
+  Names(const Chart& chart, const Frame& frame) : chart_(chart), frame_(frame) {
     for (const Series& series : chart.series) {
       if (series.mark != Mark::points) continue;
       for (const Sample& sample : series.samples) {
         if (!sample.value) continue;
-        const double x = across(sample);
-        const double y = up(sample);
-        taken_.push_back({x - dot, x + dot, y - dot, y + dot});
+        const Pixel dot = place_of(chart, frame, sample.position, *sample.value);
+        taken_.push_back({dot.x - dot_size, dot.x + dot_size, dot.y - dot_size, dot.y + dot_size});
       }
     }
   }
 
-  std::string text() {
-    std::string script;
+  std::vector<PointName> all() {
     for (const bool pale : {false, true}) {
       for (const Series& series : chart_.series) {
         if (series.pale != pale) continue;
         for (const Sample& sample : series.samples) {
-          if (sample.value && !sample.name.empty()) script += placed(sample, pale);
+          if (sample.value && !sample.name.empty()) place(sample, pale);
         }
       }
     }
-    return script;
+    return std::move(placed_);
   }
 
  private:
-  static double share(double value, const Range& range, Scale scale) {
-    if (scale == Scale::linear) return (value - range.lower) / (range.upper - range.lower);
-    return std::log(value / range.lower) / std::log(range.upper / range.lower);
-  }
-  double across(const Sample& sample) const {
-    return width_ * share(sample.position, frame_.x, chart_.x.scale);
-  }
-  double up(const Sample& sample) const {
-    return height_ * share(*sample.value, frame_.y, chart_.y.scale);
-  }
-
-  std::optional<Place> place_of(const Sample& sample, bool pale) const {
-    constexpr double letter = 6.2;
-    constexpr double half_line = 6.5;
-    const double length = letter * static_cast<double>(sample.name.size());
-    struct Direction {
-      double x, y;
-    };
-    constexpr std::array<Direction, 8> directions{{{-0.8, 1.2},
-                                                   {-1, 0},
-                                                   {0.8, 1.2},
-                                                   {0.8, -1.2},
-                                                   {1, 0},
-                                                   {-0.8, -1.2},
-                                                   {0.1, 2.2},
-                                                   {0.1, -2.2}}};
+  void place(const Sample& sample, bool pale) {
+    static constexpr std::array<Pixel, 8> directions{{{-0.8, -1.2},
+                                                      {-1, 0},
+                                                      {0.8, -1.2},
+                                                      {0.8, 1.2},
+                                                      {1, 0},
+                                                      {-0.8, 1.2},
+                                                      {0.1, -2.2},
+                                                      {0.1, 2.2}}};
+    const Pixel dot = place_of(chart_, frame_, sample.position, *sample.value);
+    if (!frame_.plot.holds(dot)) return;
     for (const double distance : {8.0, 16.0, 26.0, 40.0}) {
       const bool led = distance > 8;
-      if (led && pale) break;
-      for (const Direction& direction : directions) {
-        const double x = distance * direction.x;
-        const double y = distance * direction.y;
-        const double from = across(sample) + x;
-        const double middle = up(sample) + y;
-        const bool to_the_left = direction.x < 0;
-        const Box box{to_the_left ? from - length : from, to_the_left ? from : from + length,
-                      middle - half_line, middle + half_line};
-        const bool inside =
-            box.left > 0 && box.right < width_ && box.bottom > 0 && box.top < height_ + half_line;
-        const bool free =
-            std::ranges::none_of(taken_, [&](const Box& other) { return other.meets(box); });
-        if (inside && free) return Place{x, y, to_the_left, led, box};
+      if (led && pale) return;
+      for (const Pixel& direction : directions) {
+        const PointName name{
+            sample.name,     dot, {dot.x + distance * direction.x, dot.y + distance * direction.y},
+            direction.x < 0, led, pale};
+        if (take(name)) return;
       }
     }
-    return std::nullopt;
   }
 
-  std::string placed(const Sample& sample, bool pale) {
-    const std::optional<Place> place = place_of(sample, pale);
-    if (!place) return "";
-    taken_.push_back(place->box);
-    const double right = place->x / width_;
-    const double high = place->y / height_;
-    std::string script;
-    if (place->led) {
-      script = fmt::format(
-          "set arrow from {0:.6g},{1:.6g} rto graph {2:.4f},{3:.4f} nohead lw 0.6 lc rgb "
-          "'#888888'\n",
-          sample.position, *sample.value, right, high);
+  /// Keeps the name if there is room for it.
+  bool take(const PointName& name) {
+    const double length = text_width(name.text, 10) + 2;
+    const double left = name.to_the_left ? name.place.x - length : name.place.x;
+    const Box box{left, left + length, name.place.y - half_line, name.place.y + half_line};
+    const Box& plot = frame_.plot;
+    const bool inside = box.left > plot.left && box.right < plot.right &&
+                        box.bottom < plot.bottom && box.top > plot.top - half_line;
+    if (!inside || std::ranges::any_of(taken_, [&](const Box& b) { return meet(b, box); })) {
+      return false;
     }
-    return script + fmt::format(
-                        "set label {} at {:.6g},{:.6g} {} offset graph {:.4f},{:.4f} font '{},10' "
-                        "tc rgb '{}'\n",
-                        quoted(sample.name), sample.position, *sample.value,
-                        place->to_the_left ? "right" : "left", right, high, body_font,
-                        pale ? "#8a8a8a" : "#222222");
+    taken_.push_back(box);
+    placed_.push_back(name);
+    return true;
   }
 
   const Chart& chart_;
   const Frame& frame_;
-  double width_, height_;
   std::vector<Box> taken_;
+  std::vector<PointName> placed_;
 };
 
 }  // namespace
 
-std::string names_of_points(const Chart& chart, const Frame& frame) {
-  return Names(chart, frame).text();
+std::vector<PointName> names_of_points(const Chart& chart, const Frame& frame) {
+  return Names(chart, frame).all();
 }
 
 }  // namespace ricochet::report

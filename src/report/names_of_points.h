@@ -1,15 +1,26 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "src/report/chart.h"
 #include "src/report/frame.h"
 
 namespace ricochet::report {
 
-/// The part of the gnuplot script that writes the names of points beside them, those of the first
-/// series first. Near its dot where there is room; else farther away with a line that leads there,
-/// or not at all if the series is pale or there is no room either.
-std::string names_of_points(const Chart& chart, const Frame& frame);
+/// The name of a point, written beside it.
+struct PointName {
+  std::string text;
+  Pixel dot;
+  Pixel place;       ///< of the end of the text that is nearer to the dot, at half its height
+  bool to_the_left;  ///< of its place
+  bool led;          ///< far enough away to need a leader line
+  bool pale;
+};
+
+/// Returns the names of points that fit, those of the first series first: near the dot, or else
+/// farther away with a leader line, but not for a pale series.
+std::vector<PointName> names_of_points(const Chart& chart, const Frame& frame);
 
 }  // namespace ricochet::report

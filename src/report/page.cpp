@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -11,17 +12,17 @@
 #include "embedded/page_script.h"
 #include "embedded/page_template.h"
 #include "embedded/summary_template.h"
+#include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
-#include "src/report/gnuplot.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
 namespace {
 
-/// From this width on a chart has a row of its own.
+/// Charts from this width on have a row of their own.
 constexpr int wide_chart = 560;  // pixels
 
-/// For so many choices of a section reports/templates/look.css has rules.
+/// Maximum number of choices of a section: reports/templates/look.css has rules for this many.
 constexpr std::size_t most_choices = 24;
 
 void check(const Explorer& explorer) {
@@ -66,7 +67,7 @@ void check(const Page& page) {
   }
 }
 
-/// How a text is written into the page, or into its summary: a plain one, and one with links.
+/// Functions that write a text into the page or into its summary: a plain one, and one with links.
 struct TextWriters {
   std::string (*plain)(std::string_view);
   std::string (*linked)(std::string_view);
@@ -94,18 +95,17 @@ Json data_of(const Table& table, const TextWriters& writing) {
           {"rows", std::move(rows)}};
 }
 
-Json data_of(const Figure& figure, const std::string& svg, const TextWriters& writing) {
+Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& writing) {
   const Chart& chart = figure.chart;
-  return {{"name", chart.name},
-          {"title", writing.plain(chart.title)},
-          {"svg", svg},
+  return {{"html", html_of(drawn)},
+          {"markdown", markdown_of(drawn)},
           {"caption", writing.linked(figure.caption)},
           {"frame", writing.plain(figure.frame)},
           {"max_width", chart.width * 115 / 100},
           {"wide", chart.width >= wide_chart}};
 }
 
-/// Figures in their places: frames are one beside the others.
+/// Groups figures: the frames of one choice are placed together.
 Json placed(std::vector<Json> figures) {
   Json frames = Json::array(), others = Json::array();
   for (Json& figure : figures)
@@ -117,7 +117,7 @@ Json placed(std::vector<Json> figures) {
           {"frames", frames}};
 }
 
-/// The figures under each of their names, in the order of the names' first.
+/// The figures by name, in the order in which names first occur.
 using Named = std::vector<std::pair<std::string, std::vector<Json>>>;
 
 void add(Named& named, const std::string& name, Json figure) {
@@ -136,7 +136,7 @@ Json list_under(const char* key, Named named) {
   return list;
 }
 
-/// JSON that no script's end can stand in.
+/// JSON in which "</script>" cannot occur.
 std::string inside_a_script(const Json& data) {
   std::string text;
   for (const char c : data.dump()) text += c == '<' ? "\\u003c" : std::string(1, c);
@@ -157,13 +157,16 @@ Json data_of(const Explorer& explorer, const TextWriters& writing) {
           {"data", inside_a_script({{"values", values}, {"answers", explorer.answers}})}};
 }
 
-Json data_of(const Section& section, const FileSet& files, const TextWriters& writing) {
+/// The charts of a page, by their names.
+using DrawnCharts = std::map<std::string, DrawnChart>;
+
+Json data_of(const Section& section, const DrawnCharts& charts, const TextWriters& writing) {
   Json tables = Json::array();
   std::vector<Json> figures;
   Named choices, folds;
   for (const Table& table : section.tables) tables.push_back(data_of(table, writing));
   for (const Figure& figure : section.figures) {
-    Json drawn = data_of(figure, files.at(figure.chart.name + ".svg"), writing);
+    Json drawn = data_of(figure, charts.at(figure.chart.name), writing);
     if (!figure.fold.empty()) {
       add(folds, writing.plain(figure.fold), std::move(drawn));
     } else if (!figure.choice.empty()) {
@@ -185,7 +188,7 @@ Json data_of(const Section& section, const FileSet& files, const TextWriters& wr
   return data;
 }
 
-/// Whether something on the page moves, for which it needs a script.
+/// Returns true if something on the page moves and so needs a script.
 bool needs_script(const Page& page) {
   return std::ranges::any_of(page.sections, [](const Section& section) {
     return section.explorer.has_value() ||
@@ -194,9 +197,10 @@ bool needs_script(const Page& page) {
   });
 }
 
-Json data_of(const Page& page, const FileSet& files, const TextWriters& writing) {
+Json data_of(const Page& page, const DrawnCharts& charts, const TextWriters& writing) {
   Json sections = Json::array();
-  for (const Section& section : page.sections) sections.push_back(data_of(section, files, writing));
+  for (const Section& section : page.sections)
+    sections.push_back(data_of(section, charts, writing));
   return {{"title", writing.plain(page.title)},
           {"intro", list_of(page.intro, writing.linked)},
           {"script", needs_script(page) ? Json(embedded::page_script) : Json()},
@@ -206,22 +210,38 @@ Json data_of(const Page& page, const FileSet& files, const TextWriters& writing)
           {"sections", std::move(sections)}};
 }
 
+DrawnCharts drawn_charts(const Page& page) {
+  DrawnCharts charts;
+  for (const Section& section : page.sections) {
+    for (const Figure& figure : section.figures) {
+      const Chart& chart = figure.chart;
+      charts[chart.name] = figure.failure.empty()
+                               ? draw(chart)
+                               : DrawnChart{chart.name, chart.title, "", figure.failure};
+    }
+  }
+  return charts;
+}
+
 }  // namespace
 
-void write_page(const Page& page, const std::filesystem::path& folder, FileSet beside) {
+std::vector<std::string> write_page(const Page& page, const std::filesystem::path& folder,
+                                    FileSet beside) {
   check(page);
-  std::vector<Chart> charts;
-  for (const Section& section : page.sections)
-    for (const Figure& figure : section.figures) charts.push_back(figure.chart);
-  const std::vector<std::string> svgs = to_svgs(charts);
+  const DrawnCharts charts = drawn_charts(page);
   FileSet files = std::move(beside);
-  for (std::size_t i = 0; i < charts.size(); ++i) files[charts[i].name + ".svg"] = svgs[i];
-  Json html = data_of(page, files, {escape_html, html_with_links});
+  std::vector<std::string> failures;
+  for (const auto& [name, chart] : charts) {
+    if (chart.is_drawn()) files[name + ".svg"] = chart.svg;
+    if (!chart.is_drawn()) failures.push_back(failure_of(chart));
+  }
+  Json html = data_of(page, charts, {escape_html, html_with_links});
   html["look"] = embedded::look;
-  const Json summary = data_of(page, files, {escape_markdown, escape_markdown});
+  const Json summary = data_of(page, charts, {escape_markdown, escape_markdown});
   files["index.html"] = filled(embedded::page_template, {&html});
   files["summary.md"] = filled(embedded::summary_template, {&summary});
   replace_files(folder, files);
+  return failures;
 }
 
 }  // namespace ricochet::report

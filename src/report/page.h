@@ -14,32 +14,36 @@ namespace ricochet::report {
 struct Figure {
   Chart chart;
   std::string caption;
-  /// What the reader chooses it by: of a section's choices one is seen at a time on a screen, the
-  /// first of them at the beginning, and all on paper. Empty: it is always seen.
+  /// The reader's choice that shows it: on a screen one of a section's choices is visible at a
+  /// time, at first the first one; on paper all are. Empty: it is always visible.
   std::string choice = {};
-  /// Of the frames of a choice one is seen at a time, the last at the beginning, and on paper; a
-  /// slider, which needs a script, goes through them, and says this. Empty: it is no frame.
+  /// Of the frames of a choice one is visible at a time, at first and on paper the last one. A
+  /// slider, which needs a script, selects the frame and shows this label. Empty: it is not a
+  /// frame.
   std::string frame = {};
-  /// What it is folded under, until the reader opens that. Empty: it is not.
+  /// Heading under which it is folded away until the reader opens it. Empty: it is not folded.
   std::string fold = {};
+  /// Why it could not be drawn; then only name and title of the chart are used. Empty if it was
+  /// drawn.
+  std::string failure = {};
 };
 
-/// Something that the reader may set, to one of several values.
+/// A setting with several values that the reader can select.
 struct Setting {
   std::string label;                ///< with its unit
   std::vector<std::string> values;  ///< by rising value
-  std::size_t own;                  ///< the one that is set at the beginning
+  std::size_t own;                  ///< index of the initial value
 };
 
-/// An answer for each combination of settings, of which a script shows one. What matters must be
-/// told by tables and figures, too.
+/// An answer for each combination of settings; a script shows one of them. Important facts must
+/// also be in tables and figures.
 struct Explorer {
   std::string caption;
   std::vector<Setting> settings;
   std::vector<std::string> answers;  ///< the last setting changes first
 };
 
-/// A heading and what it heads, in this order, an explorer before the tables. Text is plain;
+/// A heading and its contents, in this order, with an explorer before the tables. Text is plain;
 /// https:// addresses become links.
 struct Section {
   std::string id;  ///< the address of the section within the page; unique, without spaces
@@ -55,16 +59,18 @@ struct Page {
   std::vector<std::string> intro;  ///< paragraphs
   std::vector<Section> sections;
   // The summary links these, as the navigation of the site does for the page:
-  std::string above = {};                 ///< what the page in the folder above is called, if any
+  std::string above = {};                 ///< name of the page in the folder above, if any
   std::vector<std::string> further = {};  ///< folders of further pages
 };
 
-/// Writes index.html, which needs no other file and no network, summary.md and one SVG a chart into
-/// the folder, which is made if missing, and the files that `beside` names. Replaces those of an
-/// earlier report, its other charts included, and leaves every other file alone. Throws InputError,
-/// with nothing changed, where the folder cannot be written; std::invalid_argument where ids or
-/// charts' names repeat or a chart or table is wrong; std::runtime_error where charts cannot be
-/// drawn.
-void write_page(const Page& page, const std::filesystem::path& folder, FileSet beside = {});
+/// Writes index.html, which needs no other file and no network, summary.md, one SVG for each chart
+/// and the files in `beside` into the folder, which is created if needed. Replaces the files of an
+/// earlier report, including its other charts, and leaves every other file unchanged. A chart that
+/// cannot be drawn is replaced by the reason; returns a line for each of them, see failure_of.
+/// Throws InputError, with nothing changed, if the folder cannot be written; std::invalid_argument
+/// if ids or charts' names repeat or a table is invalid.
+[[nodiscard]] std::vector<std::string> write_page(const Page& page,
+                                                  const std::filesystem::path& folder,
+                                                  FileSet beside = {});
 
 }  // namespace ricochet::report

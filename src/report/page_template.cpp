@@ -1,11 +1,11 @@
 #include "src/report/page_template.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "src/report/chart_template.h"
+#include "src/report/headline_template.h"
+#include "src/report/table_template.h"
 
 namespace ricochet::report {
 namespace {
@@ -30,62 +30,6 @@ std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
   return paragraphs;
 }
 
-/// One column of the page, which a column of the template may make several of.
-struct PlacedColumn {
-  const Part* part;
-  std::size_t entry;  ///< of the list that repeats it
-};
-
-Cell cell_of(const PlacedColumn& column, const Scopes& scopes, const Json& row) {
-  Scopes in_cell = with(scopes, row);
-  if (column.part->has("cells")) {
-    in_cell.push_back(&found_in(in_cell, column.part->text("cells")).at(column.entry));
-  }
-  Cell cell{filled(column.part->text("value"), in_cell)};
-  if (column.part->has("state")) {
-    const Json& state = found_in(in_cell, column.part->text("state"));
-    if (!state.is_null()) cell.state = state.get<bool>() ? State::good : State::bad;
-  }
-  return cell;
-}
-
-Table table_of(const Part& part, const Scopes& scopes) {
-  Table table{filled(part.text("caption"), scopes), {}, {}};
-  const std::vector<Part> columns = part.parts("columns");
-  std::vector<PlacedColumn> placed;
-  for (const Part& column : columns) {
-    const std::vector<Scopes> places = places_of(column, scopes);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      table.columns.push_back({filled(column.text("title"), places[i]),
-                               column.has("align") && column.text("align") == "left"
-                                   ? Alignment::left
-                                   : Alignment::right});
-      placed.push_back({&column, i});
-    }
-  }
-  if (const toml::array* rows = part.list("rows")) {
-    for (const toml::node& row : *rows) {
-      auto& cells = table.rows.emplace_back();
-      for (const toml::node& text : *row.as_array()) {
-        cells.push_back({filled(text.value<std::string>().value(), scopes)});
-      }
-    }
-    return table;
-  }
-  const Json& rows = found_in(scopes, part.text("rows"));
-  const auto most = part.number("most", scopes);
-  for (const Json& row : rows) {
-    if (most && static_cast<double>(table.rows.size()) >= *most) break;
-    auto& cells = table.rows.emplace_back();
-    for (const PlacedColumn& column : placed) cells.push_back(cell_of(column, scopes, row));
-  }
-  if (table.rows.size() < rows.size()) {
-    table.caption += fmt::format(" The first {} of {}; all are in {}.csv.", table.rows.size(),
-                                 rows.size(), filled(part.text("csv"), scopes));
-  }
-  return table;
-}
-
 std::string csv_field(const Json& data) {
   if (data.is_null()) return "";
   if (!data.is_string()) return data.dump();
@@ -96,7 +40,7 @@ std::string csv_field(const Json& data) {
   return quoted + '"';
 }
 
-/// The rows with all their members, those within members too; the first row has every name.
+/// Returns the rows with all their members, including nested ones; the header has every name.
 std::string csv_of(const Json& rows) {
   std::string text;
   std::vector<std::string> names;
@@ -140,7 +84,21 @@ Explorer explorer_of(const Part& part, const Scopes& scopes) {
   return explorer;
 }
 
-Section section_of(const Part& part, const Scopes& scopes, DrawnPage& result) {
+Figure figure_of(const Part& chart, const Scopes& scopes, Mismatch mismatch) {
+  try {
+    return {chart_of(chart, scopes), chart.filled_text("caption", scopes),
+            chart.filled_text("choice", scopes), chart.filled_text("frame", scopes),
+            chart.filled_text("fold", scopes)};
+  } catch (const std::exception& error) {  // of the data's JSON, too
+    if (mismatch == Mismatch::throws) throw;
+    Figure figure;
+    figure.chart.name = chart_name(chart, scopes);
+    figure.failure = error.what();
+    return figure;
+  }
+}
+
+Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, DrawnPage& result) {
   Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
   section.paragraphs = paragraphs_of(part, "text", scopes);
   if (part.has("explorer")) section.explorer = explorer_of(part.part("explorer"), scopes);
@@ -156,10 +114,7 @@ Section section_of(const Part& part, const Scopes& scopes, DrawnPage& result) {
   }
   for (const Part& chart : part.parts("chart")) {
     for (const Scopes& place : places_of(chart, scopes)) {
-      section.figures.push_back({chart_of(chart, place), chart.filled_text("caption", place),
-                                 chart.filled_text("choice", place),
-                                 chart.filled_text("frame", place),
-                                 chart.filled_text("fold", place)});
+      section.figures.push_back(figure_of(chart, place, mismatch));
     }
   }
   return section;
@@ -167,22 +122,29 @@ Section section_of(const Part& part, const Scopes& scopes, DrawnPage& result) {
 
 }  // namespace
 
-DrawnPage drawn(const std::string& page_template, const Json& data) {
+DrawnPage drawn(const std::string& page_template, const Json& data, Mismatch mismatch) {
   const toml::table file = toml::parse(page_template);
   const Part root(file);
-  const Scopes scopes = {&data};
   DrawnPage result;
-  result.page.title = filled(root.text("title"), scopes);
+  result.headline = headline_of(root, {&data});
+  result.page.title = result.headline.title;
+  const Json finding = {{"finding", result.headline.finding}};
+  const Scopes scopes = {&finding, &data};
   result.page.intro = paragraphs_of(root, "intro", scopes);
   result.page.above = root.filled_text("above", scopes);
   result.page.further = data.value("pages", std::vector<std::string>());
   for (const Part& section : root.parts("section")) {
     for (const Scopes& place : places_of(section, scopes)) {
-      result.page.sections.push_back(section_of(section, place, result));
+      result.page.sections.push_back(section_of(section, place, mismatch, result));
     }
   }
   result.epilogue = root.filled_text("epilogue", scopes);
   return result;
+}
+
+Headline headline_in(const std::string& page_template, const Json& data) {
+  const toml::table file = toml::parse(page_template);
+  return headline_of(Part(file), {&data});
 }
 
 Digits kept_digits(const std::string& page_template) {

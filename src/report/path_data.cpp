@@ -23,7 +23,7 @@ long whole_tenths(double pixels) {
   return std::lround(10 * pixels);
 }
 
-/// The data, with where they have got to.
+/// Writes path data and keeps the current position.
 class Pen {
  public:
   void move(const Pixel& to) { go('M', 'm', to); }
@@ -76,7 +76,7 @@ class Pen {
     y_ = y;
   }
 
-  /// Leaves out a command that is the last one's, and a space where a sign or a point parts.
+  /// Omits a repeated command, and a space before a sign or a decimal point.
   void write(char command, std::initializer_list<long> numbers) {
     bool after_a_number = command == last_ && command != 'M' && command != 'm';
     if (!after_a_number) text_ += command;
@@ -98,17 +98,13 @@ class Pen {
 };
 
 std::vector<Pixel> needed(const Outline& outline) {
-  if (outline.closed || outline.corners.size() < 3) return outline.corners;
-  std::vector<Sample> samples;
-  for (const Pixel& corner : outline.corners) samples.push_back({corner.x, corner.y});
   std::vector<Pixel> corners;
-  for (const Sample& sample : simplified(samples, 0.1, 0.1)) {
-    corners.push_back({sample.position, *sample.value});
-  }
+  for (const std::size_t i : needed_corners(outline.corners, 0.1))
+    corners.push_back(outline.corners[i]);
   return corners;
 }
 
-/// Where an outline is, as it is written.
+/// The coordinates of an outline in the order in which it is written.
 std::vector<long> places_of(const std::vector<Pixel>& corners, const Outline& outline) {
   std::vector<long> places = {outline.closed ? 1 : 0, whole_tenths(outline.radius)};
   for (const Pixel& corner : corners) {
@@ -118,10 +114,6 @@ std::vector<long> places_of(const std::vector<Pixel>& corners, const Outline& ou
 }
 
 }  // namespace
-
-std::string in_pixels(double pixels) {
-  return text_of(whole_tenths(pixels));
-}
 
 std::string path_data(const std::vector<Outline>& outlines) {
   Pen pen;

@@ -4,12 +4,12 @@
 
 namespace ricochet::report {
 
-/// The data with every list of objects that have the same names in the same order as a table,
-/// {"columns": [names], "rows": [[values], ...]}, at all depths: no name is written twice. Throws
-/// std::logic_error where the data have an object of just these two names.
+/// Returns the data with every list of objects that have the same names in the same order as a
+/// table, {"columns": [names], "rows": [[values], ...]}, at all depths. Throws std::logic_error if
+/// the data have an object with exactly these two names.
 Json packed(const Json& data);
 
-/// The data as they were before. What is no such table stays as it is.
+/// Inverse of packed(). Anything that is not such a table is unchanged.
 Json unpacked(Json data);
 
 }  // namespace ricochet::report

@@ -8,10 +8,10 @@
 
 #include "embedded/template_advice.h"
 #include "embedded/template_calibration.h"
-#include "embedded/template_contest.h"
-#include "embedded/template_contest_failures.h"
-#include "embedded/template_contest_family.h"
-#include "embedded/template_contest_machines.h"
+#include "embedded/template_comparison.h"
+#include "embedded/template_comparison_failures.h"
+#include "embedded/template_comparison_family.h"
+#include "embedded/template_comparison_machines.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
@@ -20,74 +20,92 @@
 #include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
 #include "embedded/template_surrogate.h"
-#include "embedded/template_trials.h"
 #include "embedded/template_verification.h"
 #include "src/core/error.h"
 #include "src/report/data_text.h"
 #include "src/report/page_template.h"
+#include "src/report/template_part.h"
 
 namespace ricochet::report {
 namespace {
 
+namespace fs = std::filesystem;
+
+/// In the order of the kinds on a site.
 constexpr std::pair<std::string_view, const char*> templates[] = {
-    {"advice", embedded::template_advice},
-    {"calibration", embedded::template_calibration},
-    {"contest", embedded::template_contest},
-    {"contest_failures", embedded::template_contest_failures},
-    {"contest_family", embedded::template_contest_family},
-    {"contest_machines", embedded::template_contest_machines},
-    {"dynamics", embedded::template_dynamics},
-    {"family", embedded::template_family},
-    {"fireworks", embedded::template_fireworks},
-    {"limits", embedded::template_limits},
-    {"problems", embedded::template_problems},
     {"reproduction", embedded::template_reproduction},
-    {"stress", embedded::template_stress},
+    {"comparison", embedded::template_comparison},
+    {"comparison_family", embedded::template_comparison_family},
+    {"comparison_machines", embedded::template_comparison_machines},
+    {"comparison_failures", embedded::template_comparison_failures},
+    {"advice", embedded::template_advice},
+    {"dynamics", embedded::template_dynamics},
     {"surrogate", embedded::template_surrogate},
-    {"trials", embedded::template_trials},
+    {"problems", embedded::template_problems},
+    {"family", embedded::template_family},
+    {"calibration", embedded::template_calibration},
+    {"limits", embedded::template_limits},
     {"verification", embedded::template_verification},
+    {"stress", embedded::template_stress},
+    {"fireworks", embedded::template_fireworks},
 };
 
 constexpr const char* data_file = "data.json";
 
-std::string write_kept(const Json& computed, const std::filesystem::path& folder) {
-  const std::string sheet = page_template(computed.at("report").get<std::string>());
-  const std::string text = data_text(computed, kept_digits(sheet));
-  // What is drawn is what was kept: the data as they are read back, not as they were computed.
-  DrawnPage drawing = drawn(sheet, data_in(text));
-  FileSet files = std::move(drawing.tables);
-  files[data_file] = text;
-  write_page(drawing.page, folder, std::move(files));
-  return drawing.epilogue;
-}
-
-}  // namespace
-
-std::string write_report(Json data, const std::filesystem::path& folder) {
+/// Writes the data of a report, and of its further pages.
+void write_data(Json data, const fs::path& folder) {
   if (data.contains("pages")) {
     for (Json& page : data["pages"]) {
       const std::string name = page.at("folder").get<std::string>();
-      write_report(std::move(page.at("data")), folder / name);
+      write_data(std::move(page.at("data")), folder / name);
       page = name;
     }
   }
-  return write_kept(data, folder);
+  const std::string sheet = page_template(data.at("report").get<std::string>());
+  add_files(folder, {{data_file, data_text(data, kept_digits(sheet))}});
 }
 
-std::string redraw_report(const std::filesystem::path& from, const std::filesystem::path& folder) {
-  const std::filesystem::path file = from / data_file;
+std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
     throw InputError(
         fmt::format("{}: cannot be read: must be the data of a report", file.string()));
   }
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+WrittenReport draw_page(Json data, const fs::path& folder) {
+  const std::string sheet = page_template(data.at("report").get<std::string>());
+  DrawnPage drawing = drawn(sheet, data, Mismatch::costs_its_chart);
+  FileSet files = std::move(drawing.tables);
+  if (drawing.headline.version > 0) data["headline"] = std::move(drawing.headline);
+  files[data_file] = data_text(data, kept_digits(sheet));
+  add_files(folder, files);
+  return {drawing.epilogue, write_page(drawing.page, folder, std::move(files))};
+}
+
+}  // namespace
+
+WrittenReport write_report(const Json& data, const fs::path& folder) {
+  write_data(data, folder);
+  // The report is drawn from the data as they were stored, not as they were computed.
+  return redraw_report(folder, folder);
+}
+
+WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
+  const fs::path file = from / data_file;
+  const std::string text = text_of(file);
   try {
     const Json data = data_in(text);
-    for (const Json& name : data.value("pages", Json::array())) {
-      redraw_report(from / name.get<std::string>(), folder / name.get<std::string>());
+    std::vector<std::string> failures;
+    for (const Json& page : data.value("pages", Json::array())) {
+      const std::string name = page.get<std::string>();
+      const WrittenReport further = redraw_report(from / name, folder / name);
+      for (const std::string& line : further.failures) failures.push_back(name + ": " + line);
     }
-    return write_kept(data, folder);
+    WrittenReport written = draw_page(data, folder);
+    written.failures.insert(written.failures.begin(), failures.begin(), failures.end());
+    return written;
   } catch (const Json::exception& error) {
     throw InputError(
         fmt::format("{}: must be the data of a report: {}", file.string(), error.what()));
@@ -101,6 +119,19 @@ std::string page_template(const std::string& name) {
     known += fmt::format("{}{}", known.empty() ? "" : ", ", own);
   }
   throw InputError(fmt::format("report \"{}\": there is no such report; allowed: {}", name, known));
+}
+
+std::vector<ReportKind> report_kinds() {
+  std::vector<ReportKind> kinds;
+  for (const auto& [name, text] : templates) {
+    const toml::table file = toml::parse(text);
+    const toml::table* headline = file["headline"].as_table();
+    if (headline == nullptr || !headline->contains("command")) continue;
+    const Part part(*headline);
+    kinds.push_back(
+        {std::string(name), part.text("label"), part.text("problem"), part.text("command")});
+  }
+  return kinds;
 }
 
 }  // namespace ricochet::report

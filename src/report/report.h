@@ -2,25 +2,45 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "src/report/json.h"
 
 namespace ricochet::report {
 
-/// Writes a report into a folder, which is made if missing: data.json, the rows of every table as
-/// CSV, and the page that the template data["report"] makes of them, see write_page. A list
-/// data["pages"] of {"folder", "data"} makes further pages, each with data of its own, in folders
-/// beside; only their names are kept in its place. Returns the template's epilogue. Throws
-/// InputError, with nothing changed, where the folder cannot be written; std::logic_error where
-/// data and template do not fit.
-std::string write_report(Json data, const std::filesystem::path& folder);
+/// The result of writing a report.
+struct [[nodiscard]] WrittenReport {
+  std::string epilogue;               ///< the template's
+  std::vector<std::string> failures;  ///< a line for each chart that could not be drawn
+};
 
-/// Draws the report of a folder again, with its further pages, into another or the same, from its
-/// data.json alone. Throws
-/// InputError where that is missing, or no data of a report.
-std::string redraw_report(const std::filesystem::path& from, const std::filesystem::path& folder);
+/// Writes a report into a folder, which is created if needed: data.json, the rows of every table as
+/// CSV, and the page from the template data["report"], see write_page. The template's `headline` is
+/// added to data.json, see headline.h. A list data["pages"] of {"folder", "data"} makes further
+/// pages from their own data, in subfolders; data.json keeps only their names. All data.json are
+/// written before anything is drawn, and the tables of a page before its charts. Throws InputError
+/// if the folder cannot be written, with nothing changed if the whole folder is affected;
+/// std::logic_error if data and template do not match.
+WrittenReport write_report(const Json& data, const std::filesystem::path& folder);
 
-/// The text of a template in reports/templates. Throws InputError for a name that has none.
+/// Draws the report of a folder again from its data.json, with its further pages, into another
+/// folder or the same. Throws InputError if data.json is missing or does not hold a report's data.
+WrittenReport redraw_report(const std::filesystem::path& from, const std::filesystem::path& folder);
+
+/// A kind of report that a site shows, by its template.
+struct ReportKind {
+  std::string name;     ///< as data.json has it in "report"
+  std::string label;    ///< in the navigation
+  std::string problem;  ///< the question that it answers
+  std::string command;  ///< the command that makes it
+};
+
+RICOCHET_WRITTEN_AS_JSON(ReportKind, name, label, problem, command);
+
+/// Returns all kinds: the templates whose headline has a command, in the order of a site.
+std::vector<ReportKind> report_kinds();
+
+/// Returns the text of a template in reports/templates. Throws InputError for an unknown name.
 std::string page_template(const std::string& name);
 
 }  // namespace ricochet::report

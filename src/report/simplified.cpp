@@ -1,33 +1,57 @@
 #include "src/report/simplified.h"
 
-#include <boost/geometry/algorithms/simplify.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace ricochet::report {
+namespace {
+
+/// Distance of a point from the line between two others.
+double distance(const Pixel& point, const Pixel& from, const Pixel& to) {
+  const double across = to.x - from.x, down = to.y - from.y;
+  const double length = across * across + down * down;
+  const double x = point.x - from.x, y = point.y - from.y;
+  const double along = length > 0 ? std::clamp((x * across + y * down) / length, 0.0, 1.0) : 0;
+  return std::hypot(x - along * across, y - along * down);
+}
+
+}  // namespace
+
+std::vector<std::size_t> needed_corners(const std::vector<Pixel>& line, double tolerance) {
+  if (line.empty()) return {};
+  std::vector<bool> kept(line.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open = {{0, line.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double farthest = tolerance;
+    std::size_t corner = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double far = distance(line[i], line[first], line[last]);
+      if (far > farthest) {
+        farthest = far;
+        corner = i;
+      }
+    }
+    if (corner == first) continue;
+    kept[corner] = true;
+    open.insert(open.end(), {{first, corner}, {corner, last}});
+  }
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (kept[i]) corners.push_back(i);
+  return corners;
+}
 
 std::vector<Sample> simplified(const std::vector<Sample>& samples, double across, double up) {
-  using Point = boost::geometry::model::d2::point_xy<double>;
-  using Line = boost::geometry::model::linestring<Point>;
-  const auto place = [&](const Sample& sample) {
-    return Point(sample.position / across, *sample.value / up);
-  };
-  Line line;
-  Line kept;
-  for (const Sample& sample : samples) line.push_back(place(sample));
-  boost::geometry::simplify(line, kept, 1.0);
-  // Those kept are some of the points, in their order.
-  std::vector<Sample> corners;
-  auto next = kept.begin();
-  for (const Sample& sample : samples) {
-    if (next == kept.end()) break;
-    const Point point = place(sample);
-    if (point.x() != next->x() || point.y() != next->y()) continue;
-    corners.push_back(sample);
-    ++next;
-  }
-  return corners;
+  std::vector<Pixel> line;
+  for (const Sample& sample : samples)
+    line.push_back({sample.position / across, *sample.value / up});
+  std::vector<Sample> kept;
+  for (const std::size_t i : needed_corners(line, 1)) kept.push_back(samples[i]);
+  return kept;
 }
 
 }  // namespace ricochet::report

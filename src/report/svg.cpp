@@ -1,59 +1,292 @@
 #include "src/report/svg.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <pugixml.hpp>
-#include <sstream>
-#include <stdexcept>
+#include <cmath>
 
-#include "src/report/picture.h"
-#include "src/report/short_svg.h"
+#include "src/report/drawing.h"
+#include "src/report/frame.h"
+#include "src/report/look.h"
+#include "src/report/names_of_points.h"
+#include "src/report/painted_cells.h"
+#include "src/report/polyline.h"
 
 namespace ricochet::report {
 namespace {
 
-std::string text_of(const pugi::xml_document& document) {
-  std::ostringstream stream;
-  document.save(stream, "", pugi::format_default | pugi::format_no_declaration);
-  return stream.str();
-}
+constexpr double marker_radius = 3.6, small_radius = 1.8;  // pixels
+
+class Painter {
+ public:
+  Painter(const Chart& chart, const Frame& frame)
+      : chart_(chart),
+        frame_(frame),
+        drawing_(chart.name, chart.title, description(chart), frame.width, frame.height) {
+    if (!chart.heat_map) clip_ = drawing_.clip(frame.plot);
+  }
+
+  std::string svg() {
+    write_title();
+    paint_axes();
+    if (chart_.heat_map) {
+      paint_cells(*chart_.heat_map, frame_, drawing_);
+    } else {
+      paint_lines();
+      for (std::size_t i = 0; i < chart_.series.size(); ++i) paint_spread(i);
+      for (std::size_t i = 0; i < chart_.series.size(); ++i) paint_series(i);
+      if (!has_values_) write_no_data();
+    }
+    write_names();
+    write_ends();
+    for (const LegendEntry& entry : frame_.legend) write_entry(entry);
+    return drawing_.text();
+  }
+
+ private:
+  Pixel place(double position, double value) const {
+    return place_of(chart_, frame_, position, value);
+  }
+  Pixel place(const Sample& sample) const { return place(sample.position, *sample.value); }
+
+  SeriesLook look_of(std::size_t index) const {
+    const auto& all = chart_.series;
+    if (all[index].pale) return pale_look();
+    const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(index),
+                                      [](const Series& series) { return series.pale; });
+    return series_look(index - static_cast<std::size_t>(before));
+  }
+
+  static Brush brush_of(const SeriesLook& look) {
+    return {.stroke = look.colour, .width = "1.7", .dash = look.dash};
+  }
+  static Brush brush_of(const LineLook& look) {
+    return {.stroke = look.colour, .width = look.width, .dash = look.dash};
+  }
+
+  void write_title() {
+    std::vector<Writing> lines;
+    double y = 24;
+    for (const std::string& line : frame_.title) {
+      lines.push_back({{8, y}, line});
+      y += title_height;
+    }
+    drawing_.write({.size = title_size, .bold = true}, lines);
+  }
+
+  void paint_axes() {
+    const Box& plot = frame_.plot;
+    std::vector<Outline> grid, ticks;
+    std::vector<Writing> x_labels, y_labels;
+    const bool names = !chart_.x.categories.empty();
+    for (const Tick& tick : frame_.x_ticks) {
+      const double x = place(tick.position, frame_.y.lower).x;
+      if (!names) ticks.push_back({{{x, plot.bottom + length(tick)}, {x, plot.bottom}}});
+      if (tick.label.empty()) continue;
+      grid.push_back({{{x, plot.bottom}, {x, plot.top}}});
+      x_labels.push_back({{x, plot.bottom + (frame_.names_turned ? 12 : 17)}, tick.label});
+    }
+    for (const Tick& tick : frame_.y_ticks) {
+      const double y = place(frame_.x.lower, tick.position).y;
+      ticks.push_back({{{plot.left - length(tick), y}, {plot.left, y}}});
+      if (tick.label.empty()) continue;
+      grid.push_back({{{plot.left, y}, {plot.right, y}}});
+      y_labels.push_back({{plot.left - 9, y + 4}, tick.label});
+    }
+    if (!chart_.heat_map) {
+      ticks.push_back(
+          {{{plot.left, plot.top}, {plot.left, plot.bottom}, {plot.right, plot.bottom}}});
+      drawing_.paint({.stroke = "#e4e4e4", .width = "0.7"}, grid);
+      drawing_.paint({.stroke = "#888888"}, ticks);
+    }
+    drawing_.write({.colour = "#444444",
+                    .anchor = frame_.names_turned ? "end" : "middle",
+                    .turned = frame_.names_turned ? -name_angle : 0.0},
+                   x_labels);
+    drawing_.write({.colour = "#444444", .anchor = "end"}, y_labels);
+    const Pixel middle{(plot.left + plot.right) / 2, (plot.top + plot.bottom) / 2};
+    write_label(frame_.x_label, {middle.x, plot.bottom + frame_.below_ticks}, 0);
+    write_label(frame_.y_label, {18, middle.y}, 270);
+    if (!frame_.colour_label.empty()) {
+      write_label(frame_.colour_label, {frame_.width - 10.0, middle.y}, 270);
+    }
+  }
+
+  static double length(const Tick& tick) { return tick.label.empty() ? 2.7 : 4.5; }
+
+  void write_label(const std::string& label, const Pixel& place, double turned) {
+    if (!label.empty()) drawing_.write({.anchor = "middle", .turned = turned}, {{place, label}});
+  }
+
+  void paint_lines() {
+    const std::vector<std::string> labels = line_labels(chart_);
+    // The last label is drawn first, so that the first lies on top.
+    for (std::size_t i = labels.size(); i-- > 0;) {
+      std::vector<Outline> outlines;
+      for (const ReferenceLine& line : chart_.lines) {
+        if (line.label != labels[i]) continue;
+        const bool vertical = line.direction == Direction::vertical;
+        const double at = line.position;
+        outlines.push_back(
+            {vertical ? std::vector{place(at, frame_.y.lower), place(at, frame_.y.upper)}
+                      : std::vector{place(frame_.x.lower, at), place(frame_.x.upper, at)}});
+      }
+      drawing_.paint(clipped(brush_of(line_look(i))), outlines);
+    }
+  }
+
+  Brush clipped(Brush brush) const {
+    brush.clip = clip_;
+    return brush;
+  }
+
+  void paint_spread(std::size_t index) {
+    const Series& series = chart_.series[index];
+    const std::string colour = look_of(index).colour;
+    std::vector<Outline> outlines;
+    if (series.mark == Mark::points) {
+      for (const Sample& sample : series.samples) {
+        if (!sample.value || !sample.spread) continue;
+        outlines.push_back({{place(sample.position, sample.spread->lower),
+                             place(sample.position, sample.spread->upper)}});
+      }
+      drawing_.paint({.stroke = series.pale ? "#d4d4d4" : colour,
+                      .width = series.pale ? "0.5" : "1.2",
+                      .clip = clip_},
+                     outlines);
+      return;
+    }
+    for (const std::vector<Sample>& part : polylines(series)) {
+      // A band ends where the spread is unknown.
+      for (auto from = part.begin(); from != part.end();) {
+        from = std::find_if(from, part.end(), [](const Sample& s) { return s.spread; });
+        const auto to = std::find_if(from, part.end(), [](const Sample& s) { return !s.spread; });
+        if (to - from > 1) outlines.push_back(band({from, to}));
+        from = to;
+      }
+    }
+    drawing_.paint({.fill = colour, .opacity = "0.14", .clip = clip_}, outlines);
+  }
+
+  Outline band(const std::vector<Sample>& samples) const {
+    Outline area{{}, true};
+    for (const Sample& sample : samples)
+      area.corners.push_back(place(sample.position, sample.spread->lower));
+    for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample)
+      area.corners.push_back(place(sample->position, sample->spread->upper));
+    return area;
+  }
+
+  void paint_series(std::size_t index) {
+    const Series& series = chart_.series[index];
+    const SeriesLook look = look_of(index);
+    std::vector<Pixel> dots;
+    std::vector<Outline> lines;
+    if (series.mark == Mark::points) {
+      for (const Sample& sample : series.samples)
+        if (sample.value) dots.push_back(place(sample));
+    } else {
+      for (const std::vector<Sample>& part : polylines(series)) {
+        std::vector<Pixel> line;
+        for (const Sample& sample : part) line.push_back(place(sample));
+        // A line of a single sample has no length and would be invisible.
+        if (line.size() == 1) {
+          dots.push_back(line.front());
+        } else {
+          lines.push_back({std::move(line)});
+        }
+      }
+    }
+    has_values_ |= !dots.empty() || !lines.empty();
+    std::erase_if(dots, [&](const Pixel& dot) { return !frame_.plot.holds(dot); });
+    drawing_.paint(clipped(brush_of(look)), lines);
+    paint_dots(look, dots, series.mark == Mark::points ? marker_radius : small_radius);
+  }
+
+  void paint_dots(const SeriesLook& look, const std::vector<Pixel>& dots, double radius) {
+    std::vector<Outline> outlines;
+    if (look.marker.filled && look.marker.corners == 0) {
+      // A dot of a broad round pen is the shortest way to write a circle.
+      for (const Pixel& dot : dots) outlines.push_back({{dot}});
+      const char* const across = radius == marker_radius ? "7.2" : "3.6";
+      drawing_.paint({.stroke = look.colour, .width = across, .cap = "round"}, outlines);
+      return;
+    }
+    for (const Pixel& dot : dots) outlines.push_back(outline_of(look.marker, dot, radius));
+    if (look.marker.filled) {
+      drawing_.paint({.fill = look.colour}, outlines);
+    } else {
+      drawing_.paint({.stroke = look.colour, .width = "1.2"}, outlines);
+    }
+  }
+
+  void write_no_data() {
+    const Box& plot = frame_.plot;
+    drawing_.write({.colour = "#666666", .anchor = "middle"},
+                   {{{(plot.left + plot.right) / 2, (plot.top + plot.bottom) / 2}, "no data"}});
+  }
+
+  void write_names() {
+    const std::vector<PointName> names = names_of_points(chart_, frame_);
+    std::vector<Outline> leaders;
+    for (const PointName& name : names)
+      if (name.led) leaders.push_back({{name.dot, name.place}});
+    drawing_.paint({.stroke = "#888888", .width = "0.6"}, leaders);
+    for (const bool pale : {false, true}) {
+      for (const bool left : {false, true}) {
+        std::vector<Writing> writings;
+        for (const PointName& name : names) {
+          if (name.pale != pale || name.to_the_left != left) continue;
+          writings.push_back({{name.place.x, name.place.y + 3.5}, name.text});
+        }
+        drawing_.write(
+            {.colour = pale ? "#8a8a8a" : "#222222", .anchor = left ? "end" : "start", .size = 10},
+            writings);
+      }
+    }
+  }
+
+  void write_ends() {
+    const Box& plot = frame_.plot;
+    const bool led = need_leaders(frame_.ends, plot.height());
+    const double x = plot.right + 6 + (led ? leader_width : 0);
+    std::vector<Writing> writings;
+    for (const EndLabel& label : frame_.ends) {
+      const double y = plot.bottom - label.place * plot.height();
+      writings.push_back({{x, y + 4}, label.text});
+      if (!led) continue;
+      const Pixel end{plot.right + 2, plot.bottom - label.end * plot.height()};
+      drawing_.paint({.stroke = look_of(label.series).colour}, {{{end, {x - 3, y}}}});
+    }
+    drawing_.write({}, writings);
+  }
+
+  void write_entry(const LegendEntry& entry) {
+    const Pixel from{entry.place.x, entry.place.y - 4}, to{from.x + key_width, from.y};
+    const Pixel middle{(from.x + to.x) / 2, from.y};
+    if (entry.of == LegendEntry::Of::cells_without_value) {
+      paint_key_of_gaps(from, drawing_);
+    } else if (entry.of == LegendEntry::Of::line) {
+      drawing_.paint(brush_of(line_look(entry.index)), {{{from, to}}});
+    } else if (chart_.series[entry.index].mark == Mark::points) {
+      paint_dots(look_of(entry.index), {middle}, marker_radius);
+    } else {
+      drawing_.paint(brush_of(look_of(entry.index)), {{{from, to}}});
+    }
+    drawing_.write({}, {{{to.x + 6, entry.place.y}, entry.label}});
+  }
+
+  const Chart& chart_;
+  const Frame& frame_;
+  Drawing drawing_;
+  std::string clip_;
+  bool has_values_ = false;
+};
 
 }  // namespace
 
-std::string finish_svg(const std::string& svg, const std::string& name, const std::string& title,
-                       const std::string& description) {
-  pugi::xml_document document;
-  if (const auto parsed = document.load_string(svg.c_str()); !parsed)
-    throw std::runtime_error(fmt::format("chart {}: no SVG: {}", name, parsed.description()));
-  try {
-    return short_svg(picture_of(document), name, title, description);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("chart {}: {}", name, error.what()));
-  }
-}
-
-std::string stacked(const std::vector<std::string>& svgs) {
-  if (svgs.size() == 1) return svgs.front();
-  pugi::xml_document document;
-  pugi::xml_node all = document.append_child("svg");
-  int width = 0, height = 0;
-  for (const std::string& svg : svgs) {
-    pugi::xml_document part;
-    if (const auto parsed = part.load_string(svg.c_str()); !parsed)
-      throw std::runtime_error(fmt::format("no SVG: {}", parsed.description()));
-    pugi::xml_node placed = all.append_copy(part.child("svg"));
-    placed.append_attribute("y") = height;
-    width = std::max(width, placed.attribute("width").as_int());
-    height += placed.attribute("height").as_int();
-  }
-  all.append_attribute("class") = "ricochet-chart";
-  all.append_attribute("width") = width;
-  all.append_attribute("height") = height;
-  all.append_attribute("viewBox") = fmt::format("0 0 {} {}", width, height).c_str();
-  all.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
-  all.append_attribute("role") = "group";
-  return text_of(document);
+std::string to_svg(const Chart& chart) {
+  check(chart);
+  const Frame frame = frame_of(chart);
+  return Painter(chart, frame).svg();
 }
 
 }  // namespace ricochet::report

@@ -7,7 +7,7 @@ namespace ricochet::report {
 
 enum class Alignment { left, right };
 
-/// Good and bad show as a tick and a cross, too: colour alone does not reach everyone.
+/// Good and bad are also shown as a tick and a cross, since not every reader sees colours.
 enum class State { neutral, good, bad };
 
 struct Column {
@@ -18,6 +18,7 @@ struct Column {
 struct Cell {
   std::string text;
   State state = State::neutral;
+  std::string link = {};  ///< target of a link in an excerpt, see headline.h; pages do not show it
 };
 
 /// The first cell of every row is its header.

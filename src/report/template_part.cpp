@@ -81,10 +81,10 @@ std::optional<double> number_in(const toml::node& value, const Scopes& scopes) {
   }
   if (data.is_null() || !std::isfinite(data.get<double>())) return std::nullopt;
   const double number = data.get<double>();
-  const std::string form = colon == std::string::npos ? "" : asked->substr(colon + 1);
-  if (form.empty()) return number;
-  if (form == "%") return 100 * number;
-  if (form == "size") return std::abs(number);
+  const std::string formulation = colon == std::string::npos ? "" : asked->substr(colon + 1);
+  if (formulation.empty()) return number;
+  if (formulation == "%") return 100 * number;
+  if (formulation == "size") return std::abs(number);
   throw std::logic_error(fmt::format("a template's {}: must end in :% or :size", *asked));
 }
 

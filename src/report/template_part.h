@@ -10,8 +10,8 @@
 
 namespace ricochet::report {
 
-/// A table of a template; its keys are asked for by name. Throws std::logic_error where a key is
-/// missing or of another kind. The parsed template must outlive it.
+/// A table of a template. Throws std::logic_error if a key is missing or has another type. The
+/// parsed template must outlive it.
 class Part {
  public:
   explicit Part(const toml::table& table) : table_(&table) {}
@@ -23,39 +23,39 @@ class Part {
   /// The text with its names filled in; "" where the key is missing.
   std::string filled_text(std::string_view key, const Scopes& scopes) const;
 
-  /// A text, or the list of texts that stands in its place.
+  /// Returns a text, or a list of texts.
   std::vector<std::string> texts(std::string_view key) const;
 
-  /// None where the key is missing, or no list.
+  /// Null if the key is missing or is not a list.
   const toml::array* list(std::string_view key) const { return (*table_)[key].as_array(); }
 
   /// The table of that key.
   Part part(std::string_view key) const;
 
-  /// The tables in the list of that key; none where it is missing.
+  /// The tables in the list of that key; empty if it is missing.
   std::vector<Part> parts(std::string_view key) const;
 
-  /// A number of the template, or that of a name in the data; nothing where the key is missing or
-  /// the data have none.
+  /// A number in the template, or the number of a name in the data; nothing if the key or the data
+  /// are missing.
   std::optional<double> number(std::string_view key, const Scopes& scopes) const;
 
  private:
   const toml::table* table_;
 };
 
-/// The scopes, and inside of them the data.
+/// Adds the data as the innermost scope.
 Scopes with(Scopes scopes, const Json& data);
 
-/// The scopes in which a part stands: none unless `when` holds, else one, or one for each entry of
-/// the list `each`; inside of them is what `data` names.
+/// Returns the scopes for each repetition of a part: none unless `when` holds, one for each entry
+/// of the list `each`, or else one; the data named by `data` become the innermost scope.
 std::vector<Scopes> places_of(const Part& part, const Scopes& scopes);
 
-/// Whether a condition of the template holds: the name of what must be a yes, or after a ^ of what
-/// must not.
+/// Returns true if a condition of the template holds: a name whose data must be true, or with a ^
+/// before it must not be.
 bool holds(const std::string& condition, const Scopes& scopes);
 
-/// A number, or the name of one in the data: "name:%" takes a share as hundredths, "name:size"
-/// drops the sign. Nothing where the data have null, or a number that is not finite.
+/// A number, or the name of one in the data: "name:%" converts a share to per cent, "name:size"
+/// drops the sign. Nothing if the data are null or not finite.
 std::optional<double> number_in(const toml::node& value, const Scopes& scopes);
 
 }  // namespace ricochet::report

@@ -48,11 +48,11 @@ std::string escape_markdown(std::string_view text) {
   std::string escaped;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    // A bracket is only special where a link's target can follow; units in brackets stay as they
-    // are.
+    // A bracket is only special if a link's target can follow; units in brackets are not escaped.
     const bool before_target = c == ']' && i + 1 < text.size() &&
                                std::string_view("([:").find(text[i + 1]) != std::string_view::npos;
-    // An underscore inside a word is no emphasis, and a name reads better without the backslash.
+    // An underscore inside a word is not emphasis, and a name is more readable without the
+    // backslash.
     const bool inside_word =
         i > 0 && i + 1 < text.size() && is_word(text[i - 1]) && is_word(text[i + 1]);
     if (c == '<') {
@@ -79,7 +79,7 @@ std::string html_with_links(std::string_view text) {
     if (start == std::string_view::npos) return html;
     text.remove_prefix(start);
     std::size_t end = std::min(text.find_first_of(" \t\n<>\"'"), text.size());
-    // The end of the sentence is not part of the address.
+    // Punctuation at the end of the sentence is not part of the address.
     while (std::string_view(".,;:)").find(text[end - 1]) != std::string_view::npos) --end;
     const std::string address = escape_html(text.substr(0, end));
     html += fmt::format("<a href=\"{0}\">{0}</a>", address);

@@ -15,6 +15,15 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
+double step_of(const Range& limits, int wanted, bool whole_numbers) {
+  const double raw = (limits.upper - limits.lower) / wanted;
+  const double power = std::pow(10, std::floor(std::log10(raw)));
+  double step = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0})
+    if (factor * power >= raw * (1 - 1e-9)) step = factor * power;
+  return whole_numbers ? std::max(step, 1.0) : step;
+}
+
 }  // namespace
 
 Range limits(const std::vector<double>& values, Scale scale) {
@@ -32,13 +41,31 @@ Range limits(const std::vector<double>& values, Scale scale) {
   return {least - room, most + room};
 }
 
-double tick_step(const Range& limits, int wanted, bool whole_numbers) {
-  const double raw = (limits.upper - limits.lower) / wanted;
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.0, 1.0})
-    if (factor * power >= raw * (1 - 1e-9)) step = factor * power;
-  return whole_numbers ? std::max(step, 1.0) : step;
+double share(double value, const Range& limits, Scale scale) {
+  if (scale == Scale::linear) return (value - limits.lower) / (limits.upper - limits.lower);
+  return std::log(value / limits.lower) / std::log(limits.upper / limits.lower);
+}
+
+std::string number_label(double number) {
+  std::string text = fmt::format("{:.10g}", std::abs(number));
+  if (const auto power = text.find('e'); power != std::string::npos) {
+    const std::string factor = text.substr(0, power) == "1" ? "" : text.substr(0, power) + "×";
+    text = factor + power_of_ten(std::stoi(text.substr(power + 1)));
+  }
+  return number < 0 ? "−" + text : text;
+}
+
+std::vector<Tick> linear_ticks(const Range& limits, int wanted, bool whole_numbers) {
+  const double step = step_of(limits, wanted, whole_numbers);
+  const double slack = 1e-9 * step;
+  const double first = std::ceil((limits.lower - slack) / step);
+  std::vector<Tick> ticks;
+  for (int i = 0; i <= 2 * wanted; ++i) {
+    const double position = (first + i) * step;
+    if (position > limits.upper + slack) break;
+    ticks.push_back({std::clamp(position, limits.lower, limits.upper), number_label(position)});
+  }
+  return ticks;
 }
 
 std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted) {
@@ -56,12 +83,13 @@ std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted) {
     const bool labelled = exponent % stride == 0;
     add(power, !labelled ? "" : plain ? fmt::format("{:g}", power) : power_of_ten(exponent));
     for (int digit = 2; digit <= 9 && decades <= 8; ++digit) {
-      // Less than two decades have too few powers of ten to read a value from.
+      // Less than two decades have too few powers of ten to read off a value.
       const bool label_digit = (decades < 2 && (digit == 2 || digit == 5)) || decades < 0.5;
-      add(digit * power, label_digit ? fmt::format("{:g}", digit * power) : "");
+      add(digit * power, label_digit ? number_label(digit * power) : "");
     }
   }
-  return ticks;
+  const auto labels = std::ranges::count_if(ticks, [](const Tick& t) { return !t.label.empty(); });
+  return labels < 2 && decades < 1 ? linear_ticks(limits, wanted, false) : ticks;
 }
 
 }  // namespace ricochet::report

@@ -15,11 +15,16 @@ struct Tick {
 /// Limits that leave a little room around the values; all of them if there are none.
 Range limits(const std::vector<double>& values, Scale scale);
 
-/// Distance of about `wanted` round ticks of a linear axis. Whole numbers get none between them.
-double tick_step(const Range& limits, int wanted, bool whole_numbers);
+/// Where a value lies between the limits: 0 at the lower one, 1 at the upper one.
+double share(double value, const Range& limits, Scale scale);
 
-/// About `wanted` labels of a logarithmic axis, and minor ticks. gnuplot's own label powers of ten
-/// alone, and could write their exponents only where it reads markup in every text.
+/// Returns about `wanted` round numbers on a linear axis. Axes of whole numbers get no fractions.
+std::vector<Tick> linear_ticks(const Range& limits, int wanted, bool whole_numbers);
+
+/// About `wanted` labels on a logarithmic axis, and minor ticks.
 std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted);
+
+/// A number as a reader writes it, with up to ten digits: −0.5, 2000000, 3×10⁻⁷.
+std::string number_label(double number);
 
 }  // namespace ricochet::report

@@ -31,8 +31,8 @@ std::int64_t ricochet::allocations() {
   return count;
 }
 
-// NOTE: all forms are replaced, not only those that the others call by default: a sanitizer's own
-// defaults call none of them.
+// NOTE: all formulations are replaced, not only those that the others call by default: a
+// sanitizer's own defaults call none of them.
 void* operator new(std::size_t size) {
   return checked(allocate(size));
 }

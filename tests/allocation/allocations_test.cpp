@@ -8,7 +8,7 @@ namespace ricochet {
 namespace {
 
 // NOTE: calls of the operators by name, because a compiler may leave out a new-expression.
-TEST(Allocations, CountEveryFormOfNew) {
+TEST(Allocations, CountEveryFormulationOfNew) {
   constexpr std::align_val_t wide{64};
   const std::int64_t before = allocations();
   ::operator delete(::operator new(8));

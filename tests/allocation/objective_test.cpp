@@ -5,10 +5,10 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "tests/allocation/allocations.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -42,7 +42,7 @@ inline void expect_statement(const Problem& problem) {
   const Values values = problem.evaluate(best);
   EXPECT_NEAR(values.objective, *problem.best_known, 1e-11 * std::abs(*problem.best_known) + 1e-20);
   EXPECT_EQ(values.constraints.size(), problem.constraints);
-  EXPECT_EQ(truth_at(problem, best).violation, 0);
+  EXPECT_EQ(true_values_at(problem, best).violation, 0);
   if (problem.equalities > 0) {
     const Matrix jacobian = problem.differentiate(best).jacobian.topRows(problem.equalities);
     const Vector terms = jacobian.cwiseAbs() * best.cwiseAbs();  // they cancel
@@ -66,9 +66,9 @@ inline void expect_nothing_better(const Problem& problem) {
     const Problem moved = instance(problem, number);
     const int points = number == 0 ? 1000 : 200;
     for (int i = 0; i < points; ++i) {
-      const Truth truth = truth_at(moved, uniform_point(moved, random));
-      if (truth.violation > 0) continue;
-      ASSERT_GE(truth.objective, *problem.best_known - 1e-9);
+      const TrueValues true_values = true_values_at(moved, uniform_point(moved, random));
+      if (true_values.violation > 0) continue;
+      ASSERT_GE(true_values.objective, *problem.best_known - 1e-9);
     }
   }
 }
@@ -87,9 +87,9 @@ inline void expect_best_in_instances(const Problem& problem) {
   }
   for (int number = 1; number <= 3; ++number) {
     const Problem moved = instance(problem, number);
-    const Truth truth = truth_at(moved, *moved.best_point);
-    EXPECT_NEAR(truth.objective, *problem.best_known, objective_off);
-    EXPECT_LE(truth.violation, constraints_off);
+    const TrueValues true_values = true_values_at(moved, *moved.best_point);
+    EXPECT_NEAR(true_values.objective, *problem.best_known, objective_off);
+    EXPECT_LE(true_values.violation, constraints_off);
   }
 }
 

@@ -57,9 +57,9 @@ TEST(Classic, TurnsWhereTheBestPointIsBestEverywhere) {
     wide.lower = 3 * problem.lower - 2 * problem.upper;
     wide.upper = 3 * problem.upper - 2 * problem.lower;
     for (int i = 0; i < 1000; ++i) {
-      const Truth truth = truth_at(problem, uniform_point(wide, random));
-      if (truth.violation > 0) continue;
-      EXPECT_GE(truth.objective, *problem.best_known - 1e-9) << problem.name;
+      const TrueValues true_values = true_values_at(problem, uniform_point(wide, random));
+      if (true_values.violation > 0) continue;
+      EXPECT_GE(true_values.objective, *problem.best_known - 1e-9) << problem.name;
     }
   }
 }

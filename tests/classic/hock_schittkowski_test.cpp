@@ -180,7 +180,7 @@ TEST(HockSchittkowski, TellsEquationsFromInequalities) {
   }
   EXPECT_EQ(with_equations, 47);
   const Problem circle = named(classic_problems(), "hs-7");
-  EXPECT_EQ(truth_at(circle, Vector::Zero(2)).violation, 3);  // on its inner side
+  EXPECT_EQ(true_values_at(circle, Vector::Zero(2)).violation, 3);  // on its inner side
 }
 
 /// The published starts that are outside their own bounds.

@@ -39,7 +39,7 @@ double nearest(Problem problem, const Solver& solver, Showing showing) {
   double nearest = std::numeric_limits<double>::infinity();
   const double best = *problem.best_known;
   const auto see = [&nearest, best, equalities = problem.equalities](const Values& values) {
-    if (truth_of(values, equalities).violation > 1e-6) return;
+    if (true_values_of(values, equalities).violation > 1e-6) return;
     const double off = std::abs(values.objective - best) / std::max(1.0, std::abs(best));
     nearest = std::min(nearest, off);
   };
@@ -54,7 +54,8 @@ double nearest(Problem problem, const Solver& solver, Showing showing) {
     return derivatives;
   };
   const Problem shown = showing(problem);
-  Evaluator evaluator(shown, {20'000});
+  Scorer scorer(shown);
+  Evaluator evaluator(shown, {20'000}, &scorer);
   Random random(1);
   solver.solve(evaluator, shown.start, random);
   return nearest;
@@ -79,9 +80,10 @@ std::vector<Problem> chosen(const std::vector<std::string>& names) {
   return result;
 }
 
-/// The problem with its objective in a unit of which the start's steepest slope, over the width of
-/// the box, is a fifth. NLopt's SLSQP begins with a curvature of 1: where the slope is larger, it
-/// first jumps to the box's ends, and where it is some powers of ten, it gives up at the start.
+/// The problem with its objective in a unit of which the start's steepest slope, over the smoothing
+/// parameter of the box, is a fifth. NLopt's SLSQP begins with a curvature of 1: where the slope is
+/// larger, it first jumps to the box's ends, and where it is some powers of ten, it gives up at the
+/// start.
 Problem in_fitting_unit(Problem problem) {
   const Vector slopes =
       problem.differentiate(problem.start).gradient.cwiseProduct(problem.upper - problem.lower);

@@ -8,7 +8,7 @@ namespace {
 
 TEST(BestValues, WritesAFileThatHoldsWhatWasKnownToo) {
   const auto file = fresh_folder() / "best.toml";
-  const Outcome outcome = call("best-values --questions top-speed-C3 --out " + file.string());
+  const Outcome outcome = call("best-values --problems top-speed-C3 --out " + file.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::HasSubstr("of 1 best values"));
   const std::string text = read(file);
@@ -25,7 +25,7 @@ TEST(BestValues, WithoutTimeSaysHowToGoOn) {
 }
 
 TEST(BestValues, RefusesWhatItCannotDo) {
-  expect_refusal("best-values --questions nothing --out " + (fresh_folder() / "best.toml").string(),
+  expect_refusal("best-values --problems nothing --out " + (fresh_folder() / "best.toml").string(),
                  "nothing");
   expect_refusal("best-values --seconds -3", "--seconds");
   expect_refusal("certify --problems nothing", "nothing");  // as it was called

@@ -7,14 +7,27 @@ namespace ricochet::cli {
 namespace {
 
 TEST(Calibrate, RefusesWhatItDoesNotKnowBeforeItWorks) {
-  expect_refusal("calibrate --reading sideways", "--reading sideways");
-  expect_refusal("calibrate --reading projected-constant-seconds --all-readings",
-                 "--all-readings stands alone");
+  expect_refusal("calibrate --interpretation sideways", "--interpretation sideways");
+  expect_refusal("calibrate --interpretation projected-constant-seconds --all-interpretations",
+                 "--all-interpretations stands alone");
   expect_refusal("calibrate --solver magic", "--solver magic");
   expect_refusal("calibrate --seed -1", "--seed -1");
   const auto file = write(fresh_folder(), "file", "mine");
   expect_refusal("calibrate --out " + (file / "report").string(), "file/report");
   EXPECT_EQ(read(file), "mine");
+}
+
+TEST(Calibrate, IsWhereTrialsHaveGone) {
+  expect_refusal("trials", "trials: is now: ricochet calibrate --variants");
+  expect_refusal("trials --quick --out mine", "ricochet calibrate --variants");
+}
+
+TEST(Calibrate, RefusesFitsOfAnotherVersion) {
+  const auto folder = fresh_folder();
+  write(folder, "fits.toml", "[[fit]]\nkey = 'of version 1'\n");
+  expect_refusal("calibrate --quick --out " + folder.string(),
+                 "fits.toml: its fits are of version 1");
+  EXPECT_EQ(read(folder / "fits.toml"), "[[fit]]\nkey = 'of version 1'\n");
 }
 
 TEST(Calibrate, RefusesToGoOnFromAFileOfSomethingElse) {

@@ -24,9 +24,9 @@ constexpr auto small_plan = R"(name = "small"
 [limits]
 seconds = 20
 [[part]]
-questions = ["count-C4", "hs-71"]
+problems = ["count-C4", "hs-71"]
 solvers = ["random-search", "nlopt-cobyla", "nlopt-slsqp"]
-features = ["plain", "noisy"]
+perturbations = ["plain", "noisy"]
 gradient_prices = ["n", "measured"]
 budgets = [20, 100]
 instances = 3
@@ -70,7 +70,7 @@ TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
   std::string parts;
   for (const int variables : {2, 4, 4}) {
     parts += fmt::format(
-        "[[part]]\nquestions = \"profile-count-{}-C1\"\nsolvers = [\"random-search\", \"bbfwa\"]\n"
+        "[[part]]\nproblems = \"profile-count-{}-C1\"\nsolvers = [\"random-search\", \"bbfwa\"]\n"
         "budgets = [{}]\ninstances = 1\n",
         variables, parts.size() + 10);
   }
@@ -83,7 +83,7 @@ TEST_F(CampaignCommands, DrawAReportOfAFamilyThatSeveralPartsAskOf) {
 }
 
 TEST_F(CampaignCommands, SayNothingOfTheirProgressWhereTheyAreToBeQuiet) {
-  EXPECT_THAT(call(command("loud")).err, HasSubstr("3 solvers on 2 questions"));
+  EXPECT_THAT(call(command("loud")).err, HasSubstr("3 solvers on 2 problems"));
   EXPECT_EQ(call(command("quiet", "--quiet")).err, "");
   EXPECT_EQ(call(command("quiet", "--quiet --resume")).err, "");
 }
@@ -91,7 +91,7 @@ TEST_F(CampaignCommands, SayNothingOfTheirProgressWhereTheyAreToBeQuiet) {
 TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
   const Json size = Json::parse(out_of("plan check --format json " + plan_));
   const std::string runs = std::to_string(size["runs"].get<int>());
-  EXPECT_THAT(out_of("plan check " + plan_), HasSubstr(runs + " runs of 3 solvers on 2 questions"));
+  EXPECT_THAT(out_of("plan check " + plan_), HasSubstr(runs + " runs of 3 solvers on 2 problems"));
   EXPECT_THAT(run("one"), HasSubstr(runs + " runs: " + store("one")));
   EXPECT_EQ(size["cells"].get<int>() * 3, size["runs"].get<int>()) << "instances";
 }
@@ -116,9 +116,9 @@ TEST_F(CampaignCommands, GiveTheSameDigestHoweverTheRunsAreMade) {
 
 TEST_F(CampaignCommands, ReportOnAFamilyThatTwoPartsAskFor) {
   const auto plan = write(folder_, "two.toml",
-                          "[[part]]\nquestions = \"count-C4\"\nsolvers = \"random-search\"\n"
+                          "[[part]]\nproblems = \"count-C4\"\nsolvers = \"random-search\"\n"
                           "budgets = 5\ninstances = 2\n"
-                          "[[part]]\nquestions = \"count-C1\"\nsolvers = \"random-search\"\n"
+                          "[[part]]\nproblems = \"count-C1\"\nsolvers = \"random-search\"\n"
                           "budgets = 7\ninstances = 2\n");
   const std::string said =
       out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "two").string()));
@@ -129,7 +129,7 @@ TEST_F(CampaignCommands, ReportOnAFamilyThatTwoPartsAskFor) {
 TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
   const std::string text =
       "[[solver]]\nname = \"bbfwa-40\"\nof = \"bbfwa\"\noptions = { sparks = 40 }\n"
-      "[[part]]\nquestions = \"count-C4\"\nsolvers = \"bbfwa*\"\nbudgets = 50\ninstances = 2\n";
+      "[[part]]\nproblems = \"count-C4\"\nsolvers = \"bbfwa*\"\nbudgets = 50\ninstances = 2\n";
   const auto plan = write(folder_, "options.toml", text);
   EXPECT_THAT(out_of("plan check " + plan.string()),
               HasSubstr("bbfwa-40: bbfwa with\n"
@@ -166,7 +166,7 @@ TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
 
 TEST_F(CampaignCommands, SayHowToGoOn) {
   const auto plan = write(folder_, "long.toml",
-                          "[[part]]\nquestions = \"count-C4\"\nsolvers = \"random-search\"\n"
+                          "[[part]]\nproblems = \"count-C4\"\nsolvers = \"random-search\"\n"
                           "budgets = 1000\ninstances = 10000");
   const Outcome outcome = call_interrupted(
       "INT", fmt::format("run {} --out {} --quiet", plan.string(), (folder_ / "long").string()), 2);

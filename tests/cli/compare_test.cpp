@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,10 +13,10 @@ namespace {
 
 using report::Json;
 
-TEST(Compare, WritesAReportOfEverySolverInEveryForm) {
+TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
   const auto folder = fresh_folder() / "mine";
   const Outcome outcome = call(
-      "compare --questions top-speed-C1,profile-count-2-C4 --solvers 'nlopt-co*,random*,bisection' "
+      "compare --problems top-speed-C1,profile-count-2-C4 --solvers 'nlopt-co*,random*,bisection' "
       "--budget 5,20 --instances 2 --out " +
       folder.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -27,22 +28,46 @@ TEST(Compare, WritesAReportOfEverySolverInEveryForm) {
   const Json family = report::data_in(read(folder / "top-speed" / "data.json"));
   std::set<std::string> cobyla;
   for (const Json& standing : family["standings"]) {
-    if (standing["solver"] == "nlopt-cobyla") cobyla.insert(standing["form"].get<std::string>());
+    if (standing["solver"] == "nlopt-cobyla")
+      cobyla.insert(standing["formulation"].get<std::string>());
     EXPECT_EQ(standing["runs"], 2);
     EXPECT_LE(standing["found"]["lower"], standing["found"]["share"]);
   }
   EXPECT_EQ(cobyla, (std::set<std::string>{"count", "surrogate", "penalised-count",
                                            "penalised-surrogate"}));
   EXPECT_EQ(family["ceilings"].size(), 1U);
-  EXPECT_FALSE(family["forms"].empty());
-  EXPECT_FALSE(data["history"].empty());
+  EXPECT_FALSE(family["formulations"].empty());
   EXPECT_FALSE(data["twins"].empty());
+  EXPECT_EQ(data["relocated"][0]["problems"], 1);
 }
 
-TEST(Compare, ChoosesForms) {
+TEST(Compare, AnnouncesAndStoresAllOfItsRunsAndReadsThemAlone) {
+  const auto folder = fresh_folder() / "mine";
+  const std::string command =
+      "compare --problems top-speed-C[14] --solvers 'random*,bisection,scan,nlopt-co*' "
+      "--budget 5,20 --instances 2 --out " +
+      folder.string();
+  const Outcome first = call(command);
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const Json data = report::data_in(read(folder / "data.json"));
+  const std::string runs = fmt::format("{} runs", data["runs"].get<int>());
+  EXPECT_THAT(first.err, testing::HasSubstr(runs + " of "));
+  std::set<std::string> whats;
+  for (const Json& row : data["orders"]) whats.insert(row["what"].get<std::string>());
+  EXPECT_TRUE(whats.contains("machines drawn around the cases")) << data["orders"];
+  EXPECT_TRUE(whats.contains("other seeds"));
+  EXPECT_FALSE(data["twins"].empty());
+  const Outcome again = call(command);
+  EXPECT_THAT(again.err, testing::HasSubstr(runs + " are there already"));
+  Json same = report::data_in(read(folder / "data.json"));
+  same["made"] = data["made"];
+  EXPECT_EQ(same, data);
+}
+
+TEST(Compare, ChoosesFormulations) {
   const auto folder = fresh_folder() / "mine";
   const Outcome outcome = call(
-      "compare --questions top-speed-C1 --solvers nlopt-cobyla --forms '*count' --budget 5 "
+      "compare --problems top-speed-C1 --solvers nlopt-cobyla --formulations '*count' --budget 5 "
       "--instances 1 --out " +
       folder.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -51,12 +76,12 @@ TEST(Compare, ChoosesForms) {
 }
 
 TEST(Compare, RefusesWhatNothingFits) {
-  expect_refusal("compare --questions top-sped-C1", "--questions top-sped-C1: nothing fits");
+  expect_refusal("compare --problems top-sped-C1", "--problems top-sped-C1: nothing fits");
   expect_refusal("compare --solvers coblya", "--solvers coblya: nothing fits");
   expect_refusal("compare --budget 20,10", "--budget 10");
   expect_refusal("compare --budget 0", "--budget 0");
   expect_refusal("compare --instances 0", "--instances 0");
-  expect_refusal("compare --widths -1", "--widths -1");
+  expect_refusal("compare --smoothings -1", "--smoothings -1");
 }
 
 }  // namespace

@@ -33,34 +33,34 @@ TEST(Description, IsCompletedByBash) {
   EXPECT_EQ(completed_by_bash("ricochet threshold --pl", 2), "--plot,");
   EXPECT_EQ(completed_by_bash("ricochet threshold --plot m", 3), "machine one.toml,");
   EXPECT_EQ(completed_by_bash("ricochet simulate --format j", 3), "json,");
-  EXPECT_EQ(completed_by_bash("ricochet calibrate --all", 2), "--all-readings,");
-  EXPECT_EQ(completed_by_bash("ricochet list q", 2), "questions,");
+  EXPECT_EQ(completed_by_bash("ricochet calibrate --all", 2), "--all-interpretations,");
+  EXPECT_EQ(completed_by_bash("ricochet list p", 2), "problems,");
   EXPECT_EQ(completed_by_bash("ricochet machine ch", 2), "check,");
   EXPECT_EQ(completed_by_bash("ricochet simulate --scene m", 3), "machine one.toml,");
 }
 
 TEST(Description, HasEveryCommandForTheOtherShellsAndTheManual) {
   EXPECT_THAT(call("describe zsh").out,
-              AllOf(HasSubstr("#compdef ricochet"), HasSubstr("'calibrate:Which reading"),
+              AllOf(HasSubstr("#compdef ricochet"), HasSubstr("'calibrate:Which interpretation"),
                     HasSubstr("'--format[What to print: text or json]:value:(text json)'"),
-                    HasSubstr("'--all-readings[")));
+                    HasSubstr("'--all-interpretations[")));
   EXPECT_THAT(call("describe fish").out,
               AllOf(HasSubstr("-n __fish_use_subcommand -a calibrate"),
-                    HasSubstr("'__fish_seen_subcommand_from calibrate' -l all-readings"),
+                    HasSubstr("'__fish_seen_subcommand_from calibrate' -l all-interpretations"),
                     HasSubstr("-l format -x -a 'text json'")));
-  EXPECT_THAT(
-      call("describe man").out,
-      AllOf(HasSubstr(".TH RICOCHET 1"), HasSubstr(".SS best\\-values"),
-            HasSubstr("\\fB\\-\\-omega\\fR \\fIFLOAT\\fR"), HasSubstr("\\-\\-all\\-readings"),
-            HasSubstr("What to print: text or json.\nOne of text, json."),
-            HasSubstr(".SH EXIT STATUS")));
+  EXPECT_THAT(call("describe man").out,
+              AllOf(HasSubstr(".TH RICOCHET 1"), HasSubstr(".SS best\\-values"),
+                    HasSubstr("\\fB\\-\\-omega\\fR \\fIFLOAT\\fR"),
+                    HasSubstr("\\-\\-all\\-interpretations"),
+                    HasSubstr("What to print: text or json.\nOne of text, json."),
+                    HasSubstr(".SH EXIT STATUS")));
 }
 
 TEST(Description, OfEveryCommandHasExamplesAndExitCodes) {
   for (const char* command :
-       {"reproduce", "simulate",  "threshold", "scene",   "evaluate",  "export",   "solve",
-        "compare",   "list",      "report",    "machine", "calibrate", "limits",   "trials",
-        "dynamics",  "surrogate", "fireworks", "stress",  "verify",    "problems", "best-values"}) {
+       {"reproduce", "simulate",  "threshold", "scene",   "evaluate",  "export",     "solve",
+        "compare",   "list",      "report",    "machine", "calibrate", "limits",     "dynamics",
+        "surrogate", "fireworks", "stress",    "verify",  "problems",  "best-values"}) {
     EXPECT_THAT(call(std::string(command) + " --help").out,
                 AllOf(HasSubstr(std::string("Usage: ricochet ") + command),
                       HasSubstr(std::string("Examples:\n  ricochet ") + command),

@@ -14,6 +14,7 @@ namespace ricochet::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -91,6 +92,38 @@ TEST_F(EntryScript, ForgetsACompilerThatWasBroken) {
   EXPECT_EQ(log(), fmt::format("cmake --preset release --fresh in {0}/checkout\n"
                                "cmake --preset release --fresh in {0}/checkout\n",
                                root_.string()));
+}
+
+TEST_F(EntryScript, BuildsForTheMainJobItsOwnProgramAlone) {
+  const fs::path folder = root_ / "checkout/build/release/src/cli";
+  make_executable(folder / "ricochet-reproduce", "#!/bin/sh\necho \"$0 $*\"\n");
+  fs::remove(folder / "ricochet");
+  tool("ninja", "echo \"ninja $*\" >> \"$LOG\"\necho 'ninja: no work to do.'\n");
+  EXPECT_THAT(script("checkout/ricochet reproduce --quick"),
+              HasSubstr((folder / "ricochet-reproduce").string() + " reproduce --quick"));
+  EXPECT_THAT(log(), HasSubstr("-n ricochet_reproduce\n"));
+}
+
+TEST_F(EntryScript, ListsTheCommandsOfTheProgramBeforeItIsBuilt) {
+  fs::remove_all(root_ / "checkout/build");
+  const std::string help = call("--help").out;
+  const std::size_t first = help.find("\n  reproduce ");
+  ASSERT_NE(first, std::string::npos);
+  const std::string commands = help.substr(first, help.find("\n\n", first) - first);
+  EXPECT_THAT(script("checkout/ricochet --help"), HasSubstr(commands + "\n"));
+  EXPECT_THAT(script("checkout/ricochet reproduce --help"),
+              AllOf(HasSubstr(commands + "\n"), HasSubstr("reproduce is not built yet")));
+  EXPECT_FALSE(fs::exists(root_ / "log"));
+}
+
+TEST_F(EntryScript, BuildsNothingForHelp) {
+  const fs::path folder = root_ / "checkout/build/release/src/cli";
+  EXPECT_EQ(script("checkout/ricochet list --help"), (folder / "ricochet").string() + "\n");
+  EXPECT_EQ(script("checkout/ricochet --help"), (folder / "ricochet").string() + "\n");
+  EXPECT_THAT(script("checkout/ricochet limits -h"), HasSubstr("limits is not built yet"));
+  make_executable(folder / "ricochet-studies", "#!/bin/sh\n");
+  EXPECT_EQ(script("checkout/ricochet limits -h"), (folder / "ricochet").string() + "\n");
+  EXPECT_FALSE(fs::exists(root_ / "log"));
 }
 
 }  // namespace

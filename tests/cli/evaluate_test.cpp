@@ -53,7 +53,7 @@ TEST(Evaluate, AnswersEveryPoint) {
   const json& first = dialogue.answers[0];
   EXPECT_EQ(first["objective"], 16);
   EXPECT_EQ(first["constraints"], (json{12, 0}));
-  EXPECT_EQ(first["truth"], (json{{"objective", 16}, {"violation", 12}}));
+  EXPECT_EQ(first["true_values"], (json{{"objective", 16}, {"violation", 12}}));
   EXPECT_EQ(first["evaluations"], 1);
   EXPECT_FALSE(first.contains("gradient"));
   EXPECT_EQ(dialogue.answers[1]["objective"], 27);
@@ -88,21 +88,16 @@ TEST(Evaluate, TellsResidualsOfALeastSquaresProblem) {
   EXPECT_FALSE(dialogue.answers.at(0).contains("residual_jacobian"));
   EXPECT_EQ(dialogue.answers.at(1)["residual_jacobian"].size(), 45U);
   EXPECT_THAT(error_of(R"({"x": [1, 1, 1, 1], "residuals": true})"),
-              HasSubstr("there are no residuals in this form"));
-}
-
-TEST(Evaluate, AnswersAsTheReadmeShows) {
-  const Dialogue dialogue = asked("hs-71", "{\"x\": [1, 5, 5, 1], \"derivatives\": true}\n");
-  EXPECT_THAT(read(RICOCHET_SOURCE "/README.md"), HasSubstr(dialogue.outcome.out));
+              HasSubstr("there are no residuals in this formulation"));
 }
 
 TEST(Evaluate, IsTheCountOfTheSimulation) {
   const json simulated = json::parse(call("simulate --case C1 --omega 9 --format json").out);
   const Dialogue count = asked("count-C1", "[9]\n");
   EXPECT_EQ(count.answers.at(0)["objective"], simulated["count"]);
-  const Dialogue smooth = asked("count-C1 --form surrogate", "[9]\n");
+  const Dialogue smooth = asked("count-C1 --formulation surrogate", "[9]\n");
   EXPECT_EQ(smooth.answers.at(0)["objective"], simulated["surrogate"]);
-  EXPECT_EQ(smooth.answers.at(0)["truth"]["objective"], simulated["count"]);
+  EXPECT_EQ(smooth.answers.at(0)["true_values"]["objective"], simulated["count"]);
 }
 
 TEST(Evaluate, ReadsBackTheBitsItWrote) {
@@ -114,13 +109,14 @@ TEST(Evaluate, ReadsBackTheBitsItWrote) {
   EXPECT_EQ(again.outcome.exit_code, 0);
 }
 
-TEST(Evaluate, DescribesTheQuestion) {
-  const Outcome outcome = call("evaluate top-speed-C1 --describe --form penalised-surrogate");
+TEST(Evaluate, DescribesTheProblem) {
+  const Outcome outcome =
+      call("evaluate top-speed-C1 --describe --formulation penalised-surrogate");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json described = json::parse(outcome.out);
-  EXPECT_EQ(described["question"], "top-speed-C1");
-  EXPECT_EQ(described["form"], "penalised-surrogate");
-  EXPECT_THAT(described["forms"],
+  EXPECT_EQ(described["problem"], "top-speed-C1");
+  EXPECT_EQ(described["formulation"], "penalised-surrogate");
+  EXPECT_THAT(described["formulations"],
               ElementsAre("count", "penalised-count", "surrogate", "penalised-surrogate"));
   EXPECT_EQ(described["dimension"], 1);
   EXPECT_EQ(described["constraints"], 0);
@@ -211,10 +207,11 @@ trap '' PIPE
 }
 
 TEST(Evaluate, RefusesWhatIsNotThere) {
-  expect_refusal("evaluate top-sped-C1 </dev/null", "top-sped-C1: there is no such question");
-  expect_refusal("evaluate hs-71 --form surrogate </dev/null", "hs-71 has no such form; allowed");
+  expect_refusal("evaluate top-sped-C1 </dev/null", "top-sped-C1: there is no such problem");
+  expect_refusal("evaluate hs-71 --formulation surrogate </dev/null",
+                 "hs-71 has no such formulation; allowed");
   expect_refusal("evaluate hs-71 --instance -1 </dev/null", "--instance -1: must be >= 0");
-  expect_refusal("evaluate count-C1 --derivatives </dev/null", "has none in form count");
+  expect_refusal("evaluate count-C1 --derivatives </dev/null", "has none in formulation count");
   expect_refusal("evaluate count-scene --scene - </dev/null", "standard input holds the points");
   expect_refusal("evaluate count-scene --scene /nowhere.toml </dev/null", "/nowhere.toml");
   expect_refusal("evaluate hs-71 </tmp", "standard input: ");

@@ -17,9 +17,9 @@ using testing::HasSubstr;
 fs::path small_campaign() {
   const fs::path folder = fresh_folder();
   const fs::path plan = write(folder, "plan.toml",
-                              "name = \"small\"\n[[part]]\nquestions = [\"hs-71\"]\n"
+                              "name = \"small\"\n[[part]]\nproblems = [\"hs-71\"]\n"
                               "solvers = [\"random-search\", \"nlopt-cobyla\"]\n"
-                              "forms = [\"as-stated\", \"penalised\"]\n"
+                              "formulations = [\"original\", \"penalised\"]\n"
                               "budgets = [5, 20]\ninstances = 2\n");
   const Outcome made = call(fmt::format("run {} --out {}", plan.string(), folder.string()));
   EXPECT_EQ(made.exit_code, 0) << made.err;
@@ -33,13 +33,13 @@ folder = sys.argv[1]
 runs = list(csv.DictReader(open(folder + '/csv/runs.csv', newline='')))
 lines = [json.loads(line) for line in open(folder + '/json/runs.jsonl')]
 steps = list(csv.DictReader(open(folder + '/csv/improvements.csv', newline='')))
-assert json.load(open(folder + '/json/campaign.json'))['questions'][0]['name'] == 'hs-71'
+assert json.load(open(folder + '/json/campaign.json'))['problems'][0]['name'] == 'hs-71'
 assert len(steps) == sum(len(run['improvements']) for run in lines) > 0
 for row, run in zip(runs, lines):
     assert row['number'] == str(run['number']) and row['solver'] == run['key']['solver']
     assert float(row['seconds']) == run['ledger']['seconds']
     assert (row['solved'] == '1') == run['verdict']['solved']
-    assert row['regret'] == '' or float(row['regret']) == run['verdict']['regret']
+    assert row['optimality_gap'] == '' or float(row['optimality_gap']) == run['verdict']['optimality_gap']
 print(len(runs), len(lines))
 )";
 

@@ -16,8 +16,8 @@ TEST(Interruption, KeepsWhatIsFinishedAndSaysHowToGoOn) {
   const auto file = fresh_folder() / "best.toml";
   Outcome outcome{};
   for (int seconds = 1; seconds < 100; seconds *= 2) {  // a busy machine has nothing yet after one
-    outcome = call_interrupted(
-        "INT", "best-values --questions 'top-speed-*' --out " + file.string(), seconds);
+    outcome = call_interrupted("INT", "best-values --problems 'top-speed-*' --out " + file.string(),
+                               seconds);
     if (outcome.err != "ricochet: interrupted\n") break;
   }
   EXPECT_EQ(outcome.exit_code, 130);

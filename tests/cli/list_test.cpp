@@ -23,29 +23,29 @@ TEST(List, HasTheTwelveCases) {
   EXPECT_TRUE(cases[10]["paper_threshold"].is_null());
 }
 
-TEST(List, HasEveryQuestionWithItsFormsAndItsBestValue) {
-  const auto questions = listed("questions");
-  ASSERT_EQ(questions.size(), 217U + 15 + 27 + 116 + 53);
-  EXPECT_EQ(questions[0]["question"], "count-C1");
-  EXPECT_EQ(questions[0]["forms"], (nlohmann::json{"count", "surrogate"}));
-  EXPECT_EQ(questions[12]["question"], "top-speed-C1");
-  EXPECT_EQ(questions[12]["constraints"], 1);
-  EXPECT_EQ(questions[12]["forms"],
+TEST(List, HasEveryProblemWithItsFormulationsAndItsBestValue) {
+  const auto problems = listed("problems");
+  ASSERT_EQ(problems.size(), 217U + 15 + 27 + 116 + 53);
+  EXPECT_EQ(problems[0]["problem"], "count-C1");
+  EXPECT_EQ(problems[0]["formulations"], (nlohmann::json{"count", "surrogate"}));
+  EXPECT_EQ(problems[12]["problem"], "top-speed-C1");
+  EXPECT_EQ(problems[12]["constraints"], 1);
+  EXPECT_EQ(problems[12]["formulations"],
             (nlohmann::json{"count", "penalised-count", "surrogate", "penalised-surrogate"}));
-  for (const auto& question : questions) {
-    EXPECT_TRUE(question["best_known"].is_number()) << question["question"];
+  for (const auto& problem : problems) {
+    EXPECT_TRUE(problem["best_known"].is_number()) << problem["problem"];
   }
-  EXPECT_EQ(listed("problems"), questions);  // as they were called
+  EXPECT_EQ(listed("problems"), problems);  // as they were called
 }
 
-TEST(List, HasTheQuestionsOfAMachineOfOnesOwn) {
+TEST(List, HasTheProblemsOfAMachineOfOnesOwn) {
   const auto file = write(fresh_folder(), "machine.toml", call("scene --case C1").out);
-  const Outcome outcome = call("list questions --format json --scene " + file.string());
+  const Outcome outcome = call("list problems --format json --scene " + file.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto questions = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(questions.size(), 18U);
-  EXPECT_EQ(questions[0]["question"], "count-scene");
-  EXPECT_TRUE(questions[0]["best_known"].is_null());
+  const auto problems = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(problems.size(), 18U);
+  EXPECT_EQ(problems[0]["problem"], "count-scene");
+  EXPECT_TRUE(problems[0]["best_known"].is_null());
   expect_refusal("list cases --scene " + file.string(), "--scene");
 }
 
@@ -56,28 +56,28 @@ TEST(List, HasTheSolversWithTheirVersions) {
 }
 
 TEST(List, PrintsATableForPeople) {
-  const Outcome outcome = call("list readings");
+  const Outcome outcome = call("list interpretations");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out.find("reading"), 0U);
+  EXPECT_EQ(outcome.out.find("interpretation"), 0U);
   EXPECT_NE(outcome.out.find("projected-constant-revolutions-weight"), std::string::npos);
 }
 
 TEST(List, FitsIntoAHundredColumns) {
-  for (const char* what : {"cases", "questions", "solvers", "readings"}) {
+  for (const char* what : {"cases", "problems", "solvers", "interpretations"}) {
     std::istringstream lines(call(std::string("list ") + what).out);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
   }
 }
 
-TEST(List, HasTheQuestionsOfAFamilyAndThoseThatASolverAccepts) {
-  const auto family = listed("questions --family top-speed");
+TEST(List, HasTheProblemsOfAFamilyAndThoseThatASolverAccepts) {
+  const auto family = listed("problems --family top-speed");
   ASSERT_EQ(family.size(), 12U);
-  EXPECT_EQ(family[0]["question"], "top-speed-C1");
-  const auto accepted = listed("questions --solver-accepts scan");
+  EXPECT_EQ(family[0]["problem"], "top-speed-C1");
+  const auto accepted = listed("problems --solver-accepts scan");
   ASSERT_GT(accepted.size(), 12U);
-  for (const auto& question : accepted) EXPECT_EQ(question["dimension"], 1);
-  expect_refusal("list questions --family top-sped", "did you mean top-speed");
-  expect_refusal("list questions --solver-accepts ipot", "did you mean ipopt");
+  for (const auto& problem : accepted) EXPECT_EQ(problem["dimension"], 1);
+  expect_refusal("list problems --family top-sped", "did you mean top-speed");
+  expect_refusal("list problems --solver-accepts ipot", "did you mean ipopt");
   expect_refusal("list cases --family top-speed", "--family");
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -14,10 +15,6 @@
 namespace ricochet::cli {
 namespace {
 
-std::string readme() {
-  return read(RICOCHET_SOURCE "/README.md");
-}
-
 /// A row of the table of the scene's keys; its cells after the keys.
 struct Row {
   std::string unit, allowed, missing;
@@ -27,7 +24,7 @@ struct Row {
 std::map<std::string, Row> rows_of_scene_keys() {
   std::map<std::string, Row> rows;
   std::string table;
-  std::istringstream lines(readme());
+  std::istringstream lines(read(RICOCHET_SOURCE "/docs/machine-files.md"));
   for (std::string line; std::getline(lines, line);) {
     if (line.empty()) table.clear();
     if (line.starts_with("| **[")) table = line.substr(5, line.find(']') - 5);
@@ -68,13 +65,16 @@ std::string in_words(carrier_track::Range range) {
   return "";
 }
 
-TEST(Readme, SaysOfASceneWhatItsListOfFieldsSays) {
+TEST(MachineFiles, DocumentEveryFieldOfAScene) {
   const std::map<std::string, Row> rows = rows_of_scene_keys();
-  std::vector<std::string> keys = {"window.revolutions", "window.seconds"};
+  // What the list of fields has not as keys of their own: the window, and one restitution a wall.
+  std::set<std::string> keys = {"window.revolutions",       "window.seconds",
+                                "scene.restitution_lower",  "scene.restitution_upper",
+                                "across.restitution_lower", "across.restitution_upper"};
   const auto expect_row_in = [&](const std::string& table) {
     return [&rows, &keys, table](const carrier_track::Field& field) {
       const std::string key = fmt::format("{}.{}", table, field.key);
-      keys.push_back(key);
+      keys.insert(key);
       ASSERT_TRUE(rows.contains(key)) << key;
       Row row = rows.at(key);
       if (row.allowed == "as in [scene]") row = rows.at(fmt::format("scene.{}", field.key));
@@ -84,7 +84,8 @@ TEST(Readme, SaysOfASceneWhatItsListOfFieldsSays) {
       if (field.key != "wall_lower") {  // whose row is that of both walls
         EXPECT_THAT(row.allowed, testing::HasSubstr(in_words(field.range))) << key;
       }
-      EXPECT_EQ(row.missing == "must be given", field.presence == carrier_track::Presence::required)
+      EXPECT_EQ(row.missing.starts_with("must be given"),
+                field.presence == carrier_track::Presence::required)
           << key;
     };
   };
@@ -92,19 +93,9 @@ TEST(Readme, SaysOfASceneWhatItsListOfFieldsSays) {
   carrier_track::visit_across_fields(expect_row_in("across"));
   carrier_track::visit_count_fields(expect_row_in("count"));
   carrier_track::visit_model_fields(expect_row_in("model"));
-  std::vector<std::string> documented;
-  for (const auto& [key, row] : rows) documented.push_back(key);
-  EXPECT_THAT(documented, testing::UnorderedElementsAreArray(keys));
-}
-
-TEST(Readme, BringsAMachineOfYourOwnByCommandsThatWork) {
-  const auto folder = fresh_folder();
-  const auto file = write(folder, "machine.toml", call("scene --case C1").out);
-  EXPECT_EQ(call("threshold --scene " + file.string()).exit_code, 0);
-  EXPECT_EQ(call("simulate --scene " + file.string() + " --omega 5 --plot " +
-                 (folder / "path.svg").string())
-                .exit_code,
-            0);
+  std::set<std::string> documented;
+  for (const auto& [key, row] : rows) documented.insert(key);
+  EXPECT_EQ(documented, keys);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "tests/cli/tool.h"
 
@@ -26,7 +26,7 @@ TEST(Machine, IsCheckedFieldByField) {
   const Outcome good = call("machine check " + file);
   EXPECT_EQ(good.exit_code, 0);
   EXPECT_THAT(good.out, HasSubstr(fmt::format("mass = {}  # kg > 0: of the yarn carrier",
-                                              carrier_track::default_reading().scene.mass)));
+                                              carrier_track::default_machine().mass)));
   EXPECT_THAT(good.out, HasSubstr("machine: every field is in its range, and nothing looks"));
   const auto odd = write(folder, "odd.toml",
                          "[scene]\nmass=1200\nwall_lower=0\nwall_upper=0.8\n"

@@ -24,7 +24,7 @@ TEST(Main, NamesEveryCommandInItsHelp) {
 
 TEST(Main, TellsItsVersion) {
   const std::string text = call("--version").out;
-  EXPECT_THAT(text, testing::StartsWith("ricochet 0.1.0 (commit "));
+  EXPECT_THAT(text, testing::StartsWith("ricochet 0.2.0 (commit "));
   for (const char* library : {"Eigen 3", "fmt ", "CLI11 ", "NLopt "}) {
     EXPECT_THAT(text, HasSubstr(library));
   }
@@ -59,7 +59,7 @@ TEST(Main, EchoesBadInputInOneShortLine) {
 }
 
 TEST(Main, ReportsOutputThatIsLost) {
-  for (const char* arguments : {"scene --case C1", "list questions", "list questions --format json",
+  for (const char* arguments : {"scene --case C1", "list problems", "list problems --format json",
                                 "simulate --case C1", "--version", "--help", "list --help"}) {
     for (const char* output : {">/dev/full", ">&-"}) {
       const Outcome outcome = call_with_output(arguments, output);
@@ -78,9 +78,9 @@ TEST(Main, ColoursErrorsWhereAsked) {
   const std::string wrong = "simulate --case C77 --color ";
   EXPECT_THAT(call(wrong + "always").err, HasSubstr("\x1b[31mricochet:\x1b[m --case C77"));
   EXPECT_THAT(call(wrong + "never").err, testing::StartsWith("ricochet: --case"));
-  EXPECT_THAT(call("calibrate --color always --reading sideways").err,
-              HasSubstr("\x1b[31mricochet:\x1b[m --reading"))
-      << "handed over";
+  EXPECT_THAT(call("calibrate --color always --interpretation sideways").err,
+              HasSubstr("\x1b[31mricochet:\x1b[m --interpretation"))
+      << "returned";
   expect_refusal("simulate --case C77", "C77");
 }
 

@@ -8,9 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
-#include <vector>
 
 #include "src/report/data_text.h"
 #include "tests/cli/tool.h"
@@ -42,19 +40,19 @@ json run_of(const std::string& arguments) {
 }
 
 /// Expects that the solver does the same twice, spends what it is given, and no more.
-void expect_a_good_run(const std::string& solver, const std::string& question, int budget) {
-  const std::string call = fmt::format("{} {} --instance 1 --budget {}", solver, question, budget);
+void expect_a_good_run(const std::string& solver, const std::string& problem, int budget) {
+  const std::string call = fmt::format("{} {} --instance 1 --budget {}", solver, problem, budget);
   const json run = run_of(call);
   EXPECT_EQ(run["failure"], "") << solver;
   EXPECT_EQ(run["evaluations"], budget) << solver;
-  EXPECT_EQ(run["exits"].back(), "stopped by the evaluator") << solver;
+  EXPECT_EQ(run["terminations"].back(), "stopped by the evaluator") << solver;
   EXPECT_EQ(run, run_of(call)) << solver;
 }
 
 TEST(OwnSolver, IsALibrary) {
   expect_a_good_run(library, "classic-sphere-5", 2000);
   EXPECT_EQ(run_of(library + " classic-sphere-5 --budget 2000")["solved"], true);
-  EXPECT_EQ(run_of(library + " hs-71")["form"], "penalised") << "it takes no constraints";
+  EXPECT_EQ(run_of(library + " hs-71")["formulation"], "penalised") << "it takes no constraints";
 }
 
 TEST(OwnSolver, IsAProgram) {
@@ -63,7 +61,7 @@ TEST(OwnSolver, IsAProgram) {
   const json run = run_of(python("hill_climber") + " classic-sphere-5 --budget 2000");
   EXPECT_EQ(run["solver"], "hill-climber");
   EXPECT_EQ(run["solved"], true);
-  EXPECT_EQ(run["handed_over_solved"], true);
+  EXPECT_EQ(run["returned_solved"], true);
 }
 
 TEST(OwnSolver, IsOneOfScipy) {
@@ -78,7 +76,7 @@ TEST(OwnSolver, IsOneOfNloptInPython) {
   const std::string solver = python("nlopt_cobyla");
   expect_a_good_run(solver, "hs-71", 300);
   const json run = run_of(solver + " hs-71 --budget 1000");
-  EXPECT_EQ(run["form"], "as-stated") << "with its constraints, an equality among them";
+  EXPECT_EQ(run["formulation"], "original") << "with its constraints, an equality among them";
   EXPECT_NEAR(run["objective"].get<double>(), 17.014, 0.01);
 }
 
@@ -87,7 +85,7 @@ TEST(OwnSolver, IsComparedWithOthers) {
   const auto folder = fresh_folder() / "mine";
   const std::string arguments = fmt::format(
       "compare --solver {} --solver {} --solver scan --solvers 'nlopt-crs*' "
-      "--questions count-C1 --forms count --budget 20 --instances 2 --out {}",
+      "--problems count-C1 --formulations count --budget 20 --instances 2 --out {}",
       library, python("hill_climber"), folder.string());
   const Outcome outcome = call(arguments);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -130,55 +128,6 @@ TEST(OwnSolver, ThatHangsEndsWithRicochet) {
   const pid_t pid = std::stoi(read(folder / "pid"));
   for (int wait = 0; wait < 100 && kill(pid, 0) == 0; ++wait) usleep(100'000);
   EXPECT_NE(kill(pid, 0), 0) << "it goes on";
-}
-
-/// The README's section, and in it the code blocks of a language.
-std::string section() {
-  const std::string readme = read(RICOCHET_SOURCE "/README.md");
-  const auto start = readme.find("\n## Bring your own solver\n");
-  return start == std::string::npos ? ""
-                                    : readme.substr(start, readme.find("\n## ", start + 4) - start);
-}
-
-std::vector<std::string> blocks_of(const std::string& language) {
-  const std::string text = section(), fence = "```" + language + "\n";
-  std::vector<std::string> blocks;
-  for (auto at = text.find(fence); at != std::string::npos; at = text.find(fence, at + 1)) {
-    const auto start = at + fence.size();
-    blocks.push_back(text.substr(start, text.find("```", start) - start));
-  }
-  return blocks;
-}
-
-TEST(OwnSolver, IsShownInTheReadmeAsItIsTested) {
-  const auto expect_code = [](const std::string& language, const std::vector<const char*>& files) {
-    const std::vector<std::string> blocks = blocks_of(language);
-    ASSERT_EQ(blocks.size(), files.size()) << language;
-    for (std::size_t k = 0; k < files.size(); ++k) {
-      EXPECT_GT(blocks[k].size(), 100U);
-      EXPECT_THAT(read(std::string(RICOCHET_SOURCE "/") + files[k]), HasSubstr(blocks[k]));
-    }
-  };
-  expect_code("python", {"examples/solvers/hill_climber.py"});
-  expect_code("c", {"examples/solvers/mine.c"});
-  expect_code("cpp", {"examples/solvers/library/main.cpp", "solvers/random_search.cpp"});
-}
-
-TEST(OwnSolver, IsCompiledByTheLineOfTheReadme) {
-  std::string line;
-  std::istringstream lines(section());
-  while (std::getline(lines, line) && !line.starts_with("    gcc ")) {
-  }
-  const auto folder = fresh_folder();
-  const auto in_folder = [&](const std::string& file, const std::string& instead) {
-    const auto at = line.find(file);
-    ASSERT_NE(at, std::string::npos) << line;
-    line.replace(at, file.size(), instead);
-  };
-  in_folder("-o mine.so", "-o " + (folder / "mine.so").string());
-  in_folder(" mine.c", " examples/solvers/mine.c");
-  ASSERT_EQ(std::system(("cd " RICOCHET_SOURCE " && " + line).c_str()), 0) << line;
-  EXPECT_EQ(run_of((folder / "mine.so").string() + " count-C1")["solver"], "mine");
 }
 
 }  // namespace

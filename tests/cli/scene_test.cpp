@@ -51,7 +51,7 @@ TEST(Scene, MustBeOneAndKnown) {
 TEST(Scene, IsReadFromStandardInput) {
   const auto file = write(fresh_folder(), "machine.toml", call("scene --case C2").out);
   for (const char* scene :
-       {"simulate --format json --scene", "list questions --scene", "scene --scene"}) {
+       {"simulate --format json --scene", "list problems --scene", "scene --scene"}) {
     EXPECT_EQ(call(fmt::format("{} - <{}", scene, file.string())).out,
               call(fmt::format("{} {}", scene, file.string())).out);
   }
@@ -75,7 +75,7 @@ TEST(Scene, ThatCannotBeReachedIsRefused) {
   const auto folder = fresh_folder();
   std::filesystem::create_symlink("loop", folder / "loop");
   for (const std::string command :
-       {"simulate --scene ", "scene --scene ", "report ", "list questions --scene ",
+       {"simulate --scene ", "scene --scene ", "report ", "list problems --scene ",
         "simulate --case C1 --csv ", "reproduce --quick --out ", "calibrate --quick --out ",
         "report " RICOCHET_SOURCE "/reports/reference/reproduction --out "}) {
     expect_refusal(command + (folder / "loop").string(), "loop");

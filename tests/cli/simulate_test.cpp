@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
@@ -37,7 +37,7 @@ TEST(Simulate, PrintsTheJsonOfTheContract) {
   EXPECT_THAT(keys_of(json["peaks"][0]), ElementsAre("time", "position"));
   EXPECT_THAT(keys_of(json["end"]), ElementsAre("time", "position", "velocity"));
   std::size_t fast = 0;
-  const double slowest = carrier_track::default_reading().scene.slowest;
+  const double slowest = carrier_track::default_machine().counting_limit;
   for (const auto& impact : json["impacts"]) fast += impact["speed"] > slowest ? 1 : 0;
   EXPECT_GT(fast, 5U);
   EXPECT_EQ(json["count"], fast);
@@ -58,7 +58,7 @@ TEST(Simulate, ExplainsItselfToPeople) {
   EXPECT_THAT(outcome.out, HasSubstr("counts"));
 }
 
-/// How many of the lines of features are marked.
+/// How many of the lines of perturbations are marked.
 int marked(const std::string& text) {
   int marks = 0;
   std::istringstream lines(text);
@@ -88,7 +88,7 @@ TEST(Simulate, WritesThePathAndItsPicture) {
                                " --plot " + (folder / "path.svg").string());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string csv = read(folder / "path.csv");
-  const double start = carrier_track::default_reading().scene.start_position;
+  const double start = carrier_track::default_machine().start_position;
   const std::string head = fmt::format("time_s,position_m,velocity_m_per_s\n0,{},", start);
   EXPECT_THAT(csv, testing::StartsWith(head));
   EXPECT_GT(std::count(csv.begin(), csv.end(), '\n'), 2000);
@@ -117,7 +117,7 @@ TEST(Simulate, RefusesSpeedsThatNoPlateTurnsAt) {
   for (const char* omega : {"0", "-1", "nan", "inf"}) {
     expect_refusal(std::string("simulate --case C1 --omega ") + omega, "--omega = ");
   }
-  expect_refusal("simulate --case C1 --width 0", "--width");
+  expect_refusal("simulate --case C1 --smoothing 0", "--smoothing");
   expect_refusal("simulate --case C1 --fidelity perfect", "--fidelity");
 }
 

@@ -16,11 +16,11 @@ TEST(Solve, RunsOneSolverAndJudgesIt) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json result = json::parse(outcome.out);
   EXPECT_EQ(result["solved"], true);
-  EXPECT_EQ(result["form"], "count");
+  EXPECT_EQ(result["formulation"], "count");
   const json scanned = json::parse(call("threshold --case C1 --format json").out);
   EXPECT_NEAR(result["point"][0].get<double>(), scanned["first_loud"].get<double>(), 0.01);
   EXPECT_LE(result["evaluations"], 30);
-  EXPECT_EQ(result["handed_over_solved"], true);
+  EXPECT_EQ(result["returned_solved"], true);
 }
 
 TEST(Solve, SaysTheSameInWords) {
@@ -29,7 +29,7 @@ TEST(Solve, SaysTheSameInWords) {
   EXPECT_THAT(outcome.out, HasSubstr("bisection on top-speed-C1, shown count, instance 0: solved"));
   const json same = json::parse(call("solve bisection top-speed-C1 --budget 30 --format json").out);
   const std::string speed = std::to_string(same["point"][0].get<double>());
-  EXPECT_THAT(outcome.out, HasSubstr("Handed over -" + speed.substr(0, 6)));
+  EXPECT_THAT(outcome.out, HasSubstr("Returned -" + speed.substr(0, 6)));
 }
 
 TEST(Solve, IsAnotherRunWithAnotherSeedAndTheSameWithTheSame) {
@@ -44,16 +44,17 @@ TEST(Solve, IsAnotherRunWithAnotherSeedAndTheSameWithTheSame) {
 TEST(Solve, DisturbsWhatIsShownAndNotWhatIsJudged) {
   const std::string command = "solve random-search classic-sphere-5 --budget 50 --format json ";
   const json plain = json::parse(call(command).out);
-  EXPECT_EQ(plain["feature"], "plain");
-  const json noisy = json::parse(call(command + "--feature noisy").out);
-  EXPECT_EQ(noisy["feature"], "noisy");
+  EXPECT_EQ(plain["perturbation"], "plain");
+  const json noisy = json::parse(call(command + "--perturbation noisy").out);
+  EXPECT_EQ(noisy["perturbation"], "noisy");
   double squares = 0;
   for (const double x : noisy["point"].get<std::vector<double>>()) squares += x * x;
   EXPECT_NEAR(noisy["objective"], squares, 1e-9 * squares) << "the noise would be 1e-3";
-  const json turned = json::parse(call(command + "--feature reflected").out);
+  const json turned = json::parse(call(command + "--perturbation reflected").out);
   EXPECT_NE(turned["point"], plain["point"]);
-  const Outcome words = call("solve random-search classic-sphere-5 --budget 50 --feature noisy");
-  EXPECT_THAT(words.out, HasSubstr("shown as-stated, noisy, instance 0"));
+  const Outcome words =
+      call("solve random-search classic-sphere-5 --budget 50 --perturbation noisy");
+  EXPECT_THAT(words.out, HasSubstr("shown original, noisy, instance 0"));
 }
 
 TEST(Solve, WritesTraceAndPicture) {
@@ -69,12 +70,14 @@ TEST(Solve, WritesTraceAndPicture) {
 
 TEST(Solve, RefusesWhatIsNotThere) {
   expect_refusal("solve coblya top-speed-C1", "coblya: there is no such solver");
-  expect_refusal("solve scan top-sped-C1", "top-sped-C1: there is no such question");
-  expect_refusal("solve bisection top-speed-C1 --form penalised", "there is no such form");
-  expect_refusal("solve bisection count-C1", "accepts no form of count-C1");
-  expect_refusal("solve scan count-C1 --feature noise", "noise: there is no such feature");
-  expect_refusal("solve scan count-C1 --feature permuted",
-                 "--feature permuted: cannot be had of count-C1, shown count");
+  expect_refusal("solve scan top-sped-C1", "top-sped-C1: there is no such problem");
+  expect_refusal("solve bisection top-speed-C1 --formulation penalised",
+                 "there is no such formulation");
+  expect_refusal("solve bisection count-C1", "accepts no formulation of count-C1");
+  expect_refusal("solve scan count-C1 --perturbation noise",
+                 "noise: there is no such perturbation");
+  expect_refusal("solve scan count-C1 --perturbation permuted",
+                 "--perturbation permuted: cannot be had of count-C1, shown count");
   expect_refusal("solve scan count-C1 --budget 0", "--budget 0");
   expect_refusal("solve scan count-C1 --instance -1", "--instance -1");
 }

@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
@@ -34,7 +35,7 @@ TEST(Threshold, PrintsTheJsonOfTheContractForEveryCase) {
                 testing::ElementsAre("case", "restitution", "friction", "disturbance",
                                      "paper_threshold", "threshold", "first_loud", "misclassified",
                                      "purity", "loudness", "paper_quiet_count", "quiet_count",
-                                     "reading", "evaluations", "seconds", "examples"));
+                                     "interpretation", "evaluations", "seconds", "examples"));
   }
   EXPECT_EQ(json[0]["paper_threshold"], 9.0);
   EXPECT_TRUE(json[10]["paper_threshold"].is_null());
@@ -50,7 +51,7 @@ TEST(Threshold, OfOneSceneIsOneObject) {
   EXPECT_EQ(json["case"], "C2");
   const carrier_track::Case the_case = carrier_track::find_case("C2");
   const carrier_track::Score expected =
-      score(scene_of(the_case, carrier_track::default_reading().scene), the_case.claim,
+      score(scene_of(the_case, carrier_track::default_machine()), the_case.claim,
             carrier_track::ScanOptions{1e-3, 10, 3.0});
   EXPECT_NEAR(json["threshold"], *expected.threshold, 1e-9);
   EXPECT_NEAR(json["first_loud"], *expected.first_loud, 1e-9);
@@ -119,7 +120,7 @@ TEST(Threshold, KeepsALimit) {
     return ordered_json::parse(call("threshold --case C1 --format json " + limit).out);
   };
   using namespace carrier_track;
-  const Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  const Scene scene = scene_of(find_case("C1"), default_machine());
   const SpeedScan scan = scan_speeds(scene, 1e-3, 18);
   const double quiet = best_split(scan, 6).first_loud.value() - scan.step;
   EXPECT_NEAR(at("--allow 6")["fastest_quiet"], quiet, 1e-9);

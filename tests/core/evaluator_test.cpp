@@ -7,6 +7,7 @@
 
 #include "src/core/instance.h"
 #include "src/core/penalty.h"
+#include "src/core/scorer.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {
@@ -106,152 +107,6 @@ TEST(Evaluator, EndsASolverThatAsksForOnePointForEver) {
   EXPECT_EQ(asked, 100);
 }
 
-TEST(Evaluator, ChargesOnePlusNForResidualsAndRemembersThem) {
-  const Problem problem = parabola(3);
-  Evaluator evaluator(problem, {100});
-  const Vector x = Vector::Constant(3, 0.5);
-  ASSERT_TRUE(evaluator.values(x));
-  const auto first = evaluator.residuals(x);
-  EXPECT_EQ(evaluator.ledger().charged, 1 + 4) << "values at this point make them no cheaper";
-  EXPECT_EQ(evaluator.residuals(x, Part::jacobian)->values, first->values);
-  EXPECT_EQ(evaluator.ledger().charged, 1 + 4);
-  EXPECT_EQ(evaluator.ledger().derivatives, 1);
-  EXPECT_EQ(evaluator.ledger().values, 1);
-  ASSERT_TRUE(evaluator.residuals(Vector::Constant(3, 0.25)));
-  EXPECT_EQ(evaluator.ledger().charged, 1 + 4 + 4);
-  ASSERT_TRUE(evaluator.residuals(Vector::Constant(3, 0.25)));
-  EXPECT_EQ(evaluator.ledger().charged, 1 + 4 + 4 + 4) << "who asks again pays again";
-}
-
-TEST(Evaluator, ChargesOneForResidualsAloneAndNForTheirDerivatives) {
-  const Problem problem = parabola(3);
-  Evaluator evaluator(problem, {10});
-  const Vector x = Vector::Constant(3, 0.5), y = Vector::Constant(3, 0.25);
-  EXPECT_EQ(*evaluator.residual_values(x, Part::nothing), problem.residuals(x).values);
-  EXPECT_EQ(*evaluator.residual_values(x), problem.residuals(x).values);
-  EXPECT_EQ(evaluator.ledger().charged, 1) << "paid for what is asked next";
-  EXPECT_EQ(evaluator.residuals(x)->jacobian, problem.residuals(x).jacobian);
-  EXPECT_EQ(evaluator.ledger().charged, 4);
-  EXPECT_EQ(evaluator.ledger().derivatives, 1);
-  ASSERT_TRUE(evaluator.residual_values(x));
-  EXPECT_EQ(evaluator.ledger().charged, 5) << "who asks again pays again";
-  ASSERT_TRUE(evaluator.residuals(y));
-  EXPECT_EQ(evaluator.ledger().charged, 9);
-  ASSERT_TRUE(evaluator.residual_values(x));
-  EXPECT_FALSE(evaluator.residuals(x)) << "three more are not left";
-  EXPECT_EQ(evaluator.ledger().charged, 10);
-}
-
-TEST(Evaluator, ScoresResidualsByTheTruthAndNotByTheirSquares) {
-  Problem problem = parabola(1);
-  problem.residuals = [](const Vector& x) {
-    return Residuals{x.array() - 0.75, Matrix::Identity(1, 1)};
-  };
-  Evaluator evaluator(problem, {100});
-  for (const double x : {0.75, 0.5}) ASSERT_TRUE(evaluator.residuals(Vector::Constant(1, x)));
-  ASSERT_EQ(evaluator.trace().size(), 2U);
-  EXPECT_EQ(evaluator.trace()[0].truth.objective, 0.25);
-  EXPECT_EQ(evaluator.trace()[1].truth.objective, 0.0625);
-  EXPECT_EQ(evaluator.ledger().values, 0) << "the solver has asked for none";
-
-  problem.truth = [](const Vector& x) { return Truth{-x[0], 0.0}; };
-  Evaluator judged(problem, {100});
-  ASSERT_TRUE(judged.residuals(Vector::Constant(1, 0.5)));
-  EXPECT_EQ(judged.best()->truth.objective, -0.5);
-  EXPECT_EQ(judged.best()->evaluations, 2);
-}
-
-TEST(Evaluator, EvaluatesResidualsOutsideTheBoxAtTheProjection) {
-  const Problem problem = parabola(1);
-  Evaluator evaluator(problem, {10});
-  EXPECT_EQ(evaluator.residuals(Vector::Constant(1, 7.0))->values,
-            problem.residuals(problem.upper).values);
-  EXPECT_EQ(evaluator.best()->x, problem.upper);
-}
-
-TEST(Evaluator, RefusesResidualsThatTheBudgetDoesNotCover) {
-  const Problem problem = parabola(3);
-  Evaluator evaluator(problem, {7});
-  const Vector x = Vector::Constant(3, 0.5);
-  ASSERT_TRUE(evaluator.residuals(x));
-  EXPECT_FALSE(evaluator.residuals(Vector::Constant(3, 0.25)));
-  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
-  EXPECT_EQ(evaluator.ledger().charged, 4);
-  EXPECT_FALSE(evaluator.residuals(x)) << "not even what it remembers";
-}
-
-TEST(Evaluator, TakesResidualsThatDoNotFitForAFailure) {
-  for (const Residuals& misfit :
-       {Residuals{Vector(0), Matrix(0, 2)}, Residuals{Vector::Ones(2), Matrix::Ones(3, 2)},
-        Residuals{Vector::Ones(2), Matrix::Ones(2, 3)}}) {
-    Problem problem = parabola(2);
-    problem.residuals = [&misfit](const Vector&) { return misfit; };
-    Evaluator evaluator(problem, {10});
-    EXPECT_FALSE(evaluator.residuals(problem.start));
-    EXPECT_EQ(evaluator.refusal(), Refusal::failure);
-    EXPECT_THROW(std::rethrow_exception(evaluator.failure()), std::logic_error);
-  }
-  Problem problem = parabola(2);
-  problem.residuals = nullptr;
-  Evaluator evaluator(problem, {10});
-  EXPECT_FALSE(evaluator.residuals(problem.start));
-  EXPECT_EQ(evaluator.refusal(), Refusal::failure);
-}
-
-/// parabola(n) with second derivatives.
-Problem curved_parabola(Eigen::Index n) {
-  Problem problem = parabola(n);
-  problem.lagrangian_hessian = [n](const Vector&, double factor, const Vector&) -> Matrix {
-    return 2 * factor * Matrix::Identity(n, n);
-  };
-  return problem;
-}
-
-TEST(Evaluator, ChargesAHessianForEachOfItsOwnEntries) {
-  const Problem problem = curved_parabola(3);
-  Evaluator evaluator(problem, {100});
-  const Vector x = Vector::Constant(3, 0.5);
-  ASSERT_TRUE(evaluator.derivatives(x));
-  EXPECT_EQ(evaluator.lagrangian_hessian(x, 1.5, Vector()), 3 * Matrix::Identity(3, 3));
-  EXPECT_EQ(evaluator.ledger().charged, 4 + 6);
-  EXPECT_EQ(evaluator.ledger().hessians, 1);
-  ASSERT_TRUE(evaluator.values(x));
-  EXPECT_EQ(evaluator.ledger().charged, 4 + 6) << "what was known of the point still is";
-  ASSERT_TRUE(evaluator.lagrangian_hessian(x, 1.5, Vector()));
-  EXPECT_EQ(evaluator.ledger().charged, 4 + 6 + 6) << "who asks again pays again";
-}
-
-TEST(Evaluator, ScoresThePointOfAHessian) {
-  const Problem problem = curved_parabola(2);
-  Evaluator evaluator(problem, {100});
-  ASSERT_TRUE(evaluator.lagrangian_hessian(Vector::Constant(2, 7.0), 1, Vector()));
-  EXPECT_EQ(evaluator.best()->x, problem.upper);
-  EXPECT_EQ(evaluator.best()->evaluations, 3);
-  EXPECT_EQ(evaluator.ledger().values, 0);
-}
-
-TEST(Evaluator, RefusesAHessianThatTheBudgetDoesNotCover) {
-  const Problem problem = curved_parabola(3);
-  Evaluator evaluator(problem, {5});
-  EXPECT_FALSE(evaluator.lagrangian_hessian(problem.start, 1, Vector()));
-  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
-  EXPECT_EQ(evaluator.ledger().charged, 0);
-}
-
-TEST(Evaluator, TakesAHessianThatDoesNotFitOrIsNotThereForAFailure) {
-  Problem problem = curved_parabola(2);
-  for (const Matrix& misfit : {Matrix(0, 2), Matrix(2, 3)}) {
-    problem.lagrangian_hessian = [&misfit](const Vector&, double, const Vector&) { return misfit; };
-    Evaluator evaluator(problem, {10});
-    EXPECT_FALSE(evaluator.lagrangian_hessian(problem.start, 1, Vector()));
-    EXPECT_EQ(evaluator.refusal(), Refusal::failure);
-  }
-  problem.lagrangian_hessian = nullptr;
-  Evaluator evaluator(problem, {10});
-  EXPECT_FALSE(evaluator.lagrangian_hessian(problem.start, 1, Vector()));
-  EXPECT_THROW(std::rethrow_exception(evaluator.failure()), std::logic_error);
-}
-
 TEST(Evaluator, RefusesOnceTheBudgetIsSpent) {
   const Problem problem = parabola(1);
   Evaluator evaluator(problem, {2});
@@ -260,7 +115,7 @@ TEST(Evaluator, RefusesOnceTheBudgetIsSpent) {
   EXPECT_EQ(evaluator.remaining(), 0);
   EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.3)));
   EXPECT_TRUE(evaluator.over());
-  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
+  EXPECT_EQ(evaluator.termination_reason(), TerminationReason::evaluations);
   EXPECT_EQ(evaluator.ledger().charged, 2);
   EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.2))) << "not even what it remembers";
 }
@@ -276,7 +131,7 @@ TEST(Evaluator, RefusesOnceTheTimeIsSpent) {
   const Problem problem = parabola(1);
   Evaluator evaluator(problem, {1000000, 0.0});
   EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.1)));
-  EXPECT_EQ(evaluator.refusal(), Refusal::seconds);
+  EXPECT_EQ(evaluator.termination_reason(), TerminationReason::seconds);
 }
 
 TEST(Evaluator, RefusesPointsThatAreNotFiniteOrOfTheWrongLength) {
@@ -285,18 +140,19 @@ TEST(Evaluator, RefusesPointsThatAreNotFiniteOrOfTheWrongLength) {
                           Vector(Vector::Constant(3, 0.5))}) {
     Evaluator evaluator(problem, {10});
     EXPECT_FALSE(evaluator.values(x));
-    EXPECT_EQ(evaluator.refusal(), Refusal::bad_point);
+    EXPECT_EQ(evaluator.termination_reason(), TerminationReason::bad_point);
     Evaluator other(problem, {10});
     EXPECT_FALSE(other.residuals(x));
-    EXPECT_EQ(other.refusal(), Refusal::bad_point);
+    EXPECT_EQ(other.termination_reason(), TerminationReason::bad_point);
   }
 }
 
 TEST(Evaluator, EvaluatesAPointOutsideTheBoxAtItsProjection) {
   const Problem problem = parabola(1);
-  Evaluator evaluator(problem, {10});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {10}, &scorer);
   EXPECT_EQ(*evaluator.objective(Vector::Constant(1, 7.0)), *evaluator.objective(problem.upper));
-  EXPECT_EQ(evaluator.best()->x, problem.upper);
+  EXPECT_EQ(scorer.best()->x, problem.upper);
 }
 
 TEST(Evaluator, StoresAnExceptionOfTheProblemAndRefusesFromThenOn) {
@@ -304,69 +160,30 @@ TEST(Evaluator, StoresAnExceptionOfTheProblemAndRefusesFromThenOn) {
   problem.evaluate = [](const Vector&) -> Values { throw std::runtime_error("broken scene"); };
   Evaluator evaluator(problem, {10});
   EXPECT_FALSE(evaluator.objective(Vector::Constant(1, 0.1)));
-  EXPECT_EQ(evaluator.refusal(), Refusal::failure);
+  EXPECT_EQ(evaluator.termination_reason(), TerminationReason::failure);
   EXPECT_THROW(std::rethrow_exception(evaluator.failure()), std::runtime_error);
 }
 
-TEST(Evaluator, TracesOnlyImprovementsAndScoresThemByTheirTruth) {
-  Problem problem = parabola(1);
-  problem.truth = [](const Vector& x) { return Truth{std::floor(10 * x[0]), 0.0}; };
-  Evaluator evaluator(problem, {10});
-  for (const double x : {0.9, 0.5, 0.55, 0.7, 0.05}) evaluator.objective(Vector::Constant(1, x));
-  ASSERT_EQ(evaluator.trace().size(), 3U);
-  EXPECT_EQ(evaluator.trace()[1].evaluations, 2);
-  EXPECT_EQ(evaluator.trace()[1].truth.objective, 5.0);
-  EXPECT_EQ(evaluator.trace()[2].evaluations, 5);
-  EXPECT_EQ(evaluator.best()->truth.objective, 0.0);
-}
-
-TEST(Evaluator, NeverTracesATruthThatIsNotANumber) {
-  Problem problem = parabola(1);
-  problem.truth = [](const Vector& x) {
-    return Truth{x[0] < 0.5 ? std::numeric_limits<double>::quiet_NaN() : 3.0, 0.0};
-  };
-  Evaluator evaluator(problem, {10});
-  evaluator.objective(Vector::Constant(1, 0.1));
-  EXPECT_TRUE(evaluator.trace().empty());
-  evaluator.objective(Vector::Constant(1, 0.9));
-  ASSERT_EQ(evaluator.trace().size(), 1U);
-  EXPECT_EQ(evaluator.trace()[0].truth.objective, 3.0);
-}
-
-TEST(Evaluator, TakesNoPointForReachedOfWhichASolverWasToldNoNumber) {
-  Problem problem = parabola(1);
-  problem.truth = [](const Vector&) { return Truth{3.0, 0.0}; };
-  problem.evaluate = [](const Vector& x) {
-    return Values{x[0] < 0.5 ? std::numeric_limits<double>::quiet_NaN() : 7.0, {}};
-  };
-  Evaluator evaluator(problem, {10});
-  evaluator.objective(Vector::Constant(1, 0.1));
-  EXPECT_TRUE(evaluator.trace().empty());
-  EXPECT_EQ(evaluator.ledger().charged, 1) << "it is paid all the same";
-  evaluator.objective(Vector::Constant(1, 0.9));
-  ASSERT_EQ(evaluator.trace().size(), 1U);
-  EXPECT_EQ(evaluator.trace()[0].evaluations, 2);
-}
-
-/// parabola(1), whose smoothed form has its best point at 0.25 + width.
+/// parabola(1), whose smoothed formulation has its best point at 0.25 + smoothing parameter.
 Problem smoothed_parabola() {
   Problem problem = parabola(1);
-  problem.smoothed = [problem](double width) {
+  problem.smoothed = [problem](double smoothing) {
     Problem smooth = problem;
-    smooth.evaluate = [problem, width](const Vector& x) {
-      return problem.evaluate((x.array() - width).matrix());
+    smooth.evaluate = [problem, smoothing](const Vector& x) {
+      return problem.evaluate((x.array() - smoothing).matrix());
     };
     return smooth;
   };
   return problem;
 }
 
-TEST(Evaluator, ShowsASmootherProblemButJudgesByTheTruth) {
+TEST(Evaluator, ShowsASmootherProblemButJudgesByTheTrueValues) {
   const Problem problem = smoothed_parabola();
-  Evaluator evaluator(problem, {100});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {100}, &scorer);
   evaluator.smooth(0.5);
   EXPECT_EQ(evaluator.objective(Vector::Constant(1, 0.75)), 0.0);
-  EXPECT_EQ(evaluator.best()->truth.objective, 0.25);
+  EXPECT_EQ(scorer.best()->true_values.objective, 0.25);
   evaluator.smooth(0.25);
   EXPECT_EQ(evaluator.objective(Vector::Constant(1, 0.75)), 0.0625) << "not remembered";
   EXPECT_EQ(evaluator.ledger().charged, 2);
@@ -413,14 +230,14 @@ TEST(Evaluator, RefusesWhatIsNotAllowedForNow) {
   evaluator.allow(3);
   EXPECT_EQ(evaluator.remaining(), 3);
   EXPECT_EQ(spend(), 3);
-  EXPECT_EQ(evaluator.refusal(), Refusal::paused);
+  EXPECT_EQ(evaluator.termination_reason(), TerminationReason::paused);
   EXPECT_TRUE(evaluator.over());
   evaluator.allow(4);
   EXPECT_FALSE(evaluator.over());
   EXPECT_EQ(spend(), 4);
   evaluator.allow(100);
   EXPECT_EQ(spend(), 3);
-  EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
+  EXPECT_EQ(evaluator.termination_reason(), TerminationReason::evaluations);
   evaluator.allow(100);
   EXPECT_TRUE(evaluator.over()) << "the budget is spent all the same";
 }
@@ -429,18 +246,6 @@ TEST(Evaluator, RefusesAWidthWhereThereIsNone) {
   const Problem problem = parabola(1);
   Evaluator evaluator(problem, {100});
   EXPECT_THROW(evaluator.smooth(0.5), std::logic_error);
-}
-
-TEST(Evaluator, PrefersAFeasiblePointToALowerObjective) {
-  Problem problem = parabola(1);
-  problem.constraints = 1;
-  problem.evaluate = [](const Vector& x) { return Values{x[0], Vector::Constant(1, 0.5 - x[0])}; };
-  Evaluator evaluator(problem, {10});
-  evaluator.values(Vector::Constant(1, 0.1));
-  evaluator.values(Vector::Constant(1, 0.9));
-  evaluator.values(Vector::Constant(1, 0.2));
-  EXPECT_EQ(evaluator.best()->truth.objective, 0.9);
-  EXPECT_EQ(evaluator.best()->truth.violation, 0.0);
 }
 
 }  // namespace

@@ -212,10 +212,10 @@ TEST(Instance, KeepsAPublishedStartAndItsMultiples) {
 
 TEST(Instance, KeepsTheSmoothingWidth) {
   Problem problem = parabola(2);
-  problem.smoothed = [problem](double width) {
+  problem.smoothed = [problem](double smoothing) {
     Problem smooth = problem;
-    smooth.evaluate = [width](const Vector& x) {
-      return Values{(x.array() - 0.25).square().sum() + width, {}};
+    smooth.evaluate = [smoothing](const Vector& x) {
+      return Values{(x.array() - 0.25).square().sum() + smoothing, {}};
     };
     return smooth;
   };

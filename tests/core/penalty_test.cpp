@@ -91,7 +91,7 @@ TEST(Penalty, ChargesAnEquationForEitherSign) {
     const Derivatives d = problem.differentiate(x);
     EXPECT_EQ(d.values.objective, x[0] * x[0] + x[1] + 10 * (2.0 + 2.0));
     EXPECT_EQ(d.gradient[0], 2 * x[0] + (x[0] > 1 ? 10 : -10));
-    EXPECT_EQ(problem.truth(x).violation, 2.0);
+    EXPECT_EQ(problem.true_values(x).violation, 2.0);
   }
 }
 
@@ -101,27 +101,29 @@ TEST(Penalty, HasNoResiduals) {
   EXPECT_FALSE(penalised(original, 10).residuals);
 }
 
-TEST(Penalty, IsJudgedByTheTruthOfTheConstraints) {
-  const Truth truth = penalised(constrained(), 10).truth(Vector{{-1.0, 4.0}});
-  EXPECT_EQ(truth.objective, 5.0);
-  EXPECT_EQ(truth.violation, 2.0);
+TEST(Penalty, IsJudgedByTheTrueValuesOfTheConstraints) {
+  const TrueValues true_values = penalised(constrained(), 10).true_values(Vector{{-1.0, 4.0}});
+  EXPECT_EQ(true_values.objective, 5.0);
+  EXPECT_EQ(true_values.violation, 2.0);
 }
 
 TEST(Penalty, KeepsTheSmoothingWidth) {
   Problem original = constrained();
-  original.smoothed = [original](double width) {
+  original.smoothed = [original](double smoothing) {
     Problem smooth = original;
-    smooth.evaluate = [width](const Vector&) { return Values{1.0, Vector::Constant(1, width)}; };
+    smooth.evaluate = [smoothing](const Vector&) {
+      return Values{1.0, Vector::Constant(1, smoothing)};
+    };
     return smooth;
   };
   const Problem smooth = penalised(original, 10).smoothed(0.5);
   EXPECT_EQ(smooth.evaluate(Vector::Zero(2)).objective, 6.0);
 }
 
-TEST(Penalty, KeepsATruthOfTheProblemsOwn) {
+TEST(Penalty, KeepsATrueValuesOfTheProblemsOwn) {
   Problem original = constrained();
-  original.truth = [](const Vector&) { return Truth{7.0, 3.0}; };
-  EXPECT_EQ(penalised(original, 10).truth(Vector::Zero(2)).objective, 7.0);
+  original.true_values = [](const Vector&) { return TrueValues{7.0, 3.0}; };
+  EXPECT_EQ(penalised(original, 10).true_values(Vector::Zero(2)).objective, 7.0);
 }
 
 }  // namespace

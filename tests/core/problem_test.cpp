@@ -8,7 +8,7 @@ namespace ricochet {
 namespace {
 
 double violation(const Vector& constraints, Eigen::Index equalities) {
-  return truth_of({0, constraints}, equalities).violation;
+  return true_values_of({0, constraints}, equalities).violation;
 }
 
 TEST(Problem, IsViolatedByItsLargestConstraint) {

@@ -14,13 +14,12 @@ namespace {
 Solver sampler(int points) {
   Solver solver;
   solver.name = "sampler";
-  solver.accepts = [](const Problem&) { return true; };
   solver.solve = [points](Evaluator& evaluator, const Vector& start, Random& random) {
     Vector x = start;
     for (int i = 0; i < points && evaluator.objective(x); ++i) {
       for (double& c : x) c = std::uniform_real_distribution<double>(0, 1)(random);
     }
-    return SolverExit{"done"};
+    return SolverTermination{"done"};
   };
   return solver;
 }
@@ -28,13 +27,13 @@ Solver sampler(int points) {
 TEST(Run, RestartsUntilTheBudgetIsSpent) {
   const RunRecord record = run(parabola(2), sampler(10), {55}, 0);
   EXPECT_EQ(record.ledger.charged, 55);
-  EXPECT_EQ(record.exits.size(), 6U);
-  EXPECT_EQ(record.refusal, Refusal::evaluations);
+  EXPECT_EQ(record.terminations.size(), 6U);
+  EXPECT_EQ(record.termination_reason, TerminationReason::evaluations);
 }
 
 TEST(Run, StopsWhenTenRestartsAskForNothing) {
   const RunRecord record = run(parabola(2), sampler(0), {55}, 0);
-  EXPECT_EQ(record.exits.size(), 10U);
+  EXPECT_EQ(record.terminations.size(), 10U);
   EXPECT_EQ(record.ledger.charged, 0);
 }
 
@@ -43,7 +42,7 @@ TEST(Run, GoesOnAfterARestartThatAskedForNothing) {
   int calls = 0;
   lazy.solve = [&calls](Evaluator& evaluator, const Vector& start, Random&) {
     if (++calls % 3 != 0) evaluator.objective(start);
-    return SolverExit{"done"};
+    return SolverTermination{"done"};
   };
   const RunRecord record = run(parabola(2), lazy, {55}, 0);
   EXPECT_EQ(record.ledger.charged, 55);
@@ -71,31 +70,31 @@ Solver modest() {
   Solver solver = sampler(0);
   solver.solve = [](Evaluator& evaluator, const Vector&, Random&) {
     evaluator.objective(Vector::Constant(1, 0.25));
-    return SolverExit{"done", Vector::Constant(1, 0.75)};
+    return SolverTermination{"done", Vector::Constant(1, 0.75)};
   };
   return solver;
 }
 
-TEST(Run, KeepsThePointThatIsHandedOverBesideTheBestThatWasFound) {
+TEST(Run, KeepsThePointThatIsReturnedPointBesideTheBestThatWasFound) {
   const Problem problem = parabola(1);
   const RunRecord record = run(problem, modest(), {3}, 0);
-  ASSERT_TRUE(record.handed_over);
-  EXPECT_EQ(record.handed_over->x[0], 0.75);
-  EXPECT_EQ(record.handed_over->truth.objective, 0.25);
+  ASSERT_TRUE(record.returned);
+  EXPECT_EQ(record.returned->x[0], 0.75);
+  EXPECT_EQ(record.returned->true_values.objective, 0.25);
   const Verdict verdict = judge(record, problem, 0.01);
   EXPECT_TRUE(verdict.solved);
-  EXPECT_FALSE(verdict.handed_over_solved);
-  EXPECT_EQ(verdict.handed_over_regret, 0.25);
+  EXPECT_FALSE(verdict.returned_solved);
+  EXPECT_EQ(verdict.returned_optimality_gap, 0.25);
 }
 
-TEST(Run, TakesTheBestPointShownForTheOneHandedOverWhereThereIsNone) {
+TEST(Run, TakesTheBestPointShownForTheOneReturnedPointWhereThereIsNone) {
   Problem problem = parabola(1);
-  problem.truth = [](const Vector& x) { return Truth{-x[0], 0.0}; };
+  problem.true_values = [](const Vector& x) { return TrueValues{-x[0], 0.0}; };
   const RunRecord record = run(problem, sampler(10), {20}, 0);
-  ASSERT_TRUE(record.handed_over);
-  EXPECT_EQ(record.handed_over->truth.objective, -record.handed_over->x[0]);
-  EXPECT_GT(record.handed_over->truth.objective, record.trace.back().truth.objective)
-      << "it cannot know the truth";
+  ASSERT_TRUE(record.returned);
+  EXPECT_EQ(record.returned->true_values.objective, -record.returned->x[0]);
+  EXPECT_GT(record.returned->true_values.objective, record.trace.back().true_values.objective)
+      << "it cannot know the true objective";
 }
 
 TEST(Run, RecordsWhatTheProblemThrew) {
@@ -103,12 +102,12 @@ TEST(Run, RecordsWhatTheProblemThrew) {
   problem.evaluate = [](const Vector&) -> Values { throw std::runtime_error("broken scene"); };
   const RunRecord record = run(problem, sampler(5), {50}, 0);
   EXPECT_EQ(record.failure, "broken scene");
-  EXPECT_EQ(record.refusal, Refusal::failure);
+  EXPECT_EQ(record.termination_reason, TerminationReason::failure);
 }
 
 TEST(Run, RecordsWhatTheSolverThrewAndKeepsTheTrace) {
   Solver solver = sampler(5);
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) -> SolverExit {
+  solver.solve = [](Evaluator& evaluator, const Vector& start, Random&) -> SolverTermination {
     evaluator.objective(start);
     throw std::logic_error("solver broke");
   };

@@ -20,7 +20,7 @@ TEST(Verdict, FindsWhenTheTargetWasFirstReached) {
   EXPECT_EQ(verdict.evaluations_to_solve, 4);
   EXPECT_EQ(verdict.seconds_to_solve, 0.2);
   EXPECT_EQ(verdict.objective, 0.0);
-  EXPECT_EQ(verdict.regret, 0.0);
+  EXPECT_EQ(verdict.optimality_gap, 0.0);
 }
 
 TEST(Verdict, IgnoresPointsThatAreTrulyInfeasible) {
@@ -30,12 +30,12 @@ TEST(Verdict, IgnoresPointsThatAreTrulyInfeasible) {
   EXPECT_FALSE(verdict.solved);
 }
 
-TEST(Verdict, HasNoRegretWithoutAKnownOptimum) {
+TEST(Verdict, HasNoOptimalityGapWithoutAKnownOptimum) {
   Problem problem = parabola(1);
   problem.best_known.reset();
   const Verdict verdict = judge(traced({{1, 0.1, {3, 0}, {}}}), problem, 1.0);
   EXPECT_EQ(verdict.objective, 3.0);
-  EXPECT_FALSE(verdict.regret);
+  EXPECT_FALSE(verdict.optimality_gap);
   EXPECT_FALSE(verdict.solved);
 }
 

@@ -1,4 +1,4 @@
-// libricochet.so, from outside, against the questions it is made of.
+// libricochet.so, from outside, against the problems it is made of.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +16,7 @@
 #include "problems/families.h"
 #include "src/core/instance.h"
 #include "src/core/random.h"
+#include "src/research/suite/families.h"
 
 namespace ricochet {
 namespace {
@@ -28,19 +29,19 @@ struct Closer {
 };
 using Opened = std::unique_ptr<ricochet_problem, Closer>;
 
-Opened open(const std::string& question, const std::string& form = "", int instance = 0,
+Opened open(const std::string& problem, const std::string& formulation = "", int instance = 0,
             std::int64_t budget = 1000, std::uint64_t seed = 0) {
-  return Opened(ricochet_open(question.c_str(), form.c_str(), instance, budget, seed));
+  return Opened(ricochet_open(problem.c_str(), formulation.c_str(), instance, budget, seed));
 }
 
-const std::vector<Question>& questions() {
-  static const std::vector<Question> all = every_question(all_families());
+const std::vector<Problem>& problems() {
+  static const std::vector<Problem> all = every_problem(suite_families());
   return all;
 }
 
-const Question& question_named(const std::string& name) {
-  for (const Question& question : questions()) {
-    if (question.name() == name) return question;
+const Problem& problem_named(const std::string& name) {
+  for (const Problem& problem : problems()) {
+    if (problem.name == name) return problem;
   }
   throw std::out_of_range(name);
 }
@@ -81,33 +82,33 @@ void expect_same(const Opened& opened, const Problem& problem) {
   }
 }
 
-TEST(Interface, OpensEveryQuestion) {
+TEST(Interface, OpensEveryProblem) {
   int index = 0;
-  for (const Question& question : questions()) {
-    SCOPED_TRACE(question.name());
-    ASSERT_EQ(ricochet_question_name(index++), question.name());
-    if (question.cost > 1000) continue;  // calibration: a second for each point
-    expect_same(open(question.name()), question.stated);
+  for (const Problem& problem : problems()) {
+    SCOPED_TRACE(problem.name);
+    ASSERT_EQ(ricochet_problem_name(index++), problem.name);
+    if (problem.cost > 1000) continue;  // calibration: a second for each point
+    expect_same(open(problem.name), problem);
   }
-  EXPECT_EQ(ricochet_question_name(index), nullptr);
-  EXPECT_EQ(ricochet_question_name(-1), nullptr);
+  EXPECT_EQ(ricochet_problem_name(index), nullptr);
+  EXPECT_EQ(ricochet_problem_name(-1), nullptr);
 }
 
-TEST(Interface, OpensEveryFormAndInstance) {
+TEST(Interface, OpensEveryFormulationAndInstance) {
   for (const char* const name : {"count-C4", "top-speed-C1", "hs-71", "profile-count-8-C4"}) {
-    const Question& question = question_named(name);
-    for (const Form& form : question.forms()) {
+    const Problem& problem = problem_named(name);
+    for (const Formulation& formulation : problem.formulations()) {
       for (const int number : {0, 1, 7}) {
-        SCOPED_TRACE(question.name_of(form));
-        expect_same(open(name, question.name_of(form), number),
-                    instance(question.problem(form), number));
+        SCOPED_TRACE(problem.name_of(formulation));
+        expect_same(open(name, problem.name_of(formulation), number),
+                    instance(problem.formulated(formulation), number));
       }
     }
   }
 }
 
 TEST(Interface, TellsExactDerivativesRowByRow) {
-  const Problem problem = question_named("hs-71").stated;
+  const Problem problem = problem_named("hs-71");
   const Opened opened = open("hs-71");
   Vector gradient(4);
   Eigen::Matrix<double, 2, 4, Eigen::RowMajor> jacobian;
@@ -143,7 +144,7 @@ TEST(Interface, EndsTheRunThatAsksForNoPoint) {
   EXPECT_EQ(opened->remaining(opened.get()), 0);
 }
 
-TEST(Interface, SaysThatAFormHasNoDerivatives) {
+TEST(Interface, SaysThatAFormulationHasNoDerivatives) {
   const Opened opened = open("count-C1", "count");
   EXPECT_EQ(opened->has_derivatives, 0);
   EXPECT_EQ(opened->derivatives(opened.get(), opened->start, nullptr, nullptr, nullptr, nullptr),
@@ -151,13 +152,13 @@ TEST(Interface, SaysThatAFormHasNoDerivatives) {
   EXPECT_STREQ(ricochet_error(), "count-C1 has no derivatives");
 }
 
-TEST(Interface, JudgesByTheTruthWhateverIsShown) {
-  const Question& question = question_named("top-speed-C1");
+TEST(Interface, JudgesByTheTrueValuesWhateverIsShown) {
+  const Problem& problem = problem_named("top-speed-C1");
   const Opened opened = open("top-speed-C1", "penalised-surrogate", 0, 1);
   Random random(3);
   for (int k = 0; k < 10; ++k) {
-    const Vector x = uniform_point(question.stated, random);
-    const Truth expected = truth_at(question.stated, x);
+    const Vector x = uniform_point(problem, random);
+    const TrueValues expected = true_values_at(problem, x);
     double objective = 0, violation = -1;
     ASSERT_EQ(ricochet_judge(opened.get(), x.data(), &objective, &violation), 0);
     EXPECT_EQ(objective, expected.objective);
@@ -167,7 +168,7 @@ TEST(Interface, JudgesByTheTruthWhateverIsShown) {
   double objective = 0;
   const double outside = 1e9;
   EXPECT_EQ(ricochet_judge(opened.get(), &outside, &objective, nullptr), 0);
-  EXPECT_EQ(objective, truth_at(question.stated, question.stated.upper).objective);
+  EXPECT_EQ(objective, true_values_at(problem, problem.upper).objective);
   const double none = std::numeric_limits<double>::infinity();
   EXPECT_EQ(ricochet_judge(opened.get(), &none, &objective, nullptr), 1);
   EXPECT_THAT(ricochet_error(), HasSubstr("not finite"));
@@ -192,17 +193,17 @@ TEST(Interface, RefusesWhatIsNotThere) {
     EXPECT_THAT(ricochet_error(), HasSubstr(reason));
   };
   expect_refusal(open("top-sped-C1"),
-                 "top-sped-C1: there is no such question; did you mean top-speed-C1");
-  expect_refusal(open(""), "there is no such question");
+                 "top-sped-C1: there is no such problem; did you mean top-speed-C1");
+  expect_refusal(open(""), "there is no such problem");
   expect_refusal(open("hs-71", "surrogate"),
-                 "surrogate: hs-71 has no such form; allowed: as-stated");
+                 "surrogate: hs-71 has no such formulation; allowed: original");
   expect_refusal(open("hs-71", "", -1), "instance -1: must be >= 0");
   expect_refusal(open("hs-71", "", 0, 0), "budget 0: must be >= 1");
   expect_refusal(open("hs-71", "", 0, std::numeric_limits<std::int64_t>::min()), "budget -92");
   expect_refusal(Opened(ricochet_open(nullptr, nullptr, 0, 1, 0)), "NULL");
   expect_refusal(open(std::string(1 << 20, 'x') + "\x1b\n\xff"), "bytes ... ");
   EXPECT_EQ(std::string(ricochet_error()).find('\n'), std::string::npos);
-  EXPECT_TRUE(Opened(ricochet_open("hs-71", nullptr, 0, 1, 0))) << "the form may be NULL";
+  EXPECT_TRUE(Opened(ricochet_open("hs-71", nullptr, 0, 1, 0))) << "the formulation may be NULL";
 }
 
 TEST(Interface, KnowsWhichProblemsAreOpen) {
@@ -229,7 +230,7 @@ TEST(Interface, KeepsTheErrorsOfThreadsApart) {
   }).join();
   EXPECT_EQ(before, "");
   EXPECT_THAT(after, HasSubstr("sideways"));
-  EXPECT_THAT(ricochet_error(), HasSubstr("nothing: there is no such question"));
+  EXPECT_THAT(ricochet_error(), HasSubstr("nothing: there is no such problem"));
 }
 
 TEST(Interface, IsUsedByManyThreadsAtOnce) {
@@ -266,7 +267,7 @@ TEST(Interface, ExportsItsFunctionsAlone) {
   while (std::fscanf(names, "%999s", name) == 1) exported.insert(name);
   ASSERT_EQ(pclose(names), 0);
   EXPECT_EQ(exported, (std::set<std::string>{"ricochet_close", "ricochet_error", "ricochet_judge",
-                                             "ricochet_open", "ricochet_question_name"}));
+                                             "ricochet_open", "ricochet_problem_name"}));
 }
 
 }  // namespace

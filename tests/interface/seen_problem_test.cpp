@@ -35,7 +35,7 @@ struct Sight {
   explicit Sight(Problem asked, std::int64_t evaluations = 100)
       : problem(std::move(asked)),
         evaluator(problem, Budget{evaluations}),
-        seen(evaluator, random) {}
+        seen(evaluator, problem.start, random) {}
 
   std::int64_t charged() { return evaluator.ledger().charged; }
 
@@ -149,7 +149,7 @@ TEST(SeenProblem, RefusesOnceTheBudgetIsSpentAndWritesNothing) {
   EXPECT_EQ(seen->values(seen, x.data(), &objective, nullptr), 1);
   EXPECT_EQ(seen->derivatives(seen, x.data(), &objective, nullptr, nullptr, nullptr), 1);
   EXPECT_EQ(objective, 42);
-  EXPECT_EQ(sight.evaluator.refusal(), Refusal::evaluations);
+  EXPECT_EQ(sight.evaluator.termination_reason(), TerminationReason::evaluations);
 }
 
 TEST(SeenProblem, RefusesAPointThatIsNone) {
@@ -161,7 +161,7 @@ TEST(SeenProblem, RefusesAPointThatIsNone) {
   EXPECT_FALSE(sight.evaluator.over());
   const std::array<double, 2> x = {0, infinite};
   EXPECT_EQ(seen->values(seen, x.data(), &objective, nullptr), 1);
-  EXPECT_EQ(sight.evaluator.refusal(), Refusal::bad_point);
+  EXPECT_EQ(sight.evaluator.termination_reason(), TerminationReason::bad_point);
 }
 
 TEST(SeenProblem, ThrowsNothing) {

@@ -1,4 +1,4 @@
-/* A program of C99 that asks a question: how a random search does on it. */
+/* A program of C99 that asks a problem: how a random search does on it. */
 
 #include <ricochet/ricochet.h>
 #include <stdio.h>

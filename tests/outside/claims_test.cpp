@@ -25,10 +25,15 @@ TEST(Claims, AreWhatASolverIsShown) {
   EXPECT_FALSE(accepts(2, true, opaque)) << "it has no derivatives";
 }
 
-TEST(Claims, LeaveABoxOfOnePointAlone) {
-  Problem point = sphere(2, 3);
-  point.upper = point.lower;
-  EXPECT_FALSE(solver_as_claimed({"mine", "1"}, "here").accepts(point));
+TEST(Claims, AreItsCapabilities) {
+  const auto capabilities = [](const Claims& claims) {
+    return solver_as_claimed(claims, "here").capabilities;
+  };
+  EXPECT_EQ(capabilities({"mine", "1"}), Capabilities{});
+  EXPECT_EQ(capabilities({"mine", "1", 2, true, true}),
+            (Capabilities{.constraints = Capabilities::Constraints::all,
+                          .derivatives = Capabilities::Order::gradient,
+                          .needs_residuals = true}));
 }
 
 TEST(Claims, HoldANameThatCanStandInAList) {

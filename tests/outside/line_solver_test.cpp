@@ -38,7 +38,7 @@ std::filesystem::path folder_of(const std::string& command) {
 
 std::vector<std::string> reasons_of(const RunRecord& record) {
   std::vector<std::string> reasons;
-  for (const SolverExit& exit : record.exits) reasons.push_back(exit.reason);
+  for (const SolverTermination& exit : record.terminations) reasons.push_back(exit.reason);
   return reasons;
 }
 
@@ -82,10 +82,10 @@ say '{"done": "all asked", "point": [1, 2]}')",
                                       R"({"name": "mine", "takes_constraints": 2})");
   const RunRecord record = run(arc(), line_solver(command), {20}, 0);
   EXPECT_EQ(record.failure, "");
-  EXPECT_EQ(record.refusal, Refusal::bad_point);
+  EXPECT_EQ(record.termination_reason, TerminationReason::bad_point);
   EXPECT_EQ(record.ledger.charged, 1 + 2 + 2) << "derivatives where the values are known cost 2";
   EXPECT_THAT(reasons_of(record), ElementsAre("stopped by the evaluator"));
-  EXPECT_EQ(record.handed_over->x, (Vector{{1, 2}}));
+  EXPECT_EQ(record.returned->x, (Vector{{1, 2}}));
   const std::string heard = read(folder_of(command) / "heard");
   EXPECT_THAT(
       heard,
@@ -192,7 +192,7 @@ TEST(LineSolver, ServesStartAfterStartWithOneProgram) {
         rest + " done");
     const RunRecord record = run(sphere(2, 3), line_solver(command), {5}, 0);
     EXPECT_EQ(record.failure, "");
-    EXPECT_EQ(record.exits.size(), 6U);
+    EXPECT_EQ(record.terminations.size(), 6U);
     const std::string starts = read(folder_of(command) / "starts");
     return std::count(starts.begin(), starts.end(), '\n');
   };
@@ -230,8 +230,8 @@ TEST(LineSolver, HandsOverWhatItSays) {
           line_solver(speaker("hear; say '{\"ask\": [3, 4]}'; hear; "
                               "say '{\"done\": \"found\", \"point\": [3, 3.5]}'; hear; exit")),
           {1}, 0);
-  EXPECT_EQ(record.handed_over->x, (Vector{{3, 3.5}}));
-  EXPECT_EQ(record.handed_over->truth.objective, 0.25);
+  EXPECT_EQ(record.returned->x, (Vector{{3, 3.5}}));
+  EXPECT_EQ(record.returned->true_values.objective, 0.25);
   EXPECT_EQ(reasons_of(record).front(), "found");
 }
 
@@ -301,7 +301,7 @@ TEST(LineSolver, DoesNotGoOnAfterAFailure) {
   const RunRecord record =
       run(sphere(2, 3), line_solver(speaker("while hear; do say '{}'; done")), {20}, 0);
   EXPECT_EQ(record.ledger.charged, 0);
-  EXPECT_TRUE(record.exits.empty());
+  EXPECT_TRUE(record.terminations.empty());
 }
 
 TEST(LineSolver, IsRefusedWhereItDoesNotGreet) {

@@ -46,10 +46,10 @@ TEST(Plugin, SolvesAndSpendsItsBudgetAndNoMore) {
   const RunRecord record = run(sphere(2, 3), mine, {5000}, 0);
   EXPECT_EQ(record.failure, "");
   EXPECT_EQ(record.ledger.charged, 5000);
-  EXPECT_EQ(record.exits.front().reason, "steps too short");
-  EXPECT_EQ(record.exits.back().reason, "stopped by the evaluator");
-  EXPECT_LT(record.trace.back().truth.objective, 1e-6);
-  EXPECT_EQ(record.handed_over->x, record.trace.back().x);
+  EXPECT_EQ(record.terminations.front().reason, "steps too short");
+  EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
+  EXPECT_LT(record.trace.back().true_values.objective, 1e-6);
+  EXPECT_EQ(record.returned->x, record.trace.back().x);
   for (const std::int64_t budget : {0, 1, 2, 50}) {
     EXPECT_EQ(run(sphere(2, 3), mine, {budget}, 0).ledger.charged, budget);
   }
@@ -76,9 +76,10 @@ TEST(Plugin, MakesTheSameRunAgainInEveryThread) {
 TEST(Plugin, SeesConstraintsAndTheirDerivatives) {
   const RunRecord record = run(disc(), plugin(library("takes_constraints")), {300}, 1);
   EXPECT_EQ(record.failure, "");
-  EXPECT_EQ(record.exits.front().reason, "fifty steps");
-  EXPECT_NEAR(record.exits.front().point->norm(), 1, 1e-6);
-  EXPECT_NE(record.exits.front().point, record.exits.at(1).point) << "it has another start";
+  EXPECT_EQ(record.terminations.front().reason, "fifty steps");
+  EXPECT_NEAR(record.terminations.front().point->norm(), 1, 1e-6);
+  EXPECT_NE(record.terminations.front().point, record.terminations.at(1).point)
+      << "it has another start";
 }
 
 TEST(Plugin, HandsOverTheBestShownWhereItSaysNothing) {
@@ -86,8 +87,21 @@ TEST(Plugin, HandsOverTheBestShownWhereItSaysNothing) {
   problem.upper.setConstant(5);
   problem.start.setConstant(-20);
   const RunRecord record = run(problem, plugin(library("keeps_its_start")), {2}, 0);
-  EXPECT_EQ(record.handed_over->x, (Vector{{5, 5}}));
-  EXPECT_EQ(record.exits.front().reason, "done");
+  EXPECT_EQ(record.returned->x, (Vector{{5, 5}}));
+  EXPECT_EQ(record.terminations.front().reason, "done");
+}
+
+TEST(Plugin, GainsNothingByWritingIntoItsBox) {
+  const Problem problem = sphere(2, 130);  // its best point is outside the box
+  const RunRecord record = run(problem, plugin(library("widens_its_box")), {5}, 0);
+  EXPECT_EQ(record.failure, "");
+  EXPECT_EQ(record.ledger.charged, 5);
+  ASSERT_EQ(record.trace.size(), 1U);
+  EXPECT_EQ(record.trace.front().x, Vector::Constant(2, 100));
+  EXPECT_EQ(record.returned->x, Vector::Constant(2, 100));
+  EXPECT_EQ(problem.lower, Vector::Constant(2, -100));
+  EXPECT_EQ(problem.upper, Vector::Constant(2, 100));
+  EXPECT_EQ(problem.start, Vector::Constant(2, 40));
 }
 
 TEST(Plugin, FailsWhereItThrows) {
@@ -119,7 +133,7 @@ TEST(Plugin, IsRefusedWhereItIsNone) {
   std::ofstream(text) << std::string(10000, 'x');
   refused(text.string(), "invalid ELF header");
   refused(library("without_a_solver"), "exports no ricochet_plugin");
-  refused(library("of_another_interface"), "is made for interface 3, this is 2; compile it again");
+  refused(library("of_another_interface"), "is made for interface 4, this is 3; compile it again");
   refused(library("without_solve"), "solve is NULL");
 }
 

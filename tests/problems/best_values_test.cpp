@@ -5,29 +5,29 @@
 #include <cmath>
 #include <set>
 
-#include "problems/carrier_track/questions/best_known.h"
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/best_known.h"
+#include "problems/carrier_track/problems/families.h"
+#include "problems/families.h"
 #include "src/core/verdict.h"
+#include "src/research/paper/calibration_problem.h"
 
 namespace ricochet {
 namespace {
 
-const std::vector<Question>& questions() {
-  static const std::vector<Question> all = [] {
-    std::vector<Question> questions;
-    for (const Family& family : carrier_track::case_families()) {
-      questions.insert(questions.end(), family.questions.begin(), family.questions.end());
-    }
-    return questions;
+const std::vector<Problem>& problems() {
+  static const std::vector<Problem> all = [] {
+    std::vector<Family> families = carrier_track::case_families();
+    families.push_back(carrier_track::calibration_family());
+    return every_problem(families);
   }();
   return all;
 }
 
-TEST(BestValues, AreThereForEveryQuestion) {
+TEST(BestValues, AreThereForEveryProblem) {
   std::set<std::string> names;
-  for (const Question& question : questions()) {
-    names.insert(question.name());
-    EXPECT_TRUE(question.stated.best_known) << question.name();
+  for (const Problem& problem : problems()) {
+    names.insert(problem.name);
+    EXPECT_TRUE(problem.best_known) << problem.name;
   }
   for (const auto& [name, best] : carrier_track::best_values().of) {
     EXPECT_TRUE(names.contains(name)) << name;
@@ -35,32 +35,30 @@ TEST(BestValues, AreThereForEveryQuestion) {
 }
 
 TEST(BestValues, ComeOutAgainAtTheirPoints) {
-  for (const Question& question : questions()) {
-    const Problem& problem = question.stated;
+  for (const Problem& problem : problems()) {
     ASSERT_TRUE(problem.best_point) << problem.name;
     ASSERT_EQ(problem.best_point->size(), problem.dimension()) << problem.name;
     EXPECT_TRUE((problem.best_point->array() >= problem.lower.array()).all()) << problem.name;
     EXPECT_TRUE((problem.best_point->array() <= problem.upper.array()).all()) << problem.name;
-    const Truth truth = truth_at(problem, *problem.best_point);
-    EXPECT_EQ(truth.violation, 0) << problem.name;
-    EXPECT_NEAR(truth.objective, *problem.best_known, 1e-9) << problem.name;
-    EXPECT_FALSE(better(truth_at(problem, problem.start), truth)) << problem.name;
+    const TrueValues true_values = true_values_at(problem, *problem.best_point);
+    EXPECT_EQ(true_values.violation, 0) << problem.name;
+    EXPECT_NEAR(true_values.objective, *problem.best_known, 1e-9) << problem.name;
+    EXPECT_FALSE(better(true_values_at(problem, problem.start), true_values)) << problem.name;
   }
 }
 
 /// Ten speeds of a scan on either side; where the best value is at an edge, the first of them is
 /// not quiet.
 TEST(BestValues, OfOneVariableHaveNothingBetterNearBy) {
-  for (const Question& question : questions()) {
-    const Problem& problem = question.stated;
+  for (const Problem& problem : problems()) {
     if (problem.dimension() != 1) continue;
-    const Truth best = truth_at(problem, *problem.best_point);
+    const TrueValues best = true_values_at(problem, *problem.best_point);
     for (int k = -10; k <= 10; ++k) {
-      const double x = (*problem.best_point)[0] + k * question.scan_step;
+      const double x = (*problem.best_point)[0] + k * problem.scan_step;
       if (x < problem.lower[0] || x > problem.upper[0]) continue;
-      Truth near = truth_at(problem, Vector::Constant(1, x));
+      TrueValues near = true_values_at(problem, Vector::Constant(1, x));
       EXPECT_FALSE(near.violation == 0 && near.objective < best.objective - 1e-6)
-          << question.name() << " at " << x;
+          << problem.name << " at " << x;
     }
   }
 }

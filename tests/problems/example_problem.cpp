@@ -1,8 +1,8 @@
 #include "tests/problems/example_problem.h"
 
 #include "problems/carrier_track/counting/wear.h"
-#include "problems/carrier_track/questions/problem_from_function.h"
-#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/problems/problem_from_function.h"
+#include "problems/carrier_track/problems/speed_problem.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -23,10 +23,10 @@ struct WearAtSpeed {
 
 }  // namespace
 
-Question gentle_question(const Machine& machine) {
+Problem gentle_problem(const Machine& machine) {
   Problem problem = speed_problem("gentle", machine, "energy that the impacts lose, mJ");
   define(problem, WearAtSpeed{machine.scene}, carries_derivatives(machine.scene));
-  return {.stated = problem, .machine = machine.id};
+  return problem;
 }
 
 }  // namespace ricochet::carrier_track

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "problems/carrier_track/questions/machine.h"
-#include "src/core/question.h"
+#include "problems/carrier_track/problems/machine.h"
+#include "src/core/problem.h"
 
-/// The question that CONTRIBUTING.md shows how to add.
+/// The problem that CONTRIBUTING.md shows how to add.
 namespace ricochet::carrier_track {
 
-Question gentle_question(const Machine& machine);
+Problem gentle_problem(const Machine& machine);
 
 }  // namespace ricochet::carrier_track

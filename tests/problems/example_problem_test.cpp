@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -27,9 +27,9 @@ TEST(ExampleProblem, IsWhatContributingShows) {
 }
 
 TEST(ExampleProblem, HasDerivatives) {
-  const Question question = gentle_question(machine_of(find_case("C1"), exploratory_scene()));
-  EXPECT_EQ(question.name(), "gentle-C1");
-  expect_derivatives_of_values(question.stated, Vector::Constant(1, 4.321), 1e-7, 1e-6);
+  const Problem problem = gentle_problem(machine_of(find_case("C1"), exploratory_scene()));
+  EXPECT_EQ(problem.name, "gentle-C1");
+  expect_derivatives_of_values(problem, Vector::Constant(1, 4.321), 1e-7, 1e-6);
 }
 
 }  // namespace

@@ -9,39 +9,40 @@
 #include <set>
 #include <string>
 
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/families.h"
 #include "src/core/instance.h"
 #include "src/core/seed.h"
 #include "src/core/verdict.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "src/research/suite/families.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet {
 namespace {
 
 const std::vector<Family>& families() {
-  static const std::vector<Family> all = all_families();
+  static const std::vector<Family> all = suite_families();
   return all;
 }
 
-TEST(Families, HaveDistinctNamesAndSoDoTheirQuestions) {
-  std::set<std::string> names, questions;
+TEST(Families, HaveDistinctNamesAndSoDoTheirProblems) {
+  std::set<std::string> names, problems;
   for (const Family& family : families()) {
     EXPECT_TRUE(names.insert(family.name).second) << family.name;
-    for (const Question& question : family.questions) {
-      EXPECT_TRUE(questions.insert(question.name()).second) << question.name();
-      EXPECT_EQ(question.name().rfind(family.name + "-", 0), 0U) << question.name();
+    for (const Problem& problem : family.problems) {
+      EXPECT_TRUE(problems.insert(problem.name).second) << problem.name;
+      EXPECT_EQ(problem.name.rfind(family.name + "-", 0), 0U) << problem.name;
     }
   }
   EXPECT_EQ(names.size(), 13U);
   // Count, top speed, six sizes of two profiles, design and three risks; and the calibration. Then
   // the hard machines, and what the literature has.
-  EXPECT_EQ(questions.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 1 + 15 + 27 + 116 + 53);
+  EXPECT_EQ(problems.size(), 12U * (1 + 1 + 2 * 6 + 1 + 3) + 1 + 15 + 27 + 116 + 53);
 }
 
 TEST(Families, HaveProblemsThatHoldTogether) {
   for (const Family& family : families()) {
-    for (const Question& question : family.questions) {
-      const Problem& p = question.stated;
+    for (const Problem& problem : family.problems) {
+      const Problem& p = problem;
       ASSERT_EQ(p.upper.size(), p.dimension()) << p.name;
       ASSERT_EQ(p.start.size(), p.dimension()) << p.name;
       EXPECT_TRUE((p.lower.array() < p.upper.array()).all()) << p.name;
@@ -60,10 +61,10 @@ TEST(Families, HaveProblemsThatHoldTogether) {
 TEST(Families, KnowWhatAGradientTakes) {
   std::map<std::string, std::int64_t> costs;
   for (const Family& family : families()) {
-    for (const Question& question : family.questions) {
-      ASSERT_TRUE(question.gradient_cost) << question.name();
-      EXPECT_GE(*question.gradient_cost, 1) << question.name();
-      costs[question.name()] = *question.gradient_cost;
+    for (const Problem& problem : family.problems) {
+      ASSERT_TRUE(problem.gradient_cost) << problem.name;
+      EXPECT_GE(*problem.gradient_cost, 1) << problem.name;
+      costs[problem.name] = *problem.gradient_cost;
     }
   }
   EXPECT_EQ(costs.at("top-speed-C1"), 1);
@@ -77,27 +78,27 @@ TEST(Families, KnowWhatAGradientTakes) {
   EXPECT_EQ(costs.at("hs-110"), 5);
 }
 
-/// Forms of one question have one name, one truth, one box and one best value.
-TEST(Families, ShowOneTruthInEveryForm) {
+/// Formulations of one problem have one name, one true objective, one box and one best value.
+TEST(Families, ShowOneTrueValuesInEveryFormulation) {
   for (const Family& family : families()) {
-    for (const Question* question : {&family.questions.front(), &family.questions.back()}) {
-      const Problem& stated = question->stated;
-      EXPECT_FALSE(stated.truth) << stated.name;
-      if (stated.smoothed) {  // to width 0 it is what is judged
+    for (const Problem* problem : {&family.problems.front(), &family.problems.back()}) {
+      const Problem& stated = *problem;
+      EXPECT_FALSE(stated.true_values) << stated.name;
+      if (stated.smoothed) {  // to smoothing parameter 0 it is what is judged
         const Values exact =
-            question->problem({question->width}).smoothed(0).evaluate(stated.start);
+            problem->formulated({problem->smoothing}).smoothed(0).evaluate(stated.start);
         EXPECT_EQ(exact.objective, stated.evaluate(stated.start).objective) << stated.name;
         EXPECT_EQ(exact.constraints, stated.evaluate(stated.start).constraints) << stated.name;
       }
-      for (const Form& form : question->forms()) {
-        const Problem shown = question->problem(form);
+      for (const Formulation& formulation : problem->formulations()) {
+        const Problem shown = problem->formulated(formulation);
         EXPECT_EQ(shown.name, stated.name);
         EXPECT_EQ(shown.start, stated.start);
         EXPECT_EQ(shown.best_known, stated.best_known);
-        const Truth truth = truth_at(shown, shown.start);
-        const Truth expected = truth_at(stated, stated.start);
-        EXPECT_EQ(truth.objective, expected.objective) << shown.name;
-        EXPECT_EQ(truth.violation, expected.violation) << shown.name;
+        const TrueValues true_values = true_values_at(shown, shown.start);
+        const TrueValues expected = true_values_at(stated, stated.start);
+        EXPECT_EQ(true_values.objective, expected.objective) << shown.name;
+        EXPECT_EQ(true_values.violation, expected.violation) << shown.name;
       }
     }
   }
@@ -108,17 +109,17 @@ TEST(Families, KeepTheBestPointBestWhereConstraintsArePenalised) {
   int looked = 0;
   for (const Family& family : families()) {
     if (family.name.starts_with("robust-")) continue;  // 32 simulations each
-    for (const Question& question : family.questions) {
-      if (question.stated.constraints == 0) continue;
-      if (question.name() == "hs-13") continue;  // no weight is enough: see there
-      const Problem penalised = question.problem({0, true});
-      const Vector& best = question.stated.best_point.value();
+    for (const Problem& problem : family.problems) {
+      if (problem.constraints == 0) continue;
+      if (problem.name == "hs-13") continue;  // no weight is enough: see there
+      const Problem penalised = problem.formulated({0, true});
+      const Vector& best = problem.best_point.value();
       const double value = penalised.evaluate(best).objective;
       Random random(seed_of(penalised.name, "near", 0, 0));
       for (int k = 0; k < 200; ++k) {
         const Vector off = uniform_point(penalised, random) - best;
         const Vector near = best + off * std::pow(10.0, -(k % 5));
-        EXPECT_GE(penalised.evaluate(near).objective, value - question.tolerance)
+        EXPECT_GE(penalised.evaluate(near).objective, value - problem.tolerance)
             << penalised.name << ' ' << near.transpose();
       }
       ++looked;
@@ -132,9 +133,8 @@ TEST(Families, OfAMachineOfOnesOwnKnowNoBestValues) {
   Machine machine = machine_of(find_case("C1"), exploratory_scene());
   machine.id = "scene";
   for (const Family& family : families_of({machine})) {
-    ASSERT_FALSE(family.questions.empty()) << family.name;
-    for (const Question& question : family.questions) {
-      const Problem& problem = question.stated;
+    ASSERT_FALSE(family.problems.empty()) << family.name;
+    for (const Problem& problem : family.problems) {
       EXPECT_FALSE(problem.best_known) << problem.name;
       EXPECT_EQ(problem.name.substr(problem.name.size() - 6), "-scene");
     }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -45,6 +46,20 @@ TEST(Chart, RefusesNumbersThatAreNotFinite) {
                std::invalid_argument);
 }
 
+TEST(Chart, RefusesNumbersWhoseDifferencesCouldOverflow) {
+  EXPECT_THAT(refuses(line_chart({{0, -1e101}})),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("beyond 1e100")));
+  Chart chart = line_chart({{1e-301, 1}});
+  chart.x.scale = Scale::logarithmic;
+  EXPECT_THAT(refuses(chart), ThrowsMessage<std::invalid_argument>(HasSubstr("below 1e-300")));
+}
+
+TEST(Chart, RefusesASizeThatIsNone) {
+  Chart chart = line_chart({{0, 1}});
+  chart.height = 0;
+  EXPECT_THAT(refuses(chart), ThrowsMessage<std::invalid_argument>(HasSubstr("480 x 0 pixels")));
+}
+
 TEST(Chart, RefusesPositionsThatFallBack) {
   EXPECT_THROW(check(line_chart({{1, 1}, {0, 1}})), std::invalid_argument);
 }
@@ -73,10 +88,10 @@ TEST(Chart, DescribesAHeatMapByTheAxesThatHaveAName) {
   chart.x.label = chart.y.label = "";
   chart.heat_map = HeatMap{"solved [%]", {{1.0}}};
   EXPECT_EQ(description(chart), "Heat map of solved [%].");
-  chart.x.label = "question";
-  EXPECT_EQ(description(chart), "Heat map of solved [%] over question.");
+  chart.x.label = "problem";
+  EXPECT_EQ(description(chart), "Heat map of solved [%] over problem.");
   chart.y.label = "solver";
-  EXPECT_EQ(description(chart), "Heat map of solved [%] over question and solver.");
+  EXPECT_EQ(description(chart), "Heat map of solved [%] over problem and solver.");
 }
 
 std::vector<std::string> labels(const std::vector<Tick>& ticks) {
@@ -87,13 +102,29 @@ std::vector<std::string> labels(const std::vector<Tick>& ticks) {
 }
 
 TEST(Ticks, AreRound) {
-  EXPECT_DOUBLE_EQ(tick_step({-0.42, 0.41}, 5, false), 0.2);
-  EXPECT_DOUBLE_EQ(tick_step({0, 1000}, 2, false), 500);
-  EXPECT_DOUBLE_EQ(tick_step({0, 999}, 1, false), 1000);
+  EXPECT_THAT(labels(linear_ticks({-0.42, 0.41}, 5, false)),
+              ElementsAre("−0.4", "−0.2", "0", "0.2", "0.4"));
+  EXPECT_THAT(labels(linear_ticks({0, 1000}, 2, false)), ElementsAre("0", "500", "1000"));
+  EXPECT_THAT(labels(linear_ticks({0, 999}, 1, false)), ElementsAre("0"));
 }
 
 TEST(Ticks, OfWholeNumbersHaveNoFractions) {
-  EXPECT_EQ(tick_step({-0.1, 2.1}, 8, true), 1);
+  EXPECT_THAT(labels(linear_ticks({-0.1, 2.1}, 8, true)), ElementsAre("0", "1", "2"));
+}
+
+TEST(Ticks, AreFewHoweverNarrowTheLimits) {
+  EXPECT_LE(linear_ticks({1e9, std::nextafter(1e9, 2e9)}, 5, false).size(), 11U);
+}
+
+TEST(Ticks, OfNarrowLogarithmicAxesAreThoseOfLinearOnes) {
+  EXPECT_THAT(labels(logarithmic_ticks({101, 109}, 4)), ElementsAre("102", "104", "106", "108"));
+}
+
+TEST(NumberLabel, IsWhatAReaderWrites) {
+  EXPECT_EQ(number_label(-0.5), "−0.5");
+  EXPECT_EQ(number_label(2e6), "2000000");
+  EXPECT_EQ(number_label(3e-7), "3×10⁻⁷");
+  EXPECT_EQ(number_label(-1e20), "−10²⁰");
 }
 
 TEST(Ticks, OfManyDecadesArePowersOfTen) {

@@ -81,7 +81,7 @@ TEST(FilledText, RefusesANameWithoutData) {
   }
 }
 
-TEST(FilledText, RefusesAFormThatDoesNotFit) {
+TEST(FilledText, RefusesAFormulationThatDoesNotFit) {
   EXPECT_THAT([] { text("{{word:.2f}}"); }, ThrowsMessage<std::logic_error>(HasSubstr("word")));
   EXPECT_THAT([] { text("{{list:.2f}}"); }, ThrowsMessage<std::logic_error>(HasSubstr("list")));
 }

@@ -194,6 +194,31 @@ TEST(PageTemplate, RefusesWhatTheDataDoNotHave) {
   EXPECT_THAT([&] { drawn(sheet, data); }, ThrowsMessage<std::logic_error>(HasSubstr("solvers")));
 }
 
+TEST(PageTemplate, LetsChartsThatDoNotFitCostThemselvesAlone) {
+  const char* const text = R"(
+title = "t"
+[[section]]
+id = "s"
+heading = "h"
+[[section.chart]]
+each = "cases"
+name = "of-{{id}}"
+title = "t"
+x.label = "x"
+y.label = "y"
+series = [{label = "a", rows = "points", x = "speed", y = "speed"}]
+)";
+  Json data = sample();
+  data["cases"][1]["points"] = {{{"speed", 3}}};
+  EXPECT_THROW(drawn(text, data), std::logic_error);
+  const auto figures = drawn(text, data, Mismatch::costs_its_chart).page.sections.at(0).figures;
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].chart.name, "of-c1");
+  EXPECT_THAT(figures[0].failure, HasSubstr("points"));
+  EXPECT_EQ(figures[1].failure, "");
+  EXPECT_EQ(figures[1].chart.series.at(0).samples.size(), 1U);
+}
+
 TEST(PageTemplate, SaysHowManyDigitsAreKept) {
   EXPECT_TRUE(kept_digits("title = \"t\"").empty());
   EXPECT_EQ(kept_digits("[digits]\nshare = 4\nspeed = 17"), (Digits{{"share", 4}, {"speed", 17}}));

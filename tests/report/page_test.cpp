@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -44,6 +45,11 @@ class PageFiles : public testing::Test {
     for (const auto& entry : fs::directory_iterator(folder))
       found.insert(entry.path().filename().string());
     return found;
+  }
+
+  /// Of pages with nothing wrong.
+  static void write_page(const Page& page, const fs::path& folder) {
+    EXPECT_THAT(report::write_page(page, folder), testing::IsEmpty());
   }
 
   fs::path root_;
@@ -101,6 +107,25 @@ TEST_F(PageFiles, KnowTheColoursOfTheirCharts) {
     ++colours;
   }
   EXPECT_GT(colours, 10);
+}
+
+TEST_F(PageFiles, SayWhyAChartIsMissingAndKeepAllElse) {
+  Page page = page_with({"one", "wrong", "unmade", "two"});
+  auto& figures = page.sections[0].figures;
+  figures[1].chart.series[0].samples = {{0, std::nan("")}};
+  figures[2].failure = "the data lack <speed>";
+  EXPECT_THAT(report::write_page(page, root_),
+              testing::UnorderedElementsAre(
+                  AllOf(HasSubstr("chart wrong"), HasSubstr("sample 0: nan is not finite")),
+                  "chart unmade could not be drawn: the data lack <speed>"));
+  EXPECT_THAT(names(root_), UnorderedElementsAre("index.html", "manifest.txt", "summary.md",
+                                                 "one.svg", "two.svg"));
+  const std::string html = read(root_ / "index.html"), summary = read(root_ / "summary.md");
+  EXPECT_THAT(html, AllOf(HasSubstr(read(root_ / "one.svg")), HasSubstr(read(root_ / "two.svg")),
+                          HasSubstr("nan is not finite</p>"), HasSubstr("lack &lt;speed&gt;</p>"),
+                          HasSubstr("Caption of wrong")));
+  EXPECT_THAT(summary, AllOf(HasSubstr("(one.svg)"), HasSubstr("(two.svg)"),
+                             HasSubstr("nan is not finite**"), Not(HasSubstr("(wrong.svg)"))));
 }
 
 TEST_F(PageFiles, EscapeHtml) {

@@ -42,5 +42,9 @@ TEST(Simplified, KeepsWhatIsShort) {
   EXPECT_EQ(simplified({{0, 1}, {1, 1}}, 100, 100).size(), 2U);
 }
 
+TEST(Simplified, KeepsTheWayThereAndBack) {
+  EXPECT_EQ(needed_corners({{0, 0}, {5, 0}, {0, 0}}, 0.1), (std::vector<std::size_t>{0, 1, 2}));
+}
+
 }  // namespace
 }  // namespace ricochet::report

@@ -12,15 +12,15 @@ namespace {
 TEST(Bisection, HalvesTheIntervalThatHoldsTheLimit) {
   // Both ends, then the start, then 18 / 2^k.
   const RunRecord record = run(limited(7), bisection(), {2 + 1 + 12}, 0);
-  EXPECT_NEAR(record.trace.back().truth.objective, -7, 18 / 4096.0);
-  EXPECT_LE(record.trace.back().truth.violation, 0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, -7, 18 / 4096.0);
+  EXPECT_LE(record.trace.back().true_values.violation, 0);
 }
 
 TEST(Bisection, HandsOverAFeasiblePointAtTheLimit) {
   const RunRecord record = run(limited(7), bisection(), {40}, 0);
-  ASSERT_TRUE(record.handed_over);
-  EXPECT_NEAR(record.handed_over->x[0], 7, 1e-6);
-  EXPECT_LE(record.handed_over->truth.violation, 0);
+  ASSERT_TRUE(record.returned);
+  EXPECT_NEAR(record.returned->x[0], 7, 1e-6);
+  EXPECT_LE(record.returned->true_values.violation, 0);
 }
 
 TEST(Bisection, FindsItInABoxThatIsReflected) {
@@ -28,7 +28,7 @@ TEST(Bisection, FindsItInABoxThatIsReflected) {
   problem.best_point = Vector::Constant(1, 7);
   for (int number = 1; number <= 10; ++number) {
     const RunRecord record = run(instance(problem, number), bisection(), {40}, 0);
-    EXPECT_NEAR(record.trace.back().truth.objective, -7, 1e-5) << number;
+    EXPECT_NEAR(record.trace.back().true_values.objective, -7, 1e-5) << number;
   }
 }
 

@@ -39,10 +39,11 @@ Problem rosenbrock(const Vector& lower, const Vector& upper, double unit = 1) {
 }
 
 Vector solved(const Problem& problem, std::int64_t budget) {
-  Evaluator evaluator(problem, {budget});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {budget}, &scorer);
   Random random;
   EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random).reason, "converged");
-  return evaluator.best()->x;
+  return scorer.best()->x;
 }
 
 TEST(CeresLeastSquares, FollowsACurvedValleyToAnOptimumInside) {
@@ -52,10 +53,11 @@ TEST(CeresLeastSquares, FollowsACurvedValleyToAnOptimumInside) {
 
 TEST(CeresLeastSquares, GoesStraightToAnOptimumInACorner) {
   const Problem problem = sphere(2, 130);
-  Evaluator evaluator(problem, {300});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {300}, &scorer);
   Random random;
   EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random).reason, "converged");
-  EXPECT_EQ(evaluator.best()->x, problem.upper);
+  EXPECT_EQ(scorer.best()->x, problem.upper);
   EXPECT_EQ(evaluator.ledger().derivatives, 3) << "it knows the bounds, but asks twice at the end";
 }
 
@@ -121,7 +123,7 @@ TEST(CeresLeastSquares, StopsAtWhateverCallTheEvaluatorRefuses) {
     Random random;
     EXPECT_EQ(ceres_least_squares().solve(evaluator, problem.start, random).reason,
               "stopped by the evaluator");
-    EXPECT_EQ(evaluator.refusal(), Refusal::evaluations);
+    EXPECT_EQ(evaluator.termination_reason(), TerminationReason::evaluations);
     EXPECT_LE(evaluator.ledger().charged, budget);
     EXPECT_GE(evaluator.ledger().charged, budget - 1) << "a Jacobian, 2, may not fit any more";
   }
@@ -146,7 +148,7 @@ TEST(CeresLeastSquares, PaysNoJacobianWhereItDoesNotStep) {
 }
 
 TEST(CeresLeastSquares, EndsAStartWithoutNumbers) {
-  EXPECT_EQ(run(never_a_number(2), ceres_least_squares(), {30}, 0).exits.front().reason,
+  EXPECT_EQ(run(never_a_number(2), ceres_least_squares(), {30}, 0).terminations.front().reason,
             "a number is not finite");
 }
 
@@ -162,10 +164,11 @@ Problem half_rosenbrock() {
 
 TEST(CeresLeastSquares, StepsBackFromPointsWithoutNumbers) {
   const Problem problem = half_rosenbrock();  // its first step is to x = 0.78
-  Evaluator evaluator(problem, {300});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {300}, &scorer);
   Random random;
   ceres_least_squares().solve(evaluator, problem.start, random);
-  EXPECT_LT(evaluator.best()->truth.objective, 4);  // 12.1 at the start
+  EXPECT_LT(scorer.best()->true_values.objective, 4);  // 12.1 at the start
 }
 
 TEST(CeresLeastSquares, SaysNothingEvenWhenItFails) {

@@ -17,19 +17,20 @@ TEST(CeresLbfgs, BeginsAtTheStart) {
 TEST(CeresLbfgs, LeavesAStartOnTheBound) {
   Problem problem = sphere(3, 3);
   problem.start = Vector{{100, -100, 100}};
-  Evaluator evaluator(problem, {1000});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {1000}, &scorer);
   Random random;
   EXPECT_EQ(ceres_lbfgs().solve(evaluator, problem.start, random).reason, "converged");
-  EXPECT_LT(evaluator.best()->truth.objective, 1e-12);
+  EXPECT_LT(scorer.best()->true_values.objective, 1e-12);
 }
 
 TEST(CeresLbfgs, DoesNotTakeAStartWithoutANumberForAnOptimum) {
-  EXPECT_EQ(run(never_a_number(2), ceres_lbfgs(), {30}, 0).exits.front().reason, "failure");
+  EXPECT_EQ(run(never_a_number(2), ceres_lbfgs(), {30}, 0).terminations.front().reason, "failure");
 }
 
 TEST(CeresLbfgs, FindsAnOptimumOnTheBound) {
   const RunRecord record = run(sphere(2, 130), ceres_lbfgs(), {300}, 0);
-  EXPECT_NEAR(record.trace.back().truth.objective, 2 * 30 * 30, 1e-6);
+  EXPECT_NEAR(record.trace.back().true_values.objective, 2 * 30 * 30, 1e-6);
 }
 
 TEST(CeresLbfgs, SaysNothingEvenWhenItFails) {

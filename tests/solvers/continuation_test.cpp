@@ -21,24 +21,24 @@ Solver solver_named(const std::string& name) {
 }
 
 /// The fastest x in [0, 18] at which a staircase, 5 up to x = 8 and 5 + rise beyond, is below 7.5;
-/// its smooth form is a logistic in ln(x / 8).
-Problem step_problem(double rise, double width) {
+/// its smooth formulation is a logistic in ln(x / 8).
+Problem step_problem(double rise, double smoothing) {
   Problem problem = box_problem("step", 1, 0.01, 18, 15, [](const Vector& x) { return -x[0]; });
   problem.constraints = 1;
-  const auto count = [rise, width](double x) {
-    if (width == 0) return 5 + (x > 8 ? rise : 0);
-    return 5 + rise / (1 + std::pow(x / 8, -1 / width));
+  const auto count = [rise, smoothing](double x) {
+    if (smoothing == 0) return 5 + (x > 8 ? rise : 0);
+    return 5 + rise / (1 + std::pow(x / 8, -1 / smoothing));
   };
   problem.evaluate = [count](const Vector& x) {
     return Values{-x[0], Vector::Constant(1, count(x[0]) - 7.5)};
   };
-  problem.differentiate = [count, rise, width, evaluate = problem.evaluate](const Vector& x) {
+  problem.differentiate = [count, rise, smoothing, evaluate = problem.evaluate](const Vector& x) {
     const double share = (count(x[0]) - 5) / rise;
-    const double slope = rise * share * (1 - share) / (width * x[0]);
+    const double slope = rise * share * (1 - share) / (smoothing * x[0]);
     return Derivatives{evaluate(x), Vector::Constant(1, -1.0), Matrix::Constant(1, 1, slope)};
   };
-  problem.truth = [rise](const Vector& x) {
-    return Truth{-x[0], x[0] > 8 ? std::max(0.0, rise - 2.5) : 0.0};
+  problem.true_values = [rise](const Vector& x) {
+    return TrueValues{-x[0], x[0] > 8 ? std::max(0.0, rise - 2.5) : 0.0};
   };
   problem.smoothed = [rise](double narrower) { return step_problem(rise, narrower); };
   problem.best_known = rise > 2.5 ? -8.0 : -18.0;
@@ -50,7 +50,7 @@ TEST(Continuation, FindsTheEndOfAPlateauThatItsSolverMisses) {
     const Problem problem = step_problem(rise, 0.25);
     const auto best_of = [&](const Solver& solver) {
       const RunRecord record = run(problem, solver, {400}, 0);
-      return -record.trace.back().truth.objective;
+      return -record.trace.back().true_values.objective;
     };
     for (const char* name : {"nlopt-slsqp", "ipopt-tuned"}) {
       const Solver solver = solver_named(name);
@@ -60,20 +60,20 @@ TEST(Continuation, FindsTheEndOfAPlateauThatItsSolverMisses) {
   }
 }
 
-TEST(Continuation, GoesFromWideToNarrowAndLooksAtTheTruthLast) {
-  std::vector<double> widths;
+TEST(Continuation, GoesFromWideToNarrowAndLooksAtTheTrueValuesLast) {
+  std::vector<double> smoothings;
   Problem problem = step_problem(3, 0.25);
-  problem.smoothed = [&widths](double width) {
-    widths.push_back(width);
-    return step_problem(3, width);
+  problem.smoothed = [&smoothings](double smoothing) {
+    smoothings.push_back(smoothing);
+    return step_problem(3, smoothing);
   };
   Evaluator evaluator(problem, {1000});
   Random random(1);
   continuation(solver_named("nlopt-slsqp")).solve(evaluator, problem.start, random);
-  ASSERT_GT(widths.size(), 5U);
-  EXPECT_EQ(widths.front(), 0.3);
-  EXPECT_EQ(widths.back(), 0.0);
-  EXPECT_TRUE(std::is_sorted(widths.rbegin(), widths.rend()));
+  ASSERT_GT(smoothings.size(), 5U);
+  EXPECT_EQ(smoothings.front(), 0.3);
+  EXPECT_EQ(smoothings.back(), 0.0);
+  EXPECT_TRUE(std::is_sorted(smoothings.rbegin(), smoothings.rend()));
 }
 
 TEST(Continuation, AcceptsWhatHasTheKnobAndSuitsItsSolver) {

@@ -11,7 +11,7 @@ namespace ricochet {
 namespace {
 
 double end_of(const Problem& problem, std::int64_t budget) {
-  return run(problem, dlib_global_search(), {budget}, 1).trace.back().truth.objective;
+  return run(problem, dlib_global_search(), {budget}, 1).trace.back().true_values.objective;
 }
 
 TEST(DlibGlobalSearch, TakesFewVariablesAndNoConstraints) {
@@ -51,8 +51,8 @@ TEST(DlibGlobalSearch, GoesRoundPointsWithoutNumbers) {
 TEST(DlibGlobalSearch, SaysSoWhereNoTwoValuesDiffer) {
   for (const Problem& problem : {plateau(2), never_a_number(2)}) {
     const RunRecord record = run(problem, dlib_global_search(), {1500}, 0);
-    EXPECT_EQ(record.exits.front().reason, "no two values differ");
-    EXPECT_EQ(record.exits.back().reason, "stopped by the evaluator");
+    EXPECT_EQ(record.terminations.front().reason, "no two values differ");
+    EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
     EXPECT_EQ(record.ledger.charged, 1500);
   }
 }

@@ -16,8 +16,8 @@ TEST(GoldenSection, ShrinksTheIntervalByItsRatioAtEveryPoint) {
 
 TEST(GoldenSection, HandsOverTheBestPointWhereTheIntervalIsShort) {
   const RunRecord record = run(sphere(1, 3), golden_section(), {60}, 0);
-  EXPECT_EQ(record.exits.front().reason, "the interval is short");
-  EXPECT_NEAR(record.handed_over->x[0], 3, 1e-4);
+  EXPECT_EQ(record.terminations.front().reason, "the interval is short");
+  EXPECT_NEAR(record.returned->x[0], 3, 1e-4);
 }
 
 TEST(GoldenSection, TakesOneVariableWithoutConstraints) {

@@ -10,28 +10,28 @@ namespace {
 
 TEST(Ipopt, SolvesASphere) {
   const RunRecord record = run(sphere(4, 3), ipopt(Settings::tuned), {300}, 0);
-  EXPECT_EQ(record.exits.front().reason, "solved");
-  EXPECT_LT(record.trace.back().truth.objective, 1e-12);
+  EXPECT_EQ(record.terminations.front().reason, "solved");
+  EXPECT_LT(record.trace.back().true_values.objective, 1e-12);
 }
 
 TEST(Ipopt, ApproachesABoundFromInside) {
   const RunRecord record = run(sphere(2, 130), ipopt(Settings::tuned), {300}, 0);
   EXPECT_LT(record.trace.back().x.maxCoeff(), 100.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, 2 * 30 * 30, 1e-2);
+  EXPECT_NEAR(record.trace.back().true_values.objective, 2 * 30 * 30, 1e-2);
 }
 
 TEST(Ipopt, EndsOnACurvedConstraintWithoutViolatingIt) {
   const RunRecord record = run(disc(), ipopt(Settings::tuned), {300}, 0);
-  EXPECT_EQ(record.exits.front().reason, "solved");
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
+  EXPECT_EQ(record.terminations.front().reason, "solved");
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, -std::sqrt(2.0), 1e-6);
 }
 
 TEST(Ipopt, KeepsAnEquationAndAnInequality) {
   const RunRecord record = run(arc(), ipopt(Settings::tuned), {300}, 0);
-  EXPECT_EQ(record.exits.front().reason, "solved");
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-6);
+  EXPECT_EQ(record.terminations.front().reason, "solved");
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, *arc().best_known, 1e-6);
 }
 
 TEST(Ipopt, StopsAtWhateverCallTheEvaluatorRefuses) {
@@ -39,7 +39,7 @@ TEST(Ipopt, StopsAtWhateverCallTheEvaluatorRefuses) {
     const Problem problem = disc();
     Evaluator evaluator(problem, {budget});
     Random random;
-    const SolverExit exit = ipopt(Settings::tuned).solve(evaluator, problem.start, random);
+    const SolverTermination exit = ipopt(Settings::tuned).solve(evaluator, problem.start, random);
     if (!evaluator.over()) break;  // solved within the budget
     EXPECT_EQ(exit.reason, "stopped by the evaluator");
     EXPECT_LE(evaluator.ledger().charged, budget);
@@ -74,10 +74,11 @@ Problem ellipsoid() {
 
 /// What a solve asked for; it must be solved, and find a point below `good`.
 Ledger ledger_of(const Problem& problem, const Solver& solver, double good) {
-  Evaluator evaluator(problem, {20'000});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {20'000}, &scorer);
   Random random;
   EXPECT_EQ(solver.solve(evaluator, problem.start, random).reason, "solved") << solver.name;
-  EXPECT_LT(evaluator.best()->truth.objective, good) << solver.name;
+  EXPECT_LT(scorer.best()->true_values.objective, good) << solver.name;
   return evaluator.ledger();
 }
 
@@ -96,9 +97,9 @@ TEST(IpoptExact, DoesNotMindHowUnlikeTheScalesOfAQuadraticAre) {
 
 TEST(IpoptExact, KeepsAnEquationAndAnInequality) {
   const RunRecord record = run(arc(), ipopt_exact(), {300}, 0);
-  EXPECT_EQ(record.exits.front().reason, "solved");
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-6);
+  EXPECT_EQ(record.terminations.front().reason, "solved");
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, *arc().best_known, 1e-6);
 }
 
 TEST(IpoptExact, NeedsSecondDerivatives) {

@@ -68,33 +68,33 @@ class NloptLocal : public testing::TestWithParam<std::string> {};
 
 TEST_P(NloptLocal, ConvergesToTheOptimumAndSaysSo) {
   const RunRecord record = run(sphere(2, 3), named(GetParam()), {500}, 0);
-  EXPECT_THAT(record.exits.front().reason, testing::AnyOf("xtol reached", "success"));
-  EXPECT_GE(record.exits.size(), 2U) << "it leaves the budget to another start";
-  EXPECT_LT(record.trace.back().truth.objective, 1e-10);
-  ASSERT_TRUE(record.exits.front().point);
-  EXPECT_LT((record.exits.front().point->array() - 3).abs().maxCoeff(), 1e-4);
+  EXPECT_THAT(record.terminations.front().reason, testing::AnyOf("xtol reached", "success"));
+  EXPECT_GE(record.terminations.size(), 2U) << "it leaves the budget to another start";
+  EXPECT_LT(record.trace.back().true_values.objective, 1e-10);
+  ASSERT_TRUE(record.terminations.front().point);
+  EXPECT_LT((record.terminations.front().point->array() - 3).abs().maxCoeff(), 1e-4);
 }
 
 TEST_P(NloptLocal, FindsAnOptimumInACorner) {
   const RunRecord record = run(sphere(2, 130), named(GetParam()), {500}, 0);
-  EXPECT_NEAR(record.trace.back().truth.objective, 2 * 30 * 30, 1e-3);
+  EXPECT_NEAR(record.trace.back().true_values.objective, 2 * 30 * 30, 1e-3);
 }
 
 class NloptConstrained : public testing::TestWithParam<std::string> {};
 
 TEST_P(NloptConstrained, EndsOnACurvedConstraintWithoutViolatingIt) {
   const RunRecord record = run(disc(), named(GetParam()), {500}, 0);
-  EXPECT_EQ(record.exits.front().reason, "xtol reached");
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
+  EXPECT_EQ(record.terminations.front().reason, "xtol reached");
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, -std::sqrt(2.0), 1e-6);
 }
 
 class NloptEquations : public testing::TestWithParam<std::string> {};
 
 TEST_P(NloptEquations, EndsOnTheEquationWithinItsTolerance) {
   const RunRecord record = run(arc(), named(GetParam()), {500}, 0);
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-5);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, *arc().best_known, 1e-5);
 }
 
 TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBox) {
@@ -112,13 +112,13 @@ TEST_P(NloptLocal, DoesNotDependOnTheUnitsOfTheBox) {
   const RunRecord a = run(metres, named(GetParam()), {40}, 0);
   const RunRecord b = run(millimetres, named(GetParam()), {40}, 0);
   ASSERT_EQ(a.trace.size(), b.trace.size());
-  EXPECT_EQ(a.trace.back().truth.objective, b.trace.back().truth.objective);
+  EXPECT_EQ(a.trace.back().true_values.objective, b.trace.back().true_values.objective);
 }
 
 TEST_P(NloptLocal, EndsAStartAtANumberThatIsNotFinite) {
   const RunRecord record = run(half_a_number(), named(GetParam()), {300}, 0);
-  EXPECT_EQ(record.exits.front().reason, "a number is not finite");
-  EXPECT_GE(record.exits.size(), 2U);
+  EXPECT_EQ(record.terminations.front().reason, "a number is not finite");
+  EXPECT_GE(record.terminations.size(), 2U);
 }
 
 // What reads memory that it has not set finds there what others have left.
@@ -155,14 +155,14 @@ class NloptAugmentedLagrangian : public testing::TestWithParam<std::string> {};
 
 TEST_P(NloptAugmentedLagrangian, ApproachesACurvedConstraint) {
   const RunRecord record = run(disc(), named(GetParam()), {5000}, 0);
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 1e-6);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, -std::sqrt(2.0), 1e-6);
 }
 
 TEST_P(NloptAugmentedLagrangian, ApproachesAnEquation) {
   const RunRecord record = run(arc(), named(GetParam()), {5000}, 0);
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 1e-5);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, *arc().best_known, 1e-5);
 }
 
 TEST_P(NloptAugmentedLagrangian, IsOfUseForConstraintsOnly) {
@@ -178,8 +178,8 @@ INSTANTIATE_TEST_SUITE_P(All, NloptAugmentedLagrangian,
 /// The evolution strategy comes near the equation, if not within its tolerance.
 TEST(Nlopt, ComesNearAnEquationByIsres) {
   const RunRecord record = run(arc(), named("nlopt-isres"), {5000}, 0);
-  EXPECT_LT(record.trace.back().truth.violation, 1e-3);
-  EXPECT_NEAR(record.trace.back().truth.objective, *arc().best_known, 0.5);
+  EXPECT_LT(record.trace.back().true_values.violation, 1e-3);
+  EXPECT_NEAR(record.trace.back().true_values.objective, *arc().best_known, 0.5);
 }
 
 /// Rastrigin's function: a hollow at every point of whole numbers, the lowest, 0, at the origin.
@@ -198,14 +198,14 @@ class NloptGlobal : public testing::TestWithParam<std::string> {};
 TEST_P(NloptGlobal, GoesOnWhereANumberIsNotFinite) {
   const RunRecord record = run(half_a_number(), named(GetParam()), {300}, 0);
   EXPECT_EQ(record.ledger.charged, 300);
-  ASSERT_EQ(record.exits.size(), 1U);
-  EXPECT_EQ(record.exits.front().reason, "stopped by the evaluator");
+  ASSERT_EQ(record.terminations.size(), 1U);
+  EXPECT_EQ(record.terminations.front().reason, "stopped by the evaluator");
 }
 
 TEST_P(NloptGlobal, FindsTheLowestOfManyHollowsOrTheNext) {
   const RunRecord record = run(hollows(), named(GetParam()), {4000}, 0);
   const bool slow = GetParam() == "nlopt-isres";
-  EXPECT_LT(record.trace.back().truth.objective, slow ? 2 : 0.05) << "the next four have 1";
+  EXPECT_LT(record.trace.back().true_values.objective, slow ? 2 : 0.05) << "the next four have 1";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, NloptGlobal,

@@ -41,7 +41,7 @@ std::int64_t asked_on_a_plateau(const Solver& solver, Eigen::Index n) {
 }
 
 double end_of(const Problem& problem, const Solver& solver, std::int64_t budget) {
-  return run(problem, solver, {budget}, 1).trace.back().truth.objective;
+  return run(problem, solver, {budget}, 1).trace.back().true_values.objective;
 }
 
 TEST(PagmoCmaes, AsksForFourAndThreeLogNPointsAGeneration) {
@@ -122,7 +122,9 @@ TEST_P(Pagmo, GoesRoundPointsWithoutNumbers) {
 
 TEST_P(Pagmo, TakesEveryInfinityForTheWorst) {
   Problem problem = sphere(2, 3);
-  problem.truth = [evaluate = problem.evaluate](const Vector& x) { return truth_of(evaluate(x)); };
+  problem.true_values = [evaluate = problem.evaluate](const Vector& x) {
+    return true_values_of(evaluate(x));
+  };
   problem.evaluate = [evaluate = problem.evaluate](const Vector& x) {
     if (x[0] > 50) return Values{-HUGE_VAL, {}};
     return x[0] < -50 ? Values{HUGE_VAL, {}} : evaluate(x);
@@ -144,7 +146,7 @@ TEST_P(Pagmo, DoesNotDependOnTheUnitsOfBoxAndObjective) {
   const RunRecord b = run(others, solver(), {1500}, 0);
   ASSERT_EQ(a.trace.size(), b.trace.size());
   EXPECT_EQ(a.trace.back().x * micro, b.trace.back().x);
-  EXPECT_EQ(a.exits.front().reason, b.exits.front().reason);
+  EXPECT_EQ(a.terminations.front().reason, b.terminations.front().reason);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Pagmo,
@@ -157,8 +159,8 @@ class PagmoThatConverges : public Pagmo {};
 
 TEST_P(PagmoThatConverges, SaysSo) {
   const RunRecord record = run(sphere(2, 3), solver(), {4000}, 0);
-  EXPECT_EQ(record.exits.front().reason, "converged");
-  EXPECT_GE(record.exits.size(), 2U) << "it leaves the budget to another start";
+  EXPECT_EQ(record.terminations.front().reason, "converged");
+  EXPECT_GE(record.terminations.size(), 2U) << "it leaves the budget to another start";
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PagmoThatConverges,
@@ -170,13 +172,13 @@ class PagmoConstrained : public Pagmo {};
 
 TEST_P(PagmoConstrained, ComesNearACurvedConstraintWithoutViolatingIt) {
   const RunRecord record = run(disc(), solver(), {6000}, 0);
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_NEAR(record.trace.back().truth.objective, -std::sqrt(2.0), 0.02);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, -std::sqrt(2.0), 0.02);
 }
 
 TEST_P(PagmoConstrained, ComesNearAnEquation) {
   const RunRecord record = run(arc(), solver(), {6000}, 0);
-  EXPECT_LT(record.trace.back().truth.violation, 0.01);
+  EXPECT_LT(record.trace.back().true_values.violation, 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PagmoConstrained,

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/questions/count.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/count.h"
+#include "problems/carrier_track/problems/top_speed.h"
 #include "solvers/solvers.h"
 #include "src/core/run.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {
@@ -28,13 +28,13 @@ std::vector<Problem> small_problems() {
 
 void expect_same_trace(const RunRecord& a, const RunRecord& b) {
   EXPECT_EQ(a.ledger.charged, b.ledger.charged) << a.problem;
-  EXPECT_EQ(a.exits, b.exits) << a.problem;
+  EXPECT_EQ(a.terminations, b.terminations) << a.problem;
   ASSERT_EQ(a.trace.size(), b.trace.size()) << a.problem;
   for (std::size_t k = 0; k < a.trace.size(); ++k) {
     EXPECT_EQ(a.trace[k].evaluations, b.trace[k].evaluations) << a.problem;
     EXPECT_EQ(a.trace[k].x, b.trace[k].x) << a.problem;
-    const Truth& p = a.trace[k].truth;
-    const Truth& q = b.trace[k].truth;
+    const TrueValues& p = a.trace[k].true_values;
+    const TrueValues& q = b.trace[k].true_values;
     EXPECT_TRUE(p.objective == q.objective || (std::isnan(p.objective) && std::isnan(q.objective)))
         << a.problem;
     EXPECT_EQ(p.violation, q.violation) << a.problem;
@@ -58,7 +58,7 @@ std::vector<Vector> asked_points(const Solver& solver, const Problem& problem, s
     asked.push_back(x);
     return problem.residuals(x);
   };
-  recorded.truth = [&](const Vector& x) { return truth_of(problem.evaluate(x)); };
+  recorded.true_values = [&](const Vector& x) { return true_values_of(problem.evaluate(x)); };
   recorded.smoothed = nullptr;
   if (problem.smoothed) recorded.smoothed = [recorded](double) { return recorded; };
   Evaluator evaluator(recorded, {budget});
@@ -104,7 +104,7 @@ TEST_P(SolverContract, SpendsItsBudgetAndNoMore) {
         const Eigen::Index n = problem.dimension();
         const Eigen::Index dearest = std::max(1 + n, n * (n + 1) / 2);  // call, in evaluations
         EXPECT_GT(record.ledger.charged, budget - dearest);
-        EXPECT_EQ(record.refusal, Refusal::evaluations);
+        EXPECT_EQ(record.termination_reason, TerminationReason::evaluations);
       }
     }
   }
@@ -116,7 +116,7 @@ TEST_P(SolverContract, EndsAtOnceWhereTheEvaluatorRefusesAtOnce) {
       const RunRecord record = run(problem, solver(), {budget}, 0);
       EXPECT_LE(record.ledger.refused, most_refused) << problem.name;
       EXPECT_LE(record.ledger.charged, budget) << problem.name;
-      EXPECT_EQ(record.exits.back().reason, "stopped by the evaluator") << problem.name;
+      EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator") << problem.name;
     }
   }
 }
@@ -124,8 +124,8 @@ TEST_P(SolverContract, EndsAtOnceWhereTheEvaluatorRefusesAtOnce) {
 TEST_P(SolverContract, EndsWhenTheTimeIsSpent) {
   const RunRecord record = run(easy(), solver(), {1'000'000'000, 0.02}, 0);
   EXPECT_LE(record.ledger.refused, most_refused);
-  EXPECT_EQ(record.refusal, Refusal::seconds);
-  EXPECT_EQ(record.exits.back().reason, "stopped by the evaluator");
+  EXPECT_EQ(record.termination_reason, TerminationReason::seconds);
+  EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
 }
 
 TEST_P(SolverContract, GivesTheSameTraceForTheSameRun) {
@@ -205,10 +205,10 @@ TEST_P(SolverContract, EndsAndReportsWhenTheProblemThrows) {
     const Problem problem = breaks_after(calls, easy().dimension());
     const RunRecord record = run(problem, solver(), {10000}, 0);
     EXPECT_EQ(record.failure, "broken scene");
-    EXPECT_EQ(record.refusal, Refusal::failure);
+    EXPECT_EQ(record.termination_reason, TerminationReason::failure);
     const Ledger& ledger = record.ledger;
     EXPECT_EQ(ledger.values + ledger.derivatives + ledger.hessians, calls);
-    EXPECT_EQ(record.exits.back().reason, "stopped by the evaluator");
+    EXPECT_EQ(record.terminations.back().reason, "stopped by the evaluator");
   }
 }
 
@@ -234,9 +234,9 @@ TEST_P(ConstrainedContract, FindsAFeasiblePointNearTheConstrainedOptimum) {
   const Problem problem = disc();
   // With 1000 evaluations dynFWA gets to its seventh generation only.
   const RunRecord record = run(problem, solver(), {solver().stochastic ? 5000 : 1000}, 0);
-  EXPECT_EQ(record.trace.back().truth.violation, 0.0);
-  EXPECT_GE(record.trace.back().truth.objective, -std::sqrt(2.0) - 1e-12);
-  EXPECT_LT(record.trace.back().truth.objective, solver().stochastic ? -1.3 : -1.39);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0.0);
+  EXPECT_GE(record.trace.back().true_values.objective, -std::sqrt(2.0) - 1e-12);
+  EXPECT_LT(record.trace.back().true_values.objective, solver().stochastic ? -1.3 : -1.39);
 }
 
 TEST_P(SolverContract, GivesTheSameTracesInTwoThreads) {
@@ -266,13 +266,13 @@ TEST_P(SolverContract, RunsOnTheCarrierTrack) {
   using namespace carrier_track;
   const Machine machine = machine_of(find_case("C1"), exploratory_scene());
   int runs = 0;
-  for (const Question& question : {count_question(machine), top_speed_question(machine)}) {
-    for (const Problem& problem : {question.stated, question.problem({question.width})}) {
+  for (const Problem& stated : {count_problem(machine), top_speed_problem(machine)}) {
+    for (const Problem& problem : {stated, stated.formulated({stated.smoothing})}) {
       if (!solver().accepts(problem)) continue;
       ++runs;
       const RunRecord record = run(problem, solver(), {100}, 0);
       EXPECT_EQ(record.failure, "") << problem.name;
-      EXPECT_EQ(record.refusal, Refusal::evaluations) << problem.name;
+      EXPECT_EQ(record.termination_reason, TerminationReason::evaluations) << problem.name;
       EXPECT_LE(record.ledger.charged, 100) << problem.name;
       EXPECT_FALSE(record.trace.empty()) << problem.name;
     }

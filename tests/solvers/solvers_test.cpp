@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "solvers/fireworks/fireworks.h"
+#include "src/core/error.h"
+#include "src/core/scorer.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {
@@ -66,13 +68,28 @@ TEST(AllSolvers, NameTheLibraryBehindThemAndItsVersion) {
   }
 }
 
+TEST(SolverNamed, IsTheOneOrAnErrorThatSaysWhatMayBeMeant) {
+  EXPECT_EQ(solver_named("nlopt-sbplx").name, "nlopt-sbplx");
+  try {
+    solver_named("nlopt-sbplex", "--solver");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("--solver nlopt-sbplex: there is no such solver"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("nlopt-sbplx"));
+  }
+  for (const MissingSolver& missing : missing_solvers()) {
+    EXPECT_THROW(solver_named(missing.solver), InputError);
+  }
+}
+
 TEST(AllSolvers, HaveBothReadingsOfTheThirdBranch) {
   const auto end_of = [](const Solver& solver) {
     Problem problem = sphere(2, 3);
-    Evaluator evaluator(problem, {500});
+    Scorer scorer(problem);
+    Evaluator evaluator(problem, {500}, &scorer);
     Random random;
     solver.solve(evaluator, problem.start, random);
-    return evaluator.best()->truth.objective;
+    return scorer.best()->true_values.objective;
   };
   const double rounded = end_of(fireworks::fireworks("", fireworks::paper_options()));
   fireworks::FireworksOptions as_printed;

@@ -51,7 +51,7 @@ TEST(Tao, FindsTheMinimumOfQuadraticsAtActiveBounds) {
   for (const Solver& solver : tao_solvers()) {
     Evaluator evaluator(problem, {2000});
     Random random;
-    const SolverExit exit = solver.solve(evaluator, problem.start, random);
+    const SolverTermination exit = solver.solve(evaluator, problem.start, random);
     ASSERT_TRUE(exit.point) << solver.name << ": " << exit.reason;
     EXPECT_LT((*exit.point - best).norm(), 1e-5) << solver.name << ": " << exit.reason;
     EXPECT_FALSE(evaluator.over()) << solver.name;
@@ -75,7 +75,7 @@ TEST(Tao, SolvesLeastSquaresWithAndWithoutDerivatives) {
   for (const char* const name : {"tao-pounders", "tao-brgn"}) {
     const RunRecord record = run(valley(), tao(name), {400}, 0);
     EXPECT_EQ(record.failure, "");
-    EXPECT_LT(record.trace.back().truth.objective, 1e-9) << name;
+    EXPECT_LT(record.trace.back().true_values.objective, 1e-9) << name;
   }
 }
 
@@ -113,7 +113,7 @@ TEST(Tao, WorksInSeveralForkedProcessesAtOnceAndPrintsNothing) {
     const pid_t child = fork();
     if (child == 0) {
       const RunRecord record = run(sphere(3, 3), tao("tao-bqnls"), {100}, 1);
-      _exit(record.failure.empty() && record.trace.back().truth.objective < 1e-12 ? 0 : 1);
+      _exit(record.failure.empty() && record.trace.back().true_values.objective < 1e-12 ? 0 : 1);
     }
     children.push_back(child);
   }
@@ -131,8 +131,8 @@ TEST(Tao, TakesTurnsWithIpoptInOneProcess) {
   const RunRecord alone = run(sphere(3, 3), other, {200}, 1);
   const RunRecord first = run(sphere(3, 3), tao("tao-blmvm"), {200}, 1);
   for (int k = 0; k < 3; ++k) {
-    EXPECT_EQ(run(sphere(3, 3), other, {200}, 1).exits, alone.exits);
-    EXPECT_EQ(run(sphere(3, 3), tao("tao-blmvm"), {200}, 1).exits, first.exits);
+    EXPECT_EQ(run(sphere(3, 3), other, {200}, 1).terminations, alone.terminations);
+    EXPECT_EQ(run(sphere(3, 3), tao("tao-blmvm"), {200}, 1).terminations, first.terminations);
   }
 }
 

@@ -63,7 +63,7 @@ inline auto constant_hessian(Eigen::Index n, double diagonal) {
   return [n, diagonal](const Vector&) -> Matrix { return diagonal * Matrix::Identity(n, n); };
 }
 
-/// Gives a problem a smoothing width that changes nothing.
+/// Gives a problem a smoothing parameter that changes nothing.
 inline Problem with_idle_knob(Problem problem) {
   problem.smoothed = [problem](double) { return problem; };
   return problem;
@@ -191,7 +191,9 @@ inline Problem breaks_after(int calls, Eigen::Index n) {
   const auto step = [left] {
     if (left->fetch_sub(1) <= 0) throw std::runtime_error("broken scene");
   };
-  problem.truth = [evaluate = problem.evaluate](const Vector& x) { return truth_of(evaluate(x)); };
+  problem.true_values = [evaluate = problem.evaluate](const Vector& x) {
+    return true_values_of(evaluate(x));
+  };
   problem.evaluate = [step, evaluate = problem.evaluate](const Vector& x) {
     step();
     return evaluate(x);

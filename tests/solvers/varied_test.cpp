@@ -27,11 +27,11 @@ const std::vector<Problem>& problems() {
   static const std::vector<Problem> chosen = [] {
     std::vector<Problem> all;
     for (const Family& family : classic::families()) {
-      for (const Question& question : family.questions) {
-        const std::string name = question.name();
+      for (const Problem& problem : family.problems) {
+        const std::string name = problem.name;
         for (const char* wanted :
              {"classic-rosenbrock-5", "classic-ackley-5", "hs-71", "hs-65", "least-squares-04"}) {
-          if (name.starts_with(wanted)) all.push_back(question.stated);
+          if (name.starts_with(wanted)) all.push_back(problem);
         }
       }
     }
@@ -45,9 +45,10 @@ const std::vector<Problem>& problems() {
 std::vector<double> trail(const Problem& problem, const Solver& solver,
                           std::int64_t evaluations = 600) {
   const RunRecord record = run(problem, solver, {evaluations}, 1);
-  std::vector<double> trail = {
-      static_cast<double>(record.ledger.charged), static_cast<double>(record.ledger.values),
-      static_cast<double>(record.ledger.derivatives), static_cast<double>(record.exits.size())};
+  std::vector<double> trail = {static_cast<double>(record.ledger.charged),
+                               static_cast<double>(record.ledger.values),
+                               static_cast<double>(record.ledger.derivatives),
+                               static_cast<double>(record.terminations.size())};
   for (const Improvement& step : record.trace) {
     trail.push_back(static_cast<double>(step.evaluations));
     trail.insert(trail.end(), step.x.begin(), step.x.end());

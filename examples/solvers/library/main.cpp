@@ -13,9 +13,9 @@ Solver shrinking_steps() {
   Solver solver;
   solver.name = "shrinking-steps";
   solver.stochastic = true;
-  solver.accepts = [](const Problem& problem) { return problem.constraints == 0; };
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
-    const Vector box = evaluator.problem().upper - evaluator.problem().lower;
+  solver.solve = [](Evaluator& evaluator, const Vector& start,
+                    Random& random) -> SolverTermination {
+    const Vector box = evaluator.upper() - evaluator.lower();
     Vector x = start;
     for (double size = 1; evaluator.values(x) && size > 1e-6; size *= 0.98) {
       x = *evaluator.best_shown();
@@ -44,8 +44,8 @@ Problem bowl() {
 void solve(const Problem& problem, double tolerance) {
   const RunRecord record = run(problem, shrinking_steps(), Budget{20'000}, 0);
   const Verdict verdict = judge(record, problem, tolerance);
-  std::printf("%s: %s, regret %g\n", problem.name.c_str(), verdict.solved ? "solved" : "not solved",
-              verdict.regret.value_or(-1));
+  std::printf("%s: %s, optimality gap %g\n", problem.name.c_str(),
+              verdict.solved ? "solved" : "not solved", verdict.optimality_gap.value_or(-1));
   if (!verdict.solved) std::exit(1);
 }
 
@@ -54,8 +54,8 @@ int main() {
   int asked = 0;
   for (const Family& family : all_families()) {
     if (family.name != "count") continue;
-    for (const Question& question : family.questions) solve(question.stated, question.tolerance);
-    asked += static_cast<int>(family.questions.size());
+    for (const Problem& problem : family.problems) solve(problem, problem.tolerance);
+    asked += static_cast<int>(family.problems.size());
   }
   return asked > 0 ? 0 : 1;
 }

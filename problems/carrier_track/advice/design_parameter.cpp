@@ -1,18 +1,18 @@
-#include "src/studies/advice/knob.h"
+#include "problems/carrier_track/advice/design_parameter.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/advice/path_chart.h"
 #include "problems/carrier_track/counting/sensitivity.h"
-#include "src/studies/path_chart.h"
 
 namespace ricochet::studies::advice {
 namespace {
 
 using carrier_track::Scene;
 
-/// What a restitution becomes when the one that is the knob's value goes from `own` to `value`: as
-/// large a share of the way to 0, or to 1.
+/// A restitution after the design parameter's restitution goes from `own` to `value`: it moves by
+/// the same share of the way to 0, or to 1.
 double gone_with(double restitution, double own, double value) {
   if (value <= own) return own > 0 ? restitution * (value / own) : 0.0;
   return restitution + (1 - restitution) * (value - own) / (1 - own);
@@ -52,11 +52,11 @@ Scene with_disturbance(const Scene& scene, double value) {
 
 }  // namespace
 
-double Knob::value(double share) const {
+double DesignParameter::value(double share) const {
   return share < 0 ? own + share * (own - least) : own + share * (most - own);
 }
 
-std::vector<double> Knob::levels() const {
+std::vector<double> DesignParameter::levels() const {
   std::vector<double> values;
   for (const double share : shares) {
     const double at = value(share);
@@ -65,31 +65,31 @@ std::vector<double> Knob::levels() const {
   return values;
 }
 
-std::vector<Knob> knobs_of(const Scene& scene) {
+std::vector<DesignParameter> design_parameters_of(const Scene& scene) {
   const std::vector<double> three{-1, 0, 1};
   const std::vector<double> five{-1, -0.5, 0, 0.5, 1};
   const double restitution = scene.restitution_lower;
   const double friction = scene.friction;
-  // A friction in contact takes everything from 1 on.
+  // With contact friction, a coefficient of 1 or more takes the whole velocity.
   const double slippery = scene.contact_friction ? std::max(friction, 0.99) : 1e15;
-  std::vector<Knob> knobs = {
+  std::vector<DesignParameter> design_parameters = {
       {"restitution", "", restitution / 2, restitution, (1 + restitution) / 2, five,
        with_restitution},
       {"friction", "", 0, friction, std::min(slippery, friction > 0 ? 2 * friction : 0.2), five,
        with_friction}};
   if (std::isfinite(scene.wall_upper)) {
     const double clearance = clearance_of(scene);
-    knobs.push_back(
+    design_parameters.push_back(
         {"clearance", "mm", clearance / 2, clearance, 2 * clearance, three, with_clearance});
   }
   const double force = std::max(std::abs(scene.pull), friction * scene.normal_force);
   if (scene.disturbance != 0) {
-    knobs.push_back(
+    design_parameters.push_back(
         {"disturbance", "N", 0, scene.disturbance, 2 * scene.disturbance, three, with_disturbance});
   } else if (force > 0) {
-    knobs.push_back({"disturbance", "N", 0, 0, force, five, with_disturbance});
+    design_parameters.push_back({"disturbance", "N", 0, 0, force, five, with_disturbance});
   }
-  return knobs;
+  return design_parameters;
 }
 
 }  // namespace ricochet::studies::advice

@@ -1,4 +1,4 @@
-#include "src/studies/advice/knob_grid.h"
+#include "problems/carrier_track/advice/design_parameter_grid.h"
 
 #include <tbb/parallel_for.h>
 
@@ -14,7 +14,7 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-/// 1 where it is loud, else 0.
+/// 1 if the scene is loud at this speed, else 0.
 int loudness(const Scene& scene, const Limit& limit, double omega) {
   return measured(at_speed(scene, omega), limit.measure) > limit.at_most ? 1 : 0;
 }
@@ -45,22 +45,23 @@ QuietRange found(const Scene& scene, const Limit& limit, const CoarseScan& scan)
   return range;
 }
 
-/// The machine with its knobs at the levels of a combination.
-Scene turned(Scene scene, const KnobGrid& grid, std::size_t combination) {
-  for (std::size_t k = grid.knobs.size(); k-- > 0;) {
+/// The machine with the design parameter levels of a combination.
+Scene turned(Scene scene, const DesignParameterGrid& grid, std::size_t combination) {
+  for (std::size_t k = grid.design_parameters.size(); k-- > 0;) {
     const std::vector<double>& levels = grid.levels[k];
     const double value = levels[combination % levels.size()];
     combination /= levels.size();
-    if (value != grid.knobs[k].own) scene = grid.knobs[k].turned(scene, value);
+    if (value != grid.design_parameters[k].own)
+      scene = grid.design_parameters[k].turned(scene, value);
   }
   return scene;
 }
 
 double share_of_point(std::size_t i) {
-  return -1 + 2.0 * static_cast<double>(i) / (KnobGrid::points_of_a_line - 1);
+  return -1 + 2.0 * static_cast<double>(i) / (DesignParameterGrid::points_of_a_line - 1);
 }
 
-/// A ten-thousandth is less than what the scan can tell.
+/// Rounded to a ten-thousandth, which is finer than the scan's resolution.
 Json four_decimals(const std::optional<double>& value) {
   return value ? Json(std::round(*value * 1e4) / 1e4) : Json();
 }
@@ -71,7 +72,7 @@ Json change_of(const QuietRange& range, const QuietRange& own) {
 }
 
 Json json_of(const QuietRange& range, const QuietRange& own) {
-  constexpr double rpm = 30 / std::numbers::pi;  // of a rad/s
+  constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
   return {{"quiet", four_decimals(range.quiet)},
           {"rpm", range.quiet ? four_decimals(*range.quiet * rpm) : Json()},
           {"change", change_of(range, own)},
@@ -80,33 +81,34 @@ Json json_of(const QuietRange& range, const QuietRange& own) {
           {"simulated", range.simulated}};
 }
 
-std::string label_of(const Knob& knob) {
-  return knob.unit.empty() ? knob.name : knob.name + " [" + knob.unit + "]";
+std::string label_of(const DesignParameter& design_parameter) {
+  return design_parameter.unit.empty() ? design_parameter.name
+                                       : design_parameter.name + " [" + design_parameter.unit + "]";
 }
 
-Json points_of_line(const KnobGrid& grid, std::size_t k) {
+Json points_of_line(const DesignParameterGrid& grid, std::size_t k) {
   Json points = Json::array();
   for (const QuietRange& range : grid.lines[k]) {
     Json point = json_of(range, grid.own);
-    point["value"] = grid.knobs[k].value(share_of_point(points.size()));
+    point["value"] = grid.design_parameters[k].value(share_of_point(points.size()));
     points.push_back(std::move(point));
   }
   return points;
 }
 
-/// Where on its line a knob makes the machine fastest, and where slowest.
-Json ends_of_line(const Knob& knob, const Json& points) {
+/// The values of a design parameter on its line at which the machine is fastest and slowest.
+Json ends_of_line(const DesignParameter& design_parameter, const Json& points) {
   const auto slower = [](const Json& a, const Json& b) { return a["quiet"] < b["quiet"]; };
-  // Of equals the machine's own value is as good as any.
-  const Json& own = points.at(KnobGrid::points_of_a_line / 2);
+  // Of equal points the machine's own value is preferred.
+  const Json& own = points.at(DesignParameterGrid::points_of_a_line / 2);
   const Json& most = *std::max_element(points.begin(), points.end(), slower);
   const Json& least = *std::min_element(points.begin(), points.end(), slower);
-  return {{"knob", knob.name},
-          {"label", label_of(knob)},
-          {"unit", knob.unit},
-          {"least", knob.least},
-          {"own", knob.own},
-          {"most", knob.most},
+  return {{"design_parameter", design_parameter.name},
+          {"label", label_of(design_parameter)},
+          {"unit", design_parameter.unit},
+          {"least", design_parameter.least},
+          {"own", design_parameter.own},
+          {"most", design_parameter.most},
           {"matters", slower(own, most)},
           {"best", slower(own, most) ? most : own},
           {"worst", slower(least, own) ? least : own}};
@@ -131,49 +133,56 @@ QuietRange quiet_range(const Scene& scene, const Limit& limit, const CoarseScan&
   }
 }
 
-std::optional<KnobGrid> knob_grid(const Scene& scene, const QuietSpeed& answer) {
+std::optional<DesignParameterGrid> design_parameter_grid(const Scene& scene,
+                                                         const QuietSpeed& answer) {
   const auto scan = coarse_scan(scene, answer);
   if (!scan) return std::nullopt;
-  KnobGrid grid{*scan, knobs_of(scene), {}, {}, {}, {}};
+  DesignParameterGrid grid{*scan, design_parameters_of(scene), {}, {}, {}, {}};
   std::size_t combinations = 1;
-  for (const Knob& knob : grid.knobs) {
-    grid.levels.push_back(knob.levels());
+  for (const DesignParameter& design_parameter : grid.design_parameters) {
+    grid.levels.push_back(design_parameter.levels());
     combinations *= grid.levels.back().size();
   }
   grid.combinations.resize(combinations);
-  grid.lines.assign(grid.knobs.size(), std::vector<QuietRange>(KnobGrid::points_of_a_line));
+  grid.lines.assign(grid.design_parameters.size(),
+                    std::vector<QuietRange>(DesignParameterGrid::points_of_a_line));
   grid.own = quiet_range(scene, *answer.limit, grid.scan);
-  const std::size_t of_lines = grid.knobs.size() * KnobGrid::points_of_a_line;
+  const std::size_t of_lines =
+      grid.design_parameters.size() * DesignParameterGrid::points_of_a_line;
   tbb::parallel_for(std::size_t{0}, combinations + of_lines, [&](std::size_t i) {
     if (i < combinations) {
       grid.combinations[i] = quiet_range(turned(scene, grid, i), *answer.limit, grid.scan);
       return;
     }
-    const std::size_t k = (i - combinations) / KnobGrid::points_of_a_line;
-    const std::size_t point = (i - combinations) % KnobGrid::points_of_a_line;
-    const Knob& knob = grid.knobs[k];
-    const double value = knob.value(share_of_point(point));
-    grid.lines[k][point] = quiet_range(value == knob.own ? scene : knob.turned(scene, value),
-                                       *answer.limit, grid.scan);
+    const std::size_t k = (i - combinations) / DesignParameterGrid::points_of_a_line;
+    const std::size_t point = (i - combinations) % DesignParameterGrid::points_of_a_line;
+    const DesignParameter& design_parameter = grid.design_parameters[k];
+    const double value = design_parameter.value(share_of_point(point));
+    grid.lines[k][point] =
+        quiet_range(value == design_parameter.own ? scene : design_parameter.turned(scene, value),
+                    *answer.limit, grid.scan);
   });
   return grid;
 }
 
-Json json_of(const std::optional<KnobGrid>& grid) {
+Json json_of(const std::optional<DesignParameterGrid>& grid) {
   if (!grid) return {};
-  Json knobs = Json::array();
+  Json design_parameters = Json::array();
   Json lines = Json::array();
   Json charts = Json::array();
-  for (std::size_t k = 0; k < grid->knobs.size(); ++k) {
-    const Knob& knob = grid->knobs[k];
+  for (std::size_t k = 0; k < grid->design_parameters.size(); ++k) {
+    const DesignParameter& design_parameter = grid->design_parameters[k];
     const auto& levels = grid->levels[k];
-    const auto own = std::find(levels.begin(), levels.end(), knob.own) - levels.begin();
-    knobs.push_back({{"knob", knob.name}, {"unit", knob.unit}, {"own", own}, {"levels", levels}});
+    const auto own = std::find(levels.begin(), levels.end(), design_parameter.own) - levels.begin();
+    design_parameters.push_back({{"design_parameter", design_parameter.name},
+                                 {"unit", design_parameter.unit},
+                                 {"own", own},
+                                 {"levels", levels}});
     Json points = points_of_line(*grid, k);
-    lines.push_back(ends_of_line(knob, points));
-    charts.push_back({{"knob", knob.name},
-                      {"label", label_of(knob)},
-                      {"own", knob.own},
+    lines.push_back(ends_of_line(design_parameter, points));
+    charts.push_back({{"design_parameter", design_parameter.name},
+                      {"label", label_of(design_parameter)},
+                      {"own", design_parameter.own},
                       {"points", std::move(points)}});
   }
   std::stable_sort(lines.begin(), lines.end(), [](const Json& a, const Json& b) {
@@ -191,8 +200,8 @@ Json json_of(const std::optional<KnobGrid>& grid) {
           {"step", grid->scan.ratio - 1},
           {"combinations", grid->combinations.size()},
           {"own", std::move(own)},
-          {"top", top > 0 ? 1.1 * top : 1},  // of the charts, so that all have one scale
-          {"knobs", std::move(knobs)},
+          {"top", top > 0 ? 1.1 * top : 1},  // of all charts, which share one scale
+          {"design_parameters", std::move(design_parameters)},
           {"lines", std::move(lines)},
           {"charts", std::move(charts)},
           {"answers", report::list_of(grid->combinations, [&](const QuietRange& range) {

@@ -1,7 +1,7 @@
-#include "src/studies/advice/model_choice.h"
+#include "problems/carrier_track/advice/model_choice.h"
 
+#include "problems/carrier_track/advice/design_parameter_grid.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
-#include "src/studies/advice/knob_grid.h"
 
 namespace ricochet::studies::advice {
 

@@ -5,8 +5,8 @@
 
 namespace ricochet::studies::advice {
 
-/// Whether the planar model is needed for a machine: whether it has a second direction, whether
-/// that acts on the first at the fastest quiet speed, and if so what either model says.
+/// Whether a machine needs the planar model: whether it has a second direction, whether that
+/// direction affects the first at the fastest quiet speed, and if so the results of both models.
 report::Json model_choice(const carrier_track::Scene& scene,
                           const carrier_track::QuietSpeed& answer);
 

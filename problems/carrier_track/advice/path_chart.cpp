@@ -1,4 +1,4 @@
-#include "src/studies/path_chart.h"
+#include "problems/carrier_track/advice/path_chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace carrier_track;
 
 namespace {
 
-constexpr double zoom_samples = 1500;  // of a path
+constexpr double zoom_samples = 1500;  // per path
 
 }  // namespace
 
@@ -40,8 +40,8 @@ std::vector<report::Sample> path_samples(const Scene& scene, const Recording& re
 std::vector<report::Sample> counted_samples(const Scene& scene, const Recording& recording) {
   const double unit = path_axis(scene).unit;
   std::vector<report::Sample> samples;
-  for (const auto& feature : counted_features(scene, recording)) {
-    samples.push_back({feature.time / unit, feature.position / millimetre});
+  for (const auto& perturbation : counted_features(scene, recording)) {
+    samples.push_back({perturbation.time / unit, perturbation.position / millimetre});
   }
   return samples;
 }

@@ -11,8 +11,7 @@ namespace ricochet::studies {
 
 inline constexpr double millimetre = 1e-3;  // [m]
 
-/// What a path is drawn over: turns of the driver plate where the scene's window is in turns, else
-/// time.
+/// The abscissa of a path: turns of the driver plate if the scene's window is in turns, else time.
 struct PathAxis {
   std::string label;
   double unit;  ///< [s]
@@ -20,34 +19,34 @@ struct PathAxis {
 
 PathAxis path_axis(const carrier_track::Scene& scene);
 
-/// x [mm] of a recording with its path.
+/// x [mm] along a recorded path.
 std::vector<report::Sample> path_samples(const carrier_track::Scene& scene,
                                          const carrier_track::Recording& recording);
 
-/// Where the recording has what counts: x [mm] of its impacts or of its maxima.
+/// x [mm] of the recording's counted events: impacts or maxima.
 std::vector<report::Sample> counted_samples(const carrier_track::Scene& scene,
                                             const carrier_track::Recording& recording);
 
-/// What these are called: "impact that counts".
+/// The name of these events: "impact that counts" or "maximum that counts".
 std::string counted_label(const carrier_track::Scene& scene);
 
-/// Where most of what counts happens: a part of the path, drawn finely enough for itself.
+/// The part of the path with most of the counted events, sampled finely.
 struct PathZoom {
   report::Range at;  ///< along the path's axis
   report::Range x;   ///< [mm], with some room around the path
   std::vector<report::Sample> path;
 };
 
-/// Nothing where no small part of the path has most of it. Simulates again.
+/// Empty if no small part of the path has most of the events. Simulates again.
 std::optional<PathZoom> path_zoom(const carrier_track::Scene& scene,
                                   const carrier_track::Recording& recording);
 
-/// The path with what counts, and the walls. `name` and `title` are the chart's.
+/// The path with its counted events, and the walls. `name` and `title` are the chart's.
 report::Chart path_chart(const carrier_track::Scene& scene,
                          const carrier_track::Recording& recording, std::string name,
                          std::string title);
 
-/// A part of it.
+/// The chart of a zoomed part of the path.
 report::Chart zoom_chart(const carrier_track::Scene& scene,
                          const carrier_track::Recording& recording, const PathZoom& zoom,
                          std::string name);

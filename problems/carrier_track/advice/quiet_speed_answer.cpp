@@ -1,9 +1,15 @@
-#include "src/studies/advice/quiet_speed_answer.h"
+#include "problems/carrier_track/advice/quiet_speed_answer.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
+
+namespace ricochet::carrier_track {
+
+RICOCHET_WRITTEN_AS_JSON(Level, from, to, low, typical, high);
+
+}  // namespace ricochet::carrier_track
 
 namespace ricochet::studies::advice {
 namespace {
@@ -11,7 +17,7 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-constexpr double rpm = 30 / std::numbers::pi;  // of a rad/s
+constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
 constexpr int drawn_machines = 200;
 
 std::string text_of(const Limit& limit) {
@@ -154,14 +160,6 @@ report::Json json_of(const QuietSpeedAnswer& output) {
                      {"significance", step.significance},
                      {"first_loud", step.first_loud}});
   }
-  Json levels = Json::array();
-  for (const Level& level : answer.staircase.levels) {
-    levels.push_back({{"from", level.from},
-                      {"to", level.to},
-                      {"low", level.low},
-                      {"typical", level.typical},
-                      {"high", level.high}});
-  }
   Json around = Json::array();
   for (const CountThere& there : answer.around) {
     around.push_back({{"omega", rounded(there.omega)},
@@ -175,7 +173,7 @@ report::Json json_of(const QuietSpeedAnswer& output) {
                {"fastest_quiet_rpm", Json()},
                {"limit", Json()},
                {"steps", steps},
-               {"levels", levels},
+               {"levels", answer.staircase.levels},
                {"around", around},
                {"percent_for_one", moves},
                {"with_tolerance", Json()}};

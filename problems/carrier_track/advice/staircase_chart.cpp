@@ -1,4 +1,4 @@
-#include "src/studies/advice/staircase_chart.h"
+#include "problems/carrier_track/advice/staircase_chart.h"
 
 #include <algorithm>
 #include <utility>

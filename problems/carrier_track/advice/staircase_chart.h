@@ -8,16 +8,16 @@
 
 namespace ricochet::studies::advice {
 
-/// The counts over the speeds up to the fastest, with a sample where they change.
+/// The counts over the speeds up to the fastest, sampled where they change.
 std::vector<report::Sample> staircase_samples(const carrier_track::QuietSpeed& answer);
 
-/// A speed [rad/s] that a picture of a staircase marks, if there is one.
+/// A speed [rad/s] to mark in a chart of a staircase, if any.
 struct MarkedSpeed {
   std::optional<double> omega;
   std::string label;
 };
 
-/// The staircase with its steps, behind other speeds to mark.
+/// The staircase with its steps marked; other marked speeds come first.
 report::Chart staircase_chart(const carrier_track::QuietSpeed& answer, std::string title,
                               const std::vector<MarkedSpeed>& marked);
 

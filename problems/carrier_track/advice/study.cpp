@@ -1,16 +1,16 @@
-#include "src/studies/advice/study.h"
+#include "problems/carrier_track/advice/study.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/advice/design_parameter_grid.h"
+#include "problems/carrier_track/advice/model_choice.h"
+#include "problems/carrier_track/advice/path_chart.h"
+#include "problems/carrier_track/advice/quiet_speed_answer.h"
+#include "problems/carrier_track/advice/staircase_chart.h"
 #include "problems/carrier_track/scene/scene_doubts.h"
-#include "src/studies/advice/knob_grid.h"
-#include "src/studies/advice/model_choice.h"
-#include "src/studies/advice/quiet_speed_answer.h"
-#include "src/studies/advice/staircase_chart.h"
-#include "src/studies/path_chart.h"
 
 namespace ricochet::studies {
 namespace {
@@ -19,7 +19,7 @@ using namespace carrier_track;
 using namespace advice;
 using report::Json;
 
-/// What the walls take, and the fastest impact, over the speeds.
+/// The energy taken by the walls and the fastest impact, over the speeds.
 Json wear_data(const Scene& scene, double fastest) {
   constexpr std::size_t speeds = 300;
   std::vector<Json> rows(speeds);
@@ -39,7 +39,7 @@ Json rows_of(const std::vector<report::Sample>& samples) {
   });
 }
 
-/// One run at a speed, with what counts in it.
+/// One run at a speed, with its counted events.
 Json path_data(const Scene& scene, double omega, const char* side, const char* speed) {
   const Scene there = at_speed(scene, omega);
   const Recording recording = record(there, 0, 2000);
@@ -65,7 +65,7 @@ Json path_data(const Scene& scene, double omega, const char* side, const char* s
           {"counted", rows_of(counted_samples(there, recording))}};
 }
 
-/// What each constant would have to change by for a tenth more speed.
+/// The change of each constant that would give a tenth more speed.
 Json change_data(const std::vector<Sensitivity>& all) {
   Json rows = Json::array();
   for (const Sensitivity& s : all) {
@@ -84,7 +84,7 @@ Json compute(const AdviceOptions& options) {
   Json data = json_of(answer);
   data["name"] = options.name;
   data["text"] = text_of(answer);
-  data["headline"] = headline_of(answer);
+  data["answer"] = headline_of(answer);
   data["divide"] = found.split.speed;
   data["fastest"] = found.options.fastest;
   data["doubts"] = doubts_about(options.scene);
@@ -97,7 +97,7 @@ Json compute(const AdviceOptions& options) {
   data["most"] = 1 + 1.1 * most;
   data["wear"] = wear_data(options.scene, found.options.fastest);
   data["changes"] = change_data(answer.sensitivities);
-  data["explorer"] = json_of(knob_grid(options.scene, found));
+  data["explorer"] = json_of(design_parameter_grid(options.scene, found));
   data["model"] = model_choice(options.scene, found);
   data["paths"] = Json::array();
   if (found.fastest_quiet) {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "problems/carrier_track/counting/quiet_speed.h"
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
 
 namespace ricochet::studies {
 
@@ -11,11 +11,11 @@ struct AdviceOptions {
   std::string name;  ///< of the machine
   carrier_track::Scene scene;
   carrier_track::QuietSpeedOptions quiet_speed;
-  double tolerance = 0;  ///< share, of every constant
+  double tolerance = 0;  ///< relative, of every constant
 };
 
-/// A page for whoever runs or builds a machine: how fast it may turn, what happens below and above
-/// that, and what to change for more.
+/// A page for users and makers of a machine: how fast it may turn, what happens below and above
+/// that speed, and what to change for a higher one.
 Study advice_study(const AdviceOptions& options);
 
 }  // namespace ricochet::studies

@@ -18,24 +18,24 @@ namespace {
 
 using Feature = FeatureTrace::Feature;
 
-/// Features of two simulations are the same if they differ by no more than this in the scaled
-/// margin and than Neighbour::same_time in time.
+/// Features of two simulations are the same if they differ by at most this in the scaled margin and
+/// by at most Neighbour::same_time in time.
 constexpr double same_margin = 0.1;
 
-/// From this growth on a path is called sensitive: perturbation_size then moves a scaled margin by
+/// A path with this growth or more is sensitive: perturbation_size then changes a scaled margin by
 /// a hundredth of same_margin.
 constexpr double sensitive_growth = 1e6;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Of the features of a kind in one simulation those that features of another are, asked for in the
-/// order of time.
+/// Finds for the features of another simulation the same features of this one, for one kind. Call
+/// of() in order of time.
 class Counterparts {
  public:
   Counterparts(const std::vector<Feature>& others, double duration)
       : others_(others), within_(Neighbour::same_time * duration) {}
 
-  /// The nearest in time, if it is the same.
+  /// Returns the feature nearest in time, if it is the same feature; else nullptr.
   const Feature* of(const Feature& feature) {
     while (after_ != others_.end() && after_->time < feature.time) ++after_;
     const Feature* best = after_ != others_.end() ? &*after_ : nullptr;
@@ -56,7 +56,7 @@ class Counterparts {
   std::vector<Feature>::const_iterator after_ = others_.begin();
 };
 
-/// A feature that may or may not count.
+/// A feature of which it is in doubt whether it counts.
 struct Suspect {
   double time = infinity;  ///< [s]
   std::size_t kind = 0;
@@ -65,13 +65,13 @@ struct Suspect {
   double left = 0;  ///< [s], time to the end of the window
 };
 
-/// A pair of the same feature.
+/// A feature that occurs in both traces.
 struct Pair {
   double time;  ///< [s]
   double change;
 };
 
-/// One trace against another, of a scene little different.
+/// Compares a trace with that of a slightly different scene.
 class Comparison {
  public:
   Comparison(const FeatureTrace& given, double given_end, const FeatureTrace& other,
@@ -113,8 +113,8 @@ class Comparison {
     }
   }
 
-  /// Ten times the movement, as that of an impact just after the end, which the given trace
-  /// lacks, is not known.
+  /// Uses ten times the largest movement, because the movement of an impact just after the end,
+  /// which the given trace lacks, is unknown.
   void find_near_end(std::size_t kind, const std::vector<Feature>& features, double end) {
     for (auto f = features.rbegin(); f != features.rend(); ++f) {
       if (f->time < (1 - Neighbour::same_time) * end) break;
@@ -133,7 +133,7 @@ class Comparison {
 
   Suspect first_;
   std::vector<Pair> pairs_;
-  double moved_ = 0;  // most that a feature moves in time, as a share of the window
+  double moved_ = 0;  // largest movement of a feature in time, as a share of the window
 };
 
 bool has_impact(const FeatureTrace& trace, const Graze& graze, double duration) {
@@ -143,7 +143,7 @@ bool has_impact(const FeatureTrace& trace, const Graze& graze, double duration) 
   return first != times.end() && *first <= graze.time + Neighbour::same_time * duration;
 }
 
-/// The nearest graze of the one, if it is an impact in the other.
+/// Returns the nearest graze of `one` if it is an impact in `other`.
 std::optional<Graze> touched(const FeatureTrace& one, const FeatureTrace& other, double duration) {
   const std::optional<Graze>& graze = one.graze();
   if (!graze || has_impact(one, *graze, duration) || !has_impact(other, *graze, duration)) {
@@ -155,7 +155,7 @@ std::optional<Graze> touched(const FeatureTrace& one, const FeatureTrace& other,
 std::string limit_sentence(const Scene& scene, const Suspect& s) {
   if (s.kind < FeatureTrace::high_peak) {
     return fmt::format("an impact at {:.6g} s is within {:.2g} m/s of the slowest that counts",
-                       s.time, scene.slowest * std::abs(std::expm1(s.margin)));
+                       s.time, scene.counting_limit * std::abs(std::expm1(s.margin)));
   }
   const double limit = s.kind == FeatureTrace::high_peak ? scene.peak_high : scene.peak_low;
   return fmt::format("a maximum at {:.6g} s is within {:.2g} m of the limit from which it counts",
@@ -198,7 +198,7 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
     case Doubt::graze:
       return graze ? graze_sentence(*graze, graze_is_given) : unsure_sentence(what, s.time);
     case Doubt::endless:
-      break;  // of all the changed scenes alike
+      break;  // the same for all changed scenes
     case Doubt::sensitive:
       return fmt::format("a change in the tenth digit grows {:.2g}-fold by {:.6g} s", growth,
                          s.time);
@@ -206,7 +206,7 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
   return "";
 }
 
-/// Margins grow with what they are scaled to, so that two logarithms do for all.
+/// Margins increase with the scaled ones, so that two logarithms are enough.
 std::optional<double> smallest_margin(const FeatureTrace& trace) {
   const Feature* above = nullptr;
   const Feature* below = nullptr;

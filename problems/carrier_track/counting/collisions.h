@@ -7,66 +7,69 @@
 #include "problems/carrier_track/models/observer_pair.h"
 
 /// The objective of the paper, equations (31)-(33), defined once. A simulation yields features,
-/// each with a margin z that is positive when it counts:
-///   rule impacts: every impact, z = ln(approach_speed / slowest);
+/// each with a margin z; a feature counts if z > 0:
+///   rule impacts: every impact, z = ln(approach_speed / counting_limit);
 ///   rule peaks: every local maximum A of x, z = (A - high) / high and z = (low - A) / low.
 /// objective_s = sum over features of weight(z, share of the window left after it, s). s = 0 gives
-/// the collision count, s > 0 its smooth surrogate. An impact is born with speed 0, so z =
-/// -infinity and weight 0, or enters at the end of the window, where the weight fades: under the
-/// rule of impacts the surrogate is continuous where the count jumps. Under the rule of peaks it is
-/// not: a maximum is born at any height.
+/// the collision count, s > 0 its smooth surrogate. A new impact appears with speed 0, so z =
+/// -infinity and weight 0, or enters at the end of the window, where the weight is 0. Under the
+/// rule of impacts the surrogate is therefore continuous where the count jumps. Under the rule of
+/// peaks it is not: a new maximum may have any height.
 namespace ricochet::carrier_track::inline counting {
 
-/// Smoothing width where nobody asks for another: an impact counts half at the limit, 0.9 at 1.73
-/// times its speed.
-inline constexpr double default_width = 0.25;
+/// The default smoothing parameter: the weight of an impact is 0.5 at the counting limit, 0.9 at
+/// 1.73 times the limit.
+inline constexpr double default_smoothing = 0.25;
 
-/// Weight of a feature of margin z at smoothing width s: the Heaviside step (1 where z > 0) for
+/// Weight of a feature of margin z at smoothing parameter s: the Heaviside step (1 where z > 0) for
 /// s = 0, else the logistic 1 / (1 + exp(-z / s)).
 template <class Scalar>
-Scalar step(const Scalar& z, double width) {
+Scalar step(const Scalar& z, double smoothing) {
   using std::exp;
-  if (width == 0.0) return constant<Scalar>(value(z) > 0 ? 1.0 : 0.0);
-  const Scalar scaled = z / constant<Scalar>(width);
+  if (smoothing == 0.0) return constant<Scalar>(value(z) > 0 ? 1.0 : 0.0);
+  const Scalar scaled = z / constant<Scalar>(smoothing);
   if (value(scaled) < -700) return constant<Scalar>(0.0);  // exp would overflow; the weight is 0
   return constant<Scalar>(1.0) / (constant<Scalar>(1.0) + exp(-scaled));
 }
 
 /// Margin of an impact at an approach speed > 0, under the rule of impacts.
 template <class Scalar>
-Scalar impact_margin(const Scalar& speed, const Scalar& slowest) {
+Scalar impact_margin(const Scalar& speed, const Scalar& counting_limit) {
   using std::log;
-  return log(speed / slowest);
+  return log(speed / counting_limit);
 }
 
-/// Whether it counts: step() of its margin at width 0, without the logarithm.
-inline bool is_counted(double speed, double slowest) {
-  return speed / slowest > 1;
+/// Returns true if the impact counts: step() of its margin at smoothing parameter 0, without the
+/// logarithm.
+inline bool is_counted(double speed, double counting_limit) {
+  return speed / counting_limit > 1;
 }
 
-/// How much of the window, for each unit of smoothing width, a surrogate fades at the end.
+/// The share of the window, per unit of smoothing parameter, over which a surrogate's weights fade
+/// at its end.
 inline constexpr double fading_share = 0.1;
 
-/// Part of its weight that a feature keeps with the share `left` >= 0 of the window after it: 1 for
-/// width 0, else 1 - exp(-(left / (fading_share width))^2), which has no corner.
+/// The factor on a feature's weight if the share `left` >= 0 of the window is after it: 1 for
+/// smoothing parameter 0, else 1 - exp(-(left / (fading_share smoothing parameter))^2), which is
+/// smooth.
 template <class Scalar>
-Scalar fading(const Scalar& left, double width) {
+Scalar fading(const Scalar& left, double smoothing) {
   using std::exp;
-  const double faded = fading_share * width;
-  if (width == 0 || value(left) >= 6.5 * faded)
-    return constant<Scalar>(1.0);  // exp is below half a rounding
+  const double faded = fading_share * smoothing;
+  if (smoothing == 0 || value(left) >= 6.5 * faded)
+    return constant<Scalar>(1.0);  // exp is below half a unit of rounding
   const Scalar scaled = left / constant<Scalar>(faded);
   return constant<Scalar>(1.0) - exp(-(scaled * scaled));
 }
 
-/// Weight of a feature at a smoothing width.
+/// Weight of a feature at a smoothing parameter.
 template <class Scalar>
-Scalar weight(const Scalar& z, const Scalar& left, double width) {
-  return step(z, width) * fading(left, width);
+Scalar weight(const Scalar& z, const Scalar& left, double smoothing) {
+  return step(z, smoothing) * fading(left, smoothing);
 }
 
-/// Calls `use(z, left)` for every feature that the rule of `scene` makes of the motion, with its
-/// margin and the share of the window after it.
+/// Calls `use(z, left)` for every feature of the motion under the rule of `scene`, with its margin
+/// and the share of the window after it.
 template <class Scalar, class Use>
 class Features : public Observer {
  public:
@@ -75,7 +78,7 @@ class Features : public Observer {
 
   void impact(const Scalar& time, Wall /*wall*/, const Scalar& speed) {
     if (scene_.rule != CountRule::impacts || value(speed) <= 0) return;
-    use_(impact_margin(speed, scene_.slowest), left_after(time));
+    use_(impact_margin(speed, scene_.counting_limit), left_after(time));
   }
 
   void peak(const Scalar& time, const Scalar& position) {
@@ -92,12 +95,12 @@ class Features : public Observer {
   Use use_;
 };
 
-/// objective_s of a valid scene: the collision count for width s = 0, its surrogate for s > 0. The
-/// simulation is shown to `also`, too.
+/// objective_s of a valid scene: the collision count for smoothing parameter s = 0, its surrogate
+/// for s > 0. `also` observes the simulation too.
 template <class Scalar, class Also>
-Scalar objective(const BasicScene<Scalar>& scene, double width, Also& also) {
+Scalar objective(const BasicScene<Scalar>& scene, double smoothing, Also& also) {
   Scalar sum = constant<Scalar>(0.0);
-  auto add = [&](const Scalar& z, const Scalar& left) { sum += weight(z, left, width); };
+  auto add = [&](const Scalar& z, const Scalar& left) { sum += weight(z, left, smoothing); };
   Features<Scalar, decltype(add)> features(scene, add);
   ObserverPair both(features, also);
   simulate_at_needed_fidelity(scene, both);
@@ -105,9 +108,9 @@ Scalar objective(const BasicScene<Scalar>& scene, double width, Also& also) {
 }
 
 template <class Scalar>
-Scalar objective(const BasicScene<Scalar>& scene, double width) {
+Scalar objective(const BasicScene<Scalar>& scene, double smoothing) {
   Observer nobody;
-  return objective(scene, width, nobody);
+  return objective(scene, smoothing, nobody);
 }
 
 }  // namespace ricochet::carrier_track::inline counting

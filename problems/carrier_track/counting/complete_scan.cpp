@@ -11,7 +11,7 @@
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-/// The widest step, as a share of the speed, and in rad/s.
+/// The largest step, as a share of the speed, and in rad/s.
 constexpr double widest_share = 0.05;
 constexpr double widest = 0.05;
 
@@ -19,7 +19,7 @@ class Scan {
  public:
   Scan(const Scene& scene, const CompleteScanOptions& options) : scene_(scene), options_(options) {}
 
-  /// False if it takes too many simulations.
+  /// Returns false if it takes too many simulations.
   bool cover(double lowest, double highest) {
     MotionSketch here = sketch(lowest);
     add(here);

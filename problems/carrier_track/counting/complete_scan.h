@@ -8,36 +8,37 @@
 
 namespace ricochet::carrier_track::inline counting {
 
-/// Neighbouring speeds with one collision count.
+/// A range of speeds with the same collision count.
 struct CountPiece {
   double from, to;  ///< [rad/s]
   int count;
 };
 
 struct CompleteScan {
-  std::vector<CountPiece> pieces;  ///< by rising speed, no further apart than the resolution
-  std::int64_t simulations = 0;    ///< with derivatives
+  std::vector<CountPiece> pieces;  ///< by increasing speed; gaps are at most the resolution
+  std::int64_t simulations = 0;    ///< number of simulations with derivatives
 
-  /// The slowest speeds with more than `limit` collisions.
+  /// The first piece with more than `limit` collisions.
   std::optional<CountPiece> first_above(double limit) const;
 };
 
 struct CompleteScanOptions {
-  double resolution = 1e-6;  ///< [rad/s], to which the ends of pieces are found
-  /// Simulations, each of the price of two to four of an even scan. No share of the range may take
-  /// much more than its share of them.
+  double resolution = 1e-6;  ///< [rad/s], accuracy of the ends of pieces
+  /// Limit of simulations; each costs as much as two to four of an even scan. No part of the range
+  /// may use much more than its share of them.
   std::int64_t most = 4000;
 };
 
-/// The collision counts of a valid scene from `lowest` to `highest` [rad/s], both > 0, with no
-/// narrow window stepped over: two speeds are neighbours only where the motions at both, with their
-/// derivatives, tell that nothing begins or ceases to count between, and no wall is touched or
-/// missed; else the middle is simulated too. What is told is an estimate by the curvature of every
-/// margin, not a proof: a motion that changes and changes back between two speeds with no sign of
-/// it at either is not seen.
+/// The collision counts of a valid scene from `lowest` to `highest` [rad/s], both > 0, without
+/// missing narrow windows. Two speeds are neighbours only if the motions at both, with their
+/// derivatives, indicate that no feature starts or stops to count between them, and that no impact
+/// appears or vanishes. Otherwise the middle is simulated too. The indication is an estimate from
+/// the curvature of every margin, not a proof: a motion that changes and changes back between two
+/// speeds is missed if neither speed shows a sign of it.
 ///
-/// Nothing where the scan would take more simulations than allowed, as where the motion is chaotic.
-/// The scene is of fidelity impact and the rule of impacts; another throws std::invalid_argument.
+/// Returns nothing if the scan would take more simulations than allowed, for instance if the motion
+/// is chaotic. Throws std::invalid_argument unless the scene has fidelity impact and the rule of
+/// impacts.
 std::optional<CompleteScan> scan_completely(const Scene& scene, double lowest, double highest,
                                             const CompleteScanOptions& options = {});
 

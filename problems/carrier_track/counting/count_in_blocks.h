@@ -10,7 +10,8 @@
 
 namespace ricochet::carrier_track::inline counting {
 
-/// Fills the counts of a scan in parallel, by `counts_at(speeds)` of some neighbouring speeds.
+/// Fills the counts of a scan in parallel; `counts_at(speeds)` counts a block of neighbouring
+/// speeds.
 template <class Scan, class CountsAt>
 void count_in_blocks(Scan& scan, const CountsAt& counts_at) {
   constexpr std::size_t block = 32;

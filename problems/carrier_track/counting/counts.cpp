@@ -9,16 +9,16 @@
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-/// The surrogate, summed in the order of the impacts.
+/// Sums the surrogate in the order of the impacts.
 struct Surrogate : Observer {
   static constexpr bool hears_impacts_alone = true;
 
   const Scene* scene = nullptr;
-  double width = 0;
+  double smoothing = 0;
   double sum = 0;
 
   void impact(double time, Wall wall, double speed) {
-    auto add = [this](double z, double left) { sum += weight(z, left, width); };
+    auto add = [this](double z, double left) { sum += weight(z, left, smoothing); };
     Features<double, decltype(add)>(*scene, add).impact(time, wall, speed);
   }
 };
@@ -39,16 +39,16 @@ bool suits_lanes(const Scene& scene) {
   return fits_lanes(scene) && scene.rule == CountRule::impacts;
 }
 
-std::vector<double> objectives(std::span<const Scene> scenes, double width) {
+std::vector<double> objectives(std::span<const Scene> scenes, double smoothing) {
   std::vector<double> results;
   if (!std::ranges::all_of(scenes, suits_lanes)) {
-    for (const Scene& scene : scenes) results.push_back(objective(scene, width));
+    for (const Scene& scene : scenes) results.push_back(objective(scene, smoothing));
     return results;
   }
   std::vector<Surrogate> observers(scenes.size());
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     observers[k].scene = &scenes[k];
-    observers[k].width = width;
+    observers[k].smoothing = smoothing;
   }
   run_all([&](std::size_t k) -> const Scene& { return scenes[k]; }, observers);
   for (const Surrogate& observer : observers) results.push_back(observer.sum);
@@ -63,7 +63,7 @@ std::vector<int> counts_at(const Scene& scene, std::span<const double> speeds) {
     return counts;
   }
   std::vector<ImpactCount> observers(speeds.size());
-  for (ImpactCount& observer : observers) observer.slowest = scene.slowest;
+  for (ImpactCount& observer : observers) observer.counting_limit = scene.counting_limit;
   const auto scene_at = [&](std::size_t k) -> const Scene& {
     there.omega = speeds[k];
     return there;

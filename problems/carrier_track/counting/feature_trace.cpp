@@ -12,12 +12,13 @@ void FeatureTrace::impact(double time, Wall wall, double speed) {
   const std::size_t kind = wall == Wall::lower ? lower_impact : upper_impact;
   impacts_[kind].push_back(time);
   if (scene_.rule != CountRule::impacts || speed <= 0) return;
-  const double slowest = scene_.slowest;
-  tell(kind, is_counted(speed, slowest) ? impact_margin(speed, slowest) : speed / slowest - 1);
+  const double counting_limit = scene_.counting_limit;
+  tell(kind, is_counted(speed, counting_limit) ? impact_margin(speed, counting_limit)
+                                               : speed / counting_limit - 1);
 }
 
 void FeatureTrace::peak(double time, double position) {
-  // It is told when the body moves down from it, which is now.
+  // A maximum is reported when the body starts to move down from it, which is now.
   std::size_t kind = high_peak;
   const auto keep = [&](double z, double /*left*/) {
     tell(kind++, z > 0 ? z : std::expm1(z));
@@ -28,7 +29,7 @@ void FeatureTrace::peak(double time, double position) {
 
 void FeatureTrace::hops(double time, Wall wall) {
   if (scene_.rule != CountRule::peaks || endless_) return;
-  // Their maxima lie on the upper wall, or as near the lower one as one likes.
+  // Their maxima lie on the upper wall, or arbitrarily near the lower one.
   const double height = wall == Wall::upper ? scene_.wall_upper : scene_.wall_lower;
   if (height >= scene_.peak_high || height <= scene_.peak_low) endless_ = Endless{time, wall};
 }

@@ -20,14 +20,14 @@ struct Graze {
   double distance;  ///< [m], > 0
 };
 
-/// What is kept of a simulation to compare it with that of a scene a little different: its features
+/// Records of a simulation, for comparison with that of a slightly different scene: its features
 /// (collisions.h), impacts and nearest graze.
 class FeatureTrace : public Observer {
  public:
   struct Feature {
-    double time;  ///< [s], from which on it is known to count
-    /// z where the feature counts, else exp(z) - 1, under the rule of impacts the missing share of
-    /// the speed: it hardly moves for features that are far from counting.
+    double time;  ///< [s], when it is known to count
+    /// z if the feature counts, else exp(z) - 1 (under the rule of impacts minus the missing share
+    /// of the speed), which changes little for features that are far from counting.
     double scaled;
 
     bool counts() const { return scaled > 0; }
@@ -35,7 +35,7 @@ class FeatureTrace : public Observer {
   };
   enum Kind : std::size_t { lower_impact, upper_impact, high_peak, low_peak, kinds };
 
-  /// Of a scene that outlives the trace.
+  /// `scene` must outlive the trace.
   explicit FeatureTrace(const Scene& scene) : scene_(scene) {
     for (std::vector<double>& times : impacts_) times.reserve(usual_impacts);
     if (scene.rule != CountRule::impacts) return;
@@ -48,7 +48,7 @@ class FeatureTrace : public Observer {
   void hops(double time, Wall wall);
   void contact(double time, double position, double velocity);
 
-  /// Where maxima count; an impact or a turning point says all that counts of the others.
+  /// True if maxima count. Under the rule of impacts, impacts and turning points suffice.
   bool hears_stretches() const { return scene_.rule == CountRule::peaks; }
 
   template <class Path>
@@ -62,27 +62,26 @@ class FeatureTrace : public Observer {
     now_ = time + duration;
   }
 
-  /// Of a Kind, in order of time.
+  /// The features of a Kind, in order of time.
   const std::vector<Feature>& features(std::size_t kind) const { return features_[kind]; }
   const std::vector<double>& impacts(Wall wall) const {
     return impacts_[wall == Wall::lower ? lower_impact : upper_impact];
   }
   const std::optional<Graze>& graze() const { return graze_; }
 
-  /// Maxima that count and of which there is no last one: of ever smaller hops on a wall, or of
-  /// ever smaller swings in one that is compliant. A simulation tells some of them and leaves out
-  /// the others.
+  /// Infinitely many maxima that count: of ever smaller rebounds on a wall, or of ever smaller
+  /// oscillations in a compliant wall. A simulation reports only some of them.
   struct Endless {
     double time;  ///< [s]
     Wall wall;
   };
   const std::optional<Endless>& endless() const { return endless_; }
 
-  /// When [s] a maximum off the walls was told that counts, and that the body fell from by less
-  /// than the tenth digit of its height: where a speed only touches zero, rounding makes one.
+  /// Time [s] of a maximum off the walls that counts and from which the body fell by less than the
+  /// tenth digit of its height. Rounding makes such a maximum if the speed only touches zero.
   const std::optional<double>& shallow_peak() const { return shallow_; }
 
-  /// Whether all that was told are numbers: some are none where numbers overflow.
+  /// Returns true if all reported values are finite; they are not if numbers overflow.
   bool finite() const { return finite_; }
 
  private:
@@ -97,9 +96,9 @@ class FeatureTrace : public Observer {
   double now_ = 0;  // [s]
   std::optional<Endless> endless_;
   std::optional<double> shallow_;
-  bool counting_peak_ = false;  // whether one was told, from which the body falls now
+  bool counting_peak_ = false;  // true while the body falls from a maximum that counts
   bool finite_ = true;
-  bool swung_out_ = false;  // whether the body has moved outwards in its present contact
+  bool swung_out_ = false;  // true if the body has moved outwards in its present contact
 };
 
 }  // namespace ricochet::carrier_track::inline counting

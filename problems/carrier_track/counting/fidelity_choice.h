@@ -7,11 +7,12 @@
 
 namespace ricochet::carrier_track::inline counting {
 
-/// Whether the second direction of a scene can act on the first: the carrier may move in y, or be
-/// pressed to a wall there, and friction hands it on. If not, x is the same without y.
+/// Returns true if the second direction of a scene can affect the first: the carrier may move in y,
+/// or be pressed to a wall there, and friction couples the directions. If not, x is the same
+/// without y.
 bool couples(const Scene& scene);
 
-/// The cheapest level whose count is certain for a valid scene, which is what fidelity auto means:
+/// The cheapest level whose count is certain for a valid scene. Fidelity auto selects it:
 ///   planar, if the scene has a second direction that couples;
 ///   else impact, if its count is certain;
 ///   else compliant, if its count is certain, with the scene's contact law and stiffness;
@@ -19,11 +20,11 @@ bool couples(const Scene& scene);
 /// Costs up to ten simulations.
 Fidelity needed_fidelity(const Scene& scene);
 
-/// The scene at its needed level, where it leaves that open.
+/// The scene with fidelity auto replaced by the needed level.
 Scene resolve_fidelity(const Scene& scene);
 
-/// simulate() for a scene that may leave its level open: the needed one is chosen for this very
-/// scene, so that it may differ from one speed to the next.
+/// simulate() for a scene that may have fidelity auto. The level is chosen for this scene, so it
+/// may differ from one speed to the next.
 template <class Scalar, class SomeObserver>
 End<Scalar> simulate_at_needed_fidelity(const BasicScene<Scalar>& scene, SomeObserver& observer) {
   if constexpr (std::is_same_v<Scalar, double>) {

@@ -5,15 +5,15 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 
-/// What a machine may do at the most, where somebody says so.
+/// A limit that a user sets on the collisions, the energy or the impact speed of a machine.
 namespace ricochet::carrier_track::inline counting {
 
-/// What a window may be judged by.
+/// The quantity of a window that a limit refers to.
 enum class Measure {
   collisions,           ///< in the window
   collisions_per_turn,  ///< of the driver plate
-  energy,               ///< [J], that the walls take in the window, see wear.h
-  impact_speed          ///< [m/s], of the fastest impact
+  energy,               ///< [J], dissipated by the walls in the window, see wear.h
+  impact_speed          ///< [m/s], speed of the fastest impact
 };
 
 struct Limit {
@@ -21,15 +21,16 @@ struct Limit {
   double at_most = 0;
 };
 
-/// The measure of a valid scene at its own speed.
+/// The measure of a valid scene at the speed of the scene.
 double measured(const Scene& scene, Measure measure);
 
-/// The same at several speeds [rad/s], of which neighbours should be similar.
+/// The same at several speeds [rad/s]; neighbours should be similar.
 std::vector<double> measured_at(const Scene& scene, Measure measure,
                                 std::span<const double> speeds);
 
-/// Where the limit is kept on the speeds step, 2 step, ..., highest [rad/s]: first_loud is the
-/// lowest that breaks it, whatever the end of the range; the split that misclassifies the fewest.
+/// The split of the speeds step, 2 step, ..., highest [rad/s] into those that keep the limit and
+/// those that exceed it, with the fewest misclassified. first_loud is the lowest speed that exceeds
+/// it; it does not depend on the end of the range.
 Split split_by(const Scene& scene, const Limit& limit, double step, double highest);
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -15,19 +15,20 @@ namespace {
 
 using Jet = ceres::Jet<double, 1>;
 
-/// Impacts are followed from this margin on, and must have a counterpart from the second on: what
-/// is slower than a third of the limit counts nowhere near.
+/// Impacts with at least the first margin are recorded; those with at least the second must have a
+/// counterpart. An impact slower than a third of the limit does not count at nearby speeds.
 constexpr double followed = -3;
 constexpr double watched = -1;
 /// Turning points nearer to a wall than this share of the clearance must have a counterpart.
 constexpr double near_wall = 0.1;
-/// Two features are the same if they lie as near in time, as a share of the window, as the
-/// derivatives foretell to this.
+/// Two features are the same if the difference of their times, as a share of the window, agrees
+/// with the prediction of the derivatives within this.
 constexpr double same_time = 0.01;
-/// So much longer than the window the motion is watched, for what comes in at its end.
+/// The motion is simulated for this multiple of the window, to see features that enter at its end.
 constexpr double longer = 1.01;
-/// How many times what the derivatives miss the number at the other speed by must fit between a
-/// number and zero. A cubic through both ends strays from their chord by less than a seventh.
+/// A number must be this many times further from zero than the error of the derivatives' prediction
+/// at the other speed. A cubic through both ends deviates from their chord by less than a seventh
+/// of that error.
 constexpr double safety = 1;
 
 }  // namespace
@@ -39,9 +40,9 @@ class MotionSketch::Watch : public Observer {
 
   void impact(const Jet& time, Wall wall, const Jet& speed) {
     const bool within = time.a <= duration_.a;
-    sketch_.count_ += within && is_counted(speed.a, scene_.slowest.a) ? 1 : 0;
+    sketch_.count_ += within && is_counted(speed.a, scene_.counting_limit.a) ? 1 : 0;
     if (!(speed.a > 0)) return;
-    const Jet margin = impact_margin(speed, scene_.slowest);
+    const Jet margin = impact_margin(speed, scene_.counting_limit);
     if (margin.a < followed) return;
     add(wall == Wall::lower ? Kind::lower_impact : Kind::upper_impact, time, margin);
   }
@@ -72,7 +73,7 @@ MotionSketch::MotionSketch(const Scene& scene, double omega) : omega_(omega) {
   simulate(there, watch);
 }
 
-/// Whether a number with these derivatives keeps its sign between two speeds a step apart.
+/// Returns true if a number with these derivatives keeps its sign between two speeds a step apart.
 bool MotionSketch::keeps_sign(const Sloped& a, const Sloped& b, double step) {
   const double rise = b.value - a.value;
   const double missed = std::abs(rise - step * a.slope) + std::abs(rise - step * b.slope);

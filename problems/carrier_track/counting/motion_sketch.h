@@ -6,18 +6,18 @@
 
 namespace ricochet::carrier_track::inline counting {
 
-/// What a count depends on, of the motion at one speed: every impact that counts or nearly does,
-/// every turning point near a wall, and their derivatives with respect to the speed.
+/// The parts of the motion at one speed on which a count depends: every impact that counts or
+/// almost counts, every turning point near a wall, and their derivatives with respect to the speed.
 class MotionSketch {
  public:
-  /// Of a scene as scan_completely() takes, at `omega` [rad/s] > 0.
+  /// `scene` must be valid for scan_completely(); omega [rad/s] > 0.
   MotionSketch(const Scene& scene, double omega);
 
   double omega() const { return omega_; }
   int count() const { return count_; }
 
-  /// Whether nothing begins or ceases to count from here to a faster speed, as far as the
-  /// derivatives at both tell.
+  /// Returns true if, according to the derivatives at both speeds, no feature starts or stops to
+  /// count between this speed and the faster one.
   bool joins(const MotionSketch& faster) const;
 
  private:
@@ -28,8 +28,8 @@ class MotionSketch {
   enum class Kind { lower_impact, upper_impact, lower_graze, upper_graze };
   struct Feature {
     Kind kind;
-    Sloped share;   ///< of the window that has passed
-    Sloped margin;  ///< of an impact as in collisions.h; of a graze its distance in clearances
+    Sloped share;   ///< share of the window that has passed
+    Sloped margin;  ///< of an impact: see collisions.h; of a graze: its distance / clearance
   };
   class Watch;
 

@@ -10,7 +10,7 @@
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-// Strides of the golden ratio and of the root of two.
+// Strides: the fractional parts of the golden ratio and of the square root of two.
 constexpr double golden_stride = 0.6180339887498949;
 constexpr double root_stride = 0.4142135623730950;
 

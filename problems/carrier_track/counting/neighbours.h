@@ -13,28 +13,28 @@
 
 namespace ricochet::carrier_track::inline counting {
 
-/// A scene with its constants changed in the tenth digit, and what happens in it.
+/// A scene with its constants changed in the tenth digit, and its features.
 struct Neighbour {
-  /// Its features and the given scene's are the same if they differ by no more than this in time,
-  /// as a share of the window. Its window is longer by it, so that what comes just after the end is
-  /// seen.
+  /// A feature of this scene and one of the given scene are the same if their times differ by at
+  /// most this share of the window. The window is longer by this share, so that features just after
+  /// its end are seen.
   static constexpr double same_time = 1e-4;
 
   Scene scene;
-  double end;  ///< [s] of its window, before that is made longer
+  double end;  ///< [s], end of its window before it is made longer
   FeatureTrace trace;
-  std::exception_ptr failure = nullptr;  ///< a std::runtime_error where it cannot be simulated
+  std::exception_ptr failure = nullptr;  ///< a std::runtime_error if the simulation fails
 
-  /// `given` must be valid; stride and sign as perturbed() takes them.
+  /// `given` must be valid; stride and sign: see perturbed().
   Neighbour(const Scene& given, double stride, double sign);
   Neighbour(const Neighbour&) = delete;
   Neighbour& operator=(const Neighbour&) = delete;
 
-  /// Keeps how its simulation has ended.
+  /// Stores the end of its simulation.
   void end_with(const End<double>& end, std::exception_ptr thrown);
 };
 
-/// Shows one simulation to the observer it is made for, and the others to their neighbours' traces.
+/// Passes one simulation to its observer, and the others to their neighbours' traces.
 template <class SomeObserver>
 class ShownTo : public Observer {
  public:
@@ -76,7 +76,7 @@ class ShownTo : public Observer {
   FeatureTrace* trace_ = nullptr;
 };
 
-/// The four scenes next to a valid one: its constants changed at once in their tenth digit, in two
+/// The four neighbours of a valid scene: all constants changed at once in their tenth digit, in two
 /// patterns and their opposites.
 class Neighbours {
  public:
@@ -102,11 +102,12 @@ class Neighbours {
     return outcomes.front().end;
   }
 
-  /// All of them, simulated; after one that cannot be, others may not be.
+  /// Returns all neighbours, simulated. After one whose simulation fails, the others may not be
+  /// simulated.
   const std::array<Neighbour, 4>& simulated();
 
  private:
-  /// Those whose walls do not cross; a failure for the others.
+  /// Returns the neighbours whose walls do not cross; stores a failure for the others.
   std::vector<Neighbour*> sound_ones();
 
   std::array<Neighbour, 4> all_;

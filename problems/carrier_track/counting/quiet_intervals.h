@@ -4,17 +4,17 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 
-/// Where a staircase that rises and falls is quiet.
+/// The quiet ranges of speeds of a staircase that rises and falls.
 namespace ricochet::carrier_track::inline counting {
 
-/// Neighbouring speeds of a scan that are all quiet [rad/s], the slowest and the fastest.
-struct Pocket {
+/// The slowest and the fastest [rad/s] of neighbouring speeds of a scan that are all quiet.
+struct QuietInterval {
   double from, to;
 
   double width() const { return to - from; }
 };
 
-/// The pockets of counts up to `limit`, by rising speed.
-std::vector<Pocket> quiet_pockets(const SpeedScan& scan, double limit);
+/// The quiet intervals, in which all counts are <= `limit`, by increasing speed.
+std::vector<QuietInterval> quiet_intervals(const SpeedScan& scan, double limit);
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -9,13 +9,13 @@
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-/// The step again, between two neighbours of the fine scan, with the first of its loud speeds.
+/// The step located between two neighbours of the fine scan, with its first loud speed.
 Step located(Step step, const SpeedScan& fine) {
   const auto speeds = static_cast<double>(fine.counts.size());
   const auto index = [&](double omega) {
     return static_cast<std::ptrdiff_t>(std::clamp(std::round(omega / fine.step) - 1, 0.0, speeds));
   };
-  // The coarse scan has put it between two speeds a fivehundredth apart.
+  // The coarse scan has located it between two speeds that differ by 0.2 %.
   const std::ptrdiff_t begin = index(step.omega * 0.99);
   const std::ptrdiff_t end = index(step.omega * 1.01 + fine.step);
   const SpeedScan near{fine.step, {fine.counts.begin() + begin, fine.counts.begin() + end}};
@@ -26,10 +26,10 @@ Step located(Step step, const SpeedScan& fine) {
   return step;
 }
 
-/// What scan_completely() finds below the first loud speed of the fine scan.
+/// The loud piece that scan_completely() finds below the first loud speed of the fine scan.
 std::optional<CountPiece> stepped_over(const Scene& scene, const QuietSpeedOptions& options,
                                        double limit, double first_loud) {
-  const double last = first_loud - options.step;  // that is known to be quiet
+  const double last = first_loud - options.step;  // the last speed known to be quiet
   if (!suits_lanes(at_speed(scene, last)) || !(last > options.step)) return std::nullopt;
   const auto scan = scan_completely(scene, options.step, last);
   return scan ? scan->first_above(limit) : std::nullopt;
@@ -59,10 +59,10 @@ QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
   } else if (const auto main = answer.staircase.main_step()) {
     answer.limit = {Measure::collisions, std::floor(main->limit())};
     answer.split = best_split(answer.fine, main->limit());
-    answer.split.speed = main->omega;  // judged by the speeds around it, and not by the range
+    answer.split.speed = main->omega;  // from the speeds around it, not from the range
   }
   if (!answer.limit) return answer;
-  // A range without a loud speed is quiet to its end.
+  // A range without a loud speed is quiet up to its end.
   double loud = answer.split.first_loud.value_or(options.fastest + options.step);
   if (answer.limit->measure == Measure::collisions) {
     const double limit =

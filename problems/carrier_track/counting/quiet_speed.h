@@ -9,16 +9,16 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/staircase.h"
 
-/// How fast a machine of one's own may turn: the engineer's answer.
+/// The fastest quiet speed of a user's machine.
 namespace ricochet::carrier_track::inline counting {
 
 struct QuietSpeedOptions {
-  std::optional<Limit> limit;  ///< without one the main step of the staircase tells
+  std::optional<Limit> limit;  ///< default: the limit of the staircase's main step
   double step = 1e-3;          ///< [rad/s]
   double fastest = 18;         ///< [rad/s]
 };
 
-/// The count at a speed, with whether it can be trusted.
+/// The count at a speed, and its certainty.
 struct CountThere {
   double omega;  ///< [rad/s]
   int count;
@@ -29,19 +29,19 @@ struct CountThere {
 
 struct QuietSpeed {
   QuietSpeedOptions options;
-  LogarithmicScan scan;        ///< of counts, beyond the fastest speed
-  SpeedScan fine;              ///< of counts, up to the fastest speed
-  Staircase staircase;         ///< its steps located in the fine scan
-  std::optional<Limit> limit;  ///< the one given, or that of the main step; nothing: no threshold
+  LogarithmicScan scan;        ///< counts, beyond the fastest speed
+  SpeedScan fine;              ///< counts, up to the fastest speed
+  Staircase staircase;         ///< with its steps located in the fine scan
+  std::optional<Limit> limit;  ///< given, or of the main step; nothing if there is no threshold
   Split split;                 ///< by that limit
-  /// Speeds of a count above that limit, of collisions, which the fine scan steps over, if there
-  /// are any below its first loud speed; split.first_loud is then their lowest.
+  /// Speeds below the first loud speed of the fine scan that it steps over and whose collision
+  /// count is above the limit, if any; split.first_loud is then the lowest of them.
   std::optional<CountPiece> stepped_over;
   std::optional<double> fastest_quiet;  ///< [rad/s], last scanned speed before the first loud one
   std::vector<CountThere> around;       ///< just below the answer, at it, and just above
 };
 
-/// Scans a valid scene, whose omega is not used. Takes some 20,000 simulations.
+/// Scans a valid scene, whose omega is not used. Takes about 20,000 simulations.
 QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options);
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -59,7 +59,7 @@ class Recorder : public Observer {
 
 }  // namespace
 
-Recording record(const Scene& asked, double width, std::size_t samples) {
+Recording record(const Scene& asked, double smoothing, std::size_t samples) {
   const Scene scene = resolve_fidelity(asked);
   Recording recording;
   recording.fidelity = scene.fidelity;
@@ -70,7 +70,7 @@ Recording record(const Scene& asked, double width, std::size_t samples) {
   recording.end = neighbours.simulate_with(scene, recorder);
   const auto weigh = [&](double z, double left) {
     recording.count += static_cast<int>(weight(z, left, 0.0));
-    recording.surrogate += weight(z, left, width);
+    recording.surrogate += weight(z, left, smoothing);
   };
   Features<double, decltype(weigh)> features(scene, weigh);
   for (const Impact& i : recording.impacts) features.impact(i.time, i.wall, i.speed);

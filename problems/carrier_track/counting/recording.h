@@ -25,7 +25,7 @@ struct Sample {
   double velocity;  ///< [m/s]
 };
 
-/// One simulation with all that there is to say of it.
+/// All results of one simulation.
 struct Recording {
   Fidelity fidelity = Fidelity::impact;  ///< the level simulated; for auto the one needed
   int count = 0;
@@ -38,22 +38,22 @@ struct Recording {
 };
 
 /// Simulates a valid scene and keeps everything. The path is sampled at the ends of every stretch,
-/// at every step in a compliant wall, and evenly in between, about `samples` times over the window;
-/// 0 keeps no path. Costs five simulations, four of them for the certainty; with fidelity
+/// at every step in a compliant wall, and evenly in between, about `samples` times in the window;
+/// with 0 there is no path. Costs five simulations, four of them for the certainty; with fidelity
 /// auto up to fifteen.
-Recording record(const Scene& scene, double width, std::size_t samples);
+Recording record(const Scene& scene, double smoothing, std::size_t samples);
 
-/// What a rule looks at: an impact, or a maximum.
+/// An event to which a count rule applies: an impact or a maximum.
 struct Feature {
   double time;      ///< [s]
   double position;  ///< [m]
   bool counts;
 };
 
-/// All impacts of a recording, or all its maxima, whichever the rule of the scene looks at.
+/// All impacts of a recording, or all its maxima, depending on the rule of the scene.
 std::vector<Feature> features_of(const Scene& scene, const Recording& recording);
 
-/// Those of them that count.
+/// The features of features_of() that count.
 std::vector<Feature> counted_features(const Scene& scene, const Recording& recording);
 
 /// A part of a window [s].
@@ -61,9 +61,9 @@ struct Stretch {
   double from, to;
 };
 
-/// Where most happens: the shortest stretch with two thirds of the features that count, and a
-/// quarter of itself more on either side, within the window. Nothing where that is no small part of
-/// the window, or where fewer than three count.
+/// The busiest part of the window: the shortest stretch with two thirds of the features that count,
+/// extended by a quarter of its length on either side, within the window. Nothing if it is not a
+/// small part of the window, or if fewer than three features count.
 std::optional<Stretch> busiest_stretch(const Scene& scene, const Recording& recording);
 
 }  // namespace ricochet::carrier_track::inline counting

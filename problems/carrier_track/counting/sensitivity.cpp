@@ -13,7 +13,7 @@
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-/// Calls use(key, member...) for every constant that a maker may get wrong.
+/// Calls use(key, member...) for every constant that may deviate in manufacture.
 template <class Use>
 class EachConstant {
  public:
@@ -44,7 +44,7 @@ class EachConstant {
   const Use& use_;
 };
 
-/// The walls of x or of y.
+/// Calls use(key, clearance) for the walls of x or of y, and moves the upper wall to the result.
 template <class Owner, class Use>
 void visit_clearance(Owner& owner, const std::string& key, const Use& use) {
   if (!std::isfinite(owner.wall_upper)) return;
@@ -52,7 +52,7 @@ void visit_clearance(Owner& owner, const std::string& key, const Use& use) {
   const double share = (owner.start_position - owner.wall_lower) / clearance;
   const double before = clearance;
   use(key, clearance);
-  if (clearance == before) return;  // and keep the digits
+  if (clearance == before) return;  // keeps all digits
   owner.wall_upper = owner.wall_lower + clearance;
   owner.start_position = std::min(owner.wall_upper, owner.wall_lower + share * clearance);
 }
@@ -77,7 +77,7 @@ double value_of(Scene scene, const std::string& wanted) {
   return value;
 }
 
-/// Where the speeds low, low ratio, low ratio^2, ... divide best by the limit.
+/// The speed that best divides the speeds low, low ratio, low ratio^2, ... by the limit.
 std::optional<double> divide(const Scene& scene, const Limit& limit, double low, double ratio,
                              int speeds) {
   std::vector<double> at;

@@ -7,41 +7,42 @@
 
 #include "problems/carrier_track/counting/limit.h"
 
-/// How much the fastest quiet speed hangs on the constants of a machine, none of which is known
+/// Sensitivity of the fastest quiet speed to the constants of a machine, none of which is known
 /// exactly.
 namespace ricochet::carrier_track::inline counting {
 
 /// The constants of a scene that are not zero, by their keys; `clearance` stands for the walls,
-/// whose distance counts. Limits of the rule and angles are none.
+/// because only their distance matters. Limits of the rule and angles are not included.
 std::vector<std::string> constants_of(const Scene& scene);
 
-/// The scene with the constant of that key times `factor` > 0: restitutions never above 1, and a
-/// start in its place of the clearance. Another key changes nothing.
+/// The scene with the constant of that key multiplied by `factor` > 0. Restitutions never exceed 1,
+/// and the start keeps its share of the clearance. An unknown key changes nothing.
 Scene scaled(Scene scene, const std::string& key, double factor);
 
-/// Where speeds that keep the limit and speeds that break it divide best [rad/s], between two
-/// thirds and three halves of `omega`, to a fiftythousandth; nothing where one kind is all.
+/// The speed [rad/s] that best divides the speeds that keep the limit from those that exceed it,
+/// between 2/3 and 3/2 of `omega`, with a relative accuracy of 1/50,000. Nothing if all speeds keep
+/// it or all exceed it.
 std::optional<double> divide_near(const Scene& scene, const Limit& limit, double omega);
 
 struct Sensitivity {
   std::string key;
-  double percent;  ///< by which the divide rises, for each percent that the constant does
+  double percent;  ///< rise of the dividing speed [%] per 1 % rise of the constant
 };
 
-/// By one percent up and down of every constant; the largest first. Leaves out a constant with
-/// which there is no divide any more.
+/// The sensitivities to every constant, from changes by 1 % up and down; the largest first. Omits a
+/// constant if a changed scene has no dividing speed.
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega);
 
-/// Divides of machines whose constants are each wrong by up to a tolerance.
+/// Dividing speeds of machines whose constants each deviate by up to a tolerance.
 struct ToleranceRange {
   double lowest, highest;  ///< [rad/s]
-  int machines;            ///< that were drawn
-  int without;             ///< of these, without a divide between two thirds and three halves
+  int machines;            ///< number drawn
+  int without;             ///< number without a dividing speed between 2/3 and 3/2 of omega
 };
 
-/// Draws machines with every constant times 1 - tolerance .. 1 + tolerance, independent and
-/// uniform; tolerance within 0..0.5. The same seed draws the same. Nothing where no machine has a
-/// divide.
+/// Draws machines with every constant multiplied by an independent, uniform factor within 1 -
+/// tolerance .. 1 + tolerance; tolerance within 0..0.5. The same seed draws the same machines.
+/// Nothing if no machine has a dividing speed.
 std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& limit, double omega,
                                               double tolerance, int machines, std::uint64_t seed);
 

@@ -13,12 +13,12 @@ namespace {
 constexpr double per_e_fold = LogarithmicScan::per_e_fold;
 constexpr double reaches[] = {1.1, 1.2, 1.35, 1.5, 1.75, 2};
 
-/// How many speeds of a scan lie between a speed and so many times it.
+/// The number of speeds of a scan between a speed and `reach` times that speed.
 std::size_t speeds_within(double reach) {
   return static_cast<std::size_t>(std::lround(per_e_fold * std::log(reach)));
 }
 
-/// The value that has so many others before it when they are sorted.
+/// The value at index `before` of the sorted values.
 int in_order(const int* begin, const int* end, std::size_t before) {
   std::vector<int> values(begin, end);
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(before);
@@ -33,7 +33,7 @@ struct Candidate {
   Step step{};
 };
 
-/// The most significant step there; of no significance where there is none.
+/// The most significant step there; significance 0 if there is none.
 Candidate candidate_at(const LogarithmicScan& scan, std::size_t k) {
   Candidate best;
   for (const double reach : reaches) {
@@ -52,12 +52,13 @@ Candidate candidate_at(const LogarithmicScan& scan, std::size_t k) {
   return best;
 }
 
-/// Puts the step where the speeds within its reach divide best.
+/// Moves the step to where the speeds within its reach divide best.
 void divide_best(const LogarithmicScan& scan, Candidate& candidate) {
   auto& [k, width, step] = candidate;
   const auto at = scan.counts.begin() + static_cast<std::ptrdiff_t>(k);
   const auto reach = static_cast<std::ptrdiff_t>(width);
-  // By number instead of by speed. They divide: nine tenths of either half lie on their own side.
+  // By index instead of by speed. A split exists because nine tenths of either half are on their
+  // side.
   const Split split = best_split(SpeedScan{1, {at - reach, at + reach}}, step.limit());
   k = k - width + static_cast<std::size_t>(split.speed.value());
   step.misclassified = split.misclassified;
@@ -72,7 +73,7 @@ Level level_of(const LogarithmicScan& scan, std::size_t begin, std::size_t end) 
           in_order(first, last, size / 2), in_order(first, last, size - 1 - size / 10)};
 }
 
-/// Scans in parallel, some neighbouring speeds at a time.
+/// Scans in parallel, in blocks of neighbouring speeds.
 template <class CountsAt>
 LogarithmicScan scan_logarithmic_blocks(double lowest, double highest, const CountsAt& counts_at) {
   LogarithmicScan scan;
@@ -112,7 +113,7 @@ Staircase staircase_of(const LogarithmicScan& scan, double fastest) {
   std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
     return a.step.significance > b.step.significance;
   });
-  // What is within a tenth of a more significant step is part of it.
+  // A step within 10 % of a more significant step is part of it.
   const std::size_t near = speeds_within(1.1);
   std::vector<bool> taken(scan.counts.size() + 1);
   std::vector<Candidate> chosen;

@@ -6,12 +6,11 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 
-/// The levels and the steps of a collision count that depends on the speed, where nobody says which
-/// count is too many.
+/// The levels and the steps of a collision count that depends on the speed, without a given limit.
 namespace ricochet::carrier_track::inline counting {
 
-/// Collision counts at the speeds exp(k / per_e_fold), k = first, first + 1, ...: the same speeds,
-/// wherever a scan ends, and the same number of them between a speed and its double.
+/// Collision counts at the speeds exp(k / per_e_fold), k = first, first + 1, ...: the speeds do not
+/// depend on the ends of the scan, and any doubling of the speed contains the same number of them.
 struct LogarithmicScan {
   static constexpr double per_e_fold = 500;
   int first = 0;
@@ -20,54 +19,54 @@ struct LogarithmicScan {
   double omega(std::size_t k) const;  ///< [rad/s]
 };
 
-/// The speeds from `lowest` to `highest` [rad/s], both > 0, counted in parallel.
+/// Counts at the speeds from `lowest` to `highest` [rad/s], both > 0, in parallel.
 LogarithmicScan scan_logarithmically(const CountAt& count, double lowest, double highest);
 
 /// The same for a valid scene, whose omega is not used.
 LogarithmicScan scan_logarithmically(const Scene& scene, double lowest, double highest);
 
-/// A step up, from a level to one that is louder by half and by two collisions at least (one more
-/// or less is the same kind of count, see Score). Both levels hold over the same ratio of speeds:
-/// nine tenths of those from omega / reach to omega have at most `below`, nine tenths of those from
-/// there to omega reach have at least `above`.
+/// A step up from one level to another that is at least 50 % and two collisions higher (one
+/// collision more or less is the same level, see Score). Both levels extend over the same ratio of
+/// speeds: nine tenths of the speeds from omega / reach to omega have at most `below` collisions,
+/// nine tenths of those from omega to omega reach have at least `above`.
 struct Step {
-  double omega;  ///< [rad/s], where the speeds within reach divide best
+  double omega;  ///< [rad/s], divides the speeds within reach best
   int below, above;
-  double reach;          ///< the most significant of 1.1..2
+  double reach;          ///< ratio in 1.1..2 that makes the step most significant
   double misclassified;  ///< share of the speeds within reach on the wrong side, in [0, 1]
-  /// ln((1 + above) / (1 + below)) ln(reach): how much louder, times how long it lasts on a
-  /// logarithmic axis. Whatever lies beyond half and twice the speed does not change it.
+  /// ln((1 + above) / (1 + below)) ln(reach): the increase, times the length of the levels on a
+  /// logarithmic axis. Only speeds from half to twice the speed of the step affect it.
   double significance;
-  /// [rad/s], lowest speed of a finer scan, where there is one, with more than limit() collisions.
+  /// [rad/s], the lowest speed with more than limit() collisions in a finer scan, if there is one.
   std::optional<double> first_loud = {};
 
-  double limit() const { return (below + above) / 2.0; }  ///< counts up to here are below
+  double limit() const { return (below + above) / 2.0; }  ///< counts <= this are below
 };
 
-/// Speeds [rad/s] with one kind of count.
+/// Speeds [rad/s] between two steps, and their counts.
 struct Level {
   double from, to;
-  int low, typical, high;  ///< a tenth of the speeds has less than low; the median; a tenth more
+  int low, typical, high;  ///< 10 % quantile, median, 90 % quantile of the counts
 };
 
 struct Staircase {
-  std::vector<Step> steps;    ///< by rising speed
-  std::vector<Level> levels;  ///< between them, one more than steps
+  std::vector<Step> steps;    ///< by increasing speed
+  std::vector<Level> levels;  ///< between the steps; one more than steps
 
-  /// The most significant step, the slowest of equals; nothing where there is none: then there is
-  /// no threshold.
+  /// The most significant step, on a tie the slowest. Nothing if there is no step, hence no
+  /// threshold.
   std::optional<Step> main_step() const;
 };
 
-/// The slowest speed [rad/s] whose steps are looked for: a tenth of a turn a minute.
+/// The slowest speed [rad/s] at which steps are searched: 0.1 revolutions per minute.
 inline constexpr double slowest_scanned = 0.01;
 
-/// How far beyond the fastest speed asked for a scan must go for all steps up to there to be
-/// judged by all that can make them significant: as a ratio.
+/// The ratio of the end of a scan to the fastest speed of the staircase. It makes the scan contain
+/// all speeds that affect the significance of any step.
 inline constexpr double judged_share = 2.25;
 
-/// The staircase of the speeds up to `fastest` [rad/s]. The scan should go on to judged_share times
-/// that.
+/// The staircase of the speeds up to `fastest` [rad/s]. The scan should extend to judged_share
+/// times that speed.
 Staircase staircase_of(const LogarithmicScan& scan, double fastest);
 
 }  // namespace ricochet::carrier_track::inline counting

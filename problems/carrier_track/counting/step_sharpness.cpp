@@ -7,16 +7,17 @@
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-/// Of an even number of counts the upper of the two in the middle: a count that there is.
+/// The median; for an even number of counts the upper of the two middle ones, so that it is one of
+/// the counts.
 int middle_count(std::vector<int> counts) {
   const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
   std::nth_element(counts.begin(), middle, counts.end());
   return *middle;
 }
 
-/// How many of the counts lie before the best split into at most `limit` and more.
+/// The number of counts before the best split into counts <= `limit` and counts > `limit`.
 double speeds_before(const std::vector<int>& counts, int limit) {
-  // Between a quiet speed and a loud one there is a split, whatever the others are.
+  // With a quiet speed first and a loud one last, a split always exists.
   SpeedScan closed{1, {std::numeric_limits<int>::min()}};
   closed.counts.insert(closed.counts.end(), counts.begin(), counts.end());
   closed.counts.push_back(std::numeric_limits<int>::max());

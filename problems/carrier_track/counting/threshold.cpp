@@ -38,7 +38,8 @@ double share(std::size_t size, Predicate holds) {
   return static_cast<double>(held) / static_cast<double>(size);
 }
 
-/// A multiple of the step that equals the reference but for rounding lies on neither side of it.
+/// Returns true if omega is below the reference. A multiple of the step that equals the reference
+/// except for rounding is neither below nor above it.
 bool is_below(double omega, double reference) {
   return omega < reference * (1 - 1e-9);
 }
@@ -62,7 +63,7 @@ std::vector<Example> judge_examples(const CountAt& count_at, const Figure& figur
   return examples;
 }
 
-/// Scans in parallel, some neighbouring speeds at a time.
+/// Scans in parallel, in blocks of neighbouring speeds.
 template <class CountsAt>
 SpeedScan scan_in_blocks(double step, double highest, const CountsAt& counts_at) {
   SpeedScan scan{step, std::vector<int>(static_cast<std::size_t>(std::llround(highest / step)))};
@@ -70,7 +71,7 @@ SpeedScan scan_in_blocks(double step, double highest, const CountsAt& counts_at)
   return scan;
 }
 
-/// Refers to the scene.
+/// Keeps a reference to the scene.
 CountAt counts_of(const Scene& scene) {
   return [&scene](double omega) { return count_at(scene, omega); };
 }
@@ -105,7 +106,7 @@ SpeedScan thinned(const SpeedScan& scan, std::size_t stride) {
 Split best_split(const SpeedScan& scan, double limit) {
   const std::size_t size = scan.counts.size();
   Split split;
-  // Starts with everything called loud, then calls one speed after the other quiet.
+  // Starts with all speeds called loud, then calls one speed after the other quiet.
   auto wrong = static_cast<std::size_t>(
       std::count_if(scan.counts.begin(), scan.counts.end(), [&](int c) { return c <= limit; }));
   std::size_t best = wrong;

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/counting/claim.h"
 #include "problems/carrier_track/scene/scene.h"
 
-/// The threshold of a staircase that jumps, defined once, with the other parts of the score by
-/// which a reading of the paper is judged (paper.md, section 6).
+/// Defines the threshold of a staircase of counts, and the other parts of the score of an
+/// interpretation of the paper (paper.md, section 6).
 namespace ricochet::carrier_track::inline counting {
 
 /// Collision counts at the evenly spaced speeds step, 2 step, ..., highest.
@@ -32,36 +32,37 @@ SpeedScan scan_speeds(const Scene& scene, double step, double highest);
 /// Every `stride`-th speed of a scan.
 SpeedScan thinned(const SpeedScan& scan, std::size_t stride);
 
-/// Where a body of counts divides best into quiet below and loud above; quiet means <= limit (see
-/// quiet_limit).
+/// The speed that best divides a set of counts into quiet below and loud above; quiet means <=
+/// limit (see quiet_limit).
 struct Split {
   std::optional<double> speed;       ///< [rad/s], midway between two scanned speeds
-  std::optional<double> first_loud;  ///< [rad/s], lowest scanned speed that is loud at all
+  std::optional<double> first_loud;  ///< [rad/s], lowest scanned speed that is loud
   double misclassified = 0;          ///< share of the scanned speeds on the wrong side, in [0, 1]
 };
 
-/// The split that misclassifies the fewest speeds, the lowest of equals. No speed where all speeds
-/// are best called loud, or all quiet: then there is no threshold in the range.
+/// The split that misclassifies the fewest speeds, on a tie the lowest. It has no speed if calling
+/// all speeds loud, or all quiet, misclassifies the fewest: then there is no threshold in the
+/// range.
 Split best_split(const SpeedScan& scan, double limit);
 
-/// The most common count, the lowest of equals. No count for an empty range.
+/// The most common count, on a tie the lowest. Nothing for an empty range.
 std::optional<int> most_common(const std::vector<int>& counts);
 
-/// One of the paper's example speeds, on the side where its figure shows it or not.
+/// One of the paper's example speeds, and whether the count is on the side that its figure shows.
 struct Example {
   double omega;  ///< [rad/s]
-  bool loud;     ///< as the paper has it
+  bool loud;     ///< according to the paper
   int count;
   bool right;
 };
 
-/// The six parts of the score, and what they rest on.
+/// The six parts of the score, and further results of the scans.
 struct Score {
   int quiet_count = 0;               ///< (1) most common count below the reference speed
   std::optional<double> purity;      ///< (2) share of those speeds with the quiet count +- 1
   std::optional<double> threshold;   ///< (3) [rad/s], best split of the fine scan
   double misclassified = 0;          ///< (4) share of speeds that this split misclassifies
-  std::optional<double> loudness;    ///< (5) median count above the reference over the quiet count
+  std::optional<double> loudness;    ///< (5) median count above the reference / quiet count
   std::vector<Example> examples;     ///< (6)
   std::optional<double> first_loud;  ///< [rad/s], lowest loud speed of the fine scan
   std::int64_t evaluations = 0;      ///< simulations
@@ -70,12 +71,12 @@ struct Score {
 
 struct ScanOptions {
   double step = 1e-3;       ///< [rad/s] of the fine scan, which locates threshold and first_loud
-  std::size_t stride = 10;  ///< every stride-th of its speeds makes the scan of parts 1, 2, 4, 5
+  std::size_t stride = 10;  ///< every stride-th speed is used for parts 1, 2, 4, 5
   double highest = 18.0;    ///< [rad/s]
 };
 
-/// Where nothing is claimed, the speeds up to this share of the range tell the quiet count; no
-/// threshold of the paper lies lower.
+/// Without a claim, the quiet count is that of the speeds up to this share of the range; no
+/// threshold of the paper is lower.
 inline constexpr double quiet_share = 0.1;
 
 /// Scores a scene against a claim. The reference speed is the claimed threshold. Without one, the
@@ -87,15 +88,15 @@ Score score(const Scene& scene, const Claim& claim, const ScanOptions& options);
 Score score(const Scene& scene, const Claim& claim, const SpeedScan& scan, std::size_t stride);
 Score score(const CountAt& count, const Claim& claim, const SpeedScan& scan, std::size_t stride);
 
-/// Part 1 of the score alone: only the speeds below the reference are simulated.
+/// Part 1 of the score only: simulates only the speeds below the reference.
 int quiet_count(const Scene& scene, const Claim& claim, const ScanOptions& options);
 
-/// Counts up to here are quiet.
+/// Counts up to this limit are quiet.
 inline double quiet_limit(int quiet_count) {
   return 1.5 * quiet_count;
 }
 
-/// Collision count of a valid scene at a speed [rad/s]. Of many: counts.h.
+/// Collision count of a valid scene at a speed [rad/s]. For many scenes or speeds: counts.h.
 int count_at(const Scene& scene, double omega);
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -4,11 +4,12 @@
 
 namespace ricochet::carrier_track::inline counting {
 
-/// Width of the fading to the end of the window, where an impact would leave with all its energy.
-inline constexpr double wear_width = 0.25;
+/// Smoothing parameter of the fading at the end of the window, where an impact would otherwise
+/// leave with all its energy.
+inline constexpr double wear_smoothing = 0.25;
 
-/// Adds up the kinetic energy [J] that the walls take: an impact of approach speed v loses
-/// mass (1 - restitution^2) v^2 / 2, with the restitution that friction in contact leaves.
+/// Sums the kinetic energy [J] that impacts dissipate: an impact of approach speed v loses
+/// mass (1 - restitution^2) v^2 / 2, with the restitution reduced by contact friction.
 template <class Scalar>
 class EnergyLost : public Observer {
  public:
@@ -19,7 +20,7 @@ class EnergyLost : public Observer {
 
   void impact(const Scalar& time, Wall wall, const Scalar& speed) {
     const Scalar left = constant<Scalar>(1.0) - time / duration_;
-    sum_ += fading(left, wear_width) * (wall == Wall::lower ? lower_ : upper_) * speed * speed;
+    sum_ += fading(left, wear_smoothing) * (wall == Wall::lower ? lower_ : upper_) * speed * speed;
   }
 
   const Scalar& sum() const { return sum_; }
@@ -35,11 +36,11 @@ class EnergyLost : public Observer {
   Scalar sum_ = constant<Scalar>(0.0);
 };
 
-/// The wear of a valid scene [mJ]: the energy that track and carrier take in all impacts of the
-/// window (Archard, J. Appl. Phys. 24 (1953) 981, has wear grow with the work done). Smooth by
-/// itself where the count jumps: an impact is born with speed 0, or enters at the end of the
-/// window, to which it fades (collisions.h). What impacts slower than resting_speed lose is left
-/// out. The simulation is shown to `also`, too.
+/// The wear of a valid scene [mJ]: the energy that all impacts of the window dissipate in track and
+/// carrier (wear increases with the work done: Archard, J. Appl. Phys. 24 (1953) 981). It is smooth
+/// where the count jumps: a new impact appears with speed 0, or enters at the end of the window,
+/// where its weight is 0 (collisions.h). The energy of impacts slower than resting_speed is
+/// omitted. `also` observes the simulation too.
 template <class Scalar, class Also>
 Scalar wear(const BasicScene<Scalar>& scene, Also& also) {
   EnergyLost<Scalar> lost(scene);

@@ -13,9 +13,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// The search for the first event of one path. Most paths are short beside the period of their
-/// forces, or fast beside what these can do; then bounds from the start alone prove which event
-/// comes first and that it is the only one in reach, and a few steps find it.
+/// The search for the first event of one path. Most paths are short compared with the period of
+/// their forces, or fast compared with the speed change that the forces can cause. Bounds from the
+/// start alone then prove which event comes first and that it is the only one in reach, and a few
+/// steps find it.
 template <class Path>
 class Search {
  public:
@@ -40,13 +41,13 @@ class Search {
   }
 
  private:
-  /// A turn that comes first for certain: speed <= v + a t + J t^2 / 2 crosses zero while the
-  /// acceleration is still negative, and before the wall can be reached.
+  /// A turning point that certainly comes first: speed <= v + a t + J t^2 / 2 crosses zero while
+  /// the acceleration is still negative, and before the wall can be reached.
   bool short_turn() {
     const double certain = acceleration_ * acceleration_ - 2 * jerk_bound_ * speed_;
     if (!(acceleration_ < -noise_ && speed_ > 0 && certain > 0)) return false;
     const double inverse = -1 / acceleration_;
-    const double plain = speed_ * inverse;  // the time of the turn but for the jerk
+    const double plain = speed_ * inverse;  // the time of the turning point without jerk
     double latest = 2 * plain;
     if (!(latest < horizon_ && speed_ * plain < ahead_)) {
       latest = 2 * speed_ / (std::sqrt(certain) - acceleration_);
@@ -71,8 +72,8 @@ class Search {
     return false;
   }
 
-  /// An arrival that comes first for certain: the speed is at least v + a t - J t^2 / 2, which
-  /// stays positive until the distance that follows from it is beyond the wall.
+  /// An arrival that certainly comes first: the speed is at least v + a t - J t^2 / 2, and this
+  /// bound stays positive until its integral exceeds the distance to the wall.
   bool short_arrival() {
     const double square = speed_ * speed_ + 2 * acceleration_ * ahead_;
     if (!(square > 0 && speed_ >= 0)) return false;
@@ -93,8 +94,7 @@ class Search {
     return true;
   }
 
-  /// The same where the forces go through whole periods on the way, but cannot slow the body to a
-  /// stop.
+  /// The same if the forces pass through whole periods on the way but cannot stop the body.
   bool fast_arrival() {
     if (!(speed_ > 0)) return false;
     const double latest = 2 * ahead_ / speed_;
@@ -107,13 +107,13 @@ class Search {
     return true;
   }
 
-  /// Conservative advancement: no step is longer than the bound on the jerk proves that the speed
+  /// Conservative advancement: each step is so short that, by the bound on the jerk, the speed
   /// stays positive.
   Event advance_conservatively() {
     const ForceBounds bounds = there_.bounds(horizon_);
     double least_step = bounds.shortest_step;
     double step = step_bound(speed_, acceleration_, bounds.jerk);
-    if (speed_ <= 0) {  // setting out from rest with the force just beyond friction
+    if (speed_ <= 0) {  // starts from rest with the force just above friction
       if (jerk_ > 0) step = std::max(step, 3 * jerk_ / bounds.snap);
       step = std::max(step, bounds.shortest_step);
     }
@@ -124,7 +124,7 @@ class Search {
       step = last ? horizon_ - time_ : step;
       advance(step);
       if (distance() > 2 * ahead_) {
-        // So far behind the wall, rounding would be large beside the way to it.
+        // Far beyond the wall, rounding would be large compared with the distance to it.
         there_ = here;
         time_ = before;
         step /= 2;
@@ -143,21 +143,21 @@ class Search {
         speed = std::max(speed, 0.0);
       }
       step = std::max(step_bound(speed, acceleration, bounds.jerk), epsilon * time_);
-      // Where the speed stays within rounding of zero, steps double until it is not.
+      // While the speed is zero within rounding, steps double.
       least_step = speed <= noise ? 2 * least_step : bounds.shortest_step;
       if (speed <= noise) step = std::max(step, least_step);
     }
   }
 
-  /// Goes from where the path is to where it arrives at the wall, within [lower, upper], where the
-  /// distance is monotone; `jerk` bounds the third derivative.
+  /// Advances the path to its arrival at the wall, which lies within the times [lower, upper],
+  /// where the distance is monotone; `jerk` bounds the third derivative.
   void arrive(double lower, double upper, double jerk) {
     for (int i = 0; i < 100; ++i) {
       const double gap = ahead_ - distance();
       (gap > 0 ? lower : upper) = time_;
       const double speed = direction_ * there_.velocity;
       const double acceleration = direction_ * there_.acceleration();
-      // The step of the local parabola, as a series where the speed hardly changes.
+      // The step of the local parabola, as a series if the speed changes little.
       const double straight = gap / speed;
       const double bend = acceleration * straight / speed;
       double step = straight * (1 - bend / 2 + bend * bend / 2);
@@ -170,7 +170,7 @@ class Search {
       }
       if (std::abs(step) <= 2 * epsilon * time_ || upper - lower <= 2 * epsilon * upper) break;
       const double next = time_ + step;
-      if (!(next > lower && next < upper)) {  // also where there is no such step
+      if (!(next > lower && next < upper)) {  // also if the step is NaN
         step = lower + 0.5 * (upper - lower) - time_;
         error = infinity;
       }

@@ -13,7 +13,7 @@ inline int direction_of(double velocity) {
 
 enum class EventKind {
   wall,     ///< the wall ahead is reached
-  turn,     ///< the velocity has come down to zero
+  turn,     ///< the velocity reaches zero
   release,  ///< a resting body starts to move
   horizon   ///< nothing happens before the time limit
 };
@@ -26,8 +26,8 @@ struct Event {
 
 /// First event of a body that moves in `direction` (+1 or -1) with the wall `ahead` [m] >= 0 of it,
 /// within `horizon` [s]. The search advances only as far as a bound proves that the velocity keeps
-/// its sign; on such a stretch the position is monotone, so that a wall cannot be skipped, however
-/// short the contact. The path is advanced to the event. `evaluations` grows by its evaluations.
+/// its sign; there the position is monotone, so that no wall is skipped, however short the contact.
+/// The path is advanced to the event. `evaluations` grows by its evaluations.
 ///
 /// For Path = Flight<double> and RampFlight<double>.
 template <class Path>

@@ -5,17 +5,17 @@
 
 namespace ricochet::carrier_track::inline events {
 
-/// Lets a path go on to an event that the search has found in plain arithmetic, and returns the
-/// exact time [s] at which this finds it: where it is at `wall` [m], where it stands still, or at
-/// the `horizon` [s]. The event of a dual is that of the numbers it is made of, and its derivatives
-/// follow from those of the path there, by the implicit function theorem.
+/// Advances a path to an event that the search has found in plain arithmetic, and returns the
+/// event's exact time [s]: the path is at `wall` [m], its velocity is zero, or the `horizon` [s] is
+/// reached. The event of a dual is that of its inner numbers; its derivatives follow from those of
+/// the path there, by the implicit function theorem.
 template <class Path, class Scalar>
 Scalar refine_event(Path& path, const Event& event, const Scalar& wall, const Scalar& horizon) {
   if constexpr (Dual<Scalar>) {
     auto inner = path.inner();
     Scalar time(refine_event(inner, event, wall.a, horizon.a));
     path.advance(time);
-    // A wall that is only touched has no derivative; its time is left to be a constant.
+    // Touching a wall with zero velocity has no derivative; its time is taken as constant.
     if (event.kind == EventKind::wall && value(path.velocity) != 0) {
       time.v = (wall.v - path.position.v) / path.velocity.a;
     } else if (event.kind == EventKind::turn && value(path.inner_acceleration()) != 0) {

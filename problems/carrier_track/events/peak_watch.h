@@ -4,12 +4,12 @@
 
 namespace ricochet::carrier_track::inline events {
 
-/// Tells an observer of every local maximum of x. One is certain only when the body has moved down
-/// from it; a plateau counts once, at its start.
+/// Reports every local maximum of x to an observer, when the body starts to move down from it. A
+/// plateau counts once, at its start.
 template <class Scalar>
 class PeakWatch {
  public:
-  /// The body sets out, or goes on, in `direction`, -1 or +1.
+  /// The body starts or continues to move in `direction`, -1 or +1.
   template <class SomeObserver>
   void moves(int direction, SomeObserver& observer) {
     if (direction < 0 && summit_) observer.peak(summit_->time, summit_->position);
@@ -17,7 +17,7 @@ class PeakWatch {
     rising_ = direction > 0;
   }
 
-  /// The body has stopped, or turns round, at `time` [s] and `position` [m].
+  /// The body has stopped or reversed at `time` [s] and `position` [m].
   void stops(const Scalar& time, const Scalar& position) {
     if (rising_ && !summit_) summit_ = Summit{time, position};
   }

@@ -9,7 +9,7 @@
 
 namespace ricochet::carrier_track::inline events {
 
-/// What next_release() does for one body at rest, for several at once.
+/// The search of next_release() for several bodies at rest at once.
 template <class Row, int harmonics>
 class ReleaseRows {
   using Mask = MaskOf<Row>;
@@ -17,11 +17,11 @@ class ReleaseRows {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
  public:
-  /// `applied` holds no friction.
+  /// `applied` does not include friction.
   ReleaseRows(const FlightRows<Row, harmonics>& applied, const Row& friction, const Row& horizon)
       : applied_(applied), friction_(friction), horizon_(horizon), bounds_(applied, horizon) {}
 
-  /// Of those that `rest`, where the walls do not forbid it.
+  /// Searches for the bodies in `rest`, in the directions that the walls allow.
   void run(const Mask& rest, const Mask& may_rise, const Mask& may_fall) {
     const Mask still = bounds_.jerk <= 0.0;
     end(rest && still, horizon_, 0.0);
@@ -57,7 +57,7 @@ class ReleaseRows {
     Row acceleration, jerk;
   };
 
-  /// See Flight::applied_at; of some bodies.
+  /// See Flight::applied_at; for the bodies in `which`.
   Force applied_at(const Row& t, const Mask& which) const {
     Force push{applied_.steady, 0.0};
     for (std::size_t h = 0; h < harmonics; ++h) {
@@ -75,7 +75,8 @@ class ReleaseRows {
     return push;
   }
 
-  /// Which bodies leave in one direction now; `step` is lowered to when others may.
+  /// Returns the bodies that leave in one direction now; lowers `step` to the time until others may
+  /// leave.
   Mask look(const Mask& which, const Row& reserve, const Row& slope, Row& step,
             Mask& at_the_edge) const {
     const Row sum = bounds_.acceleration + friction_;

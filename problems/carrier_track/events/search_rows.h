@@ -16,8 +16,8 @@ Row step_bound(const Row& value, const Row& slope, const Row& bound) {
       select(bound > 0.0, (slope + root) / bound, Row(std::numeric_limits<double>::infinity())));
 }
 
-/// What Search of event.cpp does for one body, for several at once. A search that ends with the
-/// horizon, or takes long, is given up.
+/// The search of event.cpp for several bodies at once. It is abandoned for a body that reaches the
+/// horizon or needs many steps.
 template <class Row, int harmonics>
 class SearchRows {
   using Mask = MaskOf<Row>;
@@ -61,7 +61,8 @@ class SearchRows {
   Row evaluations = 0.0;
 
  private:
-  /// Newton's method for turns, that of arrive() for arrivals. Gives up what takes more steps.
+  /// Newton's method for turning points, the method of arrive() for arrivals. Abandons bodies that
+  /// need more than `steps` steps.
   [[gnu::always_inline]] void finish(Mask turning, Mask arriving, int steps) {
     for (int i = 0; i < steps; ++i) {
       const Row speed = direction_ * there.velocity;
@@ -82,7 +83,7 @@ class SearchRows {
     arrival = arrival && !arriving;
   }
 
-  // NOTE: what is rare works on a copy, or all the rows would be kept in memory.
+  // NOTE: this rare case works on a copy; otherwise the compiler would keep all rows in memory.
   [[gnu::noinline]] static SearchRows advanced_conservatively(SearchRows search,
                                                               const Mask& active) {
     search.advance_conservatively(active);
@@ -173,7 +174,7 @@ class SearchRows {
     first_ = select(arrival, select(guess > 0.0 && guess < latest, guess, plain), first_);
   }
 
-  /// Where the forces go through whole periods on the way, but cannot slow the body to a stop.
+  /// For bodies whose forces pass through whole periods on the way but cannot stop the body.
   void begin_fast_arrival(const Mask& unclear) {
     const Row latest = 2 * ahead_ / speed_;
     Row slowest = speed_ + least(direction_ * there.steady, Row(0.0)) * latest;
@@ -194,7 +195,7 @@ class SearchRows {
     first_ = select(fast, select(guess > 0.0 && guess < latest, guess, latest / 2), first_);
   }
 
-  /// One step towards the walls. Returns which lanes go on.
+  /// One step towards the walls. Returns the lanes that need more steps.
   [[gnu::always_inline]] Mask approach(const Mask& arriving, const Row& speed,
                                        const Row& acceleration, Row& step_of_all,
                                        Row& error_of_all) {
@@ -226,7 +227,8 @@ class SearchRows {
     return going;
   }
 
-  /// No time passes for those that do not go; even a zero keeps its sign.
+  /// Lets `t` [s] pass for the bodies in `which`. The others do not change; even a zero keeps its
+  /// sign.
   [[gnu::always_inline]] void advance(const Row& t, const Mask& which) {
     if (stdx::all_of(which)) {
       there.advance(t);

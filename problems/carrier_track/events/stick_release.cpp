@@ -28,8 +28,8 @@ Event next_release(const Path& applied, double friction, bool may_rise, bool may
       if (direction > 0 ? !may_rise : !may_fall) continue;
       const double reserve = friction - direction * push;
       const double reserve_slope = -direction * slope;
-      // Out of the band already, beyond what forces that cancel may round to: at a knot of a speed
-      // profile the force jumps.
+      // The force is already outside the band by more than the rounding of cancelling forces: it
+      // jumps at a knot of a speed profile.
       const bool jumped = reserve < -1e-9 * (bounds.acceleration + friction);
       if (jumped || (reserve <= noise && reserve_slope < -slope_noise)) {
         return {EventKind::release, time, direction};
@@ -37,7 +37,7 @@ Event next_release(const Path& applied, double friction, bool may_rise, bool may
       step = std::min(step, step_bound(std::max(reserve, 0.0), reserve_slope, bounds.snap));
       at_the_edge = at_the_edge || reserve <= noise;
     }
-    // Where the force stays within rounding of the band's edge, steps double until it does not.
+    // While the force equals the band's edge within rounding, steps double.
     least_step = at_the_edge ? 2 * least_step : bounds.shortest_step;
     if (at_the_edge) step = std::max(step, least_step);
     if (time >= horizon || step == infinity) return {EventKind::horizon, horizon, 0};

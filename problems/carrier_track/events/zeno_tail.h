@@ -6,9 +6,10 @@
 
 namespace ricochet::carrier_track::inline events {
 
-/// Time [s] that the infinitely many hops of a body take which leaves a wall with `speed` > 0 [m/s]
-/// while it is pressed to it with `press` > `friction` [m/s^2], both constant. Each hop slows by
-/// press + friction and falls by press - friction: a geometric series.
+/// The total time [s] of the infinitely many rebounds of a body that leaves a wall with `speed` > 0
+/// [m/s] and is pressed to it with `press` > `friction` [m/s^2], both constant. The body
+/// decelerates with press + friction and returns with press - friction: the times form a geometric
+/// series.
 template <class Scalar>
 Scalar zeno_tail(const Scalar& speed, const Scalar& restitution, const Scalar& press,
                  const Scalar& friction) {

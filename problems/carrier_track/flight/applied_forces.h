@@ -11,8 +11,8 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// The applied forces of a scene at constant speed over the mass: a steady acceleration and two
-/// harmonics, of the driver plate and of the disturbance, as they are at the present time.
+/// The applied forces of a scene at constant speed, divided by the mass, at the current time: a
+/// steady acceleration and two harmonics, one of the driver plate and one of the disturbance.
 template <class Scalar>
 class AppliedForces {
  public:
@@ -21,8 +21,8 @@ class AppliedForces {
   explicit AppliedForces(const BasicScene<Scalar>& scene)
       : AppliedForces(scene, plate_forces(scene), disturbance_of(scene)) {}
 
-  /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
-  /// disturbance.
+  /// The forces of equation (22), for the second direction, y, without disturbance. `scene` must
+  /// have a second direction.
   static AppliedForces across(const BasicScene<Scalar>& scene) {
     const Scalar zero = constant<Scalar>(0.0);
     return AppliedForces(scene, plate_forces_across(scene),
@@ -32,10 +32,10 @@ class AppliedForces {
   /// The acceleration now [m/s^2].
   Scalar sum() const { return still_.acceleration(); }
 
-  /// The same in plain numbers.
+  /// The plain value of sum().
   double plain_sum() const { return value(still_.acceleration()); }
 
-  /// How fast it changes [m/s^3].
+  /// The rate of change of sum() [m/s^3].
   Scalar rate() const { return still_.jerk(); }
 
   /// Sum of the magnitudes that make up sum() [m/s^2]: what its rounding is relative to.
@@ -47,10 +47,10 @@ class AppliedForces {
   /// Bound over all time on the rate of sum() [m/s^3].
   double jerk_bound() const { return still_.bounds(std::numeric_limits<double>::infinity()).jerk; }
 
-  /// How long [s] a flight from here is good for.
+  /// How long [s] a flight that starts now is valid.
   Scalar reach() const { return constant<Scalar>(std::numeric_limits<double>::infinity()); }
 
-  /// Free flight from here under these forces and a further steady acceleration, of friction.
+  /// Free flight from here under these forces and `further`, the steady acceleration of friction.
   Path flight(const Scalar& position, const Scalar& velocity, const Scalar& further) const {
     Path path = still_;
     path.position = position;
@@ -59,15 +59,15 @@ class AppliedForces {
     return path;
   }
 
-  /// Lets `time` [s] pass. The angles are turned, not kept: they keep their amplitude, and none
-  /// grows without bound.
+  /// Lets `time` [s] pass. The harmonics are rotated, so the amplitude stays and no angle grows
+  /// without bound.
   void pass(const Scalar& time) {
     Path path = still_;
     path.advance(time);
     arrive(path, time);
   }
 
-  /// Lets `time` [s] pass, in which a flight has come there.
+  /// Lets `time` [s] pass; `there` is the end of the flight in that time.
   void arrive(const Path& there, const Scalar& /*time*/) { still_.harmonic = there.harmonic; }
 
  private:

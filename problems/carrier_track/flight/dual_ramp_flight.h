@@ -11,10 +11,10 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// The RampFlight of a dual scalar, without power series of duals: the flight itself and its
-/// partial derivatives with respect to the few quantities that it is made of are series in the
-/// arithmetic of `Inner`, double or a dual of one order less. Where the flight is evaluated, each
-/// partial derivative is multiplied by the derivatives of its quantity, however many these are.
+/// The RampFlight of a dual scalar, without power series of duals. The flight and its partial
+/// derivatives with respect to the few quantities that define it are series in the arithmetic of
+/// `Inner`, which is double or a dual of one order less. An evaluation multiplies each partial
+/// derivative by the derivatives of its quantity (chain rule).
 template <Dual Scalar>
 class DualRampFlight {
   using Real = Inner<Scalar>;
@@ -25,7 +25,7 @@ class DualRampFlight {
   Scalar position;  ///< [m] now
   Scalar velocity;  ///< [m/s] now
 
-  /// A flight that begins now.
+  /// A flight that starts now.
   DualRampFlight(const Scalar& start_position, const Scalar& start_velocity,
                  const RampForces<Scalar>& forces)
       : DualRampFlight(start_position, start_velocity, forces,
@@ -42,7 +42,7 @@ class DualRampFlight {
     return {there.position, there.velocity, there.acceleration()};
   }
 
-  /// Sets out from elsewhere, under the same forces.
+  /// Restarts from another position and velocity under the same forces.
   void start(const Scalar& from, const Scalar& with) {
     position = from;
     velocity = with;
@@ -87,7 +87,7 @@ class DualRampFlight {
     if (!is_constant(elapsed_)) shift_time_derivative(elapsed_.v);
   }
 
-  /// See Flight. Nothing but position and velocity goes with it.
+  /// See Flight. Changes only position and velocity.
   void shift_time_derivative(const Tangent& t) {
     position.v += t * velocity.a;
     velocity.v += t * flight_.acceleration();
@@ -107,14 +107,16 @@ class DualRampFlight {
 
   double plain_acceleration() const { return value(flight_.acceleration()); }
   const Real& inner_acceleration() const { return flight_.acceleration(); }
-  Scalar jerk() const { return Scalar(flight_.jerk()); }  ///< [m/s^3], of `Inner` alone
+  Scalar jerk() const {
+    return Scalar(flight_.jerk());
+  }  ///< [m/s^3], without the outermost derivatives
 
   double reach() const { return flight_.reach(); }            ///< see RampFlight
   double size() const { return flight_.size(); }              ///< see RampFlight
   double jerk_bound() const { return flight_.jerk_bound(); }  ///< see RampFlight
 
  private:
-  /// Where the plate's forces have derivatives of their own: their derivatives but for the slope's.
+  /// The derivatives of the plate's forces themselves, except those of the slope.
   struct Plate {
     Turning turning;
     Tangent steady, square, cosine, square_cosine, sine, square_sine;
@@ -201,7 +203,8 @@ class DualRampFlight {
     }
   }
 
-  /// Calls `use` with every quantity's derivatives, and the acceleration's with respect to it.
+  /// Calls `use` with the derivatives of every quantity and the series of the acceleration's
+  /// partial derivative with respect to it.
   template <class Use>
   void for_each_partial(Use use) const {
     use(by_alpha_, alpha_);

@@ -37,18 +37,18 @@ Motion<Scalar> fall(const Scalar& position, const Scalar& velocity, const Scalar
   return m;
 }
 
-/// The forces of a path alone.
+/// The acceleration and jerk of a path's forces.
 struct AppliedForce {
   double acceleration;  ///< [m/s^2]
   double jerk;          ///< [m/s^3]
 };
 
-/// Bounds on what the forces of a path can do.
+/// Bounds on the forces of a path.
 struct ForceBounds {
   double acceleration = 0;   ///< [m/s^2], the sum of the magnitudes
   double jerk = 0;           ///< [m/s^3]
   double snap = 0;           ///< [m/s^4]
-  double shortest_step = 0;  ///< [s], below which the forces do not change within rounding
+  double shortest_step = 0;  ///< [s]; in a shorter time the forces change by rounding only
 };
 
 /// Free motion in closed form under x'' = steady + sum of harmonics, from a given start.
@@ -59,10 +59,10 @@ struct Flight {
   Scalar velocity;                           ///< [m/s] at its start
   Scalar steady;                             ///< [m/s^2]
   std::array<Harmonic<Scalar>, 2> harmonic;  ///< driver plate, disturbance
-  int harmonics = 2;                         ///< how many of them act
+  int harmonics = 2;                         ///< number of harmonics that act
 
-  /// Exact up to rounding at any t [s] from the flight's start. Where the harmonics are then goes
-  /// to `turned`, if asked for.
+  /// Exact up to rounding at any t [s] from the flight's start. If `turned` is given, it receives
+  /// the harmonics at that time.
   Motion<Scalar> at(const Scalar& t, std::array<Harmonic<Scalar>, 2>* turned = nullptr) const {
     Motion<Scalar> m = fall(position, velocity, steady, t);
     for (int i = 0; i < harmonics; ++i) {
@@ -81,7 +81,7 @@ struct Flight {
   /// Moves the origin of the position by -`by` [m].
   void shift(const Scalar& by) { position += by; }
 
-  /// The forces at any t >= 0 [s], more exactly than at() where t is long.
+  /// The forces at any t >= 0 [s], more accurate than at() for long t.
   AppliedForce applied_at(double t) const {
     AppliedForce push{value(steady), 0};
     for (int i = 0; i < harmonics; ++i) {
@@ -109,14 +109,14 @@ struct Flight {
   /// Adds a steady acceleration [m/s^2].
   void push(const Scalar& by) { steady += by; }
 
-  /// Lets `t` [s] pass: the same flight, begun later.
+  /// Lets `t` [s] pass: moves the start of the same flight.
   void advance(const Scalar& t) {
     const Motion<Scalar> m = at(t, &harmonic);
     position = m.position;
     velocity = m.velocity;
   }
 
-  /// Lets a time [s] pass of which there are but the derivatives.
+  /// Lets a time [s] pass whose value is 0 and whose derivatives are given.
   template <class Tangent>
   void shift_time_derivative(const Tangent& t) requires Dual<Scalar> {
     position.v += t * velocity.a;
@@ -135,14 +135,14 @@ struct Flight {
     return sum;
   }
 
-  /// The third [m/s^3].
+  /// The third derivative of the position [m/s^3] at the start of the flight.
   Scalar jerk() const {
     Scalar sum = constant<Scalar>(0.0);
     for (int i = 0; i < harmonics; ++i) sum -= acting(i).frequency * acting(i).sine;
     return sum;
   }
 
-  /// The fourth [m/s^4].
+  /// The fourth derivative of the position [m/s^4] at the start of the flight.
   Scalar snap() const {
     Scalar sum = constant<Scalar>(0.0);
     for (int i = 0; i < harmonics; ++i) {
@@ -168,8 +168,9 @@ struct Flight {
     return bound;
   }
 
-  /// Bounds up to a time [s] from the start. Two harmonics of nearly the same frequency that all
-  /// but cancel have bounds far below the sum of their own, or the search would creep.
+  /// Bounds up to a time [s] from the start. For two harmonics of nearly the same frequency that
+  /// almost cancel, the bounds are far below the sum of the single bounds; otherwise the search
+  /// would need many short steps.
   ForceBounds bounds(double until) const {
     ForceBounds bounds;
     bounds.acceleration = std::abs(value(steady));
@@ -189,8 +190,8 @@ struct Flight {
     return bounds;
   }
 
-  /// The first Taylor coefficients of the acceleration at the start, which give it without loss up
-  /// to `reach` [s].
+  /// The first Taylor coefficients of the acceleration at the start. They give it to full accuracy
+  /// up to `reach` [s].
   struct Taylor {
     std::array<double, 7> coefficient;
     double reach;
@@ -215,8 +216,8 @@ struct Flight {
     return taylor;
   }
 
-  /// A lower bound on the speed in `direction` over the next `time` [s], and what the speed swings
-  /// about but for the steady part [m/s].
+  /// `least`: a lower bound on the speed in `direction` over the next `time` [s]. `mean`: the value
+  /// about which the speed oscillates, without the steady acceleration. Both in [m/s].
   struct Speeds {
     double least, mean;
   };
@@ -227,7 +228,7 @@ struct Flight {
       const auto [amplitude, frequency] = swing(i);
       const double sine = direction * value(acting(i).sine);
       const double drop = (amplitude + sine) / frequency;
-      const bool slow = !(drop < amplitude * time);  // not a number where frequency is 0
+      const bool slow = !(drop < amplitude * time);  // NaN if frequency is 0
       speeds.least -= slow ? amplitude * time : drop;
       if (!slow) speeds.mean -= sine / frequency;
     }
@@ -247,7 +248,7 @@ struct Flight {
 
   /// The plain values, for searching events.
   Flight<double> plain() const {
-    // Taken apart, plain numbers would cost a simulation some 6 % more.
+    // The copy below would slow a simulation of plain numbers down by about 6 %.
     if constexpr (std::is_same_v<Scalar, double>) return *this;
     Flight<double> result{value(position), value(velocity), value(steady), {}, harmonics};
     for (std::size_t i = 0; i < harmonic.size(); ++i) {
@@ -266,7 +267,8 @@ struct Flight {
     return {std::sqrt(cosine * cosine + sine * sine), value(acting(i).frequency)};
   }
 
-  /// A bound up to a time on a derivative of both harmonics, 1 or 2, as one that changes slowly.
+  /// A bound up to a time on the first or second derivative of the sum of both harmonics, taken as
+  /// one slowly changing harmonic.
   double together(int order, double until) const {
     double cosine = 0;
     double sine = 0;

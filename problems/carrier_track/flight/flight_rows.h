@@ -15,8 +15,8 @@ struct StumpffRows {
   Row c2, c3;
 };
 
-/// The power series of stumpff() that begins with 1 / first!. Every body's has the terms that it
-/// would have there, by the size of its q.
+/// The power series of stumpff() that begins with 1 / first!. Each body's series has as many terms
+/// as stumpff() uses for its q.
 template <int first, class Row>
 [[gnu::always_inline]] inline Row stumpff_series(const Row& q) {
   constexpr auto coefficient = [](std::size_t k) {
@@ -42,7 +42,7 @@ template <class Row>
   if (stdx::all_of(q < 1.0)) return result;
   for (std::size_t i = 0; i < Row::size(); ++i) {
     if (q[i] < 1.0) continue;
-    // NOTE: not stumpff(), which would be compiled for two kinds of processors under one name.
+    // NOTE: not stumpff(): it would be compiled for two instruction sets under one name.
     const double angle = u[i];
     const double square = q[i];
     result.c2[i] = (1.0 - std::cos(angle)) / square;
@@ -51,7 +51,7 @@ template <class Row>
   return result;
 }
 
-/// Flights of several bodies under as many harmonics, see Flight.
+/// Flights of several bodies, each under `harmonics` harmonics; see Flight.
 template <class Row, int harmonics>
 struct FlightRows {
   Row position, velocity, steady;
@@ -75,7 +75,7 @@ struct FlightRows {
     }
   }
 
-  /// The acceleration with another steady part.
+  /// The acceleration with `sum` as its steady part.
   Row acceleration(Row sum) const {
     for (const Row& c : cosine) sum += c;
     return sum;
@@ -105,7 +105,7 @@ struct FlightRows {
     return stdx::sqrt(cosine[h] * cosine[h] + sine[h] * sine[h]);
   }
 
-  /// Goes back to another state where `which` says so.
+  /// Copies the state of `other` for the bodies in `which`.
   void restore(const MaskOf<Row>& which, const FlightRows& other) {
     position = select(which, other.position, position);
     velocity = select(which, other.velocity, velocity);
@@ -115,7 +115,7 @@ struct FlightRows {
     }
   }
 
-  /// Of the forces with another steady part.
+  /// See Flight::size, with another steady part.
   Row size(const Row& with) const {
     Row sum = stdx::abs(with);
     for (const Row& c : cosine) sum += stdx::abs(c);

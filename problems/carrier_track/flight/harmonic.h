@@ -8,8 +8,8 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// c2 = (1 - cos u) / u^2 and c3 = (u - sin u) / u^3, the Stumpff functions of u^2. Everything that
-/// a flight under harmonic forces needs follows from them without cancellation, u = 0 included.
+/// c2 = (1 - cos u) / u^2 and c3 = (u - sin u) / u^3, the Stumpff functions of u^2. They give all
+/// that a flight under harmonic forces needs without cancellation, also at u = 0.
 template <class Scalar>
 struct Stumpff {
   Scalar c2, c3;
@@ -30,7 +30,7 @@ Stumpff<Scalar> stumpff(const Scalar& u) {
   using std::sin;
   const Scalar q = u * u;
   if (value(q) < 1.0) {
-    // Maclaurin coefficients (-1)^k / (2k+2)! and (-1)^k / (2k+3)!; the first left out is 2e-19.
+    // Maclaurin coefficients (-1)^k / (2k+2)! and (-1)^k / (2k+3)!; the first omitted one is 2e-19.
     constexpr std::array<double, 9> even = {1.0 / 2,
                                             -1.0 / 24,
                                             1.0 / 720,
@@ -49,7 +49,7 @@ Stumpff<Scalar> stumpff(const Scalar& u) {
                                            1.0 / 1307674368000,
                                            -1.0 / 355687428096000,
                                            1.0 / 121645100408832000};
-    // NOTE: most flights turn by little; what is left out stays below 1e-16.
+    // NOTE: most flights have small u; the omitted terms stay below 1e-16.
     if (value(q) < 1e-8) return {series<2>(q, even), series<2>(q, odd)};
     if (value(q) < 1e-4) return {series<3>(q, even), series<3>(q, odd)};
     if (value(q) < 1.0 / 64) return {series<5>(q, even), series<5>(q, odd)};
@@ -71,8 +71,8 @@ inline constexpr std::array<double, 32> inverse_factorials = [] {
 }();
 
 /// The Stumpff functions c2, c3, ... c(2 pairs + 1) of u^2: ck is the sum of (-u^2)^i / (k + 2i)!.
-/// The derivative of each is made of two of higher order, dck/du = u (k c(k+2) - c(k+1)), so that
-/// those of a dual follow from those of its real part.
+/// The derivative of each follows from two of higher order, dck/du = u (k c(k+2) - c(k+1)), so the
+/// functions of a dual follow from those of its real part.
 template <std::size_t pairs, class Scalar>
 std::array<Scalar, 2 * pairs> stumpff_functions(const Scalar& u) {
   std::array<Scalar, 2 * pairs> result;
@@ -88,7 +88,7 @@ std::array<Scalar, 2 * pairs> stumpff_functions(const Scalar& u) {
     result = {c2, c3};
   } else {
     const Scalar q = u * u;
-    if (value(q) < 1.0) {  // from the last two down, which loses nothing
+    if (value(q) < 1.0) {  // downward from the last two, without cancellation
       constexpr std::size_t last = 2 * pairs;
       Scalar even = constant<Scalar>(0.0);
       Scalar odd = even;
@@ -113,23 +113,24 @@ std::array<Scalar, 2 * pairs> stumpff_functions(const Scalar& u) {
   return result;
 }
 
-/// An acceleration amplitude cos(angle + frequency t), held as amplitude cos(angle) and amplitude
-/// sin(angle): no angle grows without bound, and turning it costs no trigonometry.
+/// An acceleration amplitude cos(angle + frequency t), stored as amplitude cos(angle) and amplitude
+/// sin(angle). No angle grows without bound.
 template <class Scalar>
 struct Harmonic {
   Scalar cosine, sine;  ///< [m/s^2] at the start of the flight
   Scalar frequency;     ///< [rad/s], >= 0
 };
 
-/// What a harmonic acceleration alone does to a body at rest at zero, and what has become of it.
+/// The motion of a body, at rest at zero before, under a harmonic acceleration alone, and the
+/// harmonic at that time.
 template <class Scalar>
 struct Swung {
   Scalar position, velocity;  ///< [m], [m/s]
-  Scalar cosine, sine;        ///< of the harmonic then
+  Scalar cosine, sine;        ///< of the harmonic at that time
 };
 
-/// The same after a time [s]. The derivatives of a dual follow from partial ones in the arithmetic
-/// that it is made of.
+/// The motion and the harmonic after a time [s]. The derivatives of a dual follow from partial
+/// derivatives in its inner arithmetic.
 template <class Scalar>
 Swung<Scalar> swung(const Harmonic<Scalar>& h, const Scalar& t) {
   const Scalar one = constant<Scalar>(1.0);

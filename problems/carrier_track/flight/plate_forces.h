@@ -7,8 +7,8 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// The applied forces along an axis over the mass, as functions of the driver plate's angle alpha,
-/// its speed omega and omega'; the disturbance is apart:
+/// The applied forces along an axis divided by the mass, without the disturbance, as functions of
+/// the driver plate's angle alpha, its speed omega and omega':
 ///   steady + square omega^2
 ///   + (cosine + square_cosine omega^2 + slope_cosine omega') cos alpha
 ///   + (sine + square_sine omega^2 + slope_sine omega') sin alpha.
@@ -24,7 +24,7 @@ struct PlateForces {
   Scalar slope_sine = constant<Scalar>(0.0);     ///< [m]
 };
 
-/// Equation (31) but for contact, friction and disturbance.
+/// The forces of equation (31) without contact, friction and disturbance.
 template <class Scalar>
 PlateForces<Scalar> plate_forces(const BasicScene<Scalar>& scene) {
   using std::cos;
@@ -54,7 +54,7 @@ PlateForces<Scalar> plate_forces(const BasicScene<Scalar>& scene) {
   return forces;
 }
 
-/// The disturbance of equation (31) over the mass, at time 0.
+/// The disturbance of equation (31) divided by the mass, at time 0.
 template <class Scalar>
 Harmonic<Scalar> disturbance_of(const BasicScene<Scalar>& scene) {
   using std::cos;
@@ -64,7 +64,8 @@ Harmonic<Scalar> disturbance_of(const BasicScene<Scalar>& scene) {
           scene.disturbance_frequency};
 }
 
-/// Equation (22) but for contact and friction, of a scene with a second direction, y.
+/// The forces of equation (22) without contact and friction; the scene must have a second
+/// direction, y.
 template <class Scalar>
 PlateForces<Scalar> plate_forces_across(const BasicScene<Scalar>& scene) {
   using std::cos;

@@ -11,7 +11,7 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// What moves under a speed profile: for a dual scalar the flight that has fast derivatives.
+/// The flight under a speed profile; for a dual scalar the one with fast derivatives.
 template <class Scalar>
 struct PathUnderProfile {
   using Path = RampFlight<Scalar>;
@@ -21,8 +21,8 @@ struct PathUnderProfile<Scalar> {
   using Path = DualRampFlight<Scalar>;
 };
 
-/// The applied forces of a scene with a speed profile, as they are at the present time: from knot
-/// to knot the driver plate speeds up or slows down steadily. The same concept as AppliedForces.
+/// The applied forces of a scene with a speed profile, divided by the mass, at the current time.
+/// Between knots the speed of the driver plate changes linearly. The same concept as AppliedForces.
 template <class Scalar>
 class ProfileForces {
  public:
@@ -31,8 +31,8 @@ class ProfileForces {
   explicit ProfileForces(const BasicScene<Scalar>& scene)
       : ProfileForces(scene, plate_forces(scene), disturbance_of(scene)) {}
 
-  /// The same of equation (22), for the second direction, y; `scene` must have one. It has no
-  /// disturbance.
+  /// The forces of equation (22), for the second direction, y, without disturbance. `scene` must
+  /// have a second direction.
   static ProfileForces across(const BasicScene<Scalar>& scene) {
     const Scalar zero = constant<Scalar>(0.0);
     return ProfileForces(scene, plate_forces_across(scene),
@@ -42,13 +42,13 @@ class ProfileForces {
   /// The acceleration now [m/s^2].
   Scalar sum() const { return still_.acceleration(); }
 
-  /// The same in plain numbers.
+  /// The plain value of sum().
   double plain_sum() const { return still_.plain_acceleration(); }
 
-  /// How fast it changes [m/s^3].
+  /// The rate of change of sum() [m/s^3].
   Scalar rate() const { return still_.jerk(); }
 
-  /// Sum of the magnitudes that make up sum() [m/s^2], or more.
+  /// Upper bound on the sum of the magnitudes that make up sum() [m/s^2].
   double size() const { return still_.size(); }
 
   /// Bound on the magnitude of sum() over all time [m/s^2].
@@ -68,14 +68,14 @@ class ProfileForces {
   /// Bound over the reach on the rate of sum() [m/s^3].
   double jerk_bound() const { return still_.jerk_bound(); }
 
-  /// How long [s] a flight from here is good for.
+  /// How long [s] a flight that starts now is valid.
   Scalar reach() const {
     const double good = still_.reach();
     const Scalar left = left_of_leg();
     return good < value(left) ? constant<Scalar>(good) : left;
   }
 
-  /// Free flight from here under these forces and a further steady acceleration, of friction.
+  /// Free flight from here under these forces and `further`, the steady acceleration of friction.
   Path flight(const Scalar& position, const Scalar& velocity, const Scalar& further) const {
     Path path = still_;
     path.start(position, velocity);
@@ -96,7 +96,7 @@ class ProfileForces {
     still_ = still();
   }
 
-  /// Lets `time` [s] pass, in which a flight has come there.
+  /// Lets `time` [s] pass, the duration of a flight.
   void arrive(const Path& /*there*/, const Scalar& time) { pass(time); }
 
  private:
@@ -113,7 +113,8 @@ class ProfileForces {
     return Path(zero, zero, now_);
   }
 
-  /// Slope of omega [rad/s^2] on the leg that ends at a knot; after the last the speed holds.
+  /// Slope of omega [rad/s^2] between the knot before `knot` and `knot`; 0 before the first and
+  /// after the last knot.
   Scalar slope_to(std::size_t knot) const {
     if (knot == 0 || knot >= knots().size()) return constant<Scalar>(0.0);
     return (knots()[knot].omega - knots()[knot - 1].omega) *

@@ -9,24 +9,24 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// Free motion while the driver plate's speed changes linearly. The forces are then no harmonics,
-/// but entire functions of time: their Taylor series, short of rounding (what is left out at the
-/// reach is below 1e-18 of what is there), is integrated term by term. So a flight is good for
-/// `reach` seconds from where it was made, about a third of a radian, and while the velocity keeps
-/// its sign, because it includes friction. The same concept as Flight.
+/// Free motion while the driver plate's speed changes linearly. The forces are then entire
+/// functions of time, not harmonics. Their Taylor series is integrated term by term; it is
+/// truncated below rounding (relative error at the reach below 1e-18). A flight is valid for
+/// `reach` seconds from its start, about a third of a radian, and only while the velocity keeps its
+/// sign, because it includes friction. The same concept as Flight.
 template <class Scalar>
 class RampFlight {
  public:
   Scalar position;  ///< [m] now
   Scalar velocity;  ///< [m/s] now
 
-  /// A flight that begins now.
+  /// A flight that starts now.
   RampFlight(const Scalar& start_position, const Scalar& start_velocity,
              const RampForces<Scalar>& forces)
       : RampFlight(start_position, start_velocity, forces,
                    {forces.alpha, forces.omega, forces.slope}) {}
 
-  /// The same with the plate's series, if they are needed elsewhere.
+  /// The same, with the plate's series given by the caller, who uses them elsewhere too.
   RampFlight(const Scalar& start_position, const Scalar& start_velocity,
              const RampForces<Scalar>& forces, const RotationTaylor<Scalar>& turning)
       : position(start_position),
@@ -40,7 +40,7 @@ class RampFlight {
     snap_ = scaled(series_[2], 2);
   }
 
-  /// The plain values of another, for searching events.
+  /// The plain values of another flight, for the search of events.
   template <class Other>
   explicit RampFlight(const RampFlight<Other>& other)
       : position(value(other.position)),
@@ -66,7 +66,7 @@ class RampFlight {
     return {start_position_ + time * (start_velocity_ + time * x), start_velocity_ + time * v, a};
   }
 
-  /// Sets out from elsewhere, under the same forces.
+  /// Restarts from another position and velocity under the same forces.
   void start(const Scalar& from, const Scalar& with) {
     position = start_position_ = from;
     velocity = start_velocity_ = with;
@@ -126,7 +126,7 @@ class RampFlight {
     }
   }
 
-  /// See Flight. Nothing but position and velocity go with it.
+  /// See Flight. Changes only position and velocity.
   template <class Tangent>
   void shift_time_derivative(const Tangent& t) requires Dual<Scalar> {
     position.v += t * velocity.a;
@@ -139,7 +139,7 @@ class RampFlight {
   const Scalar& jerk() const { return jerk_; }  ///< [m/s^3]
   const Scalar& snap() const { return snap_; }  ///< [m/s^4]
 
-  /// See Flight; at the start alone.
+  /// See Flight; valid at the start only.
   typename Flight<Scalar>::Taylor taylor() const {
     typename Flight<Scalar>::Taylor taylor{{}, bounds_.reach / 15};
     for (std::size_t k = 0; k < taylor.coefficient.size(); ++k) {
@@ -148,7 +148,7 @@ class RampFlight {
     return taylor;
   }
 
-  /// How long [s] the flight is good for, from where it was made.
+  /// How long [s] the flight is valid, from its start.
   double reach() const { return bounds_.reach; }
 
   /// Sum of the magnitudes that made up the first acceleration [m/s^2].
@@ -157,7 +157,7 @@ class RampFlight {
   double jerk_bound() const { return bounds_.forces.jerk; }
   const ForceBounds& bounds(double /*until*/) const { return bounds_.forces; }
 
-  /// See Flight; nothing is known here, and a reach is too short for it to matter.
+  /// See Flight. Returns no useful bound: a reach is too short for one to matter.
   typename Flight<Scalar>::Speeds speeds(int /*direction*/, double /*time*/) const {
     return {-std::numeric_limits<double>::infinity(), 0};
   }

@@ -18,10 +18,10 @@ struct RampForces {
   Scalar slope;  ///< of omega [rad/s^2]
 };
 
-/// What a power series of these forces is good for, and bounds on them there.
+/// The range in which a power series of these forces is valid, and bounds on the forces there.
 struct RampBounds {
   double reach = 0;    ///< [s], about a third of a radian
-  double size = 0;     ///< sum of the magnitudes that make up the acceleration [m/s^2], or more
+  double size = 0;     ///< upper bound on the sum of the magnitudes of its terms [m/s^2]
   ForceBounds forces;  ///< over the reach
 };
 

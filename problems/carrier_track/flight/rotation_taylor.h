@@ -8,14 +8,15 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// The coefficients of a power series in time. So many terms are short of rounding up to a third of
-/// a radian.
+/// The number of coefficients of a power series in time. With 16 terms the truncation error is
+/// below rounding up to a third of a radian.
 inline constexpr std::size_t series_terms = 16;
 template <class Scalar>
 using Series = std::array<Scalar, series_terms>;
 
-/// An acceleration as a series, and its integrals over time t [s]: the position is t^2 and the
-/// velocity t times what is given, so that the start can be added without loss.
+/// An acceleration as a series, and its integrals over time t [s]: the position is t^2 times, and
+/// the velocity t times, the returned value, so that the start can be added without loss of
+/// accuracy.
 template <class Scalar>
 Motion<Scalar> integrals(const Series<Scalar>& series, const Scalar& t) {
   Scalar a = constant<Scalar>(0.0);
@@ -34,7 +35,7 @@ Motion<Scalar> integrals(const Series<Scalar>& series, const Scalar& t) {
 /// alpha, changes linearly.
 template <class Scalar>
 struct RotationTaylor {
-  std::array<Scalar, 3> square;  ///< all the coefficients there are
+  std::array<Scalar, 3> square;  ///< all its coefficients
   Series<Scalar> cosine, sine;
   Series<Scalar> square_cosine, square_sine;
 

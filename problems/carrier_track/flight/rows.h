@@ -5,9 +5,9 @@
 
 namespace ricochet::carrier_track::inline flight {
 
-/// Numbers of several bodies side by side, on which one instruction works: a Row is a
-/// std::experimental::simd of double. What is done with rows is what is done with numbers
-/// elsewhere, operation by operation, so that the bits are the same.
+/// Numbers of several bodies side by side, processed by one instruction: a Row is a
+/// std::experimental::simd of double. The code for rows repeats the code for single numbers
+/// operation by operation, so that the bits are the same.
 namespace stdx = std::experimental;
 
 template <class Row>
@@ -20,7 +20,7 @@ template <class Row>
   return no;
 }
 
-/// std::min and std::max, also in what they do with what is no number.
+/// std::min and std::max, with the same result for NaN.
 template <class Row>
 [[gnu::always_inline]] inline Row least(const Row& a, const Row& b) {
   return select(b < a, b, a);

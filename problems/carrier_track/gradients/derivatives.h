@@ -9,16 +9,16 @@
 
 #include "problems/carrier_track/gradients/trust.h"
 
-/// Exact derivatives, by dual numbers, of anything that is computed from simulations and depends on
-/// some variables. A Function is called with the variables and with somebody who watches every
-/// simulation, and works for every scalar type:
+/// Exact derivatives, by dual numbers, of a value that is computed from simulations and depends on
+/// some variables. A Function is called with the variables and with a watcher of every simulation,
+/// and works for every scalar type:
 ///
 ///   template <class Scalar, class Watch>
 ///   Scalar operator()(std::span<const Scalar> x, Watch& watch) const;
 ///
-/// It lets `watch.of(scene)`, an observer, see every simulation that the value depends on. One that
-/// a problem shows says in `static constexpr int jet_size` how many directions are best
-/// differentiated at a time: as many as there are variables, but no more than 16.
+/// It passes `watch.of(scene)` as an observer to every simulation that the value depends on. A
+/// Function of a problem defines `static constexpr int jet_size`, the number of directions that it
+/// is best to differentiate at a time: the number of variables, but at most 16.
 namespace ricochet::carrier_track::inline gradients {
 
 /// Watches nothing.
@@ -50,7 +50,7 @@ struct Hessian {
 
 namespace detail {
 
-/// The variables as duals, those from `first` on with a direction of their own.
+/// The variables as duals; each variable from `first` on has a direction.
 template <class Jet>
 std::vector<Jet> seeded(const Vector& x, Eigen::Index first) {
   std::vector<Jet> duals;
@@ -64,8 +64,8 @@ std::vector<Jet> seeded(const Vector& x, Eigen::Index first) {
 
 }  // namespace detail
 
-/// Value and gradient at x, and how far to trust them in a box of these `widths` (length n). Works
-/// on `Room` directions at a time.
+/// Value and gradient at x, and their trust in a box of these `widths` (length n). Differentiates
+/// `Room` directions at a time.
 template <int Room = 16, class Function>
 Gradient gradient_of(const Function& f, const Vector& x, const Vector& widths) {
   using Jet = ceres::Jet<double, Room>;
@@ -88,7 +88,7 @@ Gradient gradient_of(const Function& f, const Vector& x, const Vector& widths) {
 
 namespace detail {
 
-/// The block of second derivatives from row `row` and column `column` on, and what comes with it.
+/// The block of second derivatives from row `row` and column `column` on, with value and gradient.
 template <int Room, class Function>
 void hessian_block(const Function& f, const Vector& x, Eigen::Index row, Eigen::Index column,
                    Hessian& result) {
@@ -114,8 +114,8 @@ void hessian_block(const Function& f, const Vector& x, Eigen::Index row, Eigen::
 
 }  // namespace detail
 
-/// Value, gradient and second derivatives at x, in blocks of `Room` by `Room` directions. Measured,
-/// 1 is the fastest for one variable, 2 up to six, 4 beyond.
+/// Value, gradient and second derivatives at x, in blocks of `Room` by `Room` directions. Measured:
+/// Room = 1 is the fastest for one variable, 2 for up to six, 4 for more.
 template <int Room = 4, class Function>
 Hessian hessian_of(const Function& f, const Vector& x) {
   Hessian result{0, Vector(x.size()), Matrix(x.size(), x.size())};

@@ -7,12 +7,13 @@
 #include "problems/carrier_track/models/impact_model.h"
 #include "src/core/problem.h"
 
-/// How far exact derivatives of a motion can be believed. They hold while the motion keeps its
-/// structure: the same impacts, the same turns. Dual numbers tell how fast what makes an event
-/// changes, so that, to first order, they also tell where the event ends to be.
+/// How far exact derivatives of a motion can be trusted. They are valid while the motion keeps its
+/// structure: the same impacts, the same turning points. Dual numbers give the rate of change of
+/// the margin of each event, and so, to first order, also the point where the event vanishes.
 namespace ricochet::carrier_track::inline gradients {
 
-/// A gradient whose reach is shorter than this part of the box is in doubt: no solver's step is.
+/// A gradient whose reach is shorter than this share of the box is in doubt: no solver's step is so
+/// short.
 inline constexpr double short_reach = 1e-4;
 
 /// A gradient that changes the value by less than this across the whole box is flat.
@@ -21,7 +22,7 @@ inline constexpr double flat_change = 1e-3;
 /// A motion is sensitive if an impact's time changes by more than this many windows across the box.
 inline constexpr double sensitive_growth = 1e3;
 
-/// Gathers what limits the derivatives of one or several simulations with respect to some
+/// Collects the limits on the derivatives of one or several simulations with respect to some
 /// variables, in a box of the given widths.
 template <class Jet>
 class TrustGauge {
@@ -32,12 +33,12 @@ class TrustGauge {
   /// An observer of a simulation of this scene, which must outlive it.
   auto of(const BasicScene<Jet>& scene);
 
-  /// 1 / reach, to first order: the largest |gradient of g| / g of the margins g told.
+  /// 1 / reach, to first order: the largest |gradient of g| / g of all margins g.
   double steepest() const { return steepest_; }
-  /// The largest |gradient| of an impact's time over its window.
+  /// The largest |gradient| of an impact's time divided by the window.
   double growth() const { return growth_; }
 
-  /// An event ends to be where `margin` > 0 comes to 0.
+  /// Adds a margin > 0: the event vanishes where it becomes 0.
   void limit(const Jet& margin) {
     const double slope = norm(margin);
     if (slope > steepest_ * margin.a) steepest_ = slope / margin.a;
@@ -59,9 +60,9 @@ class TrustGauge {
   double growth_ = 0;
 };
 
-/// Tells a gauge what ends the structure of a motion between hard walls: an impact ends to be where
-/// its speed comes to 0, like the square of the margin; a wall that is missed is met where its
-/// distance does.
+/// Reports the margins of a motion between hard walls to a gauge. An impact vanishes where its
+/// speed becomes 0; its margin is the square of the speed. A missed wall is touched where the
+/// distance to it, its margin, becomes 0.
 template <class Jet>
 class TrustWatch : public Observer {
  public:
@@ -90,9 +91,9 @@ auto TrustGauge<Jet>::of(const BasicScene<Jet>& scene) {
   return TrustWatch<Jet>(*this, scene);
 }
 
-/// What the gauges of all blocks of directions amount to. `steepest_square` and `growth_square` are
-/// sums over the blocks; the reach is then at least so long. `change` is the gradient's norm in the
-/// unit box.
+/// The trust from the gauges of all blocks of directions. `steepest_square` and `growth_square` are
+/// sums over the blocks; the resulting reach is a lower bound. `change` is the gradient's norm in
+/// the unit box.
 inline Trust trust_of(double steepest_square, double growth_square, double change) {
   Trust trust;
   if (steepest_square > 0) trust.reach = 1 / std::sqrt(steepest_square);

@@ -33,7 +33,7 @@ CompliantModel<Forces>::CompliantModel(const Scene& scene, double tolerance)
   if (direction_ == 0) stop();
 }
 
-/// Acceleration up to which a body without velocity is held where the forces have some `size`.
+/// Acceleration up to which friction holds a body without velocity, for forces of magnitude `size`.
 template <class Forces>
 double CompliantModel<Forces>::hold(double size) const {
   return friction_ + 4 * epsilon * size;
@@ -60,7 +60,7 @@ double CompliantModel<Forces>::reach_wall() {
   return std::max(direction_ * velocity_, 0.0);
 }
 
-/// Begins a contact at the surface of the wall touched.
+/// Starts a contact at the surface of the wall touched.
 template <class Forces>
 void CompliantModel<Forces>::enter(double speed) {
   if (speed <= resting_speed_of(scene_)) {
@@ -75,8 +75,8 @@ void CompliantModel<Forces>::enter(double speed) {
                 peak_penetration(force.stiffness, force.exponent, 1, speed, factor), speed);
 }
 
-/// Puts a body at rest on the surface of a wall into it, as deep as the press carries, unless
-/// nothing presses but rounding.
+/// Moves a body at rest on the surface of a wall to the depth at which the wall balances the press,
+/// unless the press is only rounding.
 template <class Forces>
 void CompliantModel<Forces>::settle() {
   const double push = inward() * forces_.sum() - friction_;
@@ -89,13 +89,13 @@ void CompliantModel<Forces>::settle() {
   offset_ = inward() * motion_.depth();
 }
 
-/// Depth [m] that carries a press [m/s^2].
+/// Depth [m] at which the wall balances a press [m/s^2].
 template <class Forces>
 double CompliantModel<Forces>::resting_depth(double press) const {
   return std::pow(press * scene_.mass / scene_.stiffness, 1 / scene_.contact_exponent);
 }
 
-/// The velocity has come down to zero: where the body goes now.
+/// Sets the direction of a body whose velocity has reached zero.
 template <class Forces>
 void CompliantModel<Forces>::stop() {
   velocity_ = 0;
@@ -111,7 +111,7 @@ void CompliantModel<Forces>::stop() {
   release(push > limit ? +1 : push < -limit ? -1 : 0);
 }
 
-/// When and where a body at rest sets out.
+/// Returns when and in which direction a body at rest starts to move.
 template <class Forces>
 Event CompliantModel<Forces>::departure() {
   const double size = forces_.strongest();
@@ -122,8 +122,8 @@ Event CompliantModel<Forces>::departure() {
     held.push(-inward() * resting);
     limit = hold(size + resting);
   } else if (wall_) {
-    // The band is widened on the inward side by what settle() needs to find a depth. Else the body
-    // would set out, and stay, for ever.
+    // The band is widened on the inward side by the amount that settle() needs to find a depth.
+    // Otherwise the body would start and stop for ever.
     const double margin = 2 * tolerance_ * (size + friction_);
     held.push(-inward() * 0.5 * margin);
     limit += 0.5 * margin;
@@ -131,7 +131,8 @@ Event CompliantModel<Forces>::departure() {
   return next_release(held, limit, true, true, horizon(), evaluations_);
 }
 
-/// Sets out from rest, or stays for 0; a body pressed onto the surface of a wall settles in it.
+/// Starts the motion from rest, or keeps the rest for direction 0. A body pressed onto the surface
+/// of a wall settles in it.
 template <class Forces>
 void CompliantModel<Forces>::release(int direction) {
   direction_ = direction;
@@ -151,7 +152,7 @@ ContactEvent CompliantModel<Forces>::step() {
   const double drag = direction * friction_;
   const Path path = forces_.flight(0, 0, 0);
   const auto exact = [&](double time) { return into * path.at(time).acceleration - drag; };
-  ContactPush push{path.taylor(), std::cref(exact)};  // a copy would be allocated at every step
+  ContactPush push{path.taylor(), std::cref(exact)};  // a copy would allocate at every step
   for (double& c : push.taylor.coefficient) c *= into;
   push.taylor.coefficient[0] -= drag;
   const ContactEvent event = motion_.step(push, direction, horizon(), evaluations_);
@@ -162,13 +163,13 @@ ContactEvent CompliantModel<Forces>::step() {
   return event;
 }
 
-/// Time until the end of the window, or until the forces have to be taken anew.
+/// Time until the end of the window, or until the forces must be updated.
 template <class Forces>
 double CompliantModel<Forces>::horizon() const {
   return std::min(duration_ - time_, forces_.reach());
 }
 
-/// Lets `time` pass for the clock.
+/// Advances the clock by `time`.
 template <class Forces>
 void CompliantModel<Forces>::tick(double time) {
   time_ = time >= duration_ - time_ ? duration_ : time_ + time;

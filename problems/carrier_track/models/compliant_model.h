@@ -14,25 +14,26 @@
 
 namespace ricochet::carrier_track::inline models {
 
-/// A simulation with more steps in contact than this is refused.
+/// A simulation with more steps in contact than this throws std::runtime_error.
 inline constexpr std::int64_t contact_step_limit = 50'000'000;
 
 /// Compliant walls, exact Coulomb friction: flights in closed form, steps only while the body is in
-/// a wall (contact_motion.h). Tells an Observer of
-///   impact: the beginning of every contact that the body comes to with a speed > 0;
-///   peak: every maximum of x, in the walls too, but for those within the error of the steps;
+/// a wall (contact_motion.h). Reports to an Observer
+///   impact: the beginning of every contact with an approach speed > 0;
+///   peak: every maximum of x, in the walls too, except those within the error of the steps;
 ///   stretch: every flight and every rest; contact: every step in a wall.
-/// In a wall as outside, a body sticks while applied and contact force leave a rest no larger than
+/// Inside and outside a wall, a body sticks while the sum of applied and contact force is at most
 /// friction.
 ///
 /// The damping of a contact is scaled with its approach speed, or with contact_speed. A body that
-/// comes no faster than resting_speed_of the scene, or that rests on a wall when a force presses it
-/// in, is put at rest where the wall carries the press. For what follows, its damping is scaled
-/// with the speed of a swing in the wall under the strongest press that the forces can sum to.
+/// arrives at most as fast as resting_speed_of the scene, or that rests on a wall when a force
+/// presses it in, is put at rest at the depth where the wall balances the press. Its later damping
+/// is scaled with the speed of an oscillation in the wall under the largest possible press of the
+/// forces.
 ///
-/// There is no Zeno sequence: hops slower than some (press / K^(1/(n+1)))^((n+1)/(2n)) end in the
-/// wall, and so do those of resting_speed. What remains in a wall without damping, or with little
-/// (contact_speed far above the impacts), rings, and is followed swing by swing.
+/// There is no Zeno sequence: rebounds slower than about (press / K^(1/(n+1)))^((n+1)/(2n)) end in
+/// the wall, and so do those below resting_speed. In a wall with little or no damping
+/// (contact_speed far above the impacts) the body oscillates, and every oscillation is simulated.
 ///
 /// For Forces = AppliedForces<double> and ProfileForces<double>.
 template <class Forces = AppliedForces<double>>
@@ -142,7 +143,7 @@ class CompliantModel {
   std::array<double, 2> damping_{};  // D or damping ratio of the lower and the upper wall
 
   double time_ = 0;
-  // The position is held from the wall last touched, so that no depth is lost in its rounding.
+  // The position is relative to the wall last touched, so that rounding does not affect the depth.
   double origin_;
   double offset_ = 0;
   double velocity_;

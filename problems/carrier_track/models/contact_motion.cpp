@@ -10,7 +10,7 @@ namespace {
 constexpr std::array events = {ContactEvent::turn, ContactEvent::release, ContactEvent::slack,
                                ContactEvent::grip, ContactEvent::horizon};
 
-/// Rows of the midpoint rule's table that were measured to cost least at a tolerance.
+/// Number of rows of the midpoint rule's table with the least measured cost at a tolerance.
 std::size_t midpoint_rows(double tolerance) {
   return tolerance > 3e-5 ? 3 : tolerance > 3e-9 ? 4 : 5;
 }
@@ -19,17 +19,17 @@ std::size_t euler_rows(double tolerance) {
                                              static_cast<double>(most_extrapolation_rows)));
 }
 
-/// Steps longer than this multiple of the contact's own time scale are left to the implicit rule.
-/// Up to here the explicit one does not enlarge an oscillation, and beyond the implicit one damps
-/// it: between them, oscillations of the size of the tolerance would be kept alive for ever.
+/// Steps longer than this multiple of the contact's time scale use the implicit rule. Up to here
+/// the explicit rule does not amplify an oscillation; beyond it the implicit rule damps one. With a
+/// gap between the two, oscillations of the size of the tolerance would never decay.
 double explicit_reach(double tolerance) {
   const std::size_t rows = midpoint_rows(tolerance);
   return rows == 3 ? 1.5 : rows == 4 ? 3.0 : 4.0;
 }
 
-/// Stiff steps may err by this multiple of the tolerance. A contact forgets their errors, and most
-/// of what is estimated is no error but what the implicit rule makes of oscillations as small as
-/// the tolerance; held to it, steps would shrink to follow them.
+/// The error of a stiff step may be this multiple of the tolerance. A stiff contact damps these
+/// errors, and most of the estimate comes from oscillations as small as the tolerance, not from an
+/// error. With a smaller multiple, steps would shrink to follow these oscillations.
 constexpr double stiff_leniency = 100;
 
 }  // namespace
@@ -54,7 +54,7 @@ double ContactMotion::spring(double root) const {
     case 4:
       return force_.stiffness * root * root * root * root;
     default:
-      // NOTE: beyond d = 0, where only trial steps go, any smooth continuation serves.
+      // NOTE: only trial steps go beyond d = 0; any smooth continuation will do.
       return std::copysign(force_.stiffness * std::pow(std::abs(root), 2 * force_.exponent), root);
   }
 }
@@ -97,7 +97,7 @@ double ContactMotion::stiffness_of(const Slopes& slopes) const {
 }
 
 ExtrapolationState ContactMotion::implicit(double length, int pieces) const {
-  // (1 - h J) change = h f has one unknown, the change of u: those of y and t follow from it.
+  // (1 - h J) change = h f has one unknown, the change of u: the changes of y and t follow from it.
   const double h = length / pieces;
   const double by_root = slopes_.by_root + 2 * h * slopes_.by_time;
   const double divisor = 1 - h * (slopes_.by_speed + h * by_root);
@@ -212,7 +212,7 @@ bool ContactMotion::passed(ContactEvent event, const State& state) const {
   }
 }
 
-/// Share in (0, 1] of a step at which the cubic through both its ends has the event.
+/// The share in (0, 1] of a step at which the cubic through both ends has the event.
 double ContactMotion::crossing(ContactEvent event, double length, const State& end) const {
   const double a = value(event, state_);
   const double b = value(event, end);
@@ -246,8 +246,8 @@ bool ContactMotion::passed_any(const State& state) const {
                      [&](ContactEvent event) { return passed(event, state); });
 }
 
-/// Steps to an event that the slope of its function promises within `length`, if one step in the
-/// function reaches it and it comes before any other.
+/// Steps to an event that the slope of its function predicts within `length`, if one step in the
+/// function reaches it and it comes before any other event.
 bool ContactMotion::step_to(ContactEvent event, double length) {
   const double left = -value(event, state_) / slope(event, state_, start_rate_);
   State end{};
@@ -258,8 +258,8 @@ bool ContactMotion::step_to(ContactEvent event, double length) {
   return true;
 }
 
-/// Ends a step of `length` to `end` at the first event within, or on the way to it if that is too
-/// far for one step in the event's own function, or at `end` if there is none.
+/// Ends a step of `length` to `end` at the first event within it, or before that event if it is too
+/// far for one step in the event's function, or at `end` if there is no event.
 ContactEvent ContactMotion::finish(double length, State end) {
   const double whole = length;
   for (;;) {
@@ -270,7 +270,7 @@ ContactEvent ContactMotion::finish(double length, State end) {
       return event;
     }
     if (event == ContactEvent::turn && value(event, state_) < 0) {
-      // The speed has drifted through zero within its noise: it has turned by now.
+      // The speed has passed zero within its noise: the body has turned.
       end_at(event, state_);
       return event;
     }

@@ -10,8 +10,8 @@
 namespace ricochet::carrier_track::inline models {
 
 /// Contact force over mass [m/s^2] at depth d [m] and rate d' [m/s]; see contact_law.h.
-/// spring + damping d', times spring where the damping is not viscous; spring = stiffness
-/// d^exponent.
+/// With spring = stiffness d^exponent it is spring + damping d' if viscous, else spring + spring
+/// damping d'.
 struct ContactForce {
   double stiffness;  ///< K/m
   double exponent;   ///< n
@@ -27,10 +27,10 @@ struct ContactPush {
 
 enum class ContactEvent {
   none,     ///< a step without an event
-  turn,     ///< the velocity has come down to zero
-  release,  ///< the depth has come down to zero
-  slack,    ///< a viscous contact would pull from here on
-  grip,     ///< and presses again
+  turn,     ///< the velocity reaches zero
+  release,  ///< the depth reaches zero
+  slack,    ///< the force of a viscous contact becomes negative (the wall would pull)
+  grip,     ///< the force becomes positive again
   horizon   ///< nothing happened before the time limit
 };
 
@@ -39,27 +39,29 @@ enum class ContactEvent {
 ///
 /// The state is y = sqrt(d), u = d' and t, and the independent variable s has dt = 2 y ds:
 ///   dy/ds = u,   du/ds = 2 y (forces - contact force),   dt/ds = 2 y.
-/// In these the solution is smooth through d = 0 for n = 1, 3/2, 2, ..., where in t it has a
-/// singularity that costs every method its order; and depth leaves zero at a finite rate.
+/// In these variables the solution is smooth through d = 0 for n = 1, 3/2, 2, ...; in t it has a
+/// singularity there that reduces the order of every method. The depth also leaves zero at a finite
+/// rate.
 ///
-/// Steps are extrapolated: from the explicit midpoint rule (Gragg, Bulirsch, Stoer) where accuracy
-/// bounds them, and from the linearly implicit Euler rule (Deuflhard's SEULEX) where the contact's
-/// stiffness would, so that a body at rest in a wall is followed with the steps of the forces.
-/// Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.9, and II,
-/// IV.9. Last steps to an event take the event's function as independent variable (Henon 1982).
+/// Steps are extrapolated: from the explicit midpoint rule (Gragg, Bulirsch, Stoer) if accuracy
+/// limits the step, and from the linearly implicit Euler rule (Deuflhard's SEULEX) if the contact's
+/// stiffness would limit it. A body at rest in a wall is therefore simulated with steps as long as
+/// the forces allow. Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I,
+/// II.9, and II, IV.9. The last step to an event uses the event's function as independent variable
+/// (Henon 1982).
 class ContactMotion {
  public:
-  /// Tolerance per step, relative to the largest depth and speed of the contact so far, a hundred
-  /// times that for implicit steps; within 1e-12..1e-2, below which rounding is larger.
+  /// Tolerance per step, relative to the largest depth and speed of the contact so far; implicit
+  /// steps use 100 times this value. Allowed: 1e-12..1e-2; below 1e-12 rounding is larger.
   explicit ContactMotion(double tolerance) : tolerance_(tolerance) {}
 
-  /// Begins a contact at a depth [m] >= 0 with an inward speed [m/s]; both scales are of what is
-  /// to come.
+  /// Starts a contact at a depth [m] >= 0 with an inward speed [m/s]. The scales are the expected
+  /// depth and speed.
   void begin(const ContactForce& force, double depth, double speed, double depth_scale,
              double speed_scale);
 
   /// One step under `push`, whose friction must act against `direction`, +1 inward, -1 outward, no
-  /// longer than `horizon` [s]. Throws std::runtime_error where no step is small enough.
+  /// longer than `horizon` [s]. Throws std::runtime_error if no step is small enough.
   ContactEvent step(const ContactPush& push, int direction, double horizon,
                     std::int64_t& evaluations);
 
@@ -106,7 +108,7 @@ class ContactMotion {
 
   double tolerance_;
   ContactForce force_{};
-  int twice_exponent_ = 0;  // where it is a small integer
+  int twice_exponent_ = 0;  // 0 unless it is a small integer
   bool slack_ = false;
   State scale_{};
   double length_ = 0;  // of the next step, in s

@@ -11,14 +11,15 @@ inline constexpr std::size_t most_extrapolation_rows = 8;
 
 using ExtrapolationState = std::array<double, 3>;
 
-/// Changes of state over one step, each by a rule with more pieces than the one before.
+/// Changes of state over one step; each row divides the step into more pieces than the row before.
 using ExtrapolationTable = std::array<ExtrapolationState, most_extrapolation_rows>;
 
-/// How a table is made and combined.
+/// The piece numbers and weights of a table.
 struct ExtrapolationRule {
   std::array<int, most_extrapolation_rows> pieces{};
   /// 1 / (r - 1) of the Aitken-Neville scheme for each pair of rows; r is the ratio of their
-  /// pieces, squared where the rule's error is a series in the square of the piece's length.
+  /// numbers of pieces, squared if the rule's error is a series in the square of the piece's
+  /// length.
   std::array<std::array<double, most_extrapolation_rows>, most_extrapolation_rows> weight{};
 
   constexpr ExtrapolationRule(int spacing, bool even) {
@@ -48,8 +49,8 @@ Extrapolated extrapolated(const ExtrapolationRule& rule, std::size_t rows,
                           ExtrapolationTable table);
 
 /// The table of the midpoint rule over a step of `length` from `start`, where the state's rate is
-/// `start_rate`; rate(state) is called pieces - 1 times a row. All rows go forward together: none
-/// waits for another, so that the processor works on several at a time.
+/// `start_rate`; rate(state) is called pieces - 1 times a row. All rows advance together and are
+/// independent, so that the processor works on several at a time.
 template <class Rate>
 ExtrapolationTable midpoint(Rate rate, const ExtrapolationState& start,
                             const ExtrapolationState& start_rate, double length, std::size_t rows) {

@@ -20,17 +20,17 @@
 namespace ricochet::carrier_track::inline models {
 
 /// A rebound slower than this [m/s] against a pressing force is the tail of a Zeno sequence: its
-/// infinitely many impacts are summed in closed form and the body rests.
+/// infinitely many impacts are summed in closed form, then the body rests.
 inline constexpr double resting_speed = 1e-9;
 
-/// The same for a scene where impacts that slow may count: a thousandth of the slowest that does,
-/// so that none that counts is left out, and even a surrogate misses nothing.
+/// The same for a scene whose counting limit may be that low: at most a thousandth of the counting
+/// limit, so that no impact that counts is omitted, and the effect on a surrogate is negligible.
 template <class Scalar>
 double resting_speed_of(const BasicScene<Scalar>& scene) {
-  return std::min(resting_speed, 1e-3 * value(scene.slowest));
+  return std::min(resting_speed, 1e-3 * value(scene.counting_limit));
 }
 
-/// A simulation with more impacts than this is refused: its window holds no useful count.
+/// A simulation with more impacts than this throws std::runtime_error: its count is of no use.
 inline constexpr std::int64_t impact_limit = 10'000'000;
 
 /// Counts an impact; throws std::runtime_error past impact_limit.
@@ -40,7 +40,7 @@ inline void count_impact(std::int64_t& impacts) {
   }
 }
 
-/// The hard walls of one direction, and how a body starts between them; see BasicScene.
+/// The hard walls of one direction, and the start of a body between them; see BasicScene.
 template <class Scalar>
 struct Clearance {
   Scalar wall_lower, wall_upper;                ///< [m]
@@ -49,8 +49,7 @@ struct Clearance {
   Scalar start_velocity;                        ///< [m/s]
 };
 
-/// Coulomb friction that does not change. What stands in its place for HardWallMotion says the
-/// same.
+/// Constant Coulomb friction. Any other friction of HardWallMotion has the same member functions.
 template <class Scalar>
 struct SteadyFriction {
   Scalar steady;  ///< [m/s^2]
@@ -58,10 +57,10 @@ struct SteadyFriction {
   /// The largest friction now [m/s^2].
   const Scalar& bound() const { return steady; }
 
-  /// Sum of the magnitudes [m/s^2] that forces of this size and friction are made of.
+  /// Sum of the magnitudes [m/s^2] of forces of this size and friction.
   double size(double of_forces) const { return of_forces; }
 
-  /// How long [s] a flight is good for under forces that are good for so long.
+  /// How long [s] a flight is valid under forces that are valid for `of_forces` [s].
   const Scalar& reach(const Scalar& of_forces) const { return of_forces; }
 
   /// Free flight under the forces and the friction against a direction of motion.
@@ -71,38 +70,39 @@ struct SteadyFriction {
     return forces.flight(position, velocity, direction > 0 ? -steady : steady);
   }
 
-  /// When a body at rest, whose path the forces alone would make, sets out; see next_release.
+  /// When a body at rest starts to move; `held` is its path under the forces alone. See
+  /// next_release.
   template <class Path>
   Event release(const Path& held, bool may_rise, bool may_fall, double horizon,
                 std::int64_t& evaluations) const {
     return next_release(held.plain(), value(steady), may_rise, may_fall, horizon, evaluations);
   }
 
-  /// Whether more than this and the forces makes a flight.
+  /// Returns true if a flight depends on more than this friction and the forces.
   static constexpr bool varies() { return false; }
 };
 
-// NOTE: what a simulation does for every flight is inlined by force where GCC 12 alone would not;
+// NOTE: functions called for every flight are forced inline where GCC 12 would not inline them;
 // calls cost 2-4 %.
 
 /// A body between the hard walls of one direction: Newton restitution, exact Coulomb friction,
-/// flights in closed form between events. Whoever derives from it says in which order they come.
+/// flights in closed form between events. A derived class defines the order of the events.
 ///
-/// Scalar may be a dual number, or one of more digits than double. Events are then located in plain
-/// arithmetic and found exactly from there (event_refinement.h), which gives event times, and all
-/// that follows, exact derivatives.
+/// Scalar may be a dual number, or a type with more digits than double. Events are then located in
+/// plain arithmetic and refined to the accuracy of Scalar (event_refinement.h), so that event times
+/// and all later values have exact derivatives.
 template <class Scalar, class Forces, class Friction = SteadyFriction<Scalar>>
 class HardWallMotion {
  protected:
   using Path = typename Forces::Path;
 
-  /// What ends a flight, and how long [s] that lasts.
+  /// The event that ends a flight, and the flight's duration [s].
   struct Ending {
     EventKind kind;
     Scalar time;
   };
 
-  /// How long [s] a rest lasts, and where it leads; 0 if it goes on.
+  /// The duration [s] of a rest, and the direction of motion after it; 0 if the rest continues.
   struct Rest {
     Scalar time;
     int direction;
@@ -128,8 +128,9 @@ class HardWallMotion {
     return at(Wall::upper) ? clearance_.restitution_upper : clearance_.restitution_lower;
   }
 
-  /// Where a body without velocity goes now: friction and a wall behind the force hold it. So does
-  /// friction that the forces exceed by rounding alone; next_release tells if they grow.
+  /// The direction in which a body without velocity starts to move now, or 0: friction holds it, or
+  /// a wall in the direction of the force. Forces that exceed friction by rounding only do not move
+  /// it; next_release finds out if they grow.
   [[gnu::always_inline]] int direction_of_release() const {
     const double push = forces_.plain_sum();
     const double friction = value(friction_.bound());
@@ -140,22 +141,22 @@ class HardWallMotion {
     return 0;
   }
 
-  /// Time until the end of the window, or until the forces have to be taken anew.
+  /// Time until the end of the window, or until the forces must be updated.
   Scalar horizon() const {
     const Scalar left = duration_ - time_;
     const Scalar reach = friction_.reach(forces_.reach());
     return value(reach) < value(left) ? reach : left;
   }
 
-  /// The clock when `time` [s] has passed, which ends exactly with the window.
+  /// The clock after `time` [s]; at the end of the window it is exactly the duration.
   Scalar after(const Scalar& time) const {
     return value(time) >= value(duration_) - value(time_) ? duration_ : time_ + time;
   }
 
-  /// The flight of a body that moves, from here.
+  /// The flight of a moving body from its current state.
   Path flight() const { return friction_.flight(forces_, offset_, velocity_, direction_); }
 
-  /// Advances a flight from here to what ends it.
+  /// Advances a flight from the current state to its next event.
   Ending advance_to_event(Path& flight) {
     const Scalar wall = (direction_ > 0 ? clearance_.wall_upper : clearance_.wall_lower) - origin_;
     const double ahead = direction_ * (value(wall) - value(offset_));
@@ -169,7 +170,7 @@ class HardWallMotion {
     }
   }
 
-  /// How long a body at rest stays there.
+  /// Returns how long a body at rest stays at rest.
   Rest next_rest() {
     const Path held = forces_.flight(offset_, velocity_, constant<Scalar>(0.0));
     const Event event =
@@ -182,7 +183,7 @@ class HardWallMotion {
       for (int i = 0; i < newton_steps<Scalar>; ++i) {
         const Scalar excess =
             later.sum() - (event.direction > 0 ? friction_.steady : -friction_.steady);
-        // A force that has jumped out of the band, at a knot, leaves it at a fixed time.
+        // A force that jumps out of the friction band, at a knot, leaves it at a fixed time.
         if (std::abs(value(excess)) > 1e-9 * later.size()) break;
         const Scalar late = -excess / later.rate();
         later.pass(late);
@@ -192,7 +193,7 @@ class HardWallMotion {
     return {time, event.direction};
   }
 
-  /// Lets `time` [s] of a flight pass, which brings it to `landing` when the clock is `now`.
+  /// Lets `time` [s] of a flight pass; it ends at `landing` when the clock is `now`.
   template <class SomeObserver>
   void pass(const Path& flight, const Path& landing, const Scalar& time, const Scalar& now,
             SomeObserver& observer) {
@@ -210,7 +211,7 @@ class HardWallMotion {
     time_ = now;
   }
 
-  /// Lets `time` [s] pass for a body at rest, which ends when the clock is `now`.
+  /// Lets `time` [s] pass for a body at rest, until the clock is `now`.
   template <class SomeObserver>
   void rest(const Scalar& time, const Scalar& now, SomeObserver& observer) {
     const Scalar zero = constant<Scalar>(0.0);
@@ -225,7 +226,7 @@ class HardWallMotion {
     observer.stretch(time_, path, time);
   }
 
-  /// Puts the body on the wall that it has reached, and turns it round. Returns the approach speed.
+  /// Puts the body on the wall that it has reached, and reverses it. Returns the approach speed.
   template <class SomeObserver>
   Scalar strike(SomeObserver& observer) {
     count_impact(impacts_);
@@ -233,7 +234,7 @@ class HardWallMotion {
     origin_ = at(Wall::upper) ? clearance_.wall_upper : clearance_.wall_lower;
     offset_ = constant<Scalar>(0.0);
     Scalar speed = direction_ > 0 ? velocity_ : -velocity_;
-    if (value(speed) < 0) speed = constant<Scalar>(0.0);  // a touch, but for rounding
+    if (value(speed) < 0) speed = constant<Scalar>(0.0);  // speed 0 except for rounding
     observer.impact(time_, *wall_, speed);
     peaks_.stops(time_, origin_ + offset_);
     flown_ = 0;
@@ -243,18 +244,18 @@ class HardWallMotion {
     return speed;
   }
 
-  /// Ends the hops of a body that has struck a wall where they are the tail of a Zeno sequence: the
-  /// time [s] that they still take, with the body at rest; nothing for one that leaves the wall.
+  /// Stops a body that has struck a wall if its rebounds are the tail of a Zeno sequence. Returns
+  /// the time [s] that they still take; nothing if the body leaves the wall.
   [[gnu::always_inline]] std::optional<Scalar> rest_after_hops() {
     if (std::abs(value(velocity_)) > resting_speed_) return std::nullopt;
     const Scalar speed = direction_ > 0 ? velocity_ : -velocity_;
     const Scalar press = direction_ > 0 ? -forces_.sum() : forces_.sum();  // into the wall
     const Scalar friction = friction_.bound();
-    if (value(press) < -value(friction)) return std::nullopt;  // the force leads away from it
+    if (value(press) < -value(friction)) return std::nullopt;  // the force points away from it
     Scalar remaining = constant<Scalar>(0.0);
     if (value(press) > value(friction) && !vanishes(speed)) {
       remaining = zeno_tail(speed, restitution(), press, friction);
-      // The force must keep still over the sum, unless the hops are lost in rounding anyway.
+      // The force must be constant over the sum, unless the rebounds are below rounding anyway.
       const double down = value(press) - value(friction);
       const bool still = forces_.jerk_bound() * value(remaining) <= 1e-3 * down &&
                          value(remaining) <= value(friction_.reach(forces_.reach()));
@@ -266,7 +267,7 @@ class HardWallMotion {
     return remaining;
   }
 
-  /// The velocity has come down to zero.
+  /// The velocity has reached zero.
   template <class SomeObserver>
   void stop(SomeObserver& observer) {
     velocity_ = constant<Scalar>(0.0);
@@ -277,7 +278,7 @@ class HardWallMotion {
     peaks_.stops(time_, position);
   }
 
-  /// Takes its place among others side by side; at constant speed under steady friction alone.
+  /// Copies the body into lane `k`; only at constant speed under steady friction.
   void enter(Lanes& lanes, std::size_t k) const {
     const Path still = forces_.flight(offset_, velocity_, constant<Scalar>(0.0));
     lanes.steady[k] = still.steady;
@@ -300,7 +301,7 @@ class HardWallMotion {
     }
   }
 
-  /// Goes on by itself from where its place among others is now.
+  /// Copies the state of lane `k` back into the body.
   void leave(const Lanes& lanes, std::size_t k) {
     Path there = flight();
     time_ = lanes.time[k];
@@ -314,7 +315,7 @@ class HardWallMotion {
     forces_.arrive(there, time_);
   }
 
-  /// Puts a flight from where the model is to where the lane's last one has led.
+  /// Sets a flight that starts at the model's state to the end of the lane's last flight.
   void land(Path& flight, const Lanes& lanes, std::size_t k) const {
     flight.position = lanes.offset[k];
     flight.velocity = direction_ * lanes.speed[k];
@@ -324,7 +325,7 @@ class HardWallMotion {
     }
   }
 
-  /// Lets a rest pass that its lane has passed through.
+  /// Lets the time pass during which the body has rested in lane `k`.
   template <class SomeObserver>
   void rest_as_in(const Lanes& lanes, std::size_t k, SomeObserver& observer) {
     const Scalar zero = constant<Scalar>(0.0);
@@ -336,7 +337,7 @@ class HardWallMotion {
     direction_ = static_cast<int>(lanes.direction[k]);
   }
 
-  /// How many harmonics act on it, at constant speed.
+  /// Number of harmonics that act on the body, at constant speed.
   int harmonics() const { return flight().harmonics; }
 
   End<Scalar> end() const { return {time_, origin_ + offset_, velocity_, evaluations_}; }
@@ -348,7 +349,7 @@ class HardWallMotion {
   double resting_speed_;
 
   Scalar time_ = constant<Scalar>(0.0);
-  // The position is held from the wall last touched, so that no hop is lost in its rounding.
+  // The position is relative to the wall last touched, so that no rebound is lost in rounding.
   Scalar origin_;
   Scalar offset_ = constant<Scalar>(0.0);
   Scalar velocity_;

@@ -11,14 +11,15 @@
 
 namespace ricochet::carrier_track::inline models {
 
-/// How a simulation ended, or what it threw.
+/// The end of a simulation, or the exception that it threw.
 struct LaneOutcome {
   End<double> end{};
   std::exception_ptr failure = nullptr;
 };
 
-/// Many simulations side by side; see run_in_lanes. Those in the lanes begin together, as similar
-/// scenes then do the same at the same time, and others follow when the last of them has ended.
+/// Many simulations side by side; see run_in_lanes. The simulations in the lanes start together,
+/// because similar scenes then do the same at the same time. The next ones start when the last of
+/// them has ended.
 template <class ModelAt, class ObserverAt>
 class ImpactLanes {
  public:
@@ -42,7 +43,7 @@ class ImpactLanes {
   void fill() {
     for (std::size_t k = 0; k < Lanes::size && next_ < outcomes_.size(); ++k) {
       models_[k].emplace(model_at_(next_));
-      // All in the lanes must have as many harmonics.
+      // All models in the lanes must have the same number of harmonics.
       if (busy_ > 0 && models_[k]->harmonics() != lanes_.harmonics) {
         models_[k].reset();
         return;
@@ -87,14 +88,14 @@ class ImpactLanes {
   std::array<std::size_t, Lanes::size> index_{};  // of the simulation in a lane
 };
 
-/// Whether the simulation of a valid scene can run in lanes: hard walls at constant speed.
+/// Returns true if the simulation of a valid scene can run in lanes: hard walls at constant speed.
 inline bool fits_lanes(const Scene& scene) {
   return scene.fidelity == Fidelity::impact && scene.profile.empty();
 }
 
-/// Does what `model_at(i).run(observer_at(i))` does for i = 0, 1, ..., size - 1, to the same bits,
-/// several times as fast. `model_at` returns an ImpactModel<double>, `observer_at` a reference to
-/// its observer. Similar scenes should be neighbours.
+/// Gives the same bits as `model_at(i).run(observer_at(i))` for i = 0, 1, ..., size - 1, several
+/// times as fast. `model_at` returns an ImpactModel<double>, `observer_at` a reference to its
+/// observer. Similar scenes should be neighbours.
 template <class ModelAt, class ObserverAt>
 std::vector<LaneOutcome> run_in_lanes(std::size_t size, const ModelAt& model_at,
                                       const ObserverAt& observer_at) {

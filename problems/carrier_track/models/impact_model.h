@@ -21,7 +21,8 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
   explicit ImpactModel(const BasicScene<Scalar>& scene)
       : ImpactModel(scene, resting_speed_of(scene)) {}
 
-  /// A search may let a body rest below a faster speed than a judgement does [m/s].
+  /// The same with another resting speed [m/s]: a search may use a higher one than the true
+  /// objective.
   ImpactModel(const BasicScene<Scalar>& scene, double resting)
       : Base({scene.wall_lower, scene.wall_upper, lower_restitution(scene),
               upper_restitution(scene), scene.start_position, scene.start_velocity},
@@ -42,12 +43,12 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
 
   void begin() {
     if (direction_ == 0) direction_ = this->direction_of_release();
-    if (direction_ == 0) velocity_ = constant<Scalar>(0.0);  // friction stops what is that slow
+    if (direction_ == 0) velocity_ = constant<Scalar>(0.0);  // friction stops a body this slow
   }
 
   bool goes_on() const { return value(time_) < value(duration_); }
 
-  /// Up to the next event.
+  /// Simulates up to the next event.
   template <class SomeObserver>
   [[gnu::always_inline]] void step(SomeObserver& observer) {
     if (direction_ == 0) {
@@ -59,8 +60,8 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
     }
   }
 
-  /// Takes what fly() has done to the body's lane, or does what it left to do. The model itself
-  /// keeps up with the lane only where the observer hears stretches.
+  /// Handles the event that fly() found in the body's lane, or the next event if fly() found none.
+  /// The model itself follows the lane only if the observer hears stretches.
   template <class SomeObserver>
   void follow(Lanes& lanes, std::size_t k, SomeObserver& observer) {
     const double event = lanes.event[k];
@@ -94,7 +95,7 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
     if (may_rest) this->enter(lanes, k);
   }
 
-  /// Tells of the impact or turning point that ended the flight of a lane.
+  /// Reports the impact or turning point that ended the flight of a lane.
   template <class SomeObserver>
   [[gnu::always_inline]] void tell_event(const Lanes& lanes, std::size_t k,
                                          SomeObserver& observer) {
@@ -116,14 +117,15 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
 
   template <class SomeObserver>
   [[gnu::always_inline]] void move(SomeObserver& observer) {
-    // NOTE: const, the flight is kept in memory by GCC 12, and a simulation takes a tenth longer.
+    // NOTE: not const: GCC 12 would keep the flight in memory, and a simulation would take 10 %
+    // longer.
     auto flight = this->flight();
     auto landing = flight;
     const auto end = this->advance_to_event(landing);
     finish(flight, landing, end, observer);
   }
 
-  /// Lets a flight pass that lands so.
+  /// Lets a flight pass that ends with `end`.
   template <class SomeObserver>
   [[gnu::always_inline]] void finish(const typename Forces::Path& flight,
                                      const typename Forces::Path& landing,
@@ -138,7 +140,7 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
     }
   }
 
-  /// A body that has struck a wall may come to rest there.
+  /// Stops a body that has struck a wall if its rebounds are a Zeno tail.
   template <class SomeObserver>
   [[gnu::always_inline]] void rest_on_wall(SomeObserver& observer) {
     const bool rebounds = value(velocity_) != 0;

@@ -1,5 +1,5 @@
-// Compiled once for each kind of instructions, into a function of another name. The widths of the
-// rows differ, so that no template is made of the same types in two of them.
+// Compiled once for each instruction set, each time into a function of another name. The widths of
+// the rows differ, so that no template has the same types in two of them.
 #include "problems/carrier_track/models/lane_flight.h"
 
 #include <limits>
@@ -32,7 +32,7 @@ class LaneFlight {
     const Mask rests = !moves && load(lanes_.time) < duration_;
     store(Mask(true), Row(Lanes::none), lanes_.event);
     if (stdx::any_of(moves)) fly();
-    // NOTE: the caller looks after one of few as fast as a row does after all.
+    // NOTE: with few resting bodies the caller handles each of them as fast as a row handles all.
     if (2 * stdx::popcount(rests) > static_cast<int>(Row::size())) rest(rests);
   }
 
@@ -69,7 +69,7 @@ class LaneFlight {
     store(which, Row(Lanes::rested), lanes_.event);
   }
 
-  /// Lets `time` [s] pass, after which the harmonics are as they are `there`.
+  /// Lets `time` [s] pass; afterwards the harmonics are those of `there`.
   [[gnu::always_inline]] void pass(const Mask& which, const Row& time, const Row& evaluations,
                                    const FlightRows<Row, harmonics>& there) {
     const Row before = load(lanes_.time);
@@ -107,7 +107,7 @@ class LaneFlight {
     return select(rising_, 0.0 - rebound, rebound);
   }
 
-  /// Where a body that has turned goes; see HardWallMotion::direction_of_release.
+  /// The direction of a body after a turning point; see HardWallMotion::direction_of_release.
   Row release(const FlightRows<Row, harmonics>& there) const {
     const Row steady = load(lanes_.steady);
     const Row push = there.acceleration(steady);

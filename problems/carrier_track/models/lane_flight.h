@@ -4,11 +4,11 @@
 
 namespace ricochet::carrier_track::inline models {
 
-/// fly() with the instructions that every processor of the kind has.
+/// fly() with the instructions that every processor of the architecture has.
 void fly_plain(Lanes& lanes);
 
-/// The same with those of AVX2 and, compiled by GCC, of AVX-512, to the same bits: without fused
-/// operations.
+/// The same with AVX2 and, if compiled by GCC, AVX-512. The bits are the same because no fused
+/// operations are used.
 void fly_avx2(Lanes& lanes);
 void fly_avx512(Lanes& lanes);
 

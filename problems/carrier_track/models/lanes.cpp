@@ -7,7 +7,7 @@ namespace {
 
 auto widest() {
 #if defined(__x86_64__) && !defined(__clang__)
-  // What the processors with AVX-512 that came after the first few have all of.
+  // All AVX-512 processors except the first few support all of these.
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512bw")) {
     return fly_avx512;

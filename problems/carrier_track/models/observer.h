@@ -15,23 +15,26 @@ struct End {
   std::int64_t evaluations;  ///< of the closed-form flight
 };
 
-/// What a simulation tells while it runs; observers hide the calls they care for.
+/// The events that a simulation reports while it runs. An observer hides the functions that it
+/// needs.
 struct Observer {
-  /// Whether nothing but impacts is of interest, which saves the telling of all else.
+  /// True if the observer needs impacts only; the other calls are then omitted.
   static constexpr bool hears_impacts_alone = false;
 
-  /// Whether stretches are of interest; the same during a simulation. They may be told even so.
+  /// Returns true if the observer needs stretches; constant during a simulation. Stretches may be
+  /// reported even if not.
   static constexpr bool hears_stretches() { return true; }
 
-  /// An impact at `time` [s] with approach speed [m/s] >= 0; slow ones too, until the body sticks.
+  /// An impact at `time` [s] with approach speed [m/s] >= 0; slow impacts too, until the body
+  /// sticks.
   template <class Scalar>
   void impact(const Scalar& /*time*/, Wall /*wall*/, const Scalar& /*speed*/) {}
 
-  /// The same on a wall of the second direction, y, of fidelity planar. It does not count.
+  /// An impact on a wall of the second direction, y, of fidelity planar. It does not count.
   template <class Scalar>
   void across_impact(const Scalar& /*time*/, Wall /*wall*/, const Scalar& /*speed*/) {}
 
-  /// A local maximum of x [m], first reached at `time` [s]; the ends of the window are none.
+  /// A local maximum of x [m], first reached at `time` [s]; the ends of the window are not maxima.
   template <class Scalar>
   void peak(const Scalar& /*time*/, const Scalar& /*position*/) {}
 
@@ -40,11 +43,12 @@ struct Observer {
   template <class Scalar>
   void turn(const Scalar& /*time*/, const Scalar& /*position*/, Wall /*ahead*/) {}
 
-  /// Hops on a wall from `time` [s] on, infinitely many, that are summed and not told one by one.
+  /// Infinitely many rebounds on a wall from `time` [s] on, summed and not reported one by one.
   template <class Scalar>
   void hops(const Scalar& /*time*/, Wall /*wall*/) {}
 
-  /// A stretch of closed-form motion from `time` on, `duration` [s] long: a Flight or RampFlight.
+  /// A stretch of motion in closed form from `time` on, `duration` [s] long: a Flight or
+  /// RampFlight.
   template <class Scalar, class Path>
   void stretch(const Scalar& /*time*/, const Path& /*path*/, const Scalar& /*duration*/) {}
 

@@ -4,7 +4,7 @@
 
 namespace ricochet::carrier_track::inline models {
 
-/// Shows a simulation to two observers, one after the other.
+/// Passes every call of a simulation to two observers, one after the other.
 template <class First, class Second>
 class ObserverPair : public Observer {
  public:

@@ -28,7 +28,7 @@ auto PlanarFriction<Forces>::flight(const Forces& forces, double position, doubl
   return path;
 }
 
-/// A press that varies moves both edges of the friction band, each its own way.
+/// A varying press moves the two edges of the friction band differently.
 template <class Forces>
 Event PlanarFriction<Forces>::release(const Path& held, bool may_rise, bool may_fall,
                                       double horizon, std::int64_t& evaluations) const {
@@ -44,7 +44,7 @@ Event PlanarFriction<Forces>::release(const Path& held, bool may_rise, bool may_
   return down.kind == EventKind::release ? down : up;
 }
 
-/// Finds the path from here, and what ends it.
+/// Finds the path from the current state, and the event that ends it.
 template <class Forces>
 void PlanarAxis<Forces>::set_out() {
   std::optional<double> hops;
@@ -66,7 +66,7 @@ void PlanarAxis<Forces>::set_out() {
   ends_ = last ? never : time_ + event_.time;
   press_ = 0;
   press_changes_ = never;
-  // Without a coefficient of friction the press acts on nothing.
+  // Without a coefficient of friction the press has no effect.
   if (direction_ == 0 && wall_ && friction_.coefficient > 0) {
     if (inward() * forces_.sum() > 0) press_ = inward();
     watch_press(time_, forces_);
@@ -81,8 +81,8 @@ Forces PlanarAxis<Forces>::forces_at(double now) const {
   return forces;
 }
 
-/// Finds when the press of a body that rests on a wall begins or ends: where the force leaves a
-/// band of no width.
+/// Finds when the press of a body that rests on a wall begins or ends: when the force leaves a band
+/// of zero width.
 template <class Forces>
 void PlanarAxis<Forces>::watch_press(double now, const Forces& forces) {
   const int turned = press_ != 0 ? -press_ : inward();

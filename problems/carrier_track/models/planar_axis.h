@@ -36,13 +36,12 @@ struct PlanarFriction {
   bool varies() const { return load.has_value(); }
 };
 
-/// One of the two directions of a PlanarModel: where the body is in it, how it moves, and when that
-/// ends. Where nothing couples the directions, all numbers are those of ImpactModel. The other
-/// direction comes in by its press, of a body that rests on a wall, and by the impulses of its
-/// impacts.
+/// One of the two directions of a PlanarModel: the body's position, its motion, and the end of the
+/// motion. If nothing couples the directions, all numbers are those of ImpactModel. The other
+/// direction acts by its press, if the body rests on a wall, and by the impulses of its impacts.
 ///
 /// A step of the model is: reach() in both directions, apply_friction_impulse() in both, then
-/// go_on() until neither has anything to change.
+/// go_on() until neither changes.
 ///
 /// For Forces = AppliedForces<double> and ProfileForces<double>.
 template <class Forces = AppliedForces<double>>
@@ -57,10 +56,11 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
              const PlanarFriction<Forces>& friction, double duration, double resting)
       : Base(clearance, forces, friction, duration, resting) {}
 
-  /// When something happens next [s]; infinite if nothing does within the window.
+  /// The time of the next event [s]; infinite if there is none within the window.
   double next() const { return std::min(ends_, press_changes_); }
 
-  /// What happens `now`, if anything does. Returns the impulse [m/s] by mass of an impact, else 0.
+  /// Handles the event at `now`, if there is one. Returns the impulse of an impact divided by the
+  /// mass [m/s], else 0.
   template <class SomeObserver>
   double reach(double now, SomeObserver& observer) {
     if (now == press_changes_) change_press(now);
@@ -88,8 +88,8 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
     if (velocity_ == 0 && !struck_) this->stop(observer);
   }
 
-  /// Finds how the body goes on from `now`, if that is due or the other direction's press has begun
-  /// or ended. Returns whether it did.
+  /// Finds the motion from `now` on, if it is due or the other direction's press has begun or
+  /// ended. Returns true if it did.
   template <class SomeObserver>
   bool go_on(double now, const PlanarAxis& other, SomeObserver& observer) {
     if (other.press_ != (friction_.load ? friction_.load->direction : 0)) cut(now, observer);
@@ -115,7 +115,7 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
 
   int inward() const { return this->at(Wall::upper) ? +1 : -1; }
 
-  /// Lets `elapsed` [s] pass, which ends `now`.
+  /// Lets `elapsed` [s] pass, until `now`.
   template <class SomeObserver>
   void advance(double now, double elapsed, SomeObserver& observer) {
     if (direction_ == 0) {
@@ -129,7 +129,7 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
     this->pass(*flight_, *landing_, elapsed, now, observer);
   }
 
-  /// Ends the path `now`, before its event: what it rests on has changed.
+  /// Ends the path `now`, before its event, because its conditions have changed.
   template <class SomeObserver>
   void cut(double now, SomeObserver& observer) {
     due_ = true;
@@ -142,11 +142,11 @@ class PlanarAxis : HardWallMotion<double, Forces, PlanarFriction<Forces>> {
   void watch_press(double now, const Forces& forces);
   void change_press(double now);
 
-  bool struck_ = false;          // the wall is left with velocity_, unless the hops are too small
-  std::optional<Path> flight_;   // of a moving body
-  std::optional<Path> landing_;  // and where its event finds it
-  Event event_{};                // what ends the flight or the rest
-  double ends_ = never;          // and when
+  bool struck_ = false;         // leaves the wall with velocity_, unless the rebounds are too small
+  std::optional<Path> flight_;  // of a moving body
+  std::optional<Path> landing_;  // its state at the event
+  Event event_{};                // ends the flight or the rest
+  double ends_ = never;          // the time of event_
   bool due_ = true;              // the path has ended, and another must be found
   int press_ = 0;  // the direction into the wall where the body rests and is pressed, else 0
   double press_changes_ = never;

@@ -10,7 +10,7 @@ PlanarFriction<Forces> friction_of(const Scene& scene) {
   return {scene.friction, scene.friction * scene.normal_force / scene.mass};
 }
 
-/// What x and y name alike.
+/// The members that x and y have in common.
 template <class Direction>
 Clearance<double> clearance_of(const Direction& direction) {
   return {direction.wall_lower,        direction.wall_upper,     direction.restitution_lower,

@@ -12,17 +12,17 @@ namespace ricochet::carrier_track::inline models {
 /// acts in each direction by itself, as f_x(x') and f_y(y') of the paper: with mu the coefficient
 /// of friction and N the normal force,
 ///   |f_x| <= mu (N + |F_h|),  |f_y| <= mu (N + |F_g|),
-/// with equality and against the velocity where it slides. F_g and F_h are the contact forces of
+/// with equality, and against the velocity, while it slides. F_g and F_h are the contact forces of
 /// the walls in x and in y:
 ///   - A body at rest on a wall is pressed to it by the applied force p(t) into the wall. The wall
-///     carries all of it, friction nothing: between the two the law leaves the share open.
-///   - So it is while the tail of a Zeno sequence, summed in closed form, lasts: p is then the mean
+///     carries all of it and friction nothing: the law does not determine the shares.
+///   - The same holds during the tail of a Zeno sequence, summed in closed form: p is then the mean
 ///     of its impacts' forces.
 ///   - An impact at speed v has the impulse m (1 + e) v. In the other direction it takes away
-///     min(|v'|, mu (1 + e) v) from the speed v', Coulomb's law for impulses; of an impact in the
-///     corner, where both walls are struck at once, each takes it from the rebound of the other.
-/// A wall that presses makes the friction in the other direction vary as the forces do, so that
-/// flights stay what they are: a steady acceleration and two harmonics, or a power series.
+///     min(|v'|, mu (1 + e) v) from the speed v', Coulomb's law for impulses. In an impact in the
+///     corner, where both walls are struck at once, each impulse slows the rebound of the other.
+/// The press on a wall makes the friction in the other direction vary as the forces do, so a flight
+/// is still a steady acceleration and two harmonics, or a power series.
 ///
 /// For Forces = AppliedForces<double> and ProfileForces<double>.
 template <class Forces = AppliedForces<double>>
@@ -31,9 +31,9 @@ class PlanarModel {
   /// `scene` must be valid (scene_check.h) and have a second direction, Scene::across.
   explicit PlanarModel(const Scene& scene);
 
-  /// Simulates the window once. The observer is told of x, and by across_impact of y. Returns the
-  /// end of x, with the evaluations of both. Throws std::runtime_error past impact_limit impacts in
-  /// a direction.
+  /// Simulates the window once. Reports x to the observer, and the impacts of y by across_impact.
+  /// Returns the end of x, with the evaluations of both. Throws std::runtime_error past
+  /// impact_limit impacts in a direction.
   template <class SomeObserver>
   End<double> run(SomeObserver& observer) {
     AcrossImpacts<SomeObserver> across(observer);
@@ -52,7 +52,7 @@ class PlanarModel {
   }
 
  private:
-  /// Tells of the impacts in y, and of nothing else.
+  /// Reports the impacts in y and nothing else.
   template <class SomeObserver>
   class AcrossImpacts : public Observer {
    public:
@@ -67,7 +67,7 @@ class PlanarModel {
 
   double next() const { return std::min(x_.next(), y_.next()); }
 
-  /// One direction may change the press that the other rests on, and it that of the first.
+  /// Updates both directions until neither changes the press on the other.
   template <class SomeObserver>
   void go_on(double now, SomeObserver& observer, AcrossImpacts<SomeObserver>& across) {
     bool changed = true;

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/best_known.h"
+#include "problems/carrier_track/problems/best_known.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,10 @@
 
 #include "embedded/best_known_text.h"
 #include "src/core/error.h"
+#include "src/core/suite_version.h"
 #include "src/core/toml_text.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 namespace {
 
 BestKnown best_of(const toml::table& table, const InputError& error) {
@@ -29,11 +30,18 @@ BestKnown best_of(const toml::table& table, const InputError& error) {
 
 BestValues parse_best_values(const std::string& text, const std::string& origin) {
   const toml::table file = parse_toml(text, origin);
-  const auto reading = file["reading"].value<std::string>();
-  if (!reading) throw InputError(origin + ": reading must be there, as a text");
-  BestValues values{*reading, {}};
+  const auto suite = file["suite"].value<int>();
+  if (suite != suite_version) {
+    throw InputError(
+        fmt::format("{}: best values of version {} of the suite; this is version {}: "
+                    "search them again by ricochet best-values",
+                    origin, suite.value_or(1), suite_version));
+  }
+  const auto machine = file["machine"].value<std::string>();
+  if (!machine) throw InputError(origin + ": machine must be there, as a text");
+  BestValues values{*machine, {}};
   for (const auto& [key, node] : file) {
-    if (key.str() == "reading") continue;
+    if (key.str() == "suite" || key.str() == "machine") continue;
     const InputError error(
         fmt::format("{}: {}: must be a table of value, point and provenance", origin, key.str()));
     const toml::table* table = node.as_table();
@@ -45,7 +53,8 @@ BestValues parse_best_values(const std::string& text, const std::string& origin)
 
 std::string write_best_values(const BestValues& values) {
   std::string text = fmt::format(
-      "# The best values known, from `ricochet best-values`.\nreading = \"{}\"\n", values.reading);
+      "# The best values known, from `ricochet best-values`.\nsuite = {}\nmachine = \"{}\"\n",
+      suite_version, values.machine);
   for (const auto& [name, best] : values.of) {
     std::string point;
     for (const double x : best.point) {
@@ -59,12 +68,12 @@ std::string write_best_values(const BestValues& values) {
 
 const BestValues& best_values() {
   static const BestValues values = parse_best_values(
-      embedded::best_known_text, "problems/carrier_track/questions/best_known.toml");
+      embedded::best_known_text, "problems/carrier_track/problems/best_known.toml");
   return values;
 }
 
-void know_best(Problem& problem, const std::string& reading) {
-  if (reading.empty() || reading != best_values().reading) return;
+void know_best(Problem& problem, const std::string& machine) {
+  if (machine.empty() || machine != best_values().machine) return;
   const auto found = best_values().of.find(problem.name);
   if (found == best_values().of.end()) return;
   problem = knowing(std::move(problem), found->second);
@@ -75,11 +84,11 @@ Problem knowing(Problem problem, const BestKnown& best) {
   problem.best_point = best.point;
   problem.provenance = best.provenance;
   if (problem.smoothed) {
-    problem.smoothed = [smoothed = std::move(problem.smoothed), best](double width) {
-      return knowing(smoothed(width), best);
+    problem.smoothed = [smoothed = std::move(problem.smoothed), best](double smoothing) {
+      return knowing(smoothed(smoothing), best);
     };
   }
   return problem;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

@@ -1,11 +1,11 @@
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 
 #include <fmt/format.h>
 
 #include "src/core/error.h"
 #include "src/core/near_names.h"
 
-namespace ricochet::carrier_track::inline paper {
+namespace ricochet::carrier_track::inline problems {
 
 std::vector<Case> all_cases() {
   const auto none = std::nullopt;
@@ -35,12 +35,12 @@ Case find_case(const std::string& id) {
       fmt::format("--case {}: there is no such case; {}", id, what_instead(id, known)));
 }
 
-Scene scene_of(const Case& a_case, const Scene& reading) {
-  Scene scene = reading;
+Scene scene_of(const Case& a_case, const Scene& machine) {
+  Scene scene = machine;
   scene.restitution_lower = scene.restitution_upper = a_case.restitution;
   scene.friction = a_case.friction;
   scene.disturbance = a_case.disturbance;
   return scene;
 }
 
-}  // namespace ricochet::carrier_track::inline paper
+}  // namespace ricochet::carrier_track::inline problems

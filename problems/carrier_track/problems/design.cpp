@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/design.h"
+#include "problems/carrier_track/problems/design.h"
 
 #include <fmt/format.h>
 
@@ -6,26 +6,26 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/questions/best_known.h"
-#include "problems/carrier_track/questions/problem_from_function.h"
-#include "problems/carrier_track/questions/speed_range.h"
+#include "problems/carrier_track/problems/best_known.h"
+#include "problems/carrier_track/problems/problem_from_function.h"
+#include "problems/carrier_track/problems/speed_range.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 namespace {
 
-constexpr double further_pull = 5.0;  // [N] beyond twice the nominal one, or none
+constexpr double further_pull = 5.0;  // [N] allowed beyond twice the nominal pull
 
 struct ObjectiveOfDesign {
   static constexpr int jet_size = design_size;
 
   Scene scene;
-  double width;
+  double smoothing;
 
   template <class Scalar, class Watch>
   Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
     const BasicScene<Scalar> built = designed(scene, x);
     auto watching = watch.of(built);
-    return objective(built, width, watching);
+    return objective(built, smoothing, watching);
   }
 };
 
@@ -59,7 +59,7 @@ DesignScale design_scale(const Machine& machine) {
           machine.scene.wall_upper - machine.scene.wall_lower};
 }
 
-Question design_count_question(const Machine& machine) {
+Problem design_count_problem(const Machine& machine) {
   const DesignScale scale = design_scale(machine);
   const Scene& scene = machine.scene;
   Problem frame;
@@ -75,17 +75,17 @@ Question design_count_question(const Machine& machine) {
   frame.start << scale.speed / 2, scale.pull, scale.clearance, scene.friction,
       scene.restitution_lower;
   frame.start = frame.start.cwiseMax(frame.lower).cwiseMin(frame.upper);
-  know_best(frame, machine.reading);
-  const auto define_at = [machine, scale](Problem& problem, double width) {
-    define(problem, Cost{scale}, ObjectiveOfDesign{machine.scene, width},
-           width > 0 ? half_level(machine.quiet_limit) : machine.quiet_limit,
-           width > 0 && carries_derivatives(machine.scene));
+  frame.machine = machine.id;
+  frame.smoothing = default_smoothing;
+  frame.tolerance = 0.01;
+  frame.penalty_weight = 10;  // one collision too many costs more than any speed gains
+  know_best(frame, machine.default_hash);
+  const auto define_at = [machine, scale](Problem& problem, double smoothing) {
+    define(problem, Cost{scale}, ObjectiveOfDesign{machine.scene, smoothing},
+           smoothing > 0 ? half_level(machine.quiet_limit) : machine.quiet_limit,
+           smoothing > 0 && carries_derivatives(machine.scene));
   };
-  return {.stated = smoothable(frame, define_at),
-          .machine = machine.id,
-          .width = default_width,
-          .tolerance = 0.01,
-          .penalty_weight = 10};  // a collision too many costs more than any speed earns
+  return smoothable(frame, define_at);
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/problems/machine.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
-#include "src/core/question.h"
+#include "src/core/problem.h"
 
 /// The machine and its speed, designed together.
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 
-/// Where the variables of a design are in its point.
+/// Indices of the variables in a design's point.
 enum DesignVariable : std::size_t {
   design_speed,        ///< [rad/s]
   design_pull,         ///< [N]
@@ -21,11 +21,11 @@ enum DesignVariable : std::size_t {
   design_size
 };
 
-/// What a design's cost is relative to: the machine as it is.
+/// Reference values of a design's cost: those of the given machine.
 struct DesignScale {
   double speed;      ///< [rad/s]
   double pull;       ///< [N]
-  double pull_span;  ///< [N], of the bounds
+  double pull_span;  ///< [N], width of the bounds
   double clearance;  ///< [m]
 };
 
@@ -44,24 +44,24 @@ BasicScene<Scalar> designed(const Scene& machine, std::span<const Scalar> x) {
   return scene;
 }
 
-/// The terms of a design's cost, without dimension; smooth within the bounds. One unit is what the
-/// machine earns at its nominal speed.
+/// The dimensionless terms of a design's cost; smooth within the bounds. One unit is the machine's
+/// profit at its nominal speed.
 template <class Scalar>
 struct DesignCost {
   Scalar production;  ///< -speed / nominal: yarn is braided, and sold, in proportion to the speed
-  Scalar precision;   ///< 0.5 nominal clearance / clearance: what a tolerance costs grows with its
+  Scalar precision;   ///< 0.5 nominal clearance / clearance: the cost of a tolerance grows with its
                       ///< reciprocal (Chase and Greenwood, Manuf. Rev. 1 (1988) 49)
-  Scalar damping;     ///< 0.25 ln(1 / restitution): layers that each keep the same share of the
-                      ///< speed are needed in proportion to it
-  Scalar heat;        ///< 0.5 friction (speed / nominal)^3: friction's power, under a press that
-                      ///< grows, as centrifugal force does, with the square of the speed
-  Scalar tension;  ///< ((pull - nominal) / span of its bounds)^2: a braid is made for one tension,
-                   ///< and its quality lost grows with the square of the departure (Taguchi)
+  Scalar damping;  ///< 0.25 ln(1 / restitution): proportional to the number of damping layers, each
+                   ///< of which keeps the same share of the speed
+  Scalar heat;  ///< 0.5 friction (speed / nominal)^3: power of friction, under a contact force that
+                ///< grows, like centrifugal force, with the square of the speed
+  Scalar tension;  ///< ((pull - nominal) / span of its bounds)^2: a braid is made for one tension;
+                   ///< the loss of quality grows with the squared deviation (Taguchi)
 
   Scalar sum() const { return production + precision + damping + heat + tension; }
 };
 
-/// The cost of a design, see above.
+/// The cost of a design: the sum of its terms.
 template <class Scalar>
 DesignCost<Scalar> design_cost(const DesignScale& scale, std::span<const Scalar> x) {
   using std::log;
@@ -73,11 +73,11 @@ DesignCost<Scalar> design_cost(const DesignScale& scale, std::span<const Scalar>
           number(0.5) * x[design_friction] * speed * speed * speed, departure * departure};
 }
 
-/// Minimise the cost subject to count <= quiet limit, without derivatives. The surrogate, which has
-/// them, must stay below the half_level of the limit. The machine must have two walls.
-Question design_count_question(const Machine& machine);
+/// Minimise the cost subject to count <= quiet limit, without derivatives. The surrogate has them;
+/// its constraint is to stay below the half_level of the limit. The machine must have two walls.
+Problem design_count_problem(const Machine& machine);
 
-/// Whether it has two walls, so that it can be asked: a clearance is a variable.
+/// Returns true if the machine has two walls: the problem varies the clearance.
 bool has_clearance(const Machine& machine);
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

@@ -1,15 +1,18 @@
-#include "problems/carrier_track/questions/drawn_machine.h"
+#include "problems/carrier_track/problems/drawn_machine.h"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/problems/scanned_best.h"
 #include "src/core/random.h"
 #include "src/core/seed.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 
 Machine drawn_machine(Machine machine, int number) {
   if (number < 0) throw std::invalid_argument(fmt::format("machine {}: must be >= 0", number));
@@ -20,8 +23,27 @@ Machine drawn_machine(Machine machine, int number) {
     machine.scene = scaled(std::move(machine.scene), key, 1 + change);
   }
   machine.id += fmt::format("~{}", number);
-  machine.reading.clear();
+  machine.default_hash.clear();
   return machine;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+std::optional<SearchedProblem> drawn_problem(const Problem& problem, int number) {
+  if (problem.dimension() != 1) return std::nullopt;
+  static const std::vector<Machine> cases = all_machines();
+  for (const Machine& machine : cases) {
+    if (machine.id != problem.machine) continue;
+    const Machine drawn = drawn_machine(machine, number);
+    const std::string name = problem.name + drawn.id.substr(machine.id.size());
+    for (const Family& family : families_of({drawn})) {
+      for (const Problem& asked : family.problems) {
+        if (asked.name != name) continue;
+        return SearchedProblem{
+            family.name, asked, [asked] { return scanned_best(asked); },
+            [asked](const Findings& found) { return with_scanned_best(asked, found); }};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace ricochet::carrier_track::inline problems

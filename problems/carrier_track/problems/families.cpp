@@ -1,47 +1,45 @@
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/families.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/questions/calibration.h"
-#include "problems/carrier_track/questions/count.h"
-#include "problems/carrier_track/questions/design.h"
-#include "problems/carrier_track/questions/gradient_cost.h"
-#include "problems/carrier_track/questions/profile.h"
-#include "problems/carrier_track/questions/robust.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/problems/count.h"
+#include "problems/carrier_track/problems/design.h"
+#include "problems/carrier_track/problems/gradient_cost.h"
+#include "problems/carrier_track/problems/profile.h"
+#include "problems/carrier_track/problems/robust.h"
+#include "problems/carrier_track/problems/top_speed.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 
 namespace {
 
-/// One question for each machine.
+/// One problem for each machine.
 template <class Ask>
-std::vector<Question> of_each(const std::vector<Machine>& machines, Ask ask) {
-  std::vector<Question> questions;
-  for (const Machine& machine : machines) questions.push_back(ask(machine));
-  return questions;
+std::vector<Problem> of_each(const std::vector<Machine>& machines, Ask ask) {
+  std::vector<Problem> problems;
+  for (const Machine& machine : machines) problems.push_back(ask(machine));
+  return problems;
 }
 
-/// One for each machine and size of a profile.
-std::vector<Question> of_each_size(const std::vector<Machine>& machines,
-                                   Question (*ask)(const Machine&, std::size_t)) {
-  std::vector<Question> questions;
+/// One problem for each machine and number of knots.
+std::vector<Problem> of_each_size(const std::vector<Machine>& machines,
+                                  Problem (*ask)(const Machine&, std::size_t)) {
+  std::vector<Problem> problems;
   for (const Machine& machine : machines) {
-    for (const std::size_t n : profile_sizes) questions.push_back(ask(machine, n));
+    for (const std::size_t n : profile_sizes) problems.push_back(ask(machine, n));
   }
-  return questions;
+  return problems;
 }
 
 Family robust_family(const std::vector<Machine>& machines, RiskMeasure risk) {
   return {fmt::format("robust-{}", name_of(risk)),
-          of_each(machines, [risk](const Machine& m) { return robust_question(m, risk); })};
+          of_each(machines, [risk](const Machine& m) { return robust_problem(m, risk); })};
 }
 
-/// Of the machine that a question is asked of.
+/// The factors of the problem's machine.
 std::map<std::string, double> factors_of(const std::vector<Machine>& machines,
                                          const std::string& id) {
   const auto machine =
@@ -59,29 +57,27 @@ std::vector<Family> families_of(const std::vector<Machine>& machines) {
   std::vector<Machine> with_clearance;
   std::copy_if(machines.begin(), machines.end(), std::back_inserter(with_clearance), has_clearance);
   std::vector<Family> families = {
-      {"count", of_each(machines, count_question)},
-      {"top-speed", of_each(machines, top_speed_question)},
-      {"profile-count", of_each_size(machines, profile_count_question)},
-      {"profile-wear", of_each_size(machines, profile_wear_question)},
-      {"design-count", of_each(with_clearance, design_count_question)},
+      {"count", of_each(machines, count_problem)},
+      {"top-speed", of_each(machines, top_speed_problem)},
+      {"profile-count", of_each_size(machines, profile_count_problem)},
+      {"profile-wear", of_each_size(machines, profile_wear_problem)},
+      {"design-count", of_each(with_clearance, design_count_problem)},
       robust_family(machines, RiskMeasure::mean),
       robust_family(machines, RiskMeasure::worst),
       robust_family(machines, RiskMeasure::cvar),
   };
   for (Family& family : families) {
-    for (Question& question : family.questions) {
-      question.factors = factors_of(machines, question.machine);
-      if (question.gradient_cost) continue;
-      question.gradient_cost = gradient_cost(question.stated.dimension());
+    for (Problem& problem : family.problems) {
+      problem.factors = factors_of(machines, problem.machine);
+      if (problem.gradient_cost) continue;
+      problem.gradient_cost = gradient_cost(problem.dimension());
     }
   }
   return families;
 }
 
 std::vector<Family> case_families() {
-  std::vector<Family> families = families_of(all_machines());
-  families.push_back({"calibration", {calibration_question(default_reading())}});
-  return families;
+  return families_of(all_machines());
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

@@ -3,26 +3,25 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/questions/best_known.h"
-#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/problems/best_known.h"
+#include "problems/carrier_track/problems/machine.h"
 #include "problems/family.h"
 
-/// Machines whose staircases rise and fall. The paper's machines are quiet up to some speed and
-/// loud beyond it, but for a few collisions: bisection finds their fastest quiet speed. These,
-/// found by a search among random ones (studies/best_values/hard_search.h), are quiet again in a
-/// narrow pocket far beyond.
-namespace ricochet::carrier_track::inline questions {
+/// Machines whose staircases rise and fall. The paper's machines, apart from a few collisions, are
+/// quiet up to some speed and loud beyond it, so bisection finds their fastest quiet speed. These
+/// machines, found by a search among random ones (src/research/best_values/hard_search.h), are
+/// quiet again in a narrow quiet interval at a much higher speed.
+namespace ricochet::carrier_track::inline problems {
 
-/// What makes the fastest quiet speed hard to find; speeds and widths in rad/s, of a scan of the
-/// whole range.
+/// Measures of how hard the fastest quiet speed is to find; speeds and widths in rad/s, from a scan
+/// of the whole range.
 struct Hardness {
-  int pockets = 0;             ///< of quiet speeds, no narrower than speed_tolerance
-  double first_end = 0;        ///< the fastest speed of the first of them
+  int quiet_intervals = 0;     ///< of quiet speeds, no narrower than speed_tolerance
+  double first_end = 0;        ///< the fastest speed of the first interval
   double last_begin = 0;       ///< the slowest speed of the last, whose end is the best
-  double loud_before = 0;      ///< from there down to the next quiet speed
-  double bisection_gap = 0;    ///< from where bisection ends, begun in the middle, to the best
-  double bisection_share = 0;  ///< of 255 places to begin in, from which bisection finds the best
+  double loud_before = 0;      ///< width of the loud interval before it
+  double bisection_gap = 0;    ///< distance of the best from bisection started in the middle
+  double bisection_share = 0;  ///< share of 255 starts from which bisection finds the best
 
   bool operator==(const Hardness&) const = default;
 };
@@ -35,32 +34,33 @@ struct HardMachine {
   Hardness hardness;
 };
 
-/// What was found, and the reading of the paper around whose cases it was drawn: that of the day.
+/// The machines found, and the interpretation of the paper at the time of the search, around whose
+/// cases they were drawn.
 struct HardMachines {
-  FittedReading reading;
+  Scene constants;
   std::vector<HardMachine> machines;
 };
 
-/// The share of the box in the pocket whose end is the best: who asks uniformly gets there once in
-/// so many times.
-double pocket_share(const HardMachine& hard);
+/// The width of the quiet interval whose end is the best, as a share of the box: the probability
+/// that a uniform point lies in it.
+double quiet_interval_share(const HardMachine& hard);
 
-/// Throws InputError, with origin and name, for a text that holds none.
+/// Throws InputError, with origin and name, for invalid text.
 HardMachines parse_hard_machines(const std::string& text, const std::string& origin);
 
-/// The text that is read back to the same reading and machines, bit for bit.
+/// Returns text that parses back to the same interpretation and machines, bit for bit.
 std::string write_hard_machines(const HardMachines& found);
 
-/// hard_machines.toml, which `ricochet best-values --hard-machines` regenerates.
+/// The contents of hard_machines.toml, which `ricochet best-values --hard-machines` regenerates.
 const HardMachines& found_hard_machines();
 
-/// Those of it.
+/// The machines of found_hard_machines().
 const std::vector<HardMachine>& hard_machines();
 
-/// The fastest quiet speed of such a machine, "hard-top-speed-<id>", with its best value.
-Question hard_top_speed_question(const HardMachine& hard);
+/// The fastest quiet speed of a hard machine, "hard-top-speed-<id>", with its best value.
+Problem hard_top_speed_problem(const HardMachine& hard);
 
-/// The question of every hard machine.
+/// The problem of every hard machine.
 Family hard_family();
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

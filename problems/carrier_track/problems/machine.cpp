@@ -1,13 +1,13 @@
-#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/problems/machine.h"
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/error.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 
-Machine machine_of(const Case& a_case, const Scene& reading) {
-  const Scene scene = scene_of(a_case, reading);
+Machine machine_of(const Case& a_case, const Scene& constants) {
+  const Scene scene = scene_of(a_case, constants);
   return {a_case.id, scene, quiet_limit(quiet_count(scene, a_case.claim, ScanOptions{})),
           a_case.claim.threshold, ""};
 }
@@ -23,13 +23,12 @@ Machine machine_of(const Scene& scene, const std::string& origin) {
 }
 
 std::vector<Machine> all_machines() {
-  const FittedReading& reading = default_reading();
   std::vector<Machine> machines;
   for (const Case& a_case : all_cases()) {
-    machines.push_back(machine_of(a_case, reading.scene));
-    machines.back().reading = reading.name;
+    machines.push_back(machine_of(a_case, default_machine()));
+    machines.back().default_hash = default_machine_hash();
   }
   return machines;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

@@ -1,33 +1,37 @@
-#include "problems/carrier_track/questions/machine_grid.h"
+#include "problems/carrier_track/problems/machine_grid.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/problems/scanned_best.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "src/core/error.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 namespace {
 
 constexpr std::array grid_fidelities = {Fidelity::impact, Fidelity::compliant, Fidelity::planar};
 
-/// [rad/s] between speeds that are scanned at the level of compliant walls.
+/// [rad/s] between scanned speeds with compliant walls.
 constexpr double coarse_step = 1e-2;
 
 std::vector<double> levels_of(const std::vector<double>& named, double own) {
   return named.empty() ? std::vector{own} : named;
 }
 
-/// The levels named; one that is none where no level is.
+/// The fidelities of these names; a single empty one if there are no names.
 std::vector<std::optional<Fidelity>> fidelities_of(const std::vector<std::string>& names) {
   if (names.empty()) return {std::nullopt};
   std::vector<std::optional<Fidelity>> levels;
@@ -48,7 +52,7 @@ Scene at_fidelity(Scene scene, Fidelity level) {
   scene.fidelity = level;
   if (level == Fidelity::compliant) scene.contact_law = ContactLaw::exact_restitution;
   if (level == Fidelity::planar) {
-    scene.contact_friction = false;  // of the walls across
+    scene.contact_friction = false;  // at the lateral walls
     scene.across = Across<double>{scene.pull_rotates ? 0 : scene.pull,
                                   scene.wall_lower,
                                   scene.wall_upper,
@@ -60,56 +64,114 @@ Scene at_fidelity(Scene scene, Fidelity level) {
   return scene;
 }
 
-Machine machine_in_grid(const std::string& id, const Scene& scene) {
+/// Searches for the "quiet_limit" and, if it exists, the "threshold" of a machine.
+Findings limits_of(const Scene& scene) {
   const bool coarse = scene.fidelity == Fidelity::compliant;
-  const ScanOptions options = coarse ? ScanOptions{coarse_step, 1} : ScanOptions{};
-  const Score found = score(scene, Claim{}, options);
-  return {id, scene, quiet_limit(found.quiet_count), found.threshold, ""};
+  const Score found = score(scene, Claim{}, coarse ? ScanOptions{coarse_step, 1} : ScanOptions{});
+  Findings limits = {{"quiet_limit", quiet_limit(found.quiet_count)}};
+  if (found.threshold) limits["threshold"] = *found.threshold;
+  return limits;
 }
 
-/// What families_of does not know.
-void add_fidelity(Question& question, const std::vector<Machine>& machines) {
-  for (const Machine& machine : machines) {
-    if (machine.id != question.machine) continue;
-    question.factors["fidelity"] = static_cast<double>(machine.scene.fidelity);
-    if (machine.scene.fidelity == Fidelity::compliant) {
-      question.scan_step = std::max(question.scan_step, coarse_step);
+/// A machine of the grid; its limits are searched for once.
+class GridMachine {
+ public:
+  GridMachine(std::string id, Scene scene, bool names_fidelity)
+      : machine_{std::move(id), std::move(scene), 0, std::nullopt, ""},
+        names_fidelity_(names_fidelity) {}
+
+  /// Its problems with these limits; with empty limits their values are not known to be right.
+  std::vector<Family> families(const Findings& limits) const {
+    Machine machine = machine_;
+    if (limits.contains("quiet_limit")) machine.quiet_limit = limits.at("quiet_limit");
+    if (limits.contains("threshold")) machine.threshold = limits.at("threshold");
+    std::vector<Family> families = families_of({machine});
+    for (Family& family : families) {
+      std::erase_if(family.problems, [](const Problem& q) { return q.dimension() != 1; });
+      if (!names_fidelity_) continue;
+      for (Problem& problem : family.problems) add_fidelity(problem);
+    }
+    return families;
+  }
+
+  Problem problem(const std::string& name, const Findings& limits) const {
+    for (const Family& family : families(limits)) {
+      for (const Problem& problem : family.problems) {
+        if (problem.name == name) return problem;
+      }
+    }
+    throw std::logic_error(name + " is no problem of this machine");
+  }
+
+  Findings search(const std::string& name) {
+    // Isolated: a thread that waits for its part of a scan must not start another search here.
+    std::call_once(once_, [this] {
+      tbb::this_task_arena::isolate([this] { limits_ = limits_of(machine_.scene); });
+    });
+    Findings found = scanned_best(problem(name, limits_));
+    if (!found.empty()) found.insert(limits_.begin(), limits_.end());
+    return found;
+  }
+
+ private:
+  void add_fidelity(Problem& problem) const {
+    problem.factors["fidelity"] = static_cast<double>(machine_.scene.fidelity);
+    if (machine_.scene.fidelity == Fidelity::compliant) {
+      problem.scan_step = std::max(problem.scan_step, coarse_step);
     }
   }
-}
 
-}  // namespace
+  Machine machine_;
+  bool names_fidelity_;
+  std::once_flag once_;
+  Findings limits_;
+};
 
-std::vector<Family> grid_families(const std::string& around, const MachineLevels& levels) {
+/// The machines of the grid.
+std::vector<std::shared_ptr<GridMachine>> machines_of(const std::string& around,
+                                                      const MachineLevels& levels) {
   const Case middle = find_case(around);
-  std::vector<std::pair<std::string, Scene>> scenes;
+  std::vector<std::shared_ptr<GridMachine>> machines;
   const auto fidelities = fidelities_of(levels.fidelity);
   for (const double r : levels_of(levels.restitution, middle.restitution)) {
     for (const double f : levels_of(levels.friction, middle.friction)) {
       for (const double d : levels_of(levels.disturbance, middle.disturbance)) {
         for (const auto& level : fidelities) {
           std::string id = fmt::format("{}-r{}-f{}-d{}", middle.id, r, f, d);
-          Scene scene = scene_of({id, r, f, d, {}}, default_reading().scene);
+          Scene scene = scene_of({id, r, f, d, {}}, default_machine());
           if (level) {
             id += fmt::format("-{}", name_of(fidelity_names(), *level));
             scene = at_fidelity(std::move(scene), *level);
           }
           check(scene, id);
-          scenes.emplace_back(std::move(id), std::move(scene));
+          machines.push_back(
+              std::make_shared<GridMachine>(std::move(id), std::move(scene), level.has_value()));
         }
       }
     }
   }
-  std::vector<Machine> machines(scenes.size());
-  tbb::parallel_for(std::size_t{0}, scenes.size(), [&](std::size_t k) {
-    machines[k] = machine_in_grid(scenes[k].first, scenes[k].second);
-  });
-  std::vector<Family> families = families_of(machines);
-  if (levels.fidelity.empty()) return families;
-  for (Family& family : families) {
-    for (Question& question : family.questions) add_fidelity(question, machines);
-  }
-  return families;
+  return machines;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace
+
+std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels) {
+  std::vector<SearchedProblem> problems;
+  for (const auto& machine : machines_of(around, levels)) {
+    for (const Family& family : machine->families({})) {
+      for (const Problem& problem : family.problems) {
+        const std::string name = problem.name;
+        problems.push_back({family.name, problem, [=] { return machine->search(name); },
+                            [=](const Findings& found) {
+                              return with_scanned_best(machine->problem(name, found), found);
+                            }});
+      }
+    }
+  }
+  // In the suite's order of families.
+  std::stable_sort(problems.begin(), problems.end(),
+                   [](const auto& a, const auto& b) { return a.family < b.family; });
+  return problems;
+}
+
+}  // namespace ricochet::carrier_track::inline problems

@@ -5,12 +5,12 @@
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "src/core/problem.h"
 
-/// Problems shown to solvers as functions of derivatives.h.
-namespace ricochet::carrier_track::inline questions {
+/// Problems whose values and derivatives come from functions of derivatives.h.
+namespace ricochet::carrier_track::inline problems {
 
 namespace detail {
 
-/// `factor` times the second derivatives of f at x, in blocks as large as are fastest for its size.
+/// `factor` times the second derivatives of f at x, in blocks of the size that is fastest for n.
 template <class Function>
 Matrix curvature(const Function& f, const Vector& x, double factor) {
   if (factor == 0) return Matrix::Zero(x.size(), x.size());
@@ -20,7 +20,7 @@ Matrix curvature(const Function& f, const Vector& x, double factor) {
 
 }  // namespace detail
 
-/// Shows this objective; with its exact derivatives if `derivatives`.
+/// Sets this objective, with its exact derivatives if `derivatives`.
 template <class Function>
 void define(Problem& problem, const Function& objective, bool derivatives) {
   problem.evaluate = [objective](const Vector& x) { return Values{value_of(objective, x), {}}; };
@@ -36,8 +36,8 @@ void define(Problem& problem, const Function& objective, bool derivatives) {
   };
 }
 
-/// Shows this objective, which is not simulated, and this constraint, which is: it must be <=
-/// level.
+/// Sets this objective, which is not simulated, and this constraint, which is simulated and must be
+/// <= level.
 template <class Objective, class Constraint>
 void define(Problem& problem, const Objective& objective, const Constraint& constraint,
             double level, bool derivatives) {
@@ -62,22 +62,23 @@ void define(Problem& problem, const Objective& objective, const Constraint& cons
   };
 }
 
-/// The problem with the functions that `define_at(problem, width)` gives it at this width and, by
-/// its knob, at any other; judged by those of width 0.
+/// The problem with the functions that `define_at(problem, smoothing parameter)` sets for this
+/// smoothing parameter; Problem::smoothed sets those of any other. The true objective is that of
+/// smoothing parameter 0.
 template <class DefineAt>
-Problem smoothable(const Problem& frame, const DefineAt& define_at, double width = 0) {
+Problem smoothable(const Problem& frame, const DefineAt& define_at, double smoothing = 0) {
   Problem problem = frame;
-  if (width > 0) {
+  if (smoothing > 0) {
     define_at(problem, 0.0);
-    problem.truth = [evaluate = problem.evaluate](const Vector& x) {
-      return truth_of(evaluate(x));
+    problem.true_values = [evaluate = problem.evaluate](const Vector& x) {
+      return true_values_of(evaluate(x));
     };
   }
-  define_at(problem, width);
+  define_at(problem, smoothing);
   problem.smoothed = [frame, define_at](double other) {
     return smoothable(frame, define_at, other);
   };
   return problem;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

@@ -1,14 +1,14 @@
-#include "problems/carrier_track/questions/profile.h"
+#include "problems/carrier_track/problems/profile.h"
 
 #include <fmt/format.h>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/questions/best_known.h"
-#include "problems/carrier_track/questions/problem_from_function.h"
+#include "problems/carrier_track/problems/best_known.h"
+#include "problems/carrier_track/problems/problem_from_function.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 namespace {
 
 /// The bounds of a shape's factors.
@@ -20,13 +20,13 @@ struct ObjectiveOfShape {
 
   Scene scene;
   ProfileFrame frame;
-  double width;
+  double smoothing;
 
   template <class Scalar, class Watch>
   Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
     const BasicScene<Scalar> shaped = with_profile(lifted<Scalar>(scene), frame, x);
     auto watching = watch.of(shaped);
-    return objective(shaped, width, watching);
+    return objective(shaped, smoothing, watching);
   }
 };
 
@@ -44,7 +44,7 @@ struct WearOfShape {
   }
 };
 
-/// Over the shape, still without an objective. It starts from the steady speed.
+/// The problem over the shape, without an objective yet. It starts from the steady speed.
 Problem shape_problem(const std::string& family, const Machine& machine, std::size_t n,
                       std::string source) {
   const auto size = static_cast<Eigen::Index>(n);
@@ -55,31 +55,32 @@ Problem shape_problem(const std::string& family, const Machine& machine, std::si
   problem.lower = Vector::Constant(size, least_factor);
   problem.upper = Vector::Constant(size, greatest_factor);
   problem.start = Vector::Ones(size);
-  know_best(problem, machine.reading);
+  problem.machine = machine.id;
+  know_best(problem, machine.default_hash);
   return problem;
 }
 
 }  // namespace
 
-Question profile_count_question(const Machine& machine, std::size_t n) {
+Problem profile_count_problem(const Machine& machine, std::size_t n) {
   const auto define_at = [scene = machine.scene, frame = profile_frame(machine)](Problem& problem,
-                                                                                 double width) {
-    define(problem, ObjectiveOfShape{scene, frame, width}, width > 0 && carries_derivatives(scene));
+                                                                                 double smoothing) {
+    define(problem, ObjectiveOfShape{scene, frame, smoothing},
+           smoothing > 0 && carries_derivatives(scene));
   };
-  return {
-      .stated = smoothable(
-          shape_problem("profile-count", machine, n, "collision count of a profile"), define_at),
-      .machine = machine.id,
-      .width = default_width,
-      .tolerance = 0.5};  // a count must be met
+  Problem frame = shape_problem("profile-count", machine, n, "collision count of a profile");
+  frame.smoothing = default_smoothing;
+  frame.tolerance = 0.5;  // the count must be exact
+  return smoothable(frame, define_at);
 }
 
-Question profile_wear_question(const Machine& machine, std::size_t n) {
+Problem profile_wear_problem(const Machine& machine, std::size_t n) {
   Problem problem =
       shape_problem("profile-wear", machine, n, "energy that the impacts of a profile lose, mJ");
   define(problem, WearOfShape{machine.scene, profile_frame(machine)},
          carries_derivatives(machine.scene));
-  return {.stated = std::move(problem), .machine = machine.id, .tolerance = 0.01};
+  problem.tolerance = 0.01;
+  return problem;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

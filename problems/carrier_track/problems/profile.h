@@ -6,22 +6,22 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/questions/machine.h"
-#include "src/core/question.h"
+#include "problems/carrier_track/problems/machine.h"
+#include "src/core/problem.h"
 
-/// How the speed should vary in time, at a given mean: problems of as many variables as one likes.
-namespace ricochet::carrier_track::inline questions {
+/// Problems over a speed that varies in time with a given mean; any number of variables.
+namespace ricochet::carrier_track::inline problems {
 
-/// How many knots the problems have.
+/// The numbers of knots of the problems.
 inline constexpr std::size_t profile_sizes[] = {2, 4, 8, 16, 32, 64};
 
-/// What every profile of a machine keeps.
+/// What all profiles of a machine have in common.
 struct ProfileFrame {
   double mean;     ///< [rad/s], > 0, of the speed over the window
   double seconds;  ///< [s], > 0, the window, which the knots divide evenly
 };
 
-/// The machine's loud_speed, over the time that its window takes at that speed.
+/// The machine's loud_speed as the mean, and the duration of its window at that speed.
 inline ProfileFrame profile_frame(const Machine& machine) {
   const double mean = loud_speed(machine);
   const auto* turns = std::get_if<Revolutions>(&machine.scene.window);
@@ -30,9 +30,9 @@ inline ProfileFrame profile_frame(const Machine& machine) {
 }
 
 /// The scene with a speed profile of this shape, at least two factors > 0: at knot k the speed is
-/// mean shape_k / (trapezoidal mean of the shape). Between knots it changes linearly, for which the
-/// trapezoidal rule is exact: so the mean speed holds for every shape, and needs no constraint. The
-/// size of the shape does not matter.
+/// mean shape_k / (trapezoidal mean of the shape). It is linear between knots, so the trapezoidal
+/// rule is exact: every shape keeps the mean speed, without a constraint. Scaling the shape changes
+/// nothing.
 template <class Scalar>
 BasicScene<Scalar> with_profile(BasicScene<Scalar> scene, const ProfileFrame& frame,
                                 std::span<const Scalar> shape) {
@@ -51,9 +51,9 @@ BasicScene<Scalar> with_profile(BasicScene<Scalar> scene, const ProfileFrame& fr
 
 /// Minimise the collision count over the shape of n >= 2 knots, without derivatives. The surrogate
 /// has them.
-Question profile_count_question(const Machine& machine, std::size_t n);
+Problem profile_count_problem(const Machine& machine, std::size_t n);
 
 /// Minimise the wear (wear.h) over the shape, with derivatives.
-Question profile_wear_question(const Machine& machine, std::size_t n);
+Problem profile_wear_problem(const Machine& machine, std::size_t n);
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

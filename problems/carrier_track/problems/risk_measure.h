@@ -10,9 +10,9 @@
 
 #include "problems/carrier_track/scene/scalar.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 
-/// One number for the losses of many samples.
+/// A risk measure: it reduces the losses of many samples to one number.
 enum class RiskMeasure { mean, worst, cvar };
 
 /// The share of samples that CVaR averages: the worst tenth.
@@ -24,7 +24,7 @@ inline std::string_view name_of(RiskMeasure risk) {
   return names[static_cast<std::size_t>(risk)];
 }
 
-/// The weights of the losses, from the worst one on; they sum to 1, of 32 without rounding.
+/// The weights of the losses, from the worst one on; they sum to 1, for 32 losses without rounding.
 inline std::vector<double> risk_weights(RiskMeasure risk, std::size_t size) {
   const auto n = static_cast<double>(size);
   const double whole = risk == RiskMeasure::mean    ? 1 / n
@@ -39,11 +39,11 @@ inline std::vector<double> risk_weights(RiskMeasure risk, std::size_t size) {
   return weights;
 }
 
-/// The mean, the worst, or the mean of the worst tenth of at least one loss; where a tenth is no
-/// whole number of samples, the last one counts in part. That is the conditional value at risk,
-/// min over t of t + mean(max(0, loss - t)) / tail_share (Rockafellar and Uryasev, J. Risk 2
+/// The mean, the worst, or the mean of the worst tenth of at least one loss; if a tenth is not a
+/// whole number of samples, the last one counts in part. The latter is the conditional value at
+/// risk, min over t of t + mean(max(0, loss - t)) / tail_share (Rockafellar and Uryasev, J. Risk 2
 /// (2000) 21-41, doi 10.21314/JOR.2000.038). All three are convex and monotone; cvar lies between
-/// the others. Derivatives are one-sided where losses are equal.
+/// the others. Derivatives are one-sided at equal losses.
 template <class Scalar>
 Scalar risk_of(RiskMeasure risk, std::vector<Scalar> losses) {
   std::stable_sort(losses.begin(), losses.end(),
@@ -56,4 +56,4 @@ Scalar risk_of(RiskMeasure risk, std::vector<Scalar> losses) {
   return sum;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

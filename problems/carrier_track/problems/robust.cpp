@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/robust.h"
+#include "problems/carrier_track/problems/robust.h"
 
 #include <fmt/format.h>
 
@@ -12,14 +12,14 @@
 
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/questions/gradient_cost.h"
-#include "problems/carrier_track/questions/problem_from_function.h"
-#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/problems/gradient_cost.h"
+#include "problems/carrier_track/problems/problem_from_function.h"
+#include "problems/carrier_track/problems/speed_problem.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
 #include "src/core/random.h"
 #include "src/core/seed.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 namespace {
 
 enum Draw : std::size_t {
@@ -72,22 +72,23 @@ struct RiskAtSpeed {
 
   std::shared_ptr<const std::vector<Scene>> scenes;
   RiskMeasure risk;
-  double width;
+  double smoothing;
 
   template <class Scalar, class Watch>
   Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
     std::vector<Scalar> losses;
-    if constexpr (std::is_same_v<Scalar, double>) {  // nobody watches plain numbers
+    if constexpr (std::is_same_v<Scalar, double>) {  // without derivatives: simulate in lanes
       std::vector<Scene> at;
       for (const Scene& scene : *scenes) at.push_back(at_speed(scene, x[0]));
-      return risk_of(risk, objectives(at, width));
+      return risk_of(risk, objectives(at, smoothing));
     }
-    for (const Scene& scene : *scenes) losses.push_back(ObjectiveAtSpeed{scene, width}(x, watch));
+    for (const Scene& scene : *scenes)
+      losses.push_back(ObjectiveAtSpeed{scene, smoothing}(x, watch));
     return risk_of(risk, std::move(losses));
   }
 };
 
-/// The smallest step of a risk: what the least weighty impact adds.
+/// The smallest step of a risk: the weight of the least weighted impact.
 double step_of(RiskMeasure risk) {
   double least = 1;
   for (const double w : risk_weights(risk, robust_samples)) {
@@ -124,29 +125,27 @@ std::vector<Scene> sampled_scenes(const Scene& scene) {
   return scenes;
 }
 
-Question robust_question(const Machine& machine, RiskMeasure risk) {
+Problem robust_problem(const Machine& machine, RiskMeasure risk) {
   const double step = step_of(risk);
   const double limit = machine.quiet_limit;
   const auto define_at =
       [scenes = std::make_shared<const std::vector<Scene>>(sampled_scenes(machine.scene)), risk,
-       limit,
-       half_a_step_above = half_level(limit / step + 1e-9) * step](Problem& problem, double width) {
-        define(problem, Slowness{}, RiskAtSpeed{scenes, risk, width},
-               width > 0 ? half_a_step_above : limit,
-               width > 0 && carries_derivatives(scenes->front()));
+       limit, half_a_step_above = half_level(limit / step + 1e-9) * step](Problem& problem,
+                                                                          double smoothing) {
+        define(problem, Slowness{}, RiskAtSpeed{scenes, risk, smoothing},
+               smoothing > 0 ? half_a_step_above : limit,
+               smoothing > 0 && carries_derivatives(scenes->front()));
       };
-  return {.stated = smoothable(
-              speed_problem(prefix(risk), machine,
-                            fmt::format("fastest speed whose {} of 32 sampled counts is quiet",
-                                        name_of(risk))),
-              define_at),
-          .machine = machine.id,
-          .width = default_width,
-          .tolerance = speed_tolerance,
-          .penalty_weight = speed_penalty / step,
-          .scan_step = 1e-2,
-          .cost = robust_samples,
-          .gradient_cost = robust_gradient_cost};
+  Problem frame = speed_problem(
+      prefix(risk), machine,
+      fmt::format("fastest speed whose {} of 32 sampled counts is quiet", name_of(risk)));
+  frame.smoothing = default_smoothing;
+  frame.tolerance = speed_tolerance;
+  frame.penalty_weight = speed_penalty / step;
+  frame.scan_step = 1e-2;
+  frame.cost = robust_samples;
+  frame.gradient_cost = robust_gradient_cost;
+  return smoothable(frame, define_at);
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

@@ -1,10 +1,10 @@
-#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/problems/speed_problem.h"
 
 #include <fmt/format.h>
 
-#include "problems/carrier_track/questions/best_known.h"
+#include "problems/carrier_track/problems/best_known.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 
 Problem speed_problem(const std::string& family, const Machine& machine, std::string source) {
   Problem problem;
@@ -14,8 +14,9 @@ Problem speed_problem(const std::string& family, const Machine& machine, std::st
   problem.lower = Vector::Constant(1, slowest_speed);
   problem.upper = Vector::Constant(1, fastest_speed);
   problem.start = Vector::Constant(1, (slowest_speed + fastest_speed) / 2);
-  know_best(problem, machine.reading);
+  problem.machine = machine.id;
+  know_best(problem, machine.default_hash);
   return problem;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

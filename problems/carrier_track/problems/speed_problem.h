@@ -4,13 +4,13 @@
 #include <string>
 
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/questions/machine.h"
-#include "problems/carrier_track/questions/speed_range.h"
+#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/problems/speed_range.h"
 #include "src/core/problem.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline problems {
 
-/// -x[0]: the faster, the better.
+/// -x[0]: minimising it maximises the speed.
 struct Slowness {
   static constexpr int jet_size = 1;
 
@@ -20,13 +20,14 @@ struct Slowness {
   }
 };
 
-/// [rad/s] short of the fastest speed that still counts as solved.
+/// [rad/s] below the fastest quiet speed that still count as solved.
 inline constexpr double speed_tolerance = 0.01;
 
-/// [rad/s] that a collision too many costs: no gain of speed in the box outweighs half a collision.
+/// [rad/s], penalty for one collision too many: no gain of speed in the box outweighs half a
+/// collision.
 inline constexpr double speed_penalty = 2 * fastest_speed;
 
-/// A problem over the speed alone, still without an objective, "<family>-<id>".
+/// A problem of the speed alone, "<family>-<id>", without an objective yet.
 Problem speed_problem(const std::string& family, const Machine& machine, std::string source);
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline problems

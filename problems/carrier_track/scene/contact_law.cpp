@@ -35,7 +35,8 @@ struct Residual {
   double value, slope;
 };
 
-/// Newton's root of a residual from a start close enough; stops when steps are lost in rounding.
+/// Finds the root of a residual by Newton's method from a start close to it; stops when the steps
+/// are below rounding.
 template <class Function>
 double newton(double x, Function residual) {
   for (int i = 0; i < 50; ++i) {
@@ -50,8 +51,8 @@ double newton(double x, Function residual) {
 double exact_dissipation(double e) {
   if (e == 1) return 0;
   if (e > 0.9) {
-    // Close to D = 0, a root for every e, the equation is divided by D^2 and written as the series
-    // sum over k >= 2 of (-D)^(k-2) (1 - (-e)^k) / k.
+    // Close to D = 0, a root for every e, the equation, divided by D^2, is the series sum over k >=
+    // 2 of (-D)^(k-2) (1 - (-e)^k) / k.
     return newton(1.5 * (1 - e * e) / (1 + e * e * e), [e](double d) {
       Residual sum{0.5 * (1 - e) * (1 + e), 0};
       double power = -e * e * e;  // (-e)^k
@@ -66,7 +67,7 @@ double exact_dissipation(double e) {
       return sum;
     });
   }
-  // With D = (1 - y) / e, which keeps its digits where D is close to its bound 1 / e.
+  // Solve for y with D = (1 - y) / e: this keeps all digits where D is close to its bound 1 / e.
   const double inverse = 1 + 1 / e;
   const double start = inverse * std::exp(-inverse);
   if (start < 0.1 * epsilon) return 1 / e;
@@ -77,7 +78,7 @@ double exact_dissipation(double e) {
   return (1 - y) / e;
 }
 
-/// -ln of the restitution that Kelvin-Voigt returns.
+/// -ln of the restitution that the Kelvin-Voigt law returns.
 double logarithmic_loss(double z, Release release) {
   const double square = (1 - z) * (1 + z);
   if (release == Release::zero_depth) {
@@ -130,7 +131,7 @@ double returned_restitution(double dissipation) {
     });
     return eta / d;
   }
-  // 1 - e D and 1 + D are the two places where x - ln x has one value.
+  // x - ln x has the same value at x = 1 - e D and x = 1 + D.
   const double goal = 1 + d - std::log1p(d);
   const double start = std::exp(-goal);
   if (start < 0.1 * epsilon) return 1 / d;
@@ -154,7 +155,7 @@ double damping_ratio(double restitution, Release release) {
   require_restitution(restitution > 0 && restitution <= 1, restitution, "0..1, without 0");
   const double loss = -std::log(restitution);
   if (release == Release::zero_depth) return loss / std::hypot(loss, std::numbers::pi);
-  // The loss grows with z without bound, from pi z at first to 2 ln(2 z) at last.
+  // The loss increases with z without bound: it is pi z for small z and 2 ln(2 z) for large z.
   double lower = loss / std::numbers::pi;
   double upper = lower;
   while (logarithmic_loss(upper, release) < loss) upper = 2 * upper;

@@ -1,16 +1,15 @@
 #pragma once
 
-/// Laws for the force between a body and a wall that it presses into: with penetration d [m] and
-/// its rate d' [m/s],
-///   F = K d^n (1 + D d' / v0)   every law but Kelvin-Voigt,
+/// Laws for the force of a compliant wall on a body, with penetration d [m] and its rate d' [m/s]:
+///   F = K d^n (1 + D d' / v0)   every law except Kelvin-Voigt,
 ///   F = K d + C d'              Kelvin-Voigt.
-/// D depends on a prescribed restitution c; v0 [m/s] is the speed of approach, of each impact or
-/// the same for all. F is zero where the contact begins and ends, d = 0, and never pulls in an
-/// impact that no other force disturbs: there d' stays above -v0 / D. A body that another force
-/// tears off the wall faster than that is held back: the law is kept as it is published. The other
-/// side of it is that a body which arrives much slower than it is pressed afterwards meets a very
-/// strong damper, and creeps in and out.
-/// Kelvin-Voigt would pull at the end of every contact; there F = max(0, K d + C d').
+/// D depends on a prescribed restitution c. v0 [m/s] is the speed of approach, either of each
+/// impact or the same for all. F is zero where the contact begins and ends, d = 0. In an impact
+/// without other forces F never pulls, because d' stays above -v0 / D. If another force pulls the
+/// body off the wall faster than that, F holds it back: the law is kept as published. If a body
+/// arrives much slower than it is pressed in afterwards, the damping is very strong and the body
+/// creeps in and out. Kelvin-Voigt would pull at the end of every contact, so its force is
+///   F = max(0, K d + C d').
 namespace ricochet::carrier_track::inline scene {
 
 enum class ContactLaw {
@@ -24,17 +23,17 @@ enum class ContactLaw {
   exact_restitution     ///< the D that returns c
 };
 
-/// Whether the damping grows beyond all bounds as the restitution falls to 0.
+/// Returns true if the damping is unbounded as the restitution approaches 0.
 bool needs_restitution(ContactLaw law);
 
-/// D of a law for a prescribed restitution in [0, 1], above 0 where needs_restitution. Throws
-/// std::invalid_argument outside, and for kelvin_voigt, which has a damping_ratio instead.
+/// D of a law for a prescribed restitution in [0, 1], > 0 if needs_restitution(law). Throws
+/// std::invalid_argument outside this range, and for kelvin_voigt: use damping_ratio for it.
 double dissipation(ContactLaw law, double restitution);
 
 /// The restitution that an impact without other forces returns for D >= 0: the root e of
-/// D (1 + e) = ln((1 + D) / (1 - e D)), whatever K, m, n and v0; relative error about 1e-15. No
-/// published D but the exact one returns the restitution that it is made from.
-/// Derivation: divide m d'' = -F by d^n and integrate over d.
+/// D (1 + e) = ln((1 + D) / (1 - e D)), whatever K, m, n and v0; relative error about 1e-15. Of the
+/// published D only the exact one returns the restitution that it is computed from. Derivation:
+/// divide m d'' = -F by d^n and integrate over d.
 double returned_restitution(double dissipation);
 
 /// Deepest penetration [m] of an impact without other forces:
@@ -42,10 +41,10 @@ double returned_restitution(double dissipation);
 double peak_penetration(double stiffness, double exponent, double mass, double speed,
                         double dissipation);
 
-/// When a Kelvin-Voigt contact is said to end.
+/// The end of a Kelvin-Voigt contact.
 enum class Release {
-  zero_force,  ///< as soon as it would pull
-  zero_depth   ///< where it began
+  zero_force,  ///< when the force would become negative
+  zero_depth   ///< when the depth is back to zero
 };
 
 /// The restitution that Kelvin-Voigt returns without other forces for a damping ratio
@@ -57,8 +56,8 @@ double kelvin_voigt_restitution(double damping_ratio, Release release);
 /// The damping ratio that returns a restitution in (0, 1]; throws std::invalid_argument outside.
 double damping_ratio(double restitution, Release release);
 
-/// What a law makes of a restitution: D, or of kelvin_voigt the damping ratio that returns it when
-/// it never pulls. Throws as the two above.
+/// D of a law for a restitution; for kelvin_voigt the damping ratio that returns the restitution
+/// when the wall never pulls. Throws as dissipation and damping_ratio do.
 double damping_factor(ContactLaw law, double restitution);
 
 }  // namespace ricochet::carrier_track::inline scene

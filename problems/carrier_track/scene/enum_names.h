@@ -10,7 +10,7 @@
 
 namespace ricochet::carrier_track::inline scene {
 
-/// The values of an enumeration by the names that a user writes for them.
+/// The values of an enumeration and their names in files and options.
 template <class Value>
 using EnumNames = std::vector<std::pair<std::string_view, Value>>;
 

@@ -7,7 +7,7 @@
 namespace ricochet::carrier_track::inline scene {
 namespace {
 
-/// Changes the fields of a scene as the list says.
+/// Changes the fields of a scene as the list in scene_fields.h says.
 class FieldPerturbation {
  public:
   FieldPerturbation(double stride, double sign) : stride_(stride), sign_(sign) {}
@@ -45,7 +45,7 @@ class FieldPerturbation {
   template <class Choice>
   void change(const Field& /*field*/, Choice& /*x*/) {}
 
-  /// Two walls and what starts on one of them or between them.
+  /// Changes two walls and a start position. A start on a wall stays on it.
   void change_track(double& lower, double& upper, double& start) {
     double scale = 0;
     for (const double x : {lower, upper, start}) {

@@ -3,9 +3,9 @@
 #include <concepts>
 #include <cstddef>
 
-/// What generic code must know of a scalar that may be a dual number: its plain value, what its
-/// derivatives are, and how deeply duals are nested. A dual is any type like ceres::Jet, with a
-/// real part `a` and derivatives `v`, DIMENSION of them, that all are of one type.
+/// Traits of a scalar that may be a dual number: its plain value, its derivatives, and how deeply
+/// duals are nested. A dual is any type like ceres::Jet, with a real part `a` and DIMENSION
+/// derivatives `v`, all of one type.
 namespace ricochet::carrier_track::inline scene {
 
 template <class T>
@@ -14,7 +14,7 @@ concept Dual = requires(T x) {
   x.v;
 };
 
-/// What a dual is made of: double, or a dual of one order less.
+/// The type of a dual's real part: double, or a dual of one order less.
 template <Dual T>
 using Inner = decltype(T::a);
 
@@ -39,14 +39,14 @@ struct DerivativeOrder<T> {
   static constexpr int value = 1 + DerivativeOrder<Inner<T>>::value;
 };
 
-/// Newton steps that make of an event time found in double one as exact as T: one for each order of
-/// derivatives, and two for a number of more digits.
+/// Number of Newton steps that refine an event time found in double to the accuracy of T: one for
+/// each order of derivatives, and two for a type with more digits.
 template <class T>
 inline constexpr int newton_steps = std::same_as<T, double> ? 0
                                     : Dual<T>               ? DerivativeOrder<T>::value
                                                             : 2;
 
-/// A constant as a scalar of type T; duals of duals have no conversion of their own from double.
+/// A constant as a scalar of type T; duals of duals cannot be converted from double directly.
 template <class T>
 T constant(double x) {
   if constexpr (Dual<T>) {
@@ -59,8 +59,8 @@ T constant(double x) {
 template <class T>
 bool is_constant(const T& x);
 
-/// Whether x is zero and stays so: a quantity whose value alone is zero still has a say in
-/// derivatives.
+/// Returns true if x and all its derivatives are zero. A quantity whose value alone is zero still
+/// affects derivatives.
 template <class T>
 bool vanishes(const T& x) {
   if constexpr (Dual<T>) {
@@ -70,7 +70,7 @@ bool vanishes(const T& x) {
   }
 }
 
-/// Whether x has no derivatives of the outermost order.
+/// Returns true if x has no derivatives of the outermost order.
 template <class T>
 bool is_constant(const T& x) {
   if constexpr (Dual<T>) {

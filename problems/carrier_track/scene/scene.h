@@ -15,13 +15,13 @@ namespace ricochet::carrier_track::inline scene {
 /// How the centrifugal force F_a = m r_c omega^2 enters the x axis (paper.md, contradiction 6).
 enum class Centrifugal { projected, inward, outward };
 
-/// What makes a feature of the motion count as a collision; see collisions.h.
+/// The rule that decides which events of the motion count as collisions; see collisions.h.
 enum class CountRule { impacts, peaks };
 
 /// The levels of the model, see simulate.h.
 enum class Fidelity { impact, compliant, planar, automatic };
 
-/// The simulated window: a number of turns of the driver plate, or a time.
+/// The simulated window: a number of revolutions of the driver plate, or a time.
 struct Revolutions {
   double count;  ///< > 0
 };
@@ -31,14 +31,14 @@ struct Seconds {
 using Window = std::variant<Revolutions, Seconds>;
 
 /// The speed of the driver plate at a time [s]. Between knots it changes linearly with time; before
-/// the first and after the last it holds.
+/// the first and after the last knot it is constant.
 template <class Scalar>
 struct SpeedKnot {
   double time;   ///< [s], >= 0, increasing from knot to knot
   Scalar omega;  ///< [rad/s], >= 0
 };
 
-/// The second direction, y, of equation (22): the clearance across, in which the carrier is free
+/// The second direction, y, of equation (22): the lateral clearance, in which the carrier moves
 /// too. Mass and friction coefficient are those of x.
 template <class Scalar>
 struct Across {
@@ -61,12 +61,12 @@ struct Across {
 ///            + disturbance cos(disturbance_frequency t + disturbance_phase)
 ///            + contact - friction normal_force sign(x'),
 /// where alpha is the integral of omega, plus phase;
-/// friction is set-valued at rest, and an impact turns x' into -restitution x'. With
-/// contact_friction a wall's force F has friction F to overcome on the way in, and so much less is
-/// left on the way out: the wall returns sqrt((1 - friction) / (1 + friction)) of its restitution.
+/// friction is set-valued at rest, and an impact changes x' to -restitution x'. With
+/// contact_friction, a wall's force F causes the friction force friction F on the way in and out:
+/// the restitution of the wall is then multiplied by sqrt((1 - friction) / (1 + friction)).
 ///
-/// The defaults are a body at rest between two elastic walls with no force on it. Every field that
-/// a file holds is in the list of scene_fields.h, too.
+/// The defaults describe a body at rest between two elastic walls without forces. scene_fields.h
+/// lists every field that a file holds.
 template <class Scalar>
 struct BasicScene {
   Scalar mass = constant<Scalar>(1.0);               ///< [kg], > 0
@@ -76,10 +76,10 @@ struct BasicScene {
   Scalar restitution_upper = constant<Scalar>(1.0);  ///< in [0, 1]
   Scalar friction = constant<Scalar>(0.0);           ///< Coulomb coefficient, >= 0
   Scalar normal_force =
-      constant<Scalar>(0.0);            ///< [N], >= 0; what the friction coefficient multiplies
-  bool contact_friction = false;        ///< whether it multiplies a wall's own force too
-  Scalar pull = constant<Scalar>(0.0);  ///< [N], T_1 cos(phi), towards the lower wall
-  bool pull_rotates = false;            ///< whether the pull turns with the driver plate
+      constant<Scalar>(0.0);                  ///< [N], >= 0; multiplied by the friction coefficient
+  bool contact_friction = false;              ///< whether it also multiplies the wall's force
+  Scalar pull = constant<Scalar>(0.0);        ///< [N], T_1 cos(phi), towards the lower wall
+  bool pull_rotates = false;                  ///< whether the pull rotates with the driver plate
   Scalar pull_phase = constant<Scalar>(0.0);  ///< [rad], of a pull that rotates, ahead of alpha
   Centrifugal centrifugal = Centrifugal::projected;
   Scalar centrifugal_mass_radius = constant<Scalar>(0.0);  ///< [kg m], m r_c, >= 0
@@ -92,32 +92,31 @@ struct BasicScene {
   Scalar start_position = constant<Scalar>(0.5);         ///< [m], within the walls
   Scalar start_velocity = constant<Scalar>(0.0);         ///< [m/s]
   Scalar omega = constant<Scalar>(1.0);    ///< [rad/s], speed of the driver plate, >= 0
-  std::vector<SpeedKnot<Scalar>> profile;  ///< takes the place of omega where it is not empty
+  std::vector<SpeedKnot<Scalar>> profile;  ///< replaces omega if not empty
   Window window = Seconds{1.0};
   CountRule rule = CountRule::impacts;
-  Scalar slowest =
-      constant<Scalar>(1e-3);  ///< [m/s], > 0; rule impacts: the slowest impact that counts
-  Scalar peak_high =
-      constant<Scalar>(3e-3);  ///< [m], > 0; rule peaks: a maximum from here on counts
-  Scalar peak_low = constant<Scalar>(1e-3);  ///< [m], > 0; rule peaks: a maximum up to here counts
+  Scalar counting_limit =
+      constant<Scalar>(1e-3);  ///< [m/s], > 0; rule impacts: slower impacts do not count
+  Scalar peak_high = constant<Scalar>(3e-3);  ///< [m], > 0; rule peaks: a maximum above this counts
+  Scalar peak_low = constant<Scalar>(1e-3);   ///< [m], > 0; rule peaks: a maximum below this counts
   Fidelity fidelity = Fidelity::impact;
-  // Of fidelity compliant alone, which carries no derivatives.
+  // For fidelity compliant only, which has no derivatives.
   ContactLaw contact_law = ContactLaw::hunt_crossley;
-  double stiffness = 1e8;               ///< [N/m^contact_exponent], > 0
-  double contact_exponent = 1.5;        ///< > 0, of compliant walls >= 1; 1 for kelvin_voigt
-  std::optional<double> contact_speed;  ///< [m/s], > 0: v0 of the law; none: of each impact its own
-  std::optional<Across<Scalar>> across;  ///< of fidelity planar and automatic
+  double stiffness = 1e8;                ///< [N/m^contact_exponent], > 0
+  double contact_exponent = 1.5;         ///< > 0, of compliant walls >= 1; 1 for kelvin_voigt
+  std::optional<double> contact_speed;   ///< [m/s], > 0: v0; none: the speed of each impact
+  std::optional<Across<Scalar>> across;  ///< for fidelity planar and automatic
 };
 
 using Scene = BasicScene<double>;
 
-/// The part of its restitution that a wall returns in spite of friction, see BasicScene.
+/// The factor by which contact friction reduces a wall's restitution, see BasicScene.
 template <class Scalar>
 Scalar returned_share(const BasicScene<Scalar>& scene) {
   using std::sqrt;
   const Scalar one = constant<Scalar>(1.0);
   if (!scene.contact_friction) return one;
-  // The derivative with respect to this friction is infinite, and left out.
+  // The derivative with respect to this friction is infinite; it is set to 0.
   if (value(scene.friction) >= 1) return constant<Scalar>(0.0);
   return sqrt((one - scene.friction) / (one + scene.friction));
 }
@@ -132,7 +131,7 @@ Scalar upper_restitution(const BasicScene<Scalar>& scene) {
   return scene.restitution_upper * returned_share(scene);
 }
 
-/// Copies a field of a scene into one of another scalar.
+/// Copies a field of a scene into a scene of another scalar type.
 struct LiftField {
   template <class From, class To>
   void operator()(const Field& /*field*/, const From& from, To& to) const {

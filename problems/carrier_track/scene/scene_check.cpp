@@ -14,10 +14,10 @@
 namespace ricochet::carrier_track::inline scene {
 namespace {
 
-/// Of a law whose damping grows as its inverse.
+/// Lower limit of the restitution for a law whose damping grows as 1 / restitution.
 constexpr double smallest_restitution = 1e-6;
 
-/// Complains of the fields of one table.
+/// Checks the fields of one table; throws InputError for an invalid one.
 class Checker {
  public:
   Checker(const std::string& origin, std::string_view table) : origin_(origin), table_(table) {}
@@ -28,13 +28,13 @@ class Checker {
         fmt::format("{}: {}{} = {}: must be {}", origin_, table_, key, value, allowed));
   }
 
-  /// That a field is within its range of the list.
+  /// Checks that a field is within its range in the list.
   void operator()(const Field& field, double x) const {
     const auto number = [&](bool holds, std::string_view bound, std::string_view limits) {
       require(holds, field.key, x,
               fmt::format("a finite number{} [{}], {}", bound, field.unit, limits));
     };
-    const bool is_small = std::abs(x) <= largest_number;  // and a number
+    const bool is_small = std::abs(x) <= largest_number;  // and not NaN
     switch (field.range) {
       case Range::finite:
         return number(is_small, "", "within -1e15..1e15");
@@ -61,7 +61,7 @@ class Checker {
   template <class Other>
   void operator()(const Field& /*field*/, const Other& /*x*/) const {}
 
-  /// The walls of a scene, or of its second direction, and the start between them.
+  /// Checks the walls of a scene or of its second direction, and the start between them.
   template <class Track>
   void walls(const Track& track) const {
     const double lower = track.wall_lower;
@@ -88,7 +88,7 @@ void check_speed(const Scene& scene, const Checker& checker, const std::string& 
   checker(speed_field(name), scene.omega);
 }
 
-/// That the window ends before a simulation has gone through the forces for minutes.
+/// Checks the length of the window: a longer one would take minutes to simulate.
 void check_window(const Scene& scene, const Checker& checker) {
   double fastest = scene.profile.empty() ? scene.omega : 0.0;
   for (const auto& knot : scene.profile) fastest = std::max(fastest, knot.omega);

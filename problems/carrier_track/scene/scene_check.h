@@ -7,8 +7,7 @@
 namespace ricochet::carrier_track::inline scene {
 
 /// Throws InputError, with one line "<origin>: <table.key> = <value>: must be <allowed range>", for
-/// the first field of `scene` that a simulation could not take. `origin` names the scene, for
-/// instance its file.
+/// the first invalid field of `scene`. `origin` names the scene, for instance its file.
 void check(const Scene& scene, const std::string& origin);
 
 /// The same for a speed of the driver plate [rad/s] that did not come from a file.

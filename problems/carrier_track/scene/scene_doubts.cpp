@@ -12,7 +12,7 @@ namespace {
 
 constexpr double gravity = 9.81;  // m/s^2
 
-/// Collects the sentences that hold.
+/// Collects the sentences whose condition holds.
 class Doubts {
  public:
   template <class... Values>
@@ -58,9 +58,9 @@ std::vector<std::string> doubts_about(const Scene& scene) {
   doubts.add_if(scene.disturbance != 0 && scene.disturbance_frequency == 0,
                 "scene.disturbance_frequency = 0 rad/s: the disturbance of {} N never changes",
                 scene.disturbance);
-  doubts.add_if(scene.slowest > 0.5,
-                "count.slowest = {} m/s: few impacts are that fast, and no other counts",
-                scene.slowest);
+  doubts.add_if(scene.counting_limit > 0.5,
+                "count.counting_limit = {} m/s: few impacts are that fast, and no other counts",
+                scene.counting_limit);
   if (!scene.profile.empty()) return doubts.sentences();
   doubts.add_if(scene.omega > 100, "scene.omega = {} rad/s: {:.4g} turns a minute; are these rpm?",
                 scene.omega, scene.omega * 30 / std::numbers::pi);

@@ -2,24 +2,24 @@
 
 #include <string_view>
 
-/// The one list of what the file of a scene holds. Reading, writing, checking, lifting to dual
-/// numbers and the perturbation by which counts are judged all go through it, in its order. What
-/// concerns several fields at once is a rule of its own in the file that does it.
+/// The list of all fields of a scene's file. Reading, writing, checking, conversion to dual numbers
+/// and the perturbation that tests counts all use it, in its order. Rules that concern several
+/// fields at once are in the file that applies them.
 namespace ricochet::carrier_track::inline scene {
 
-/// The values that a number of a scene may have.
+/// The allowed values of a number of a scene.
 enum class Range {
   any,
-  finite,        ///< and no larger than largest_number
-  not_negative,  ///< the same
-  positive,      ///< the same, and no smaller than smallest_number
+  finite,        ///< finite, magnitude at most largest_number
+  not_negative,  ///< finite and >= 0
+  positive,      ///< finite, at least smallest_number
   frequency,     ///< within 0..fastest_frequency
   fraction,      ///< within 0..1
   by_rule        ///< depends on other fields, see check()
 };
 
-/// Limits far beyond any machine, within which no number of a simulation overflows, and none takes
-/// without end.
+/// Limits far beyond any machine. Within them no number of a simulation overflows, and every
+/// simulation ends.
 inline constexpr double largest_number = 1e15;
 inline constexpr double smallest_number = 1e-15;
 inline constexpr double fastest_frequency = 1e9;  ///< [rad/s]
@@ -30,26 +30,26 @@ inline constexpr double shortest_leg = 1e-9;      ///< [s], from knot to knot of
 enum class Perturbation {
   none,
   relative,
-  angle,          ///< by a share of itself, or of a radian if that is more
-  late_angle,     ///< the same, drawn after all other fields, as it came to the list later
+  angle,          ///< by a share of itself or of a radian, whichever is larger
+  late_angle,     ///< the same, drawn after all other fields because it was added later
   restitution,    ///< relative, but never above 1
-  track,          ///< of wall_lower: both walls and the start move
-  with_the_track  ///< with wall_lower
+  track,          ///< of wall_lower: both walls and the start change
+  with_the_track  ///< changes with wall_lower
 };
 
 enum class Presence { optional, required };
 
-/// What the list says of a field besides its name in the structs of scene.h.
+/// The properties of a field besides its name in the structs of scene.h.
 struct Field {
   std::string_view key;
-  std::string_view unit = "";    ///< "1" of a number without one, "" of what is not a number
-  std::string_view remark = "";  ///< what it is, in a written file
+  std::string_view unit = "";    ///< "1" for a number without unit, "" if not a number
+  std::string_view remark = "";  ///< its description in a written file
   Range range = Range::any;
   Perturbation perturbation = Perturbation::none;
-  Presence presence = Presence::optional;  ///< without a key the default of the struct holds
+  Presence presence = Presence::optional;  ///< if optional, the default is that of the struct
 };
 
-/// The two numbers behind one key, of the lower and the upper wall.
+/// The two numbers of one key: of the lower and of the upper wall.
 template <class T>
 struct Walls {
   T& lower;
@@ -58,7 +58,7 @@ struct Walls {
 template <class T>
 Walls(T&, T&) -> Walls<T>;
 
-/// The speed of the driver plate and its profile, behind one key.
+/// The speed of the driver plate and its profile, which have one key.
 template <class T, class Knots>
 struct PlateSpeed {
   T& omega;
@@ -67,9 +67,8 @@ struct PlateSpeed {
 template <class T, class Knots>
 PlateSpeed(T&, Knots&) -> PlateSpeed<T, Knots>;
 
-/// Calls visit(field, member...) for every field of the table [scene], with its member of each of
-/// `s`, BasicScenes of any scalars. Walls and PlateSpeed stand for the members of a key that has
-/// two.
+/// Calls visit(field, member...) for every field of the table [scene], with its member in each of
+/// `s`, BasicScenes of any scalars. A key with two members is passed as Walls or PlateSpeed.
 template <class Visit, class... S>
 void visit_scene_fields(const Visit& visit, S&... s) {
   using enum Range;
@@ -80,8 +79,8 @@ void visit_scene_fields(const Visit& visit, S&... s) {
         s.wall_lower...);
   visit(Field{"wall_upper", "m", "> wall_lower; may be inf", by_rule, with_the_track, required},
         s.wall_upper...);
-  visit(Field{"restitution", "1", "speed after over before an impact: lower wall, upper wall",
-              fraction, restitution, required},
+  visit(Field{"restitution", "1", "speed after over before an impact", fraction, restitution,
+              required},
         Walls{s.restitution_lower, s.restitution_upper}...);
   visit(Field{"friction", "1", "Coulomb coefficient", not_negative, relative}, s.friction...);
   visit(Field{"normal_force", "N", "what the friction coefficient multiplies", not_negative,
@@ -123,20 +122,20 @@ void visit_across_fields(const Visit& visit, Y&... y) {
   visit(Field{"wall_lower", "m", "", finite, track, required}, y.wall_lower...);
   visit(Field{"wall_upper", "m", "> wall_lower; may be inf", by_rule, with_the_track, required},
         y.wall_upper...);
-  visit(Field{"restitution", "1", "lower wall, upper wall", fraction, restitution, required},
+  visit(Field{"restitution", "1", "", fraction, restitution, required},
         Walls{y.restitution_lower, y.restitution_upper}...);
   visit(Field{"start_position", "m", "", by_rule, with_the_track, required}, y.start_position...);
   visit(Field{"start_velocity", "m/s", "", finite, relative}, y.start_velocity...);
 }
 
-/// The same for the table [count]. A margin must exceed a perturbation anyway, so that the limits
-/// of the rule keep still.
+/// The same for the table [count]. The limits of the rule are not perturbed: a margin must exceed
+/// the effect of a perturbation anyway.
 template <class Visit, class... S>
 void visit_count_fields(const Visit& visit, S&... s) {
   using enum Range;
   visit(Field{"rule", "", "impacts or peaks"}, s.rule...);
-  visit(Field{"slowest", "m/s", "rule impacts: the slowest impact that counts", positive},
-        s.slowest...);
+  visit(Field{"counting_limit", "m/s", "rule impacts: the slowest impact that counts", positive},
+        s.counting_limit...);
   visit(Field{"peak_high", "m", "rule peaks: a maximum from here on counts", positive},
         s.peak_high...);
   visit(Field{"peak_low", "m", "rule peaks: a maximum up to here counts", positive}, s.peak_low...);
@@ -154,7 +153,7 @@ void visit_model_fields(const Visit& visit, S&... s) {
   visit(Field{"contact_speed", "m/s", "", positive, relative}, s.contact_speed...);
 }
 
-/// The fields of all tables but [across] and [window].
+/// The same for all tables except [across] and [window].
 template <class Visit, class... S>
 void visit_fields(const Visit& visit, S&... s) {
   visit_scene_fields(visit, s...);

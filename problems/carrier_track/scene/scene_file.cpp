@@ -35,10 +35,10 @@ const EnumNames<ContactLaw>& names_of(ContactLaw /*value*/) {
   return contact_law_names();
 }
 
-/// What a file says in the place of a number that it leaves open.
+/// The word in a file instead of a number that is not given.
 constexpr std::string_view open_number = "each";
 
-/// Reads the fields of a table, each in its own way.
+/// Reads the fields of a table, each according to its type.
 struct FieldReader {
   TomlTable& table;
 
@@ -47,7 +47,7 @@ struct FieldReader {
     table.number(field.key, x);
   }
   void operator()(const Field& field, Walls<double> x) const {
-    table.pair(field.key, x.lower, x.upper);
+    table.walls(field.key, x.lower, x.upper);
   }
   void operator()(const Field& field,
                   PlateSpeed<double, std::vector<SpeedKnot<double>>> speed) const {
@@ -96,7 +96,7 @@ std::string_view range_text(Range range) {
   return "";
 }
 
-/// Writes the fields of a table, a line each.
+/// Writes the fields of a table, one line each.
 struct FieldWriter {
   std::string& text;
 
@@ -118,7 +118,13 @@ struct FieldWriter {
     line(field, toml_float(x), comment(field));
   }
   void operator()(const Field& field, Walls<const double> x) const {
-    line(field, fmt::format("[{}, {}]", toml_float(x.lower), toml_float(x.upper)), comment(field));
+    if (x.lower == x.upper) return (*this)(field, x.lower);
+    for (const auto& [wall, number] : {std::pair("lower", x.lower), std::pair("upper", x.upper)}) {
+      const std::string key = fmt::format("{}_{}", field.key, wall);
+      Field one = field;
+      one.key = key;
+      (*this)(one, number);
+    }
   }
   void operator()(const Field& field,
                   PlateSpeed<const double, const std::vector<SpeedKnot<double>>> speed) const {
@@ -164,6 +170,7 @@ Scene scene_of(const toml::table& file, const std::string& origin) {
   if (across.exists()) visit_across_fields(FieldReader{across}, result.across.emplace());
   across.finish();
   read_window(window, origin, result);
+  count.renamed("slowest", "counting_limit");
   visit_count_fields(FieldReader{count}, result);
   count.finish();
   visit_model_fields(FieldReader{model}, result);

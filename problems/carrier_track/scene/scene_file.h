@@ -13,7 +13,7 @@ namespace ricochet::carrier_track::inline scene {
 /// out of range.
 Scene read_scene(const std::filesystem::path& path);
 
-/// The same from a text, which errors call `origin`.
+/// The same from a text. Errors name it `origin`.
 Scene parse_scene(const std::string& text, const std::string& origin);
 
 /// The scene as a TOML text that read_scene reads back to the same scene, bit for bit.

@@ -5,14 +5,17 @@
 
 #include "src/core/error.h"
 #include "src/core/near_names.h"
+#include "src/core/warning.h"
 
 namespace ricochet::carrier_track::inline scene {
 TomlTable::TomlTable(const toml::table& file, std::string name, std::string origin)
-    : name_(std::move(name)), origin_(std::move(origin)), table_(file[name_].as_table()) {}
+    : name_(std::move(name)), origin_(std::move(origin)) {
+  if (const toml::table* table = file[name_].as_table()) table_ = *table;
+}
 
 bool TomlTable::has(std::string_view key) {
   known_.insert(std::string(key));
-  return table_ != nullptr && table_->contains(key);
+  return table_ && table_->contains(key);
 }
 
 void TomlTable::need(std::string_view key) {
@@ -31,18 +34,41 @@ void TomlTable::boolean(std::string_view key, bool& target) {
   target = node.as_boolean()->get();
 }
 
-void TomlTable::pair(std::string_view key, double& first, double& second) {
+void TomlTable::renamed(std::string_view old_key, std::string_view key) {
+  if (!table_ || !table_->contains(old_key) || table_->contains(key)) return;
+  warn(fmt::format("{}: {}.{} is now called {}", origin_, name_, old_key, key));
+  table_->insert(key, *table_->get(old_key));
+  table_->erase(old_key);
+}
+
+void TomlTable::walls(std::string_view key, double& lower, double& upper) {
+  const std::string lower_key = fmt::format("{}_lower", key);
+  const std::string upper_key = fmt::format("{}_upper", key);
+  const bool of_each = has(lower_key) || has(upper_key);
+  if (of_each == has(key)) {
+    throw InputError(fmt::format("{}: {}.{} {}; give {} for both walls, or {} and {}", origin_,
+                                 name_, key, of_each ? "is given twice" : "is missing", key,
+                                 lower_key, upper_key));
+  }
+  if (of_each) {
+    need(lower_key);
+    need(upper_key);
+    number(lower_key, lower);
+    number(upper_key, upper);
+    return;
+  }
   constexpr const char* allowed = "a number, or [lower, upper]";
-  need(key);
   const toml::node& node = *table_->get(key);
   const toml::array* array = node.as_array();
   if (array == nullptr) {
-    first = second = number_of(key, node, allowed);
+    lower = upper = number_of(key, node, allowed);
     return;
   }
   if (array->size() != 2) refuse(key, node, allowed);
-  first = number_of(key, *array->get(0), allowed);
-  second = number_of(key, *array->get(1), allowed);
+  warn(fmt::format("{}: {}.{} = [lower, upper] is now written as {} and {}", origin_, name_, key,
+                   lower_key, upper_key));
+  lower = number_of(key, *array->get(0), allowed);
+  upper = number_of(key, *array->get(1), allowed);
 }
 
 void TomlTable::number_or(std::string_view key, std::string_view none,
@@ -76,7 +102,7 @@ void TomlTable::number_or_knots(std::string_view key, double& target,
 }
 
 void TomlTable::finish() const {
-  if (table_ == nullptr) return;
+  if (!table_) return;
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     throw InputError(fmt::format("{}: {}.{} is not a key; {}", origin_, name_, key.str(),

@@ -13,23 +13,28 @@
 
 namespace ricochet::carrier_track::inline scene {
 
-/// One table of a TOML file. Every key asked for is known; finish() refuses the others. What is not
-/// as it must be throws InputError, with origin (the file), table, key, value and what is allowed.
+/// One table of a TOML file. Every key that a member function reads is known; finish() rejects all
+/// others. An invalid entry throws InputError with origin (the file), table, key, value and the
+/// allowed values.
 class TomlTable {
  public:
   TomlTable(const toml::table& file, std::string name, std::string origin);
 
-  bool exists() const { return table_ != nullptr; }
+  bool exists() const { return table_.has_value(); }
   bool has(std::string_view key);
+
+  /// Reads `old_key`, as version 1 had it, in the place of `key`, with a warning.
+  void renamed(std::string_view old_key, std::string_view key);
   void need(std::string_view key);
 
   void number(std::string_view key, double& target);
   void boolean(std::string_view key, bool& target);
 
-  /// One number for both, or an array of two; must be there.
-  void pair(std::string_view key, double& first, double& second);
+  /// One number for both walls under `key`, or one for each under key_lower and key_upper;
+  /// required. An array of two under `key`, as version 1 had it, is read with a warning.
+  void walls(std::string_view key, double& lower, double& upper);
 
-  /// A number, or a word that stands for none.
+  /// A number, or the word `none`, which leaves it without value.
   void number_or(std::string_view key, std::string_view none, std::optional<double>& target);
 
   /// A number, or an array of [time, omega].
@@ -59,7 +64,7 @@ class TomlTable {
 
   std::string name_;
   std::string origin_;
-  const toml::table* table_;
+  std::optional<toml::table> table_;
   std::set<std::string> known_;
 };
 

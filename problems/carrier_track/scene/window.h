@@ -9,8 +9,8 @@
 
 namespace ricochet::carrier_track::inline scene {
 
-/// [s] until the driver plate of a speed profile has turned by an angle [rad] > 0. The last speed
-/// of the profile must be > 0.
+/// The time [s] in which the driver plate turns by an angle [rad] > 0 under a speed profile. The
+/// last speed of the profile must be > 0.
 template <class Scalar>
 Scalar time_to_turn(const std::vector<SpeedKnot<Scalar>>& profile, Scalar angle) {
   using std::sqrt;
@@ -33,7 +33,7 @@ Scalar time_to_turn(const std::vector<SpeedKnot<Scalar>>& profile, Scalar angle)
   return constant<Scalar>(profile.back().time) + angle / profile.back().omega;
 }
 
-/// [s]; the window of a scene. Revolutions need omega > 0.
+/// The duration of a scene's window [s]. A window in revolutions needs omega > 0.
 template <class Scalar>
 Scalar duration_of(const BasicScene<Scalar>& scene) {
   const auto* turns = std::get_if<Revolutions>(&scene.window);
@@ -42,7 +42,7 @@ Scalar duration_of(const BasicScene<Scalar>& scene) {
   return scene.profile.empty() ? angle / scene.omega : time_to_turn(scene.profile, angle);
 }
 
-/// Turns of the driver plate in the window of a scene at its constant speed.
+/// Revolutions of the driver plate in the window of a scene at its constant speed.
 inline double turns_of(const Scene& scene) {
   return scene.omega * duration_of(scene) / (2 * std::numbers::pi);
 }

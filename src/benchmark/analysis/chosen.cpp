@@ -1,18 +1,18 @@
-#include "src/contest/chosen.h"
+#include "src/benchmark/analysis/chosen.h"
 
 #include "src/core/patterns.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 
-std::vector<Question> chosen_questions(const std::vector<Question>& all,
-                                       const std::string& patterns, const std::string& option) {
-  std::vector<Question> chosen;
+std::vector<Problem> chosen_problems(const std::vector<Problem>& all, const std::string& patterns,
+                                     const std::string& option) {
+  std::vector<Problem> chosen;
   std::vector<std::string> names;
   const std::vector<std::string> list = split_patterns(patterns);
-  for (const Question& question : all) {
-    if (!question.stated.best_known) continue;
-    names.push_back(question.name());
-    if (fits_any(question.name(), list)) chosen.push_back(question);
+  for (const Problem& problem : all) {
+    if (!problem.best_known) continue;
+    names.push_back(problem.name);
+    if (fits_any(problem.name, list)) chosen.push_back(problem);
   }
   require_fit(list, names, option);
   return chosen;
@@ -31,4 +31,4 @@ std::vector<Solver> chosen_solvers(const std::vector<Solver>& all, const std::st
   return chosen;
 }
 
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

@@ -1,22 +1,23 @@
-#include "src/export/judged_runs.h"
+#include "src/benchmark/analysis/judged_runs.h"
 
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
-namespace ricochet::exports {
+namespace ricochet::comparison {
 
 void each_judged(const Store& store, const std::function<void(const JudgedRun&)>& use,
                  const std::function<void(const JudgedCell&)>& at_end) {
-  std::map<std::string, const StoredQuestion*> questions;
-  for (const StoredQuestion& question : store.description().questions) {
-    questions[question.name] = &question;
+  std::map<std::string, const StoredProblem*> problems;
+  for (const StoredProblem& problem : store.description().problems) {
+    problems[problem.name] = &problem;
   }
   std::optional<Cell> cell;
-  std::vector<contest::Outcome> outcomes;
+  std::vector<Outcome> outcomes;
   const auto end_cell = [&] {
-    if (cell) at_end({*cell, *questions.at(cell->question), std::move(outcomes)});
+    outcomes.shrink_to_fit();  // a report keeps a million outcomes
+    if (cell) at_end({*cell, *problems.at(cell->problem), std::move(outcomes)});
     outcomes.clear();
   };
   store.each([&](const StoredRun& run) {
@@ -24,11 +25,11 @@ void each_judged(const Store& store, const std::function<void(const JudgedRun&)>
       end_cell();
       cell = run.key.cell;
     }
-    const StoredQuestion& question = *questions.at(cell->question);
-    outcomes.push_back(contest::outcome_of(run.record, question.best_known, question.tolerance));
-    use({question, run, outcomes.back()});
+    const StoredProblem& problem = *problems.at(cell->problem);
+    outcomes.push_back(outcome_of(run.record, problem.best_known, problem.tolerance));
+    use({problem, run, outcomes.back()});
   });
   end_cell();
 }
 
-}  // namespace ricochet::exports
+}  // namespace ricochet::comparison

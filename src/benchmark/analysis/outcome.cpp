@@ -1,9 +1,9 @@
-#include "src/contest/outcome.h"
+#include "src/benchmark/analysis/outcome.h"
 
 #include <mutex>
 #include <unordered_set>
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 
 Reason::Reason(const std::string& text) {
   static std::mutex mutex;
@@ -21,14 +21,16 @@ Outcome outcome_of(const RunRecord& record, double best_known, double tolerance)
   outcome.derivatives = record.ledger.derivatives;
   outcome.seconds = record.ledger.seconds;
   outcome.failure = record.failure;
-  // No more memory than they need: a report keeps those of a million runs.
+  // Exact capacity to save memory: a report keeps the steps of a million runs.
   outcome.steps.reserve(record.trace.size());
-  outcome.exits.reserve(record.exits.size());
+  outcome.terminations.reserve(record.terminations.size());
   for (const Improvement& step : record.trace) {
-    if (step.truth.violation > 0) continue;
-    outcome.steps.push_back({step.evaluations, step.seconds, step.truth.objective - best_known});
+    if (step.true_values.violation > 0) continue;
+    outcome.steps.push_back(
+        {step.evaluations, step.seconds, step.true_values.objective - best_known});
   }
-  for (const SolverExit& exit : record.exits) outcome.exits.emplace_back(exit.reason);
+  for (const SolverTermination& exit : record.terminations)
+    outcome.terminations.emplace_back(exit.reason);
   return outcome;
 }
 
@@ -36,4 +38,4 @@ Outcome outcome_of(const RunRecord& record, const Problem& problem, double toler
   return outcome_of(record, problem.best_known.value(), tolerance);
 }
 
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

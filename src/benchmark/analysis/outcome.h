@@ -5,17 +5,17 @@
 
 #include "src/core/verdict.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 
-/// When a run found something feasible and better than all before it.
+/// An improvement of a run: a feasible point better than all before it.
 struct Step {
   std::int64_t evaluations;  ///< charged until then
   double seconds;
-  double regret;  ///< true objective less the best known
+  double optimality_gap;  ///< true objective less the best known
 };
 
-/// What a solver said at the end of a start. Solvers say few things often: of equal texts the
-/// program has one copy, which it keeps.
+/// The termination reason of one start. There are few different ones, so the program keeps one copy
+/// of each text.
 class Reason {
  public:
   Reason(const std::string& text);  // NOLINT(google-explicit-constructor): it is a text
@@ -27,7 +27,7 @@ class Reason {
   const std::string* text_;
 };
 
-/// One run as it is judged; what it takes to run it again is its number among the instances.
+/// One run as scored. Its number among the instances identifies it for a repetition.
 struct Outcome {
   int instance = 0;
   Verdict verdict;
@@ -36,12 +36,12 @@ struct Outcome {
   std::int64_t derivatives = 0;  ///< asked for in all
   double seconds = 0;            ///< processor time in all
   std::vector<Step> steps;
-  std::vector<Reason> exits;  ///< of every start
-  std::string failure;        ///< what was thrown; empty if nothing
+  std::vector<Reason> terminations;  ///< of every start
+  std::string failure;               ///< what was thrown; empty if nothing
 };
 
-/// Judges a record. The problem's best value must be known.
+/// The outcome of a record. The problem's best value must be known.
 Outcome outcome_of(const RunRecord& record, double best_known, double tolerance);
 Outcome outcome_of(const RunRecord& record, const Problem& problem, double tolerance);
 
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "src/contest/outcome.h"
+#include "src/benchmark/analysis/outcome.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 
-/// The runs of a standing, or every k-th of them. They do not change, and copies share them: of a
-/// million runs there are many standings, and one copy.
+/// The runs of a cell, or every k-th of them. They do not change, and copies share them, so that
+/// many selections of a million runs need one copy only.
 class Outcomes {
  public:
   class Iterator {
@@ -38,7 +38,7 @@ class Outcomes {
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size_}; }
 
-  /// So many of them, the one at `first` and every `step`-th behind it; all must be there.
+  /// `size` of them: the one at `first` and every `step`-th after it; all must exist.
   Outcomes every(std::size_t step, std::size_t first, std::size_t size) const {
     Outcomes part = *this;
     part.first_ = first_ + first * step_;
@@ -52,4 +52,4 @@ class Outcomes {
   std::size_t first_ = 0, step_ = 1, size_ = 0;
 };
 
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

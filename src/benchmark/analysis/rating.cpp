@@ -1,4 +1,4 @@
-#include "src/contest/rating.h"
+#include "src/benchmark/analysis/rating.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,17 +6,17 @@
 #include <map>
 #include <utility>
 
+#include "src/benchmark/statistics/empirical_distribution.h"
+#include "src/benchmark/statistics/plackett_luce.h"
+#include "src/benchmark/statistics/ranking.h"
 #include "src/core/seed.h"
-#include "src/statistics/empirical_distribution.h"
-#include "src/statistics/plackett_luce.h"
-#include "src/statistics/ranking.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Places on the axis of evaluations for each variable, from 1 up to the budget.
+/// Positions on the axis of evaluations for each variable, from 1 up to the budget.
 std::vector<double> places(double budget) {
   std::vector<double> all;
   constexpr int of_a_decade = 6;
@@ -27,14 +27,16 @@ std::vector<double> places(double budget) {
   }
 }
 
-/// Evaluations for each variable until every target of the question was reached, over all runs.
-std::vector<double> hitting_times(const Question& question, const Standing& standing) {
+/// Evaluations for each variable until each target of the problem was reached, over all runs;
+/// infinite if it never was.
+std::vector<double> hitting_times(const Problem& problem, const CellResult& result) {
   std::vector<double> times;
-  const auto n = static_cast<double>(question.stated.dimension());
-  for (const Outcome& outcome : standing.outcomes) {
-    for (const double target : targets_of(question)) {
-      const auto reached = std::find_if(outcome.steps.begin(), outcome.steps.end(),
-                                        [&](const Step& step) { return step.regret <= target; });
+  const auto n = static_cast<double>(problem.dimension());
+  for (const Outcome& outcome : result.outcomes) {
+    for (const double target : targets_of(problem)) {
+      const auto reached =
+          std::find_if(outcome.steps.begin(), outcome.steps.end(),
+                       [&](const Step& step) { return step.optimality_gap <= target; });
       times.push_back(reached == outcome.steps.end()
                           ? infinity
                           : static_cast<double>(reached->evaluations) / n);
@@ -45,28 +47,29 @@ std::vector<double> hitting_times(const Question& question, const Standing& stan
 
 Reached reached_by(const Outcome& outcome) {
   if (outcome.steps.empty()) return {infinity, infinity};
-  // What is solved is solved: digits beyond the tolerance put nobody first.
+  // Solved runs are equal in value: accuracy beyond the tolerance does not count.
   if (const auto solved = outcome.verdict.evaluations_to_solve) {
     return {0, static_cast<double>(*solved)};
   }
-  return {outcome.steps.back().regret, static_cast<double>(outcome.steps.back().evaluations)};
+  return {outcome.steps.back().optimality_gap,
+          static_cast<double>(outcome.steps.back().evaluations)};
 }
 
-/// The standings of one competitor, by question.
-using ByQuestion = std::map<std::size_t, const Standing*>;
+/// The results of one entry, by problem.
+using ByProblem = std::map<std::size_t, const CellResult*>;
 
-/// Ranks the competitors, of which these are the ratings, on every instance of every question.
-void place(std::vector<Rating>& ratings, const std::vector<const ByQuestion*>& competitors,
-           const ContestPlan& plan, const std::vector<std::size_t>& questions, std::size_t budget) {
+/// Ranks the entries on every instance of every problem and stores the result in `ratings`.
+void place(std::vector<Rating>& ratings, const std::vector<const ByProblem*>& entries,
+           const std::vector<std::size_t>& problems, std::size_t instances, std::size_t budget) {
   std::vector<Ranking> rankings;
   std::vector<double> sums(ratings.size());
   std::vector<int> taken(ratings.size());
-  for (const std::size_t q : questions) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(plan.instances); ++i) {
+  for (const std::size_t q : problems) {
+    for (std::size_t i = 0; i < instances; ++i) {
       std::vector<std::optional<Reached>> reached(ratings.size());
       for (std::size_t c = 0; c < ratings.size(); ++c) {
-        const auto mine = competitors[c]->find(q);
-        if (mine != competitors[c]->end()) reached[c] = reached_by(mine->second->outcomes[i]);
+        const auto mine = entries[c]->find(q);
+        if (mine != entries[c]->end()) reached[c] = reached_by(mine->second->outcomes[i]);
       }
       rankings.push_back(ranking_of(reached));
       double before = 0;
@@ -89,55 +92,58 @@ void place(std::vector<Rating>& ratings, const std::vector<const ByQuestion*>& c
 
 }  // namespace
 
-std::vector<double> targets_of(const Question& question) {
-  if (question.tolerance == 0.5) return {0.5, 1.5, 2.5, 4.5, 8.5};  // a count: whole levels
+std::vector<double> targets_of(const Problem& problem) {
+  if (problem.tolerance == 0.5) return {0.5, 1.5, 2.5, 4.5, 8.5};  // a count: whole levels
   std::vector<double> targets;
-  for (int k = 0; k <= 3; ++k) targets.push_back(question.tolerance * std::pow(10.0, k));
+  for (int k = 0; k <= 3; ++k) targets.push_back(problem.tolerance * std::pow(10.0, k));
   return targets;
 }
 
-std::vector<Rating> rate(const ContestPlan& plan, const std::vector<Standing>& standings,
-                         const std::vector<std::size_t>& questions, std::size_t budget) {
+std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::size_t>& problems,
+                         std::size_t budget) {
   using Name = std::pair<std::string, std::string>;
-  // By competitor, then by question.
-  std::map<Name, ByQuestion> by_name;
-  for (const Standing& standing : standings) {
-    if (standing.budget != budget) continue;
-    if (std::find(questions.begin(), questions.end(), standing.question) == questions.end()) {
+  // By entry, then by problem.
+  std::map<Name, ByProblem> by_name;
+  std::size_t instances = 0;
+  for (const CellResult& result : comparison.results) {
+    const PlannedCell& planned = *result.cell;
+    const Cell& cell = planned.cell;
+    if (cell.budget != comparison.part->budgets[budget]) continue;
+    if (std::find(problems.begin(), problems.end(), planned.problem) == problems.end()) {
       continue;
     }
-    const std::string form = plan.questions[standing.question].name_of(standing.form);
-    by_name[{standing.solver, form}][standing.question] = &standing;
+    by_name[{cell.solver, cell.formulation}][planned.problem] = &result;
+    instances = result.outcomes.size();  // the same for all
   }
   std::vector<Rating> ratings;
-  std::vector<const ByQuestion*> competitors;
+  std::vector<const ByProblem*> entries;
   for (const auto& [name, mine] : by_name) {
     Rating rating;
     rating.solver = name.first;
-    rating.form = name.second;
-    rating.questions = static_cast<int>(mine.size());
+    rating.formulation = name.second;
+    rating.problems = static_cast<int>(mine.size());
     std::vector<std::vector<double>> times;
-    for (const auto& [q, standing] : mine) {
-      times.push_back(hitting_times(plan.questions[q], *standing));
+    for (const auto& [q, result] : mine) {
+      times.push_back(hitting_times(comparison.problem_of(*result), *result));
       int found = 0;
-      int handed_over = 0;
-      for (const Outcome& outcome : standing->outcomes) {
+      int returned = 0;
+      for (const Outcome& outcome : result->outcomes) {
         found += outcome.verdict.solved ? 1 : 0;
-        handed_over += outcome.verdict.handed_over_solved ? 1 : 0;
+        returned += outcome.verdict.returned_solved ? 1 : 0;
       }
       rating.never += found == 0 ? 1 : 0;
-      const auto all = static_cast<double>(standing->outcomes.size() * mine.size());
+      const auto all = static_cast<double>(result->outcomes.size() * mine.size());
       rating.found += found / all;
-      rating.handed_over += handed_over / all;
+      rating.returned += returned / all;
     }
-    for (const double place : places(static_cast<double>(plan.budgets[budget]))) {
+    for (const double place : places(static_cast<double>(comparison.part->budgets[budget]))) {
       const auto share = empirical_distribution(times, place);
       rating.progress.push_back({place, share.mean, share.interval});
     }
     ratings.push_back(std::move(rating));
-    competitors.push_back(&mine);
+    entries.push_back(&mine);
   }
-  place(ratings, competitors, plan, questions, budget);
+  place(ratings, entries, problems, instances, budget);
   std::stable_sort(ratings.begin(), ratings.end(), [](const Rating& a, const Rating& b) {
     return std::pair(-a.probability_of_being_best, a.rank) <
            std::pair(-b.probability_of_being_best, b.rank);
@@ -145,4 +151,4 @@ std::vector<Rating> rate(const ContestPlan& plan, const std::vector<Standing>& s
   return ratings;
 }
 
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

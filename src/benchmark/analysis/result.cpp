@@ -1,30 +1,30 @@
-#include "src/contest/result.h"
+#include "src/benchmark/analysis/result.h"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-#include "src/statistics/bootstrap.h"
-#include "src/statistics/expected_running_time.h"
-#include "src/statistics/order_statistic_interval.h"
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/statistics/bootstrap.h"
+#include "src/benchmark/statistics/expected_running_time.h"
+#include "src/benchmark/statistics/order_statistic_interval.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Whether both asked for as much and found the same when: of a solver that draws nothing, or on
-/// instances that look alike to it.
+/// Returns true if both runs made as many evaluations and had the same improvements at the same
+/// evaluations: the solver draws no random numbers, or the instances look alike to it.
 bool same(const Outcome& a, const Outcome& b) {
   return a.evaluations == b.evaluations &&
          std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
                     [](const Step& p, const Step& q) {
-                      return p.evaluations == q.evaluations && p.regret == q.regret;
+                      return p.evaluations == q.evaluations && p.optimality_gap == q.optimality_gap;
                     });
 }
 
-/// One of each.
+/// One of each group of equal outcomes.
 std::vector<const Outcome*> distinct(const Outcomes& outcomes) {
   std::vector<const Outcome*> kept;
   for (const Outcome& outcome : outcomes) {
@@ -51,8 +51,7 @@ Result result_of(const Outcomes& outcomes) {
   const std::vector<const Outcome*> once = distinct(outcomes);
   result.distinct = static_cast<int>(once.size());
   result.found = share_of(once, [](const Outcome* o) { return o->verdict.solved; });
-  result.handed_over =
-      share_of(once, [](const Outcome* o) { return o->verdict.handed_over_solved; });
+  result.returned = share_of(once, [](const Outcome* o) { return o->verdict.returned_solved; });
   std::vector<Effort> evaluations;
   std::vector<Effort> seconds;
   std::vector<double> gaps;
@@ -62,7 +61,7 @@ Result result_of(const Outcomes& outcomes) {
         {static_cast<double>(verdict.evaluations_to_solve.value_or(o->evaluations)),
          verdict.solved});
     seconds.push_back({verdict.seconds_to_solve.value_or(o->seconds), verdict.solved});
-    gaps.push_back(verdict.regret.value_or(infinity));
+    gaps.push_back(verdict.optimality_gap.value_or(infinity));
   }
   if (const auto time = expected_running_time(evaluations)) {
     result.running_time = {*time, expected_running_time_interval(evaluations)};
@@ -72,9 +71,9 @@ Result result_of(const Outcomes& outcomes) {
   result.gap.interval = order_statistic_interval(gaps).value_or(Interval{-infinity, infinity});
   for (const Outcome& outcome : outcomes) {
     result.failed += outcome.failure.empty() ? 0 : 1;
-    for (const std::string& exit : outcome.exits) ++result.exits[exit];
+    for (const std::string& exit : outcome.terminations) ++result.terminations[exit];
   }
   return result;
 }
 
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

@@ -1,4 +1,4 @@
-#include "src/studies/contest/atlas_data.h"
+#include "src/benchmark/comparison/atlas_data.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <string>
 #include <utility>
 
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-/// What became of a run that did not solve its question.
+/// Returns the kind of failure of a run that did not solve its problem.
 std::string kind_of_failure(const Outcome& outcome, std::int64_t budget) {
   if (!outcome.failure.empty()) {
     const bool ended = outcome.failure.starts_with("crashed") ||
@@ -26,7 +26,7 @@ std::string kind_of_failure(const Outcome& outcome, std::int64_t budget) {
   return outcome.evaluations < budget ? "gave up early" : "budget spent";
 }
 
-/// What became of all runs on one machine under one feature.
+/// The outcomes of all runs on one machine under one perturbation.
 struct Fate {
   int runs = 0, solved = 0;
   std::map<std::string, int> kinds;
@@ -35,8 +35,9 @@ struct Fate {
 
 std::string command_of(const PlannedCell& cell, const Outcome& outcome, int run) {
   return fmt::format(
-      "ricochet solve '{}' {} --form {} --feature {} --budget {} --instance {} --seed {}",
-      cell.cell.solver, cell.cell.question, cell.cell.form, cell.cell.feature,
+      "ricochet solve '{}' {} --formulation {} --perturbation {} --budget {} --instance {} --seed "
+      "{}",
+      cell.cell.solver, cell.cell.problem, cell.cell.formulation, cell.cell.perturbation,
       cell.budget.evaluations, outcome.instance, run);
 }
 
@@ -51,17 +52,18 @@ std::string name_of(const std::string& machine, const std::map<std::string, doub
   return machine + text;
 }
 
-/// Machine and feature.
+/// Machine and perturbation.
 using Fates = std::map<std::pair<std::string, std::string>, Fate>;
 
-/// A map of machines over features for the share solved, and one for each kind of failure.
+/// Returns a map of machines over perturbations for the share solved, and one for each kind of
+/// failure.
 Json maps_of(const Fates& fates, const std::map<std::string, std::string>& names) {
-  std::vector<std::string> features;
-  for (const Feature& feature : all_features()) {
+  std::vector<std::string> perturbations;
+  for (const Perturbation& perturbation : all_perturbations()) {
     const bool there = std::any_of(fates.begin(), fates.end(), [&](const auto& fate) {
-      return fate.first.second == feature.name;
+      return fate.first.second == perturbation.name;
     });
-    if (there) features.push_back(feature.name);
+    if (there) perturbations.push_back(perturbation.name);
   }
   std::vector<std::string> kinds = {"solved"};
   for (const auto& [key, fate] : fates) {
@@ -75,8 +77,8 @@ Json maps_of(const Fates& fates, const std::map<std::string, std::string>& names
     double most = 0;
     for (const auto& [machine, name] : names) {
       Json cells = Json::array();
-      for (const std::string& feature : features) {
-        const auto fate = fates.find({machine, feature});
+      for (const std::string& perturbation : perturbations) {
+        const auto fate = fates.find({machine, perturbation});
         if (fate == fates.end()) {
           cells.push_back(nullptr);
           continue;
@@ -99,15 +101,15 @@ Json maps_of(const Fates& fates, const std::map<std::string, std::string>& names
 
 }  // namespace
 
-Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& standings) {
-  const auto largest = largest_budgets(standings);
+Json atlas_data(const Campaign& campaign, const std::vector<CellResult>& results) {
+  const auto largest = largest_budgets(results);
   Fates fates;
   std::map<std::string, std::map<std::string, double>> factors;
-  for (const StoredStanding& s : standings) {
-    const Question& question = campaign.questions()[s.cell->question];
-    if (question.machine.empty() || s.cell->cell.budget != largest.at(s.cell->question)) continue;
-    factors[question.machine] = question.factors;
-    Fate& fate = fates[{question.machine, s.cell->cell.feature}];
+  for (const CellResult& s : results) {
+    const Problem& problem = campaign.problems()[s.cell->problem];
+    if (problem.machine.empty() || s.cell->cell.budget != largest.at(s.cell->problem)) continue;
+    factors[problem.machine] = problem.factors;
+    Fate& fate = fates[{problem.machine, s.cell->cell.perturbation}];
     for (std::size_t i = 0; i < s.outcomes.size(); ++i) {
       const Outcome& outcome = s.outcomes[i];
       ++fate.runs;
@@ -116,7 +118,7 @@ Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& sta
         continue;
       }
       const std::string kind = kind_of_failure(outcome, s.cell->budget.evaluations);
-      // The command is of the kind that says most of the feature.
+      // Prefer a command of the kind of failure that is most specific to the perturbation.
       if (fate.command.empty() || (kind != "budget spent" && !fate.kinds.contains(kind))) {
         fate.command =
             command_of(*s.cell, outcome, static_cast<int>(i) % std::max(1, s.cell->seeds));
@@ -128,7 +130,7 @@ Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& sta
   std::map<std::string, std::string> names;
   for (const auto& [key, fate] : fates) {
     const std::string& machine = key.first;
-    const std::string& feature = key.second;
+    const std::string& perturbation = key.second;
     const auto factor = [&](const char* name) {
       const auto found = factors[machine].find(name);
       return found == factors[machine].end() ? Json() : Json(found->second);
@@ -138,7 +140,7 @@ Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& sta
                 {"restitution", factor("restitution")},
                 {"friction", factor("friction")},
                 {"disturbance", factor("disturbance")},
-                {"feature", feature},
+                {"perturbation", perturbation},
                 {"runs", fate.runs},
                 {"share", fate.solved / static_cast<double>(fate.runs)},
                 {"command", fate.command}};
@@ -155,4 +157,4 @@ Json atlas_data(const Campaign& campaign, const std::vector<StoredStanding>& sta
   return {{"atlas", std::move(rows)}, {"atlas_maps", maps_of(fates, names)}};
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,4 +1,4 @@
-#include "src/studies/contest/break_even_data.h"
+#include "src/benchmark/comparison/break_even_data.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "src/benchmark/statistics/break_even.h"
 #include "src/core/random.h"
 #include "src/core/seed.h"
-#include "src/statistics/break_even.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
@@ -31,23 +31,23 @@ std::string name_of(Price price) {
   return price == Price::measured ? "measured" : "n";
 }
 
-/// Of a gradient beside its value, in evaluations.
-double price_on(const Question& question, Price price) {
-  const std::int64_t n = question.stated.dimension();
+/// Price of a gradient in addition to its value, in evaluations.
+double price_on(const Problem& problem, Price price) {
+  const std::int64_t n = problem.dimension();
   if (price == Price::free) return 0;
-  return static_cast<double>(price == Price::variables ? n : question.gradient_cost.value_or(n));
+  return static_cast<double>(price == Price::variables ? n : problem.gradient_cost.value_or(n));
 }
 
-/// What a run asks for until its question is solved; ten times all of it where that never happens.
+/// What a run requests until its problem is solved; ten times its total if it never solves it.
 struct Asked {
   double values = 0, gradients = 0, seconds = 0;
 };
 
-Asked asked_by(const StoredStanding& standing) {
+Asked asked_by(const CellResult& result) {
   Asked mean;
-  const auto runs = static_cast<double>(standing.outcomes.size());
-  for (const Outcome& outcome : standing.outcomes) {
-    // The ledger does not say what was asked when: a run is taken to ask evenly.
+  const auto runs = static_cast<double>(result.outcomes.size());
+  for (const Outcome& outcome : result.outcomes) {
+    // The ledger does not record when each request was made: we assume a constant rate.
     const double all = std::max<double>(static_cast<double>(outcome.evaluations), 1);
     const double times = outcome.verdict.solved ? evaluations_of(outcome) / all : 10;
     mean.values += times * static_cast<double>(outcome.values) / runs;
@@ -57,41 +57,41 @@ Asked asked_by(const StoredStanding& standing) {
   return mean;
 }
 
-/// What the entrants spend on one question, for each variable of it.
+/// What the entries spend on one problem, per variable.
 struct Spent {
-  double simulation = infinity;  ///< seconds an evaluation, at most: the least of any entrant
-  std::vector<std::array<Expense, prices.size()>> expenses;  ///< of each entrant, at each price
+  double simulation = infinity;  ///< [s] per evaluation, an upper bound: the least of any entry
+  std::vector<std::array<Expense, prices.size()>> expenses;  ///< of each entry, at each price
 };
 
-Spent spent_on(const Question& question, const Field& field, std::size_t q) {
-  const auto variables = static_cast<double>(question.stated.dimension());
+Spent spent_on(const Problem& problem, const EntrySet& set, std::size_t q) {
+  const auto variables = static_cast<double>(problem.dimension());
   std::vector<Asked> asked;
   Spent spent;
-  for (const Entrant& entrant : field.entrants) {
-    const Asked& one = asked.emplace_back(asked_by(*entrant.standings[q]));
-    const double evaluations = one.values + price_on(question, Price::measured) * one.gradients;
+  for (const Entry& entry : set.entries) {
+    const Asked& one = asked.emplace_back(asked_by(*entry.results[q]));
+    const double evaluations = one.values + price_on(problem, Price::measured) * one.gradients;
     if (evaluations > 0) spent.simulation = std::min(spent.simulation, one.seconds / evaluations);
   }
   for (const Asked& one : asked) {
-    const double evaluations = one.values + price_on(question, Price::measured) * one.gradients;
+    const double evaluations = one.values + price_on(problem, Price::measured) * one.gradients;
     const double overhead =
         evaluations > 0 ? std::max(one.seconds - evaluations * spent.simulation, 0.0) : one.seconds;
     auto& at = spent.expenses.emplace_back();
     for (std::size_t p = 0; p < prices.size(); ++p) {
-      at[p] = {question.cost * one.values / variables,
-               question.cost * price_on(question, prices[p]) * one.gradients / variables,
+      at[p] = {problem.cost * one.values / variables,
+               problem.cost * price_on(problem, prices[p]) * one.gradients / variables,
                overhead / variables};
     }
   }
   return spent;
 }
 
-/// Mean over these questions.
+/// Mean over the problems.
 std::vector<Expense> mean_expenses(const std::vector<Spent>& all,
-                                   const std::vector<std::size_t>& questions, std::size_t price) {
+                                   const std::vector<std::size_t>& problems, std::size_t price) {
   std::vector<Expense> means(all.front().expenses.size(), Expense{0, 0, 0});
-  const auto count = static_cast<double>(questions.size());
-  for (const std::size_t q : questions) {
+  const auto count = static_cast<double>(problems.size());
+  for (const std::size_t q : problems) {
     for (std::size_t e = 0; e < means.size(); ++e) {
       const Expense& one = all[q].expenses[e][price];
       means[e].evaluations += one.evaluations / count;
@@ -102,9 +102,9 @@ std::vector<Expense> mean_expenses(const std::vector<Spent>& all,
   return means;
 }
 
-/// From this cost of a simulation on this entrant is ahead.
+/// The entry that is ahead from this cost of a simulation on.
 struct Stretch {
-  std::size_t entrant;
+  std::size_t entry;
   double from;
 };
 
@@ -120,7 +120,7 @@ std::vector<Stretch> stretches_of(const std::vector<Expense>& expenses) {
       if (level && *level > from) next = std::min(next, *level);
     }
     if (next >= dearest_simulation) return stretches;
-    // Where several are level, the one that is ahead afterwards.
+    // If several entries are level, take the one that is ahead just above this cost.
     from = next * (1 + 1e-9);
     const std::size_t after = cheapest_solvers(expenses, {from}, {1})[0][0];
     if (after == ahead) return stretches;
@@ -128,8 +128,8 @@ std::vector<Stretch> stretches_of(const std::vector<Expense>& expenses) {
   }
 }
 
-/// Share of samples of the questions, drawn with replacement, in which this entrant is ahead here.
-double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t entrant,
+/// Returns the share of bootstrap samples of the problems in which this entry is ahead here.
+double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t entry,
                 double simulation, std::uint64_t seed) {
   Random random(seed);
   int ahead = 0;
@@ -139,7 +139,7 @@ double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t 
       q = static_cast<std::size_t>(uniform(random) * static_cast<double>(spent.size()));
     }
     const auto expenses = mean_expenses(spent, drawn, price);
-    if (cheapest_solvers(expenses, {simulation}, {1})[0][0] == entrant) ++ahead;
+    if (cheapest_solvers(expenses, {simulation}, {1})[0][0] == entry) ++ahead;
   }
   return ahead / static_cast<double>(resamples);
 }
@@ -149,28 +149,28 @@ std::string seconds_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.2g} ms", 1e3 * seconds) : fmt::format("{:.2g} s", seconds);
 }
 
-Json rows_of(const Field& field, const std::vector<Spent>& spent,
+Json rows_of(const EntrySet& set, const std::vector<Spent>& spent,
              const std::vector<Stretch>& stretches, std::size_t price) {
   Json rows = Json::array();
   for (std::size_t k = 0; k < stretches.size(); ++k) {
-    const Entrant& entrant = field.entrants[stretches[k].entrant];
+    const Entry& entry = set.entries[stretches[k].entry];
     const bool last = k + 1 == stretches.size();
     const double until = last ? dearest_simulation : stretches[k + 1].from;
     rows.push_back(
-        {{"family", field.family},
+        {{"family", set.family},
          {"price", name_of(prices[price])},
-         {"solver", entrant.solver},
-         {"form", entrant.form},
+         {"solver", entry.solver},
+         {"formulation", entry.formulation},
          {"from", k == 0 ? Json() : Json(stretches[k].from)},
          {"until", last ? Json() : Json(until)},
-         {"sure", sureness(spent, price, stretches[k].entrant, std::sqrt(stretches[k].from * until),
-                           seed_of("break-even", field.family, static_cast<int>(k),
+         {"sure", sureness(spent, price, stretches[k].entry, std::sqrt(stretches[k].from * until),
+                           seed_of("break-even", set.family, static_cast<int>(k),
                                    static_cast<int>(price)))}});
   }
   return rows;
 }
 
-Json curves_of(const Field& field, const std::vector<Expense>& expenses,
+Json curves_of(const EntrySet& set, const std::vector<Expense>& expenses,
                const std::vector<std::size_t>& drawn) {
   Json curves = Json::array();
   for (const std::size_t e : drawn) {
@@ -184,34 +184,34 @@ Json curves_of(const Field& field, const std::vector<Expense>& expenses,
       }
       points.push_back({{"simulation", simulation}, {"ratio", least > 0 ? mine / least : 1}});
     }
-    curves.push_back({{"solver", field.entrants[e].solver},
-                      {"form", field.entrants[e].form},
+    curves.push_back({{"solver", set.entries[e].solver},
+                      {"formulation", set.entries[e].formulation},
                       {"points", std::move(points)}});
   }
   return curves;
 }
 
-std::string title_of(const Field& field, const std::vector<Stretch>& stretches) {
-  const auto solver = [&](const Stretch& s) { return field.entrants[s.entrant].solver; };
+std::string title_of(const EntrySet& set, const std::vector<Stretch>& stretches) {
+  const auto solver = [&](const Stretch& s) { return set.entries[s.entry].solver; };
   if (stretches.size() == 1) {
-    return fmt::format("{}: {} is ahead at any cost of a simulation", field.family,
+    return fmt::format("{}: {} is ahead at any cost of a simulation", set.family,
                        solver(stretches.front()));
   }
-  return fmt::format("{}: {} is ahead of {} from {} a simulation on", field.family,
+  return fmt::format("{}: {} is ahead of {} from {} a simulation on", set.family,
                      solver(stretches.back()), solver(stretches[stretches.size() - 2]),
                      seconds_text(stretches.back().from));
 }
 
-Json break_even_of(const Campaign& campaign, const Field& field) {
+Json break_even_of(const Campaign& campaign, const EntrySet& set) {
   std::vector<Spent> spent;
   std::vector<std::size_t> all;
   std::vector<double> simulations;
-  for (std::size_t q = 0; q < field.questions.size(); ++q) {
-    const Question& question = campaign.questions()[field.questions[q]];
-    spent.push_back(spent_on(question, field, q));
+  for (std::size_t q = 0; q < set.problems.size(); ++q) {
+    const Problem& problem = campaign.problems()[set.problems[q]];
+    spent.push_back(spent_on(problem, set, q));
     all.push_back(q);
     if (std::isfinite(spent[q].simulation)) {
-      simulations.push_back(spent[q].simulation / question.cost);
+      simulations.push_back(spent[q].simulation / problem.cost);
     }
   }
   Json rows = Json::array();
@@ -220,30 +220,30 @@ Json break_even_of(const Campaign& campaign, const Field& field) {
   std::vector<std::size_t> drawn;
   for (std::size_t p = 0; p < prices.size(); ++p) {
     const std::vector<Stretch> stretches = stretches_of(mean_expenses(spent, all, p));
-    for (Json& row : rows_of(field, spent, stretches, p)) rows.push_back(std::move(row));
+    for (Json& row : rows_of(set, spent, stretches, p)) rows.push_back(std::move(row));
     for (const Stretch& stretch : stretches) {
-      if (std::find(drawn.begin(), drawn.end(), stretch.entrant) == drawn.end()) {
-        drawn.push_back(stretch.entrant);
+      if (std::find(drawn.begin(), drawn.end(), stretch.entry) == drawn.end()) {
+        drawn.push_back(stretch.entry);
       }
     }
-    if (prices[p] == Price::measured) title = title_of(field, stretches);
+    if (prices[p] == Price::measured) title = title_of(set, stretches);
   }
   constexpr auto measured = static_cast<std::size_t>(Price::measured);
   Json here = Json::array();
   if (!simulations.empty()) here.push_back({{"simulation", mean_cost(simulations)}});
-  return {{"family", field.family},
-          {"budget", field.budget},
-          {"questions", field.questions.size()},
+  return {{"family", set.family},
+          {"budget", set.budget},
+          {"problems", set.problems.size()},
           {"title", title},
           {"here", std::move(here)},
-          {"curves", curves_of(field, mean_expenses(spent, all, measured), drawn)},
+          {"curves", curves_of(set, mean_expenses(spent, all, measured), drawn)},
           {"rows", std::move(rows)}};
 }
 
 }  // namespace
 
-Json break_even_data(const Campaign& campaign, const std::vector<Field>& fields) {
-  return of_compared(fields, [&](const Field& field) { return break_even_of(campaign, field); });
+Json break_even_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
+  return of_compared(sets, [&](const EntrySet& set) { return break_even_of(campaign, set); });
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

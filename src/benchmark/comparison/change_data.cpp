@@ -1,4 +1,4 @@
-#include "src/studies/contest/change_data.h"
+#include "src/benchmark/comparison/change_data.h"
 
 #include <fmt/format.h>
 
@@ -9,17 +9,17 @@
 #include <utility>
 #include <vector>
 
-#include "src/studies/contest/group.h"
-#include "src/studies/contest/machine_results.h"
-#include "src/studies/contest/order.h"
-#include "src/studies/contest/reported_part.h"
+#include "src/benchmark/comparison/group.h"
+#include "src/benchmark/comparison/machine_results.h"
+#include "src/benchmark/comparison/order.h"
+#include "src/benchmark/comparison/reported_part.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-/// One value of what is changed.
+/// One value of the setting that is varied.
 struct Setting {
   std::string name;
   std::vector<Rating> ratings;  ///< the best first
@@ -41,31 +41,30 @@ void add_rows(Json& rows, const std::string& family, const std::string& changed,
                     {"same_leader", setting.order.leader == usual.order.leader},
                     {"best", first.probability_of_being_best},
                     {"found", first.found},
-                    {"competitors", setting.ratings.size()},
+                    {"entries", setting.ratings.size()},
                     {"agreement", is_usual ? Json() : agreement_of(usual.order, setting.order)}});
   }
 }
 
-std::vector<Rating> rated(const StoredContest& contest, const std::vector<Standing>& standings,
-                          const std::vector<std::size_t>& questions) {
-  return rate(contest.plan, standings, questions, contest.plan.budgets.size() - 1);
+std::vector<Rating> rated(const Comparison& comparison, const std::vector<std::size_t>& problems) {
+  return rate(comparison, problems, comparison.part->budgets.size() - 1);
 }
 
-void add_prices(Json& rows, const Campaign& campaign, const std::vector<StoredStanding>& standings,
+void add_prices(Json& rows, const Campaign& campaign, const std::vector<CellResult>& results,
                 const ReportedPart& part) {
   std::vector<std::string> prices = campaign.plan().parts[part.part].gradient_prices;
   std::stable_partition(prices.begin(), prices.end(), [&](const std::string& price) {
     return price == part.usual.gradient_price;
   });
   if (prices.size() < 2) return;
-  std::vector<std::string> families;  // in the order of the questions
+  std::vector<std::string> families;  // in the order of the problems
   std::map<std::string, std::vector<Setting>> settings;
   for (const std::string& price : prices) {
     Conditions conditions = part.usual;
     conditions.gradient_price = price;
-    const StoredContest contest = stored_contest(campaign, standings, conditions);
-    for (const Group& group : groups_of(contest)) {
-      std::vector<Rating> ratings = rated(contest, contest.standings, group.questions);
+    const Comparison comparison = comparison_of(campaign, results, conditions);
+    for (const Group& group : groups_of(comparison)) {
+      std::vector<Rating> ratings = rated(comparison, group.problems);
       Order order = order_of(ratings);
       if (!settings.contains(group.family)) families.push_back(group.family);
       settings[group.family].push_back({price, std::move(ratings), std::move(order)});
@@ -76,50 +75,54 @@ void add_prices(Json& rows, const Campaign& campaign, const std::vector<StoredSt
   }
 }
 
-/// The widths of the surrogates that anybody is shown, the usual one first.
-std::vector<double> widths_of(const StoredContest& contest, const Group& group, bool penalised) {
+/// The smoothing parameters of the surrogates that are used, the default one first.
+std::vector<double> smoothings_of(const Comparison& comparison, const Group& group,
+                                  bool penalised) {
   std::set<double> found;
-  for (const Standing& s : contest.standings) {
-    const auto& mine = group.questions;
-    if (std::find(mine.begin(), mine.end(), s.question) == mine.end()) continue;
-    if (s.form.width > 0 && s.form.penalised == penalised) found.insert(s.form.width);
+  for (const CellResult& result : comparison.results) {
+    const Formulation& formulation = result.cell->formulation;
+    if (!group.has(result)) continue;
+    if (formulation.smoothing > 0 && formulation.penalised == penalised)
+      found.insert(formulation.smoothing);
   }
-  std::vector<double> widths(found.begin(), found.end());
-  const double usual = contest.plan.questions[group.questions.front()].width;
-  std::stable_partition(widths.begin(), widths.end(), [&](double w) { return w == usual; });
-  return widths;
+  std::vector<double> smoothings(found.begin(), found.end());
+  const double usual = comparison.campaign->problems()[group.problems.front()].smoothing;
+  std::stable_partition(smoothings.begin(), smoothings.end(), [&](double w) { return w == usual; });
+  return smoothings;
 }
 
-void add_widths(Json& rows, const StoredContest& contest, const Group& group) {
+void add_smoothings(Json& rows, const Comparison& comparison, const Group& group) {
   for (const bool penalised : {false, true}) {
     std::vector<Setting> settings;
-    const std::vector<double> widths = widths_of(contest, group, penalised);
-    if (widths.size() < 2) continue;
-    for (const double width : widths) {
-      std::vector<Standing> shown = contest.standings;
-      const Form form{width, penalised};
-      std::erase_if(shown, [&](const Standing& s) { return s.form != form; });
-      std::vector<Rating> ratings = rated(contest, shown, group.questions);
-      Order order = order_in(ratings, ratings.front().form);
-      settings.push_back({fmt::format("{}", width), std::move(ratings), std::move(order)});
+    const std::vector<double> smoothings = smoothings_of(comparison, group, penalised);
+    if (smoothings.size() < 2) continue;
+    for (const double smoothing : smoothings) {
+      Comparison shown = comparison;
+      const Formulation formulation{smoothing, penalised};
+      std::erase_if(shown.results,
+                    [&](const CellResult& r) { return r.cell->formulation != formulation; });
+      std::vector<Rating> ratings = rated(shown, group.problems);
+      Order order = order_in(ratings, ratings.front().formulation);
+      settings.push_back({fmt::format("{}", smoothing), std::move(ratings), std::move(order)});
     }
     add_rows(rows, group.family,
-             penalised ? "width of the penalised surrogate" : "width of the surrogate", settings);
+             penalised ? "smoothing of the penalised surrogate" : "smoothing of the surrogate",
+             settings);
   }
 }
 
-void add_levels(Json& rows, const StoredContest& contest, const Group& group) {
+void add_levels(Json& rows, const Comparison& comparison, const Group& group) {
   std::map<std::string, std::map<double, std::vector<std::size_t>>> factors;
-  for (const std::size_t q : group.questions) {
-    for (const auto& [name, level] : contest.plan.questions[q].factors) {
+  for (const std::size_t q : group.problems) {
+    for (const auto& [name, level] : comparison.campaign->problems()[q].factors) {
       factors[name][level].push_back(q);
     }
   }
   for (const auto& [name, levels] : factors) {
     if (levels.size() < 2) continue;
     std::vector<Setting> settings;
-    for (const auto& [level, questions] : levels) {
-      std::vector<Rating> ratings = rated(contest, contest.standings, questions);
+    for (const auto& [level, problems] : levels) {
+      std::vector<Rating> ratings = rated(comparison, problems);
       Order order = order_of(ratings);
       settings.push_back({level_name(name, level), std::move(ratings), std::move(order)});
     }
@@ -129,20 +132,20 @@ void add_levels(Json& rows, const StoredContest& contest, const Group& group) {
 
 }  // namespace
 
-Json change_data(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+Json change_data(const Campaign& campaign, const std::vector<CellResult>& results,
                  const std::vector<ReportedPart>& parts) {
   Json rows = Json::array();
   for (const ReportedPart& part : parts) {
-    add_prices(rows, campaign, standings, part);
-    const StoredContest contest = stored_contest(campaign, standings, part.usual);
+    add_prices(rows, campaign, results, part);
+    const Comparison comparison = comparison_of(campaign, results, part.usual);
     const bool of_grid = !campaign.plan().parts[part.part].machines.around.empty();
-    for (Group group : groups_of(contest)) {
+    for (Group group : groups_of(comparison)) {
       group.family = part.families.at(group.family);
-      add_widths(rows, contest, group);
-      if (of_grid) add_levels(rows, contest, group);
+      add_smoothings(rows, comparison, group);
+      if (of_grid) add_levels(rows, comparison, group);
     }
   }
   return rows;
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,4 +1,4 @@
-#include "src/studies/contest/factor_data.h"
+#include "src/benchmark/comparison/factor_data.h"
 
 #include <fmt/format.h>
 
@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "src/statistics/factorial_effects.h"
-#include "src/studies/contest/machine_results.h"
+#include "src/benchmark/comparison/machine_results.h"
+#include "src/benchmark/statistics/factorial_effects.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-constexpr std::size_t shown_competitors = 5;
+constexpr std::size_t shown_entries = 5;
 
 std::size_t level_of(const std::vector<double>& levels, double value) {
   return static_cast<std::size_t>(std::find(levels.begin(), levels.end(), value) - levels.begin());
@@ -31,10 +31,10 @@ constexpr Measure measures[] = {{"share solved", &MachineResult::solved},
                                 {"log10 of evaluations", &MachineResult::cost},
                                 {"targets reached", &MachineResult::accuracy}};
 
-/// Adds the effects that are sure, and the mean, to `rows`; how many are not to `unsure`; and all
-/// main effects on the share solved to `main`.
+/// Adds the significant effects and the mean to `rows`, the number of effects that are not
+/// significant to `unsure`, and all main effects on the share solved to `main`.
 void add_effects(Json& rows, std::size_t& unsure, Json& main, const std::string& family,
-                 const ByCompetitor::value_type& competitor,
+                 const ByEntry::value_type& entry,
                  const std::map<std::string, std::vector<double>>& factors) {
   std::vector<std::string> names;
   std::vector<std::size_t> sizes;
@@ -45,12 +45,12 @@ void add_effects(Json& rows, std::size_t& unsure, Json& main, const std::string&
   std::map<std::string, std::size_t> units;
   for (const Measure& measure : measures) {
     std::vector<Response> responses;
-    for (const MachineResult& result : competitor.second) {
+    for (const MachineResult& result : entry.second) {
       Response response{{},
-                        units.try_emplace(result.question->machine, units.size()).first->second,
+                        units.try_emplace(result.problem->machine, units.size()).first->second,
                         result.*measure.value};
       for (const auto& [name, levels] : factors) {
-        response.levels.push_back(level_of(levels, result.question->factors.at(name)));
+        response.levels.push_back(level_of(levels, result.problem->factors.at(name)));
       }
       responses.push_back(std::move(response));
     }
@@ -58,7 +58,7 @@ void add_effects(Json& rows, std::size_t& unsure, Json& main, const std::string&
     try {
       effects = factorial_effects(responses, sizes);
     } catch (const std::invalid_argument&) {
-      return;  // too few machines to tell
+      return;  // too few machines for an estimate
     }
     for (const FactorialEffect& effect : effects) {
       const bool sure = effect.interval.lower > 0 || effect.interval.upper < 0;
@@ -78,7 +78,7 @@ void add_effects(Json& rows, std::size_t& unsure, Json& main, const std::string&
                           level_name(name, factors.at(name)[effect.levels[f]]));
       }
       rows.push_back({{"family", family},
-                      {"competitor", name_of(competitor)},
+                      {"entry", name_of(entry)},
                       {"measure", measure.name},
                       {"of", of.empty() ? "mean" : of},
                       {"order", effect.factors.size()},
@@ -100,19 +100,19 @@ Json levels_of(const std::map<std::string, std::vector<double>>& factors) {
   return all;
 }
 
-void add_turns(Json& rows, const std::string& family, const ByCompetitor& competitors,
+void add_turns(Json& rows, const std::string& family, const ByEntry& entries,
                const std::map<std::string, std::vector<double>>& factors) {
   for (const auto& [name, levels] : factors) {
     for (const double level : levels) {
-      ByCompetitor here;
-      for (const auto& [competitor, results] : competitors) {
+      ByEntry here;
+      for (const auto& [entry, results] : entries) {
         for (const MachineResult& result : results) {
-          if (result.question->factors.at(name) == level) here[competitor].push_back(result);
+          if (result.problem->factors.at(name) == level) here[entry].push_back(result);
         }
       }
       const auto order = best_first(here);
-      const auto overall = best_first(competitors);
-      // Who is best over all machines may not take those of this level.
+      const auto overall = best_first(entries);
+      // The entry that is best over all machines may not take those of this level.
       const auto again = here.find(overall.front()->first);
       rows.push_back(
           {{"family", family},
@@ -130,30 +130,29 @@ void add_turns(Json& rows, const std::string& family, const ByCompetitor& compet
 
 }  // namespace
 
-Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+Json factor_data(const Campaign& campaign, const std::vector<CellResult>& results,
                  const std::vector<ReportedPart>& parts) {
   Json effects = Json::array();
   Json turns = Json::array();
   Json main_effects = Json::array();
   std::size_t unsure = 0;
   for (const ReportedPart& part : parts) {
-    for (const auto& [family, competitors] : machine_results(campaign, standings, part)) {
-      const auto factors = factors_of(competitors);
+    for (const auto& [family, entries] : machine_results(campaign, results, part)) {
+      const auto factors = factors_of(entries);
       if (factors.empty()) continue;
-      const auto order = best_first(competitors);
+      const auto order = best_first(entries);
       Json shown = Json::array();
-      for (std::size_t k = 0; k < std::min(shown_competitors, order.size()); ++k) {
+      for (std::size_t k = 0; k < std::min(shown_entries, order.size()); ++k) {
         Json main = Json::array();
         add_effects(effects, unsure, main, family, *order[k], factors);
         if (main.empty()) continue;
-        shown.push_back({{"competitor", name_of(*order[k])}, {"effects", std::move(main)}});
+        shown.push_back({{"entry", name_of(*order[k])}, {"effects", std::move(main)}});
       }
       if (!shown.empty()) {
-        main_effects.push_back({{"family", family},
-                                {"levels", levels_of(factors)},
-                                {"competitors", std::move(shown)}});
+        main_effects.push_back(
+            {{"family", family}, {"levels", levels_of(factors)}, {"entries", std::move(shown)}});
       }
-      add_turns(turns, family, competitors, factors);
+      add_turns(turns, family, entries, factors);
     }
   }
   return {{"effects", std::move(effects)},
@@ -162,4 +161,4 @@ Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& st
           {"turns", std::move(turns)}};
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,18 +1,18 @@
 #pragma once
 
+#include "src/benchmark/comparison/reported_part.h"
 #include "src/report/json.h"
-#include "src/studies/contest/reported_part.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 
-/// What restitution, friction, disturbance and fidelity do to solvers, for the families asked of
-/// machines that differ in all of them, with the largest budget and nothing disturbed:
+/// Effects of restitution, friction, disturbance and fidelity on solvers, for the families whose
+/// machines differ in all of them, with the largest budget and without perturbations:
 /// - `effects`: main effects and interactions on the share solved, the cost (log10 of the
 ///   evaluations to solve, or spent) and the accuracy (share of targets reached), of each family's
-///   five best competitors by share solved; the machine is the unit of the intervals;
-/// - `main_effects`: all main effects of these on the share solved, sure or not;
-/// - `turns`: who solves most at each level of each factor.
-report::Json factor_data(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+///   five best entries by share solved; the machine is the unit of the intervals;
+/// - `main_effects`: all their main effects on the share solved, significant or not;
+/// - `turns`: the entry that solves most at each level of each factor.
+report::Json factor_data(const Campaign& campaign, const std::vector<CellResult>& results,
                          const std::vector<ReportedPart>& parts);
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

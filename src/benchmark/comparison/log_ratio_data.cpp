@@ -1,4 +1,4 @@
-#include "src/studies/contest/log_ratio_data.h"
+#include "src/benchmark/comparison/log_ratio_data.h"
 
 #include <fmt/format.h>
 
@@ -7,23 +7,23 @@
 #include <string>
 #include <utility>
 
-#include "src/statistics/log_ratio_profile.h"
-#include "src/studies/contest/profile_data.h"
+#include "src/benchmark/comparison/profile_data.h"
+#include "src/benchmark/statistics/log_ratio_profile.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-Json log_ratios_of(const Campaign& campaign, const Field& field) {
-  const std::vector<const Entrant*> best = cheapest_first(campaign, field);
-  const Entrant& a = *best[0];
-  const Entrant& b = *best[1];
+Json log_ratios_of(const Campaign& campaign, const EntrySet& set) {
+  const std::vector<const Entry*> best = cheapest_first(campaign, set);
+  const Entry& a = *best[0];
+  const Entry& b = *best[1];
   std::vector<double> costs_of_a;
   std::vector<double> costs_of_b;
-  for (std::size_t q = 0; q < field.questions.size(); ++q) {
-    costs_of_a.push_back(running_time(campaign, *a.standings[q]));
-    costs_of_b.push_back(running_time(campaign, *b.standings[q]));
+  for (std::size_t q = 0; q < set.problems.size(); ++q) {
+    costs_of_a.push_back(running_time(campaign, *a.results[q]));
+    costs_of_b.push_back(running_time(campaign, *b.results[q]));
   }
   const std::array names{std::string("both solve it"), "only " + a.solver, "only " + b.solver,
                          std::string("neither does")};
@@ -36,7 +36,7 @@ Json log_ratios_of(const Campaign& campaign, const Field& field) {
     ++place;
     const auto kind = static_cast<std::size_t>(bar.solved_by);
     bars[kind].push_back({{"place", place},
-                          {"question", campaign.questions()[field.questions[bar.question]].name()},
+                          {"problem", campaign.problems()[set.problems[bar.problem]].name},
                           {"log2_ratio", bar.log2_ratio},
                           {"lower", std::min(bar.log2_ratio, 0.0)},
                           {"upper", std::max(bar.log2_ratio, 0.0)}});
@@ -48,23 +48,23 @@ Json log_ratios_of(const Campaign& campaign, const Field& field) {
   for (std::size_t k = 0; k < bars.size(); ++k) {
     if (!bars[k].empty()) kinds.push_back({{"solved_by", names[k]}, {"bars", std::move(bars[k])}});
   }
-  return {{"family", field.family},
+  return {{"family", set.family},
           {"a", a.solver},
           {"b", b.solver},
-          {"form_a", a.form},
-          {"form_b", b.form},
+          {"formulation_a", a.formulation},
+          {"formulation_b", b.formulation},
           {"ahead_a", ahead_a},
           {"ahead_b", ahead_b},
-          {"questions", field.questions.size()},
-          {"title", fmt::format("{}: {} needs less than {} on {} of {} questions", field.family,
-                                a.solver, b.solver, ahead_a, field.questions.size())},
+          {"problems", set.problems.size()},
+          {"title", fmt::format("{}: {} needs less than {} on {} of {} problems", set.family,
+                                a.solver, b.solver, ahead_a, set.problems.size())},
           {"kinds", std::move(kinds)}};
 }
 
 }  // namespace
 
-Json log_ratio_data(const Campaign& campaign, const std::vector<Field>& fields) {
-  return of_compared(fields, [&](const Field& field) { return log_ratios_of(campaign, field); });
+Json log_ratio_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
+  return of_compared(sets, [&](const EntrySet& set) { return log_ratios_of(campaign, set); });
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,4 +1,4 @@
-#include "src/studies/contest/machine_data.h"
+#include "src/benchmark/comparison/machine_data.h"
 
 #include <fmt/format.h>
 
@@ -6,59 +6,60 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "src/studies/contest/machine_results.h"
+#include "src/benchmark/comparison/machine_results.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-constexpr std::size_t mapped_competitors = 4;
-constexpr int landscape_points = 25;  // of a box
+constexpr std::size_t mapped_entries = 4;
+constexpr int landscape_points = 25;  // per edge of a box
 
 using Factors = std::map<std::string, std::vector<double>>;
 
-/// The machine's place: "restitution 0.1, friction 0.4", from the factor given on.
-std::string row_name(const Question& question, Factors::const_iterator factor,
+/// The machine's coordinates: "restitution 0.1, friction 0.4", from the given factor on.
+std::string row_name(const Problem& problem, Factors::const_iterator factor,
                      const Factors& factors) {
   std::string name;
   for (; factor != factors.end(); ++factor) {
     name += fmt::format("{}{} {}", name.empty() ? "" : ", ", factor->first,
-                        level_name(factor->first, question.factors.at(factor->first)));
+                        level_name(factor->first, problem.factors.at(factor->first)));
   }
   return name;
 }
 
-/// Rows of cells, one for each machine; several questions of one machine give their mean.
+/// Returns rows of cells, one for each machine; several problems of one machine are averaged.
 Json map_rows(const std::vector<MachineResult>& results, const Factors& factors,
               const std::function<double(const MachineResult&)>& value) {
   const auto& [column, levels] = *factors.begin();
   struct Cell {
     double sum = 0;
-    int questions = 0;
+    int problems = 0;
   };
   std::map<std::vector<double>, std::pair<std::string, std::vector<Cell>>> rows;
   for (const MachineResult& result : results) {
     std::vector<double> place;
     for (auto factor = std::next(factors.begin()); factor != factors.end(); ++factor) {
-      place.push_back(result.question->factors.at(factor->first));
+      place.push_back(result.problem->factors.at(factor->first));
     }
     auto& [name, cells] = rows[place];
-    name = row_name(*result.question, std::next(factors.begin()), factors);
+    name = row_name(*result.problem, std::next(factors.begin()), factors);
     cells.resize(levels.size());
-    const auto level = std::find(levels.begin(), levels.end(), result.question->factors.at(column));
+    const auto level = std::find(levels.begin(), levels.end(), result.problem->factors.at(column));
     Cell& cell = cells[static_cast<std::size_t>(level - levels.begin())];
     cell.sum += value(result);
-    ++cell.questions;
+    ++cell.problems;
   }
   Json all = Json::array();
   for (const auto& [place, row] : rows) {
     Json cells = Json::array();
     for (const Cell& cell : row.second) {
-      cells.push_back(cell.questions > 0 ? Json(cell.sum / cell.questions) : Json());
+      cells.push_back(cell.problems > 0 ? Json(cell.sum / cell.problems) : Json());
     }
     all.push_back({{"machine", row.first}, {"cells", std::move(cells)}});
   }
@@ -77,9 +78,21 @@ Json extent(const Json& rows) {
   return {{"least", least}, {"most", most}};
 }
 
-/// What the best known value of a question is for people: a speed is maximised.
+/// Returns the best known value as a user reads it: a maximised speed has its sign reversed.
 double best_known(const MachineResult& result) {
-  return std::abs(result.question->stated.best_known.value_or(0));
+  return std::abs(result.problem->best_known.value_or(0));
+}
+
+/// Returns the variable if the problem maximises it.
+std::optional<Variable> maximised_in(const Problem& problem) {
+  const bool is_maximised = problem.dimension() == 1 && problem.variables.size() == 1 &&
+                            problem.best_point && problem.best_known == -(*problem.best_point)[0];
+  return is_maximised ? std::optional(problem.variables.front()) : std::nullopt;
+}
+
+std::string label_of(const Variable& variable) {
+  return variable.unit.empty() ? variable.name
+                               : fmt::format("{} [{}]", variable.name, variable.unit);
 }
 
 Json columns_of(const Factors& factors) {
@@ -89,36 +102,36 @@ Json columns_of(const Factors& factors) {
   return columns;
 }
 
-/// What the best competitors solve: a map each.
-void add_solved(Json& maps, const std::string& family, const ByCompetitor& competitors,
+/// Adds a map of the share solved for each of the best entries.
+void add_solved(Json& maps, const std::string& family, const ByEntry& entries,
                 const Factors& factors) {
-  const auto order = best_first(competitors);
-  for (std::size_t k = 0; k < std::min(mapped_competitors, order.size()); ++k) {
+  const auto order = best_first(entries);
+  for (std::size_t k = 0; k < std::min(mapped_entries, order.size()); ++k) {
     maps.push_back({{"family", family},
                     {"column", factors.begin()->first},
                     {"columns", columns_of(factors)},
                     {"number", k + 1},
-                    {"competitor", name_of(*order[k])},
+                    {"entry", name_of(*order[k])},
                     {"share", mean_solved(order[k]->second)},
                     {"rows", map_rows(order[k]->second, factors,
                                       [](const MachineResult& r) { return r.solved; })}});
   }
 }
 
-/// Of the competitor that takes most questions, and so knows most machines.
-const std::vector<MachineResult>& widest(const ByCompetitor& competitors) {
+/// Returns the results of the entry that takes most problems, and so covers most machines.
+const std::vector<MachineResult>& widest(const ByEntry& entries) {
   return std::max_element(
-             competitors.begin(), competitors.end(),
+             entries.begin(), entries.end(),
              [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); })
       ->second;
 }
 
-/// What questions of one variable, without constraints, are truly worth over their box: a row a
-/// machine.
-void add_landscape(Json& landscapes, const std::string& family, const ByCompetitor& competitors,
+/// Adds the true objective over the box, a row for each machine, for problems of one variable
+/// without constraints.
+void add_landscape(Json& landscapes, const std::string& family, const ByEntry& entries,
                    const Factors& factors) {
-  const std::vector<MachineResult>& machines = widest(competitors);
-  const Problem& first = machines.front().question->stated;
+  const std::vector<MachineResult>& machines = widest(entries);
+  const Problem& first = *machines.front().problem;
   if (first.dimension() != 1 || first.constraints > 0) return;
   const Variable variable = first.variables.empty() ? Variable{"x", ""} : first.variables.front();
   const auto point = [&](int k) {
@@ -133,53 +146,50 @@ void add_landscape(Json& landscapes, const std::string& family, const ByCompetit
   for (const MachineResult& machine : machines) {
     Json cells = Json::array();
     for (int k = 0; k < landscape_points; ++k) {
-      cells.push_back(truth_at(machine.question->stated, point(k)).objective);
+      cells.push_back(true_values_at(*machine.problem, point(k)).objective);
     }
-    rows.push_back({{"machine", row_name(*machine.question, factors.begin(), factors)},
+    rows.push_back({{"machine", row_name(*machine.problem, factors.begin(), factors)},
                     {"cells", std::move(cells)}});
   }
-  landscapes.push_back(
-      {{"family", family},
-       {"axis", variable.unit.empty() ? variable.name
-                                      : fmt::format("{} [{}]", variable.name, variable.unit)},
-       {"columns", std::move(columns)},
-       {"rows", std::move(rows)},
-       {"value_label", family.starts_with("count") ? "collisions" : "objective"}});
+  landscapes.push_back({{"family", family},
+                        {"axis", label_of(variable)},
+                        {"columns", std::move(columns)},
+                        {"rows", std::move(rows)},
+                        {"value_label", first.source.empty() ? "objective" : first.source}});
 }
 
-Json family_data(const std::string& family, const ByCompetitor& competitors,
-                 const Factors& factors) {
-  const auto order = best_first(competitors);
-  const bool is_speed = family.starts_with("top-speed");
-  Json known = map_rows(widest(competitors), factors, best_known);
+Json family_data(const std::string& family, const ByEntry& entries, const Factors& factors) {
+  const auto order = best_first(entries);
+  const auto maximised = maximised_in(*widest(entries).front().problem);
+  Json known = map_rows(widest(entries), factors, best_known);
   const Json range = extent(known);
-  return {
-      {"family", family},
-      {"column", factors.begin()->first},
-      {"columns", columns_of(factors)},
-      {"known_label", is_speed ? "fastest quiet speed [rad/s]" : "best known value"},
-      {"known_title", fmt::format("{}: {:.3g} to {:.3g}{}", family, range["least"].get<double>(),
-                                  range["most"].get<double>(), is_speed ? " rad/s" : "")},
-      {"known", std::move(known)},
-      {"first", name_of(*order.front())},
-      {"first_share", mean_solved(order.front()->second)}};
+  return {{"family", family},
+          {"column", factors.begin()->first},
+          {"columns", columns_of(factors)},
+          {"known_label", maximised ? "largest " + label_of(*maximised) : "best known value"},
+          {"known_title",
+           fmt::format("{}: {:.3g} to {:.3g}{}", family, range["least"].get<double>(),
+                       range["most"].get<double>(), maximised ? " " + maximised->unit : "")},
+          {"known", std::move(known)},
+          {"first", name_of(*order.front())},
+          {"first_share", mean_solved(order.front()->second)}};
 }
 
 }  // namespace
 
-Json machine_data(const Campaign& campaign, const std::vector<StoredStanding>& standings,
+Json machine_data(const Campaign& campaign, const std::vector<CellResult>& results,
                   const std::vector<ReportedPart>& parts) {
   Json machines = Json::array();
   Json maps = Json::array();
   Json landscapes = Json::array();
   for (const ReportedPart& part : parts) {
-    if (campaign.plan().parts[part.part].machines.around.empty()) continue;  // no grid
-    for (const auto& [family, competitors] : machine_results(campaign, standings, part)) {
-      const Factors factors = factors_of(competitors);
+    if (campaign.plan().parts[part.part].machines.around.empty()) continue;  // not a grid
+    for (const auto& [family, entries] : machine_results(campaign, results, part)) {
+      const Factors factors = factors_of(entries);
       if (factors.size() < 2) continue;
-      machines.push_back(family_data(family, competitors, factors));
-      add_solved(maps, family, competitors, factors);
-      add_landscape(landscapes, family, competitors, factors);
+      machines.push_back(family_data(family, entries, factors));
+      add_solved(maps, family, entries, factors);
+      add_landscape(landscapes, family, entries, factors);
     }
   }
   return {{"machines", std::move(machines)},
@@ -187,4 +197,4 @@ Json machine_data(const Campaign& campaign, const std::vector<StoredStanding>& s
           {"landscapes", std::move(landscapes)}};
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

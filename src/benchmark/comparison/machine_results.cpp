@@ -1,4 +1,4 @@
-#include "src/studies/contest/machine_results.h"
+#include "src/benchmark/comparison/machine_results.h"
 
 #include <fmt/format.h>
 
@@ -7,22 +7,23 @@
 #include <set>
 
 #include "problems/carrier_track/scene/enum_names.h"
-#include "src/contest/rating.h"
+#include "src/benchmark/analysis/rating.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
-MachineResult result_of(const Question& question, const Outcomes& outcomes) {
-  MachineResult result{&question};
-  const std::vector<double> targets = targets_of(question);
+MachineResult result_of(const Problem& problem, const Outcomes& outcomes) {
+  MachineResult result{&problem};
+  const std::vector<double> targets = targets_of(problem);
   for (const Outcome& outcome : outcomes) {
     const Verdict& verdict = outcome.verdict;
     result.solved += verdict.solved ? 1 : 0;
     result.cost += std::log10(static_cast<double>(
         std::max<std::int64_t>(1, verdict.evaluations_to_solve.value_or(outcome.evaluations))));
-    if (!verdict.regret) continue;
+    if (!verdict.optimality_gap) continue;
     for (const double target : targets) {
-      result.accuracy += *verdict.regret <= target ? 1 / static_cast<double>(targets.size()) : 0;
+      result.accuracy +=
+          *verdict.optimality_gap <= target ? 1 / static_cast<double>(targets.size()) : 0;
     }
   }
   const auto runs = static_cast<double>(outcomes.size());
@@ -34,32 +35,32 @@ MachineResult result_of(const Question& question, const Outcomes& outcomes) {
 
 }  // namespace
 
-std::map<std::string, ByCompetitor> machine_results(const Campaign& campaign,
-                                                    const std::vector<StoredStanding>& standings,
-                                                    const ReportedPart& part) {
+std::map<std::string, ByEntry> machine_results(const Campaign& campaign,
+                                               const std::vector<CellResult>& results,
+                                               const ReportedPart& part) {
   const std::int64_t budget = campaign.plan().parts[part.part].budgets.back();
-  std::map<std::string, ByCompetitor> families;
-  for (const StoredStanding& s : standings) {
+  std::map<std::string, ByEntry> families;
+  for (const CellResult& s : results) {
     const Cell& cell = s.cell->cell;
-    const Question& question = campaign.questions()[s.cell->question];
+    const Problem& problem = campaign.problems()[s.cell->problem];
     const auto& asked = s.cell->parts;
     const bool counts = std::find(asked.begin(), asked.end(), part.part) != asked.end() &&
-                        !question.factors.empty() && cell.feature == part.usual.feature &&
+                        !problem.factors.empty() && cell.perturbation == part.usual.perturbation &&
                         cell.gradient_price == part.usual.gradient_price && cell.budget == budget;
     if (!counts) continue;
-    const std::string& family = part.families.at(campaign.family_of(s.cell->question));
-    families[family][{cell.solver, cell.form}].push_back(result_of(question, s.outcomes));
+    const std::string& family = part.families.at(campaign.family_of(s.cell->problem));
+    families[family][{cell.solver, cell.formulation}].push_back(result_of(problem, s.outcomes));
   }
   return families;
 }
 
-std::map<std::string, std::vector<double>> factors_of(const ByCompetitor& competitors) {
+std::map<std::string, std::vector<double>> factors_of(const ByEntry& entries) {
   std::map<std::string, std::set<double>> found;
   std::set<std::string> machines;
-  for (const auto& [competitor, results] : competitors) {
+  for (const auto& [entry, results] : entries) {
     for (const MachineResult& result : results) {
-      machines.insert(result.question->machine);
-      for (const auto& [name, value] : result.question->factors) found[name].insert(value);
+      machines.insert(result.problem->machine);
+      for (const auto& [name, value] : result.problem->factors) found[name].insert(value);
     }
   }
   std::map<std::string, std::vector<double>> factors;
@@ -76,17 +77,17 @@ double mean_solved(const std::vector<MachineResult>& results) {
   return sum / static_cast<double>(results.size());
 }
 
-std::vector<const ByCompetitor::value_type*> best_first(const ByCompetitor& competitors) {
-  std::vector<const ByCompetitor::value_type*> order;
-  for (const auto& competitor : competitors) order.push_back(&competitor);
+std::vector<const ByEntry::value_type*> best_first(const ByEntry& entries) {
+  std::vector<const ByEntry::value_type*> order;
+  for (const auto& entry : entries) order.push_back(&entry);
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
     return mean_solved(a->second) > mean_solved(b->second);
   });
   return order;
 }
 
-std::string name_of(const ByCompetitor::value_type& c) {
-  return competitor(c.first.first, c.first.second);
+std::string name_of(const ByEntry::value_type& c) {
+  return entry(c.first.first, c.first.second);
 }
 
 std::string level_name(const std::string& factor, double level) {
@@ -96,4 +97,4 @@ std::string level_name(const std::string& factor, double level) {
                                             static_cast<Fidelity>(std::lround(level))));
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

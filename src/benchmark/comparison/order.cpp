@@ -1,25 +1,25 @@
-#include "src/studies/contest/order.h"
+#include "src/benchmark/comparison/order.h"
 
-#include "src/statistics/rank_correlation.h"
+#include "src/benchmark/statistics/rank_correlation.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 
 using report::Json;
 
 Order order_of(const std::vector<Rating>& ratings) {
   Order order;
   for (const Rating& r : ratings) {
-    const std::string name = competitor(r.solver, r.form);
+    const std::string name = entry(r.solver, r.formulation);
     if (order.leader.empty()) order.leader = name;
     order.ranks[name] = r.rank;
   }
   return order;
 }
 
-Order order_in(const std::vector<Rating>& ratings, const std::string& form) {
+Order order_in(const std::vector<Rating>& ratings, const std::string& formulation) {
   Order order;
   for (const Rating& r : ratings) {
-    if (r.form != form) continue;
+    if (r.formulation != formulation) continue;
     if (order.leader.empty()) order.leader = r.solver;
     order.ranks[r.solver] = r.rank;
   }
@@ -39,10 +39,10 @@ Json agreement_of(const Order& a, const Order& b) {
   const auto correlation = kendall_rank_correlation(ranks_a, ranks_b);
   if (!correlation) return {};
   const Interval interval = kendall_interval(*correlation, ranks_a.size());
-  return {{"competitors", ranks_a.size()},
+  return {{"entries", ranks_a.size()},
           {"correlation", *correlation},
           {"lower", interval.lower},
           {"upper", interval.upper}};
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -5,27 +5,27 @@
 #include <string>
 #include <vector>
 
-#include "src/contest/rating.h"
+#include "src/benchmark/analysis/rating.h"
 #include "src/report/json.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 
-using namespace ricochet::contest;
+using namespace ricochet::comparison;
 
-/// Who is first, and the mean ranks by competitor.
+/// The first entry, and the mean ranks by entry.
 struct Order {
   std::string leader;
   std::map<std::string, double> ranks;
 };
 
-/// Of ratings with the best first: a competitor is a solver with a form.
+/// Returns the order of ratings sorted best first; an entry is a solver-formulation pair.
 Order order_of(const std::vector<Rating>& ratings);
 
-/// Of those among them that are shown this form: a competitor is a solver.
-Order order_in(const std::vector<Rating>& ratings, const std::string& form);
+/// Returns the order of those with this formulation; an entry is a solver.
+Order order_in(const std::vector<Rating>& ratings, const std::string& formulation);
 
-/// How alike two orders are, of those that are in both: "competitors", "correlation" (Kendall's),
-/// "lower" and "upper". Null of fewer than five, or where all are equal.
+/// Agreement of two orders, over the entries in both: "entries", "correlation" (Kendall's), "lower"
+/// and "upper". Null for fewer than five entries, or if all are tied.
 report::Json agreement_of(const Order& a, const Order& b);
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

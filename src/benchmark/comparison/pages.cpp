@@ -1,23 +1,19 @@
-#include "src/studies/contest/pages.h"
+#include "src/benchmark/comparison/pages.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-/// Lists whose rows say of which family they are, and belong on its page.
-constexpr const char* of_a_family[] = {"speed_accuracy_charts",
-                                       "profile_families",
-                                       "pair_families",
-                                       "log_ratio_families",
-                                       "break_even_families",
-                                       "forms",
-                                       "ceilings"};
+/// Lists whose rows name their family and belong on its page.
+constexpr const char* of_a_family[] = {
+    "speed_accuracy_charts", "profile_families", "pair_families", "log_ratio_families",
+    "break_even_families",   "formulations",     "ceilings"};
 
 Json rows_of(const Json& all, const std::string& family) {
   Json rows = Json::array();
@@ -37,8 +33,9 @@ Json taken(Json& from, std::initializer_list<const char*> keys) {
   return to;
 }
 
-/// A row for each solver with the share of runs it solves of each family with the largest budget,
-/// in its best form; whoever takes most families first, of these who solves most.
+/// Returns a row for each solver with the share of runs solved in each family with the largest
+/// budget, in its best formulation; sorted by the number of families taken, then by the share
+/// solved.
 Json solver_map(const Json& speed_accuracy, const Json& families) {
   std::map<std::string, Json> shares;
   for (const Json& row : speed_accuracy) {
@@ -85,10 +82,10 @@ Json in_pages(Json all) {
     Json leader = group["budgets"].back()["leader"];
     families.push_back({{"family", family},
                         {"budget", group["budgets"].back()["budget"]},
-                        {"questions", group["questions"].size()},
+                        {"problems", group["problems"].size()},
                         {"leader", std::move(leader)}});
     Json page = std::move(group);
-    page["report"] = "contest_family";
+    page["report"] = "comparison_family";
     for (const char* key : of_a_family) page[key] = rows_of(all[key], family);
     pages.push_back({{"folder", family}, {"data", std::move(page)}});
   }
@@ -99,22 +96,24 @@ Json in_pages(Json all) {
     if (key == std::string("speed_accuracy_charts")) continue;
     all.erase(key);
   }
-  // Those of single families are on their pages, too: here only where nothing joins them.
+  // Charts of single families are also on their own pages; they stand here only if there is no
+  // joint one.
   const Json joint = rows_of(all["speed_accuracy_charts"], "all");
   if (!joint.empty()) all["speed_accuracy_charts"] = joint;
   Json machines = taken(all, {"machines", "machine_maps", "landscapes", "turns", "effects",
                               "unsure_effects", "main_effects"});
   if (!machines["machines"].empty() || !machines["turns"].empty()) {
-    machines["report"] = "contest_machines";
+    machines["report"] = "comparison_machines";
     pages.push_back({{"folder", "across-machines"}, {"data", std::move(machines)}});
   }
-  Json failures = taken(all, {"features", "feature_names", "feature_rows", "atlas", "atlas_maps"});
-  if (!failures["features"].empty()) {
-    failures["report"] = "contest_failures";
+  Json failures = taken(
+      all, {"perturbations", "perturbation_names", "perturbation_rows", "atlas", "atlas_maps"});
+  if (!failures["perturbations"].empty()) {
+    failures["report"] = "comparison_failures";
     pages.push_back({{"folder", "failure-atlas"}, {"data", std::move(failures)}});
   }
   all["pages"] = std::move(pages);
   return all;
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,4 +1,4 @@
-#include "src/studies/contest/feature_data.h"
+#include "src/benchmark/comparison/perturbation_data.h"
 
 #include <fmt/format.h>
 
@@ -9,69 +9,73 @@
 #include <tuple>
 #include <utility>
 
-#include "src/statistics/fisher_exact_test.h"
-#include "src/statistics/holm.h"
-#include "src/statistics/mean_share.h"
-#include "src/statistics/signed_rank_test.h"
-#include "src/studies/contest/atlas_data.h"
+#include "src/benchmark/comparison/atlas_data.h"
+#include "src/benchmark/statistics/fisher_exact_test.h"
+#include "src/benchmark/statistics/holm.h"
+#include "src/benchmark/statistics/mean_share.h"
+#include "src/benchmark/statistics/signed_rank_test.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-constexpr double level = 0.05;  // of the tests
+constexpr double level = 0.05;  // significance level of the tests
 
-/// The runs of one competitor on the questions of a family under one feature.
+/// The runs of one entry on the problems of a family under one perturbation.
 struct Tally {
   int solved = 0, runs = 0;
 
   double share() const { return solved / static_cast<double>(runs); }
 };
 
-using ByFeature = std::map<std::string, Tally>;
+using ByPerturbation = std::map<std::string, Tally>;
 
-/// Family and solver, then form.
-using Table = std::map<std::pair<std::string, std::string>, std::map<std::string, ByFeature>>;
+/// Family and solver, then formulation.
+using Table = std::map<std::pair<std::string, std::string>, std::map<std::string, ByPerturbation>>;
 
-/// The form in which a solver does best, under what features there are together: by the runs with
-/// nothing disturbed alone, those that were lucky there would seem to be harmed by everything.
-const std::pair<const std::string, ByFeature>& best_form(
-    const std::map<std::string, ByFeature>& forms) {
-  const auto mean = [](const ByFeature& tallies) {
+/// Returns the formulation in which a solver does best over all perturbations together. The
+/// unperturbed runs alone would be biased: a formulation that was lucky there would seem to be
+/// harmed by every perturbation.
+const std::pair<const std::string, ByPerturbation>& best_formulation(
+    const std::map<std::string, ByPerturbation>& formulations) {
+  const auto mean = [](const ByPerturbation& tallies) {
     double sum = 0;
-    for (const auto& [feature, tally] : tallies) sum += tally.share();
+    for (const auto& [perturbation, tally] : tallies) sum += tally.share();
     return sum / static_cast<double>(tallies.size());
   };
-  return *std::max_element(forms.begin(), forms.end(), [&](const auto& a, const auto& b) {
-    return mean(a.second) < mean(b.second);
-  });
+  return *std::max_element(
+      formulations.begin(), formulations.end(),
+      [&](const auto& a, const auto& b) { return mean(a.second) < mean(b.second); });
 }
 
-/// What a feature was tried on, and the same with nothing disturbed, so that the two differ in the
-/// feature alone.
-std::vector<StoredStanding> disturbed(const std::vector<StoredStanding>& all) {
+/// Returns the results under a perturbation and those of the same cells without it, so that the two
+/// differ in the perturbation alone.
+std::vector<CellResult> disturbed(const std::vector<CellResult>& all) {
   const auto place = [](const Cell& cell) {
-    return std::tie(cell.question, cell.form, cell.solver, cell.budget);
+    return std::tie(cell.problem, cell.formulation, cell.solver, cell.budget);
   };
   std::set<std::tuple<std::string, std::string, std::string, std::int64_t>> tried;
-  for (const StoredStanding& s : all) {
-    if (s.cell->cell.feature != "plain") tried.insert(place(s.cell->cell));
+  for (const CellResult& s : all) {
+    const bool is_perturbation =
+        s.cell->perturbation != nullptr && s.cell->cell.perturbation != "plain";
+    if (is_perturbation) tried.insert(place(s.cell->cell));
   }
-  std::vector<StoredStanding> standings;
-  for (const StoredStanding& s : all) {
-    if (s.cell->cell.gradient_price == "n" && tried.contains(place(s.cell->cell))) {
-      standings.push_back(s);
+  std::vector<CellResult> results;
+  for (const CellResult& s : all) {
+    const bool counts = s.cell->perturbation != nullptr && s.cell->cell.gradient_price == "n";
+    if (counts && tried.contains(place(s.cell->cell))) {
+      results.push_back(s);
     }
   }
-  return standings;
+  return results;
 }
 
-/// A competitor before and after.
+/// An entry without and with the perturbation.
 struct Change {
   std::string solver, family;
   Tally before, after;
-  double p = 1;  ///< Fisher's, adjusted by Holm for all competitors under the feature
+  double p = 1;  ///< Fisher's exact test, with Holm's correction over all entries
 
   double difference() const { return after.share() - before.share(); }
 };
@@ -89,7 +93,7 @@ Json mean_json(const std::vector<Change>& changes, Tally Change::*when) {
   return {{"share", mean.mean}, {"lower", mean.interval.lower}, {"upper", mean.interval.upper}};
 }
 
-/// Those that are surely worse off, the most harmed first.
+/// Returns those that do significantly worse, the most harmed first.
 Json surely_harmed(std::vector<Change>& changes) {
   std::vector<double> p_values;
   for (const Change& c : changes) {
@@ -108,16 +112,16 @@ Json surely_harmed(std::vector<Change>& changes) {
   return harmed;
 }
 
-Json summary_of(const Feature& feature, std::vector<Change>& changes) {
+Json summary_of(const Perturbation& perturbation, std::vector<Change>& changes) {
   std::vector<double> differences;
   for (const Change& change : changes) differences.push_back(change.difference());
   Json harmed = surely_harmed(changes);
   const auto sturdy = std::max_element(
       changes.begin(), changes.end(),
       [](const Change& a, const Change& b) { return a.after.share() < b.after.share(); });
-  return {{"feature", feature.name},
-          {"summary", feature.summary},
-          {"competitors", changes.size()},
+  return {{"perturbation", perturbation.name},
+          {"summary", perturbation.summary},
+          {"entries", changes.size()},
           {"before", mean_json(changes, &Change::before)},
           {"after", mean_json(changes, &Change::after)},
           {"p", signed_rank_test(differences)},
@@ -126,7 +130,7 @@ Json summary_of(const Feature& feature, std::vector<Change>& changes) {
           {"sturdy", change_json(*sturdy)}};
 }
 
-/// Of so many features some would seem to change something by chance: Holm's adjustment.
+/// With many perturbations some would seem significant by chance: Holm's correction.
 void adjust(Json& summaries) {
   std::vector<double> p_values;
   for (const Json& row : summaries) p_values.push_back(row["p"]);
@@ -139,17 +143,17 @@ void adjust(Json& summaries) {
 
 }  // namespace
 
-Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& all) {
-  const std::vector<StoredStanding> standings = disturbed(all);
-  const auto largest = largest_budgets(standings);
+Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& all) {
+  const std::vector<CellResult> results = disturbed(all);
+  const auto largest = largest_budgets(results);
   std::set<std::string> there;
   Table table;
-  for (const StoredStanding& s : standings) {
+  for (const CellResult& s : results) {
     const Cell& cell = s.cell->cell;
-    there.insert(cell.feature);
-    if (cell.budget != largest.at(s.cell->question)) continue;
-    Tally& tally =
-        table[{campaign.family_of(s.cell->question), cell.solver}][cell.form][cell.feature];
+    there.insert(cell.perturbation);
+    if (cell.budget != largest.at(s.cell->problem)) continue;
+    Tally& tally = table[{campaign.family_of(s.cell->problem), cell.solver}][cell.formulation]
+                        [cell.perturbation];
     for (const Outcome& outcome : s.outcomes) tally.solved += outcome.verdict.solved ? 1 : 0;
     tally.runs += static_cast<int>(s.outcomes.size());
   }
@@ -157,35 +161,35 @@ Json feature_data(const Campaign& campaign, const std::vector<StoredStanding>& a
   Json summaries = Json::array();
   Json rows = Json::array();
   std::map<std::string, std::vector<Change>> changes;
-  std::vector<const Feature*> features;
-  for (const Feature& feature : all_features()) {
-    if (!there.contains(feature.name)) continue;
-    features.push_back(&feature);
-    names.push_back({{"feature", feature.name}});
+  std::vector<const Perturbation*> perturbations;
+  for (const Perturbation& perturbation : all_perturbations()) {
+    if (!there.contains(perturbation.name)) continue;
+    perturbations.push_back(&perturbation);
+    names.push_back({{"perturbation", perturbation.name}});
   }
-  for (const auto& [key, forms] : table) {
-    const auto& [form, tallies] = best_form(forms);
+  for (const auto& [key, formulations] : table) {
+    const auto& [formulation, tallies] = best_formulation(formulations);
     const auto plain = tallies.find("plain");
     Json cells = Json::array();
-    for (const Feature* feature : features) {
-      const auto mine = tallies.find(feature->name);
+    for (const Perturbation* perturbation : perturbations) {
+      const auto mine = tallies.find(perturbation->name);
       cells.push_back(mine == tallies.end() ? Json() : Json(mine->second.share()));
       if (mine == tallies.end() || plain == tallies.end() || mine == plain) continue;
-      changes[feature->name].push_back({key.second, key.first, plain->second, mine->second});
+      changes[perturbation->name].push_back({key.second, key.first, plain->second, mine->second});
     }
-    rows.push_back({{"competitor", fmt::format("{}: {}, {}", key.first, key.second, form)},
+    rows.push_back({{"entry", fmt::format("{}: {}, {}", key.first, key.second, formulation)},
                     {"shares", std::move(cells)}});
   }
-  for (const Feature* feature : features) {
-    const auto found = changes.find(feature->name);
-    if (found != changes.end()) summaries.push_back(summary_of(*feature, found->second));
+  for (const Perturbation* perturbation : perturbations) {
+    const auto found = changes.find(perturbation->name);
+    if (found != changes.end()) summaries.push_back(summary_of(*perturbation, found->second));
   }
   adjust(summaries);
-  Json data = {{"features", std::move(summaries)},
-               {"feature_names", std::move(names)},
-               {"feature_rows", std::move(rows)}};
-  data.update(atlas_data(campaign, standings));
+  Json data = {{"perturbations", std::move(summaries)},
+               {"perturbation_names", std::move(names)},
+               {"perturbation_rows", std::move(rows)}};
+  data.update(atlas_data(campaign, results));
   return data;
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,4 +1,4 @@
-#include "src/studies/contest/speed_accuracy_data.h"
+#include "src/benchmark/comparison/speed_accuracy_data.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <limits>
 #include <utility>
 
-#include "src/contest/result.h"
-#include "src/statistics/bootstrap.h"
-#include "src/statistics/mean_share.h"
-#include "src/statistics/order_statistic_interval.h"
-#include "src/statistics/pareto_front.h"
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/analysis/result.h"
+#include "src/benchmark/statistics/bootstrap.h"
+#include "src/benchmark/statistics/mean_share.h"
+#include "src/benchmark/statistics/order_statistic_interval.h"
+#include "src/benchmark/statistics/pareto_front.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
@@ -23,67 +23,69 @@ Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json();
 }
 
-/// The mean share with its interval: over questions, or of one alone over the runs that differ.
-MeanShare share_of(const Entrant& entrant, const std::vector<double>& shares) {
+/// Mean share with its interval: over the problems, or over the runs that differ if there is one
+/// problem.
+MeanShare share_of(const Entry& entry, const std::vector<double>& shares) {
   if (shares.size() > 1) return mean_share(shares);
-  const double distinct = result_of(entrant.standings.front()->outcomes).distinct;
+  const double distinct = result_of(entry.results.front()->outcomes).distinct;
   return {shares.front(), wilson_interval(shares.front() * distinct, distinct)};
 }
 
-/// Adds the median regret with its interval.
-void add_regret(Json& row, const Entrant& entrant, std::vector<double> regrets) {
-  if (regrets.size() == 1) {
-    regrets.clear();
-    for (const Outcome& outcome : entrant.standings.front()->outcomes) {
-      regrets.push_back(outcome.verdict.regret.value_or(std::numeric_limits<double>::infinity()));
+/// Adds the median optimality gap with its interval.
+void add_optimality_gap(Json& row, const Entry& entry, std::vector<double> optimality_gaps) {
+  if (optimality_gaps.size() == 1) {
+    optimality_gaps.clear();
+    for (const Outcome& outcome : entry.results.front()->outcomes) {
+      optimality_gaps.push_back(
+          outcome.verdict.optimality_gap.value_or(std::numeric_limits<double>::infinity()));
     }
   }
-  row["regret"] = finite(quantile(regrets, 0.5));
-  const auto interval = order_statistic_interval(regrets);
-  row["regret_lower"] = interval ? finite(interval->lower) : Json();
-  row["regret_upper"] = interval ? finite(interval->upper) : Json();
+  row["optimality_gap"] = finite(quantile(optimality_gaps, 0.5));
+  const auto interval = order_statistic_interval(optimality_gaps);
+  row["optimality_gap_lower"] = interval ? finite(interval->lower) : Json();
+  row["optimality_gap_upper"] = interval ? finite(interval->upper) : Json();
 }
 
-Json row_of(const Campaign& campaign, const Field& field, const Entrant& entrant) {
+Json row_of(const Campaign& campaign, const EntrySet& set, const Entry& entry) {
   std::vector<double> evaluations;
   std::vector<double> seconds;
   std::vector<double> shares;
-  std::vector<double> regrets;
+  std::vector<double> optimality_gaps;
   std::size_t runs = 0;
-  for (const StoredStanding* standing : entrant.standings) {
-    const OnQuestion one = on_question(campaign, *standing);
+  for (const CellResult* result : entry.results) {
+    const OnProblem one = on_problem(campaign, *result);
     evaluations.push_back(one.evaluations);
     seconds.push_back(one.seconds);
     shares.push_back(one.share);
-    regrets.push_back(one.regret);
-    runs += standing->outcomes.size();
+    optimality_gaps.push_back(one.optimality_gap);
+    runs += result->outcomes.size();
   }
-  const MeanShare share = share_of(entrant, shares);
-  const bool joint = field.budget == 0;
-  Json row = {{"family", field.family},
-              {"part", joint ? Json() : Json(field.part + 1)},
-              {"budget", joint ? Json() : Json(field.budget)},
-              {"largest", field.largest},
-              {"solver", entrant.solver},
-              {"form", entrant.form},
-              {"questions", entrant.standings.size()},
-              {"complete", entrant.standings.size() == field.questions.size()},
+  const MeanShare share = share_of(entry, shares);
+  const bool joint = set.budget == 0;
+  Json row = {{"family", set.family},
+              {"part", joint ? Json() : Json(set.part + 1)},
+              {"budget", joint ? Json() : Json(set.budget)},
+              {"largest", set.largest},
+              {"solver", entry.solver},
+              {"formulation", entry.formulation},
+              {"problems", entry.results.size()},
+              {"complete", entry.results.size() == set.problems.size()},
               {"runs", runs},
               {"evaluations", mean_cost(evaluations)},
               {"seconds", mean_cost(seconds)},
               {"share", share.mean},
               {"share_lower", share.interval.lower},
               {"share_upper", share.interval.upper},
-              {"regret", nullptr},
-              {"regret_lower", nullptr},
-              {"regret_upper", nullptr},
+              {"optimality_gap", nullptr},
+              {"optimality_gap_lower", nullptr},
+              {"optimality_gap_upper", nullptr},
               {"on_front", false},
               {"on_time_front", false}};
-  if (!joint) add_regret(row, entrant, std::move(regrets));
+  if (!joint) add_optimality_gap(row, entry, std::move(optimality_gaps));
   return row;
 }
 
-/// Marks the rows that no other one beats in both.
+/// Marks the rows on the Pareto front.
 void mark_front(Json& rows, const char* cost, const char* mark) {
   std::vector<CostAndError> points;
   for (const Json& row : rows) {
@@ -92,10 +94,10 @@ void mark_front(Json& rows, const char* cost, const char* mark) {
   for (const std::size_t k : pareto_front(points)) rows[k][mark] = true;
 }
 
-/// The rows of those that take all questions.
-Json complete_rows(const Campaign& campaign, const Field& field) {
+/// The rows of the entries that take all problems.
+Json complete_rows(const Campaign& campaign, const EntrySet& set) {
   Json rows = Json::array();
-  for (const Entrant& entrant : field.entrants) rows.push_back(row_of(campaign, field, entrant));
+  for (const Entry& entry : set.entries) rows.push_back(row_of(campaign, set, entry));
   mark_front(rows, "evaluations", "on_front");
   mark_front(rows, "seconds", "on_time_front");
   return rows;
@@ -105,7 +107,7 @@ std::string spent_text(double cost, bool by_time) {
   return by_time ? fmt::format("{:.2g} ms", 1e3 * cost) : fmt::format("{:.3g} evaluations", cost);
 }
 
-/// What the front says, in words.
+/// The Pareto front in words.
 std::string title_of(const std::string& name, const Json& front, std::size_t all, bool by_time) {
   const auto about = [&](const Json& dot) {
     return fmt::format("{} ({:.0f} %, {})", dot["solver"].get<std::string>(),
@@ -120,7 +122,7 @@ std::string title_of(const std::string& name, const Json& front, std::size_t all
   if (fastest["cost"] == surest["cost"]) {
     return fmt::format("{}: {} is first in both, of {}", name, about(surest), all);
   }
-  // The axis tells the cost: with it the title would be too long.
+  // The axis names the cost: with it the title would be too long.
   return fmt::format("{}: {} of {} lead, from {} ({:.0f} %) to {} ({:.0f} %)", name, front.size(),
                      all, fastest["solver"].get<std::string>(),
                      100 * fastest["share"].get<double>(), surest["solver"].get<std::string>(),
@@ -168,31 +170,31 @@ Json chart_of(const std::string& name, const Json& rows, bool by_time) {
 
 }  // namespace
 
-Json speed_accuracy_data(const Campaign& campaign, const std::vector<Field>& fields) {
+Json speed_accuracy_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
   Json all = Json::array();
   Json charts = Json::array();
   Json fronts = Json::array();
-  const auto add = [&](const Field& field, bool draws_time) {
-    Json rows = complete_rows(campaign, field);
-    if (field.largest && !rows.empty()) {
-      charts.push_back(chart_of(field.family, rows, false));
-      if (draws_time) charts.push_back(chart_of(field.family, rows, true));
+  const auto add = [&](const EntrySet& set, bool draws_time) {
+    Json rows = complete_rows(campaign, set);
+    if (set.largest && !rows.empty()) {
+      charts.push_back(chart_of(set.family, rows, false));
+      if (draws_time) charts.push_back(chart_of(set.family, rows, true));
       for (const Json& row : rows) {
         if (!row["on_front"].get<bool>() && !row["on_time_front"].get<bool>()) continue;
         fronts.push_back(row);
       }
     }
     for (Json& row : rows) all.push_back(std::move(row));
-    for (const Entrant& entrant : field.partial) {
-      all.push_back(row_of(campaign, field, entrant));
+    for (const Entry& entry : set.partial) {
+      all.push_back(row_of(campaign, set, entry));
     }
   };
-  const Field joint = joint_field(campaign, fields);
+  const EntrySet joint = joint_entry_set(campaign, sets);
   add(joint, true);
-  for (const Field& field : fields) add(field, joint.entrants.empty());
+  for (const EntrySet& set : sets) add(set, joint.entries.empty());
   return {{"speed_accuracy", std::move(all)},
           {"speed_accuracy_charts", std::move(charts)},
           {"speed_accuracy_front", std::move(fronts)}};
 }
 
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

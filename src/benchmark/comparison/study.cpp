@@ -1,4 +1,4 @@
-#include "src/studies/contest/study.h"
+#include "src/benchmark/comparison/study.h"
 
 #include <fmt/format.h>
 
@@ -12,45 +12,45 @@
 
 #include "problems/families.h"
 #include "solvers/solvers.h"
-#include "src/contest/chosen.h"
-#include "src/contest/stored_contest.h"
+#include "src/benchmark/analysis/chosen.h"
+#include "src/benchmark/analysis/comparison.h"
+#include "src/benchmark/comparison/answers.h"
+#include "src/benchmark/comparison/break_even_data.h"
+#include "src/benchmark/comparison/change_data.h"
+#include "src/benchmark/comparison/entry_set.h"
+#include "src/benchmark/comparison/factor_data.h"
+#include "src/benchmark/comparison/failure_data.h"
+#include "src/benchmark/comparison/formulation_data.h"
+#include "src/benchmark/comparison/group.h"
+#include "src/benchmark/comparison/log_ratio_data.h"
+#include "src/benchmark/comparison/machine_data.h"
+#include "src/benchmark/comparison/order_data.h"
+#include "src/benchmark/comparison/pages.h"
+#include "src/benchmark/comparison/pair_data.h"
+#include "src/benchmark/comparison/perturbation_data.h"
+#include "src/benchmark/comparison/profile_data.h"
+#include "src/benchmark/comparison/relocated_optimum_data.h"
+#include "src/benchmark/comparison/reported_part.h"
+#include "src/benchmark/comparison/share_data.h"
+#include "src/benchmark/comparison/speed_accuracy_data.h"
+#include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/core/error.h"
 #include "src/core/near_names.h"
 #include "src/core/patterns.h"
-#include "src/store/stored_parts.h"
-#include "src/studies/contest/break_even_data.h"
-#include "src/studies/contest/change_data.h"
-#include "src/studies/contest/drawn_plan.h"
-#include "src/studies/contest/factor_data.h"
-#include "src/studies/contest/failure_data.h"
-#include "src/studies/contest/feature_data.h"
-#include "src/studies/contest/field.h"
-#include "src/studies/contest/form_data.h"
-#include "src/studies/contest/group.h"
-#include "src/studies/contest/history_data.h"
-#include "src/studies/contest/log_ratio_data.h"
-#include "src/studies/contest/machine_data.h"
-#include "src/studies/contest/order_data.h"
-#include "src/studies/contest/pages.h"
-#include "src/studies/contest/pair_data.h"
-#include "src/studies/contest/profile_data.h"
-#include "src/studies/contest/reported_part.h"
-#include "src/studies/contest/speed_accuracy_data.h"
-#include "src/studies/contest/twin_data.h"
 
 namespace ricochet::studies {
 namespace {
 
-using namespace contest;
+using namespace comparison;
 using report::Json;
 
-/// What the standing contest asks: the paper's questions, and those of 2 to 32 variables, which
-/// tell solvers apart.
-constexpr const char* standing_questions =
+/// Problems of the default comparison: the paper's, and those of 2 to 32 variables that separate
+/// solvers well.
+constexpr const char* standing_problems =
     "count-*,top-speed-*,hard-top-speed-*,profile-count-[28]-C[14],profile-count-32-C4,"
     "design-count-C[149],robust-worst-C4";
 
-/// Who leads in every group with every budget.
+/// Returns the leading entries of every group with every budget.
 Json leaders_of(const Json& groups) {
   Json rows = Json::array();
   for (const Json& group : groups) {
@@ -66,17 +66,18 @@ Json leaders_of(const Json& groups) {
   return rows;
 }
 
-/// What the solvers said at the ends of their starts, over all standings.
-Json exits_of(const std::vector<Standing>& standings) {
-  std::map<std::string, std::map<std::string, int>> exits;
-  for (const Standing& standing : standings) {
-    for (const Outcome& outcome : standing.outcomes) {
-      for (const std::string& exit : outcome.exits) ++exits[standing.solver][exit];
-      if (!outcome.failure.empty()) ++exits[standing.solver]["failed: " + outcome.failure];
+/// Counts the termination reasons of the solvers' starts, over all results.
+Json exits_of(const std::vector<CellResult>& results) {
+  std::map<std::string, std::map<std::string, int>> terminations;
+  for (const auto& [cell, outcomes] : results) {
+    auto& mine = terminations[cell->cell.solver];
+    for (const Outcome& outcome : outcomes) {
+      for (const std::string& exit : outcome.terminations) ++mine[exit];
+      if (!outcome.failure.empty()) ++mine["failed: " + outcome.failure];
     }
   }
   Json rows = Json::array();
-  for (const auto& [solver, reasons] : exits) {
+  for (const auto& [solver, reasons] : terminations) {
     int all = 0;
     for (const auto& [reason, times] : reasons) all += times;
     for (const auto& [reason, times] : reasons) {
@@ -89,8 +90,8 @@ Json exits_of(const std::vector<Standing>& standings) {
   return rows;
 }
 
-/// Patterns of solvers, and those that were added.
-std::vector<std::string> solvers_of(const ContestOptions& options, const Catalogue& catalogue) {
+/// Patterns of solvers, and the solvers that were added.
+std::vector<std::string> solvers_of(const ComparisonOptions& options, const Catalogue& catalogue) {
   chosen_solvers(catalogue.solvers, options.solvers, "--solvers");
   std::vector<std::string> names;
   for (const Solver& solver : catalogue.solvers) names.push_back(solver.name);
@@ -113,7 +114,35 @@ std::vector<std::string> solvers_of(const ContestOptions& options, const Catalog
   return solvers;
 }
 
-void check(const ContestOptions& options) {
+/// Returns parts that check whether the ranking is robust: with other seeds, on machines drawn
+/// around the cases, and with the best point elsewhere in the box.
+std::vector<PlanPart> checks_of(const PlanPart& part) {
+  constexpr int most_draws = 5;  // a search takes as long as about a hundred runs
+  PlanPart again = part;
+  again.budgets = {part.budgets.front()};
+  again.seeds = 2;
+  PlanPart drawn = part;
+  drawn.budgets = {part.budgets.back()};
+  drawn.drawn_machines = std::min(part.instances, most_draws);
+  drawn.instances = 1;
+  PlanPart relocated = part;
+  relocated.budgets = {part.budgets.front()};
+  relocated.smoothings.clear();
+  relocated.relocated_optimum = true;
+  return {again, drawn, relocated};
+}
+
+bool leaves_runs(const Plan& plan, const PlanPart& part, const Catalogue& catalogue) {
+  Plan alone = plan;
+  alone.parts = {part};
+  try {
+    return Campaign(alone, catalogue).runs() > 0;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+void check(const ComparisonOptions& options) {
   if (options.instances < 1) {
     throw InputError(fmt::format("--instances {}: must be >= 1", options.instances));
   }
@@ -123,84 +152,68 @@ void check(const ContestOptions& options) {
     }
   }
   ricochet::check(options.limits);
-  for (const double width : options.widths) {
-    if (width > 0 && std::isfinite(width)) continue;
-    throw InputError(fmt::format("--widths {}: must be finite and > 0", width));
+  for (const double smoothing : options.smoothings) {
+    if (smoothing > 0 && std::isfinite(smoothing)) continue;
+    throw InputError(fmt::format("--smoothings {}: must be finite and > 0", smoothing));
   }
 }
 
-/// What came of one part: lists. `wider`: what a contest asks beside its own runs, of machines
-/// drawn around the cases and of boxes with the best point elsewhere.
-Json results_of(const Campaign& campaign, const std::vector<StoredStanding>& stored,
-                const ReportedPart& part, bool wider) {
-  const StoredContest contest = stored_contest(campaign, stored, part.usual);
-  const ContestPlan& plan = contest.plan;
-  std::vector<Group> groups = groups_of(contest);
+/// The results of one part: lists.
+Json results_of(const Campaign& campaign, const std::vector<CellResult>& results,
+                const ReportedPart& part) {
+  const Comparison comparison = comparison_of(campaign, results, part.usual);
+  const std::vector<std::size_t> problems = comparison.problems();
+  const PlanPart& asked = *comparison.part;
+  std::vector<Group> groups = groups_of(comparison);
   std::erase_if(groups,
                 [&](const Group& group) { return part.asked_again.contains(group.family); });
   for (Group& group : groups) group.family = part.families.at(group.family);
-  std::vector<Standing> again;
-  if (const auto other = repetition_of(campaign, part.part)) {
-    Conditions conditions = part.usual;
-    conditions.part = *other;
-    conditions.run = 1;
-    again = stored_contest(campaign, stored, conditions).standings;
-  }
-  const Ratings ratings = ratings_of(plan, contest.standings, groups);
-  Json group_rows = group_data(plan, contest.standings, groups, ratings);
-  const Json twins = wider ? twin_data(plan) : Json{{"questions", 0}, {"rows", Json::array()}};
-  std::int64_t least = plan.questions.front().stated.dimension();
-  std::int64_t most = least;
-  for (const Question& question : plan.questions) {
-    least = std::min<std::int64_t>(least, question.stated.dimension());
-    most = std::max<std::int64_t>(most, question.stated.dimension());
-  }
-  return {{"plans",
-           {{{"variables",
-              least == most ? std::to_string(least) : fmt::format("{} to {}", least, most)},
-             {"questions", plan.questions.size()},
-             {"several", most > 1},
-             {"least", plan.budgets.front()},
-             {"most", plan.budgets.back()},
-             {"two_budgets", plan.budgets.size() > 1},
-             {"instances", plan.instances},
-             {"twins", twins["questions"]},
-             {"standings", contest.standings.size()}}}},
+  const Ratings ratings = ratings_of(comparison, groups);
+  const Json group_rows = group_data(comparison, groups, ratings);
+  Json plan = variables_of(campaign, problems);
+  plan.update({{"problems", problems.size()},
+               {"least", asked.budgets.front()},
+               {"most", asked.budgets.back()},
+               {"two_budgets", asked.budgets.size() > 1},
+               {"instances", asked.instances},
+               {"standings", comparison.results.size()}});
+  return {{"plans", Json::array({plan})},
           {"leaders", leaders_of(group_rows)},
           {"groups", group_rows},
-          {"forms", form_data(plan, contest.standings, groups)},
-          {"ceilings", ceiling_data(plan, groups)},
-          {"orders", order_data(plan, contest.standings, again,
-                                wider ? drawn_plan(plan) : ContestPlan{}, groups, ratings)},
-          {"history", history_data(plan, contest.standings, groups)},
-          {"twins", twins["rows"]},
-          {"exits", exits_of(contest.standings)},
-          {"failures", failure_data(plan, contest.standings)}};
+          {"formulations", formulation_data(comparison, groups)},
+          {"ceilings", ceiling_data(comparison, groups)},
+          {"orders", order_data(comparison, results, part, groups, ratings)},
+          {"terminations", exits_of(comparison.results)},
+          {"failures", failure_data(comparison)}};
 }
 
-Json compute(const Campaign& campaign, const Store& store, bool wider) {
+Json compute(const Campaign& campaign, const Store& store) {
   Digest digest(store.description());
-  const std::vector<StoredStanding> stored = stored_standings(
-      campaign, store, [&](const StoredRun& run) { digest.add(run.key, run.record); });
+  const std::vector<CellResult> results =
+      cell_results(campaign, store, [&](const StoredRun& run) { digest.add(run.key, run.record); });
   const std::vector<ReportedPart> parts = reported_parts(campaign);
   Json data;
+  for (const char* key : {"plans", "leaders", "groups", "formulations", "ceilings", "orders",
+                          "terminations", "failures"}) {
+    data[key] = Json::array();
+  }
   for (const ReportedPart& part : parts) {
-    Json results = results_of(campaign, stored, part, wider);
-    for (auto& [key, rows] : results.items()) {
-      if (data[key].is_null()) data[key] = Json::array();
+    Json of_part = results_of(campaign, results, part);
+    for (auto& [key, rows] : of_part.items()) {
       for (Json& row : rows) data[key].push_back(std::move(row));
     }
   }
-  const std::vector<Field> fields = fields_of(campaign, stored, parts);
-  data.update(speed_accuracy_data(campaign, fields));
-  data["profile_families"] = profile_data(campaign, fields);
-  data["pair_families"] = pair_data(campaign, fields);
-  data["log_ratio_families"] = log_ratio_data(campaign, fields);
-  data["break_even_families"] = break_even_data(campaign, fields);
-  data.update(feature_data(campaign, stored));
-  data.update(factor_data(campaign, stored, parts));
-  data.update(machine_data(campaign, stored, parts));
-  data["changes"] = change_data(campaign, stored, parts);
+  data.update(relocated_optimum_data(campaign, results));
+  const std::vector<EntrySet> sets = entry_sets_of(campaign, results, parts);
+  data.update(speed_accuracy_data(campaign, sets));
+  data["profile_families"] = profile_data(campaign, sets);
+  data["pair_families"] = pair_data(campaign, sets);
+  data["log_ratio_families"] = log_ratio_data(campaign, sets);
+  data["break_even_families"] = break_even_data(campaign, sets);
+  data.update(perturbation_data(campaign, results));
+  data.update(factor_data(campaign, results, parts));
+  data.update(machine_data(campaign, results, parts));
+  data["changes"] = change_data(campaign, results, parts);
   Json solvers = Json::array();
   const std::vector<Solver> known = all_solvers();
   for (const Solver& solver : campaign.solvers()) {
@@ -209,25 +222,28 @@ Json compute(const Campaign& campaign, const Store& store, bool wider) {
     solvers.push_back({{"name", solver.name}, {"version", solver.version}, {"outside", outside}});
   }
   data["campaign"] = campaign.plan().name;
+  data["compared"] = campaign.plan().name.starts_with("compare");  // true for the command `compare`
   data["runs"] = campaign.runs();
   data["digest"] = digest.text();
   data["solvers"] = std::move(solvers);
-  return in_pages(std::move(data));
+  data = in_pages(std::move(data));
+  data["answers"] = answers_data(data);
+  return data;
 }
 
 }  // namespace
 
-Plan contest_plan(const ContestOptions& options, bool quick, const Catalogue& catalogue) {
+Plan comparison_plan(const ComparisonOptions& options, bool quick, const Catalogue& catalogue) {
   check(options);
   Plan plan;
   plan.name = quick ? "compare --quick" : "compare";
   plan.limits = options.limits;
   PlanPart one;
-  const std::string patterns = options.questions.empty() ? standing_questions : options.questions;
-  one.questions = split_patterns(patterns);
+  const std::string patterns = options.problems.empty() ? standing_problems : options.problems;
+  one.problems = split_patterns(patterns);
   one.solvers = solvers_of(options, catalogue);
-  one.forms = split_patterns(options.forms);
-  one.widths = options.widths;
+  one.formulations = split_patterns(options.formulations);
+  one.smoothings = options.smoothings;
   one.instances = quick ? std::min(options.instances, 5) : options.instances;
   one.most_variables = 1;
   PlanPart several = one;
@@ -236,28 +252,26 @@ Plan contest_plan(const ContestOptions& options, bool quick, const Catalogue& ca
   using Budgets = std::vector<std::int64_t>;
   one.budgets = quick ? Budgets{20, 100} : Budgets{100, 1000};
   several.budgets = quick ? Budgets{20, 50} : Budgets{20, 200};
-  const std::vector<Question> chosen =
-      chosen_questions(every_question(catalogue.families), patterns, "--questions");
+  const std::vector<Problem> chosen =
+      chosen_problems(every_problem(catalogue.families), patterns, "--problems");
   for (PlanPart& part : {std::ref(one), std::ref(several)}) {
     if (!options.budgets.empty()) part.budgets = options.budgets;
-    const bool any = std::any_of(chosen.begin(), chosen.end(), [&](const Question& question) {
-      const std::int64_t n = question.stated.dimension();
+    const bool any = std::any_of(chosen.begin(), chosen.end(), [&](const Problem& problem) {
+      const std::int64_t n = problem.dimension();
       return part.least_variables <= n && n <= part.most_variables;
     });
     if (!any) continue;
     plan.parts.push_back(part);
-    // The same with other seeds: would the order be another?
-    PlanPart again = part;
-    again.budgets = {part.budgets.front()};
-    again.seeds = 2;
-    plan.parts.push_back(again);
+    for (const PlanPart& check : checks_of(part)) {
+      if (leaves_runs(plan, check, catalogue)) plan.parts.push_back(check);
+    }
   }
   return plan;
 }
 
-Study contest_study(const Campaign& campaign, const Store& store, bool wider) {
-  return {"contest", "Fewer instances and evaluations",
-          [&campaign, &store, wider](bool) { return compute(campaign, store, wider); }};
+Study comparison_study(const Campaign& campaign, const Store& store) {
+  return {"comparison", "Fewer instances and evaluations",
+          [&campaign, &store](bool) { return compute(campaign, store); }};
 }
 
 }  // namespace ricochet::studies

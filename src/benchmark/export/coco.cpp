@@ -1,4 +1,4 @@
-#include "src/export/coco.h"
+#include "src/benchmark/export/coco.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "src/export/best_so_far.h"
-#include "src/export/judged_runs.h"
-#include "src/export/numbering.h"
-#include "src/export/output_file.h"
-#include "src/export/running_times.h"
+#include "src/benchmark/analysis/judged_runs.h"
+#include "src/benchmark/export/best_so_far.h"
+#include "src/benchmark/export/numbering.h"
+#include "src/benchmark/export/output_file.h"
+#include "src/benchmark/export/running_times.h"
 
 namespace ricochet::exports {
 namespace {
@@ -24,22 +24,24 @@ constexpr const char* coco_readme =
     "A campaign of ricochet for the post-processing of COCO, https://github.com/numbbo/coco:\n"
     "python -m cocopp FOLDER FOLDER ...\n"
     "\n"
-    "Every folder is one algorithm: a solver, in the form it is shown, with a feature that "
+    "Every folder is one algorithm: a solver, in the formulation it is shown, with a perturbation "
+    "that "
     "disturbs\n"
     "it, a gradient's price, and a budget in evaluations for each variable, as runs of another\n"
-    "budget are other runs. Every question is one function of its own number of variables;\n"
+    "budget are other runs. Every problem is one function of its own number of variables;\n"
     "running_times.csv says which is which.\n"
     "\n"
     "The files pose as those of COCO's suite bbob-mixint, of which cocopp opens 5 and 6 variables\n"
-    "and functions 1 to 24 only. Questions of 5 and 6 variables have the first numbers; all "
+    "and functions 1 to 24 only. Problems of 5 and 6 variables have the first numbers; all "
     "others\n"
     "are here too, and take a cocopp that was told of them. Its names of functions are not ours.\n"
     "\n"
-    "Values are regrets, the true objective less the best known (fopt), of feasible points only.\n"
+    "Values are optimality gaps, the true objective less the best known (fopt), of feasible points "
+    "only.\n"
     "Until one is found they are 1e30. Evaluations are as charged, gradients at their price; "
     "those\n"
     "of constraints come with them and are not counted again. Coordinates are known of the best\n"
-    "point, else nan. cocopp's targets do not know the questions' tolerances: solved or not is in\n"
+    "point, else nan. cocopp's targets do not know the problems' tolerances: solved or not is in\n"
     "running_times.csv, with expected running times until then, runs that did not get there "
     "charged\n"
     "in full, runs that are alike counted once, intervals of 95 %. Runs on the same instance have\n"
@@ -53,20 +55,20 @@ std::int64_t after(std::int64_t count) {
   return power * (digit == 1 ? 2 : digit == 2 ? 5 : 10);
 }
 
-/// Files of one algorithm on one question.
+/// Files of one algorithm on one problem.
 class Case {
  public:
-  Case(const JudgedRun& first, Numbering& numbering, const fs::path& folder)
+  Case(const comparison::JudgedRun& first, Numbering& numbering, const fs::path& folder)
       : root_(folder / numbering.algorithm(first.stored.key.cell)),
-        id_(numbering.function_id(first.question.name)),
-        variables_(first.question.variables),
+        id_(numbering.function_id(first.problem.name)),
+        variables_(first.problem.variables),
         algorithm_(numbering.algorithm(first.stored.key.cell)),
         stem_(fmt::format("data_f{0}/bbobexp_f{0}_DIM{1}", id_, variables_)),
         improvements_(made(root_ / (stem_ + ".dat"))),
         counts_(root_ / (stem_ + ".tdat")) {}
 
-  void add(const JudgedRun& run) {
-    const double fopt = run.question.best_known;
+  void add(const comparison::JudgedRun& run) {
+    const double fopt = run.problem.best_known;
     const std::string header = header_of(fopt);
     improvements_.write(header);
     counts_.write(header);
@@ -74,10 +76,10 @@ class Case {
     const auto& trace = run.stored.record.trace;
     std::int64_t count = 1;
     for (std::size_t k = 0; k < steps.size(); ++k) {
-      const bool is_best = steps[k].regret == steps.back().regret && !trace.empty() &&
-                           trace.back().truth.violation <= 0;
+      const bool is_best = steps[k].optimality_gap == steps.back().optimality_gap &&
+                           !trace.empty() && trace.back().true_values.violation <= 0;
       const std::string values =
-          values_of(steps[k].regret, fopt, is_best ? &trace.back().x : nullptr);
+          values_of(steps[k].optimality_gap, fopt, is_best ? &trace.back().x : nullptr);
       improvements_.write(fmt::format("{} {}", steps[k].evaluations, values));
       const bool last = k + 1 == steps.size();
       for (; !last && count < steps[k + 1].evaluations; count = after(count)) {
@@ -86,7 +88,7 @@ class Case {
       if (last) counts_.write(fmt::format("{} {}", steps[k].evaluations, values));
     }
     summary_ += fmt::format(", {}:{}|{:.1e}", run.stored.key.instance, steps.back().evaluations,
-                            steps.back().regret);
+                            steps.back().optimality_gap);
   }
 
   void close() {
@@ -114,10 +116,11 @@ class Case {
     return header + "\n";
   }
 
-  /// All of a row but its evaluations. Readers leave out rows without every coordinate.
-  std::string values_of(double regret, double fopt, const Vector* x) const {
-    const double fitness = regret == nothing_feasible ? regret : fopt + regret;
-    std::string values = fmt::format("0 {0:+} {1:+} {1:+}", regret, fitness);
+  /// The values of a row, without its evaluations. Readers drop rows that lack a coordinate.
+  std::string values_of(double optimality_gap, double fopt, const Vector* x) const {
+    const double fitness =
+        optimality_gap == nothing_feasible ? optimality_gap : fopt + optimality_gap;
+    std::string values = fmt::format("0 {0:+} {1:+} {1:+}", optimality_gap, fitness);
     for (std::int64_t k = 0; k < variables_; ++k) {
       values += x != nullptr && k < x->size() ? fmt::format(" {:+}", (*x)[k]) : " nan";
     }
@@ -138,13 +141,13 @@ void write_coco(const Store& store, const fs::path& folder) {
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
   std::optional<Case> now;
-  each_judged(
+  comparison::each_judged(
       store,
-      [&](const JudgedRun& run) {
+      [&](const comparison::JudgedRun& run) {
         if (!now) now.emplace(run, numbering, folder);
         now->add(run);
       },
-      [&](const JudgedCell& cell) {
+      [&](const comparison::JudgedCell& cell) {
         now->close();
         now.reset();
         times.add(cell, numbering);

@@ -1,4 +1,4 @@
-#include "src/export/csv.h"
+#include "src/benchmark/export/csv.h"
 
 #include <fmt/format.h>
 
@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "src/benchmark/analysis/judged_runs.h"
+#include "src/benchmark/experiment/store/repeated_terminations.h"
+#include "src/benchmark/export/csv_row.h"
+#include "src/benchmark/export/output_file.h"
+#include "src/benchmark/export/termination_name.h"
 #include "src/core/one_line.h"
-#include "src/export/csv_row.h"
-#include "src/export/judged_runs.h"
-#include "src/export/output_file.h"
-#include "src/export/refusal_name.h"
-#include "src/store/repeated_exits.h"
 
 namespace ricochet::exports {
 namespace {
 
 struct Column {
   const char* name;
-  std::function<std::string(const JudgedRun&)> value;
+  std::function<std::string(const comparison::JudgedRun&)> value;
 };
 
 constexpr const char* csv_readme =
@@ -32,15 +32,18 @@ constexpr const char* csv_readme =
     "plan's, evaluations_allowed what it came to. values, derivatives, hessians: what was asked "
     "of\n"
     "the problem; charged: evaluations that this cost, gradients at their price; seconds are of\n"
-    "processor time. feasible, objective, regret, solved: of the best point that was evaluated, "
+    "processor time. feasible, objective, optimality gap, solved: of the best point that was "
+    "evaluated, "
     "by\n"
-    "its truth, whatever the solver was shown; the handed_over ones: of what it returned. regret:\n"
-    "objective less the best known of the question; solved: feasible, and regret <= tolerance.\n"
+    "its true objective, whatever the solver was shown; the handed_over ones: of what it returned. "
+    "optimality gap:\n"
+    "objective less the best known of the problem; solved: feasible, and optimality gap <= "
+    "tolerance.\n"
     "exits: what the solver said at the end of its starts; failure: what was thrown. Points have\n"
     "a blank between their coordinates.\n"
     "improvements.csv: a row for every point of a run (its number) that was truly better than all\n"
     "before it; less violation is better, then less objective. violation 0: feasible.\n"
-    "questions.csv: a row a question; beside what all have, the factors of their machines.\n"
+    "problems.csv: a row a problem; beside what all have, the factors of their machines.\n"
     "\n"
     "There is no Parquet here; DuckDB makes it: COPY 'runs.csv' TO 'runs.parquet'.\n";
 
@@ -62,21 +65,21 @@ std::string point(const Vector& x) {
   return text;
 }
 
-std::string exits(const std::vector<SolverExit>& exits) {
+std::string terminations(const std::vector<SolverTermination>& terminations) {
   std::string text;
-  for (const RepeatedExit& exit : repeated(exits)) {
+  for (const RepeatedTermination& exit : repeated(terminations)) {
     text += fmt::format("{}{} (x{})", text.empty() ? "" : "; ", exit.reason, exit.starts);
   }
   return one_line(text);
 }
 
 std::vector<Column> key_and_cost() {
-  using Run = const JudgedRun&;
+  using Run = const comparison::JudgedRun&;
   return {
       {"number", [](Run r) { return std::to_string(r.stored.number); }},
-      {"question", [](Run r) { return one_line(r.stored.key.cell.question); }},
-      {"form", [](Run r) { return one_line(r.stored.key.cell.form); }},
-      {"feature", [](Run r) { return one_line(r.stored.key.cell.feature); }},
+      {"problem", [](Run r) { return one_line(r.stored.key.cell.problem); }},
+      {"formulation", [](Run r) { return one_line(r.stored.key.cell.formulation); }},
+      {"perturbation", [](Run r) { return one_line(r.stored.key.cell.perturbation); }},
       {"solver", [](Run r) { return one_line(r.stored.key.cell.solver); }},
       {"budget_per_variable", [](Run r) { return std::to_string(r.stored.key.cell.budget); }},
       {"gradient_price", [](Run r) { return one_line(r.stored.key.cell.gradient_price); }},
@@ -92,37 +95,39 @@ std::vector<Column> key_and_cost() {
       {"charged", [](Run r) { return std::to_string(r.stored.record.ledger.charged); }},
       {"refused", [](Run r) { return std::to_string(r.stored.record.ledger.refused); }},
       {"seconds", [](Run r) { return number(r.stored.record.ledger.seconds); }},
-      {"refusal", [](Run r) { return std::string(name_of(r.stored.record.refusal)); }},
+      {"termination_reason",
+       [](Run r) { return std::string(name_of(r.stored.record.termination_reason)); }},
       {"failure", [](Run r) { return one_line(r.stored.record.failure); }},
-      {"exits", [](Run r) { return exits(r.stored.record.exits); }},
+      {"terminations", [](Run r) { return terminations(r.stored.record.terminations); }},
   };
 }
 
 std::vector<Column> verdict_and_points() {
-  using Run = const JudgedRun&;
+  using Run = const comparison::JudgedRun&;
   return {
       {"feasible", [](Run r) { return yes_or_no(r.outcome.verdict.feasible); }},
       {"objective", [](Run r) { return number(r.outcome.verdict.objective); }},
-      {"regret", [](Run r) { return number(r.outcome.verdict.regret); }},
+      {"optimality_gap", [](Run r) { return number(r.outcome.verdict.optimality_gap); }},
       {"solved", [](Run r) { return yes_or_no(r.outcome.verdict.solved); }},
       {"evaluations_to_solve", [](Run r) { return whole(r.outcome.verdict.evaluations_to_solve); }},
       {"seconds_to_solve", [](Run r) { return number(r.outcome.verdict.seconds_to_solve); }},
-      {"handed_over_objective",
+      {"returned_objective",
        [](Run r) {
-         const auto& handed_over = r.stored.record.handed_over;
-         return handed_over ? number(handed_over->truth.objective) : "";
+         const auto& returned = r.stored.record.returned;
+         return returned ? number(returned->true_values.objective) : "";
        }},
-      {"handed_over_violation",
+      {"returned_violation",
        [](Run r) {
-         const auto& handed_over = r.stored.record.handed_over;
-         return handed_over ? number(handed_over->truth.violation) : "";
+         const auto& returned = r.stored.record.returned;
+         return returned ? number(returned->true_values.violation) : "";
        }},
-      {"handed_over_regret", [](Run r) { return number(r.outcome.verdict.handed_over_regret); }},
-      {"handed_over_solved", [](Run r) { return yes_or_no(r.outcome.verdict.handed_over_solved); }},
-      {"handed_over_x",
+      {"returned_optimality_gap",
+       [](Run r) { return number(r.outcome.verdict.returned_optimality_gap); }},
+      {"returned_solved", [](Run r) { return yes_or_no(r.outcome.verdict.returned_solved); }},
+      {"returned_x",
        [](Run r) {
-         const auto& handed_over = r.stored.record.handed_over;
-         return handed_over ? point(handed_over->x) : "";
+         const auto& returned = r.stored.record.returned;
+         return returned ? point(returned->x) : "";
        }},
       {"last_improvement_x",
        [](Run r) {
@@ -138,27 +143,27 @@ std::vector<Column> run_columns() {
   return columns;
 }
 
-void write_questions(const CampaignDescription& description, const std::filesystem::path& file) {
+void write_problems(const CampaignDescription& description, const std::filesystem::path& file) {
   std::set<std::string> factors;
-  for (const StoredQuestion& question : description.questions) {
-    for (const auto& [name, value] : question.factors) factors.insert(name);
+  for (const StoredProblem& problem : description.problems) {
+    for (const auto& [name, value] : problem.factors) factors.insert(name);
   }
-  std::vector<std::string> header = {"question",    "family",     "machine",   "variables",
+  std::vector<std::string> header = {"problem",     "family",     "machine",   "variables",
                                      "constraints", "equalities", "tolerance", "best_known"};
   for (const std::string& factor : factors) header.push_back(one_line(factor));
   std::string text = csv_row(header);
-  for (const StoredQuestion& question : description.questions) {
-    std::vector<std::string> row = {one_line(question.name),
-                                    one_line(question.family),
-                                    one_line(question.machine),
-                                    std::to_string(question.variables),
-                                    std::to_string(question.constraints),
-                                    std::to_string(question.equalities),
-                                    number(question.tolerance),
-                                    number(question.best_known)};
+  for (const StoredProblem& problem : description.problems) {
+    std::vector<std::string> row = {one_line(problem.name),
+                                    one_line(problem.family),
+                                    one_line(problem.machine),
+                                    std::to_string(problem.variables),
+                                    std::to_string(problem.constraints),
+                                    std::to_string(problem.equalities),
+                                    number(problem.tolerance),
+                                    number(problem.best_known)};
     for (const std::string& factor : factors) {
-      const auto value = question.factors.find(factor);
-      row.push_back(value == question.factors.end() ? "" : number(value->second));
+      const auto value = problem.factors.find(factor);
+      row.push_back(value == problem.factors.end() ? "" : number(value->second));
     }
     text += csv_row(row);
   }
@@ -175,19 +180,20 @@ void write_csv(const Store& store, const std::filesystem::path& folder) {
   runs.write(csv_row(fields));
   OutputFile improvements(folder / "improvements.csv");
   improvements.write(csv_row({"number", "evaluations", "seconds", "objective", "violation"}));
-  const auto write_run = [&](const JudgedRun& run) {
+  const auto write_run = [&](const comparison::JudgedRun& run) {
     for (std::size_t k = 0; k < columns.size(); ++k) fields[k] = columns[k].value(run);
     runs.write(csv_row(fields));
     for (const Improvement& step : run.stored.record.trace) {
-      improvements.write(csv_row({std::to_string(run.stored.number),
-                                  std::to_string(step.evaluations), number(step.seconds),
-                                  number(step.truth.objective), number(step.truth.violation)}));
+      improvements.write(
+          csv_row({std::to_string(run.stored.number), std::to_string(step.evaluations),
+                   number(step.seconds), number(step.true_values.objective),
+                   number(step.true_values.violation)}));
     }
   };
-  each_judged(store, write_run, [](const JudgedCell&) {});
+  comparison::each_judged(store, write_run, [](const comparison::JudgedCell&) {});
   runs.close();
   improvements.close();
-  write_questions(store.description(), folder / "questions.csv");
+  write_problems(store.description(), folder / "problems.csv");
   write_file(folder / "README.txt", csv_readme);
 }
 

@@ -1,4 +1,4 @@
-#include "src/export/csv_row.h"
+#include "src/benchmark/export/csv_row.h"
 
 #include <fmt/format.h>
 

@@ -7,11 +7,11 @@
 namespace ricochet::exports {
 
 /// A line with these fields; those with a comma, a quote or a line break are quoted (RFC 4180). The
-/// line ends as others here do, without a carriage return.
+/// line ends with a newline and without a carriage return, as in all exports here.
 std::string csv_row(const std::vector<std::string>& fields);
 
-/// The shortest decimal that reads back to the number: "inf", "-inf" and "nan" are such, too.
+/// The shortest decimal text that reads back to the number; also "inf", "-inf" and "nan".
 std::string number(double value);
-std::string number(const std::optional<double>& value);  ///< empty where there is none
+std::string number(const std::optional<double>& value);  ///< empty if there is none
 
 }  // namespace ricochet::exports

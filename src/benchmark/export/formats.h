@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::exports {
 
-/// A way to write what a store holds for other tools.
+/// A format for exporting the content of a store to other tools.
 struct Format {
   std::string name;
   std::string about;  ///< one line
-  /// Writes files into the folder, which is there and empty. Throws InputError where the store is
-  /// damaged, OutputError where the disk takes no more.
+  /// Writes files into the folder, which must exist and be empty. Throws InputError if the store is
+  /// damaged, OutputError if the disk is full.
   std::function<void(const Store&, const std::filesystem::path& folder)> write;
 };
 

@@ -1,16 +1,16 @@
-#include "src/export/iohanalyzer.h"
+#include "src/benchmark/export/iohanalyzer.h"
 
 #include <fmt/format.h>
 
 #include <optional>
 #include <string>
 
-#include "src/export/best_so_far.h"
-#include "src/export/csv_row.h"
-#include "src/export/judged_runs.h"
-#include "src/export/numbering.h"
-#include "src/export/output_file.h"
-#include "src/export/running_times.h"
+#include "src/benchmark/analysis/judged_runs.h"
+#include "src/benchmark/export/best_so_far.h"
+#include "src/benchmark/export/csv_row.h"
+#include "src/benchmark/export/numbering.h"
+#include "src/benchmark/export/output_file.h"
+#include "src/benchmark/export/running_times.h"
 #include "src/report/json.h"
 
 namespace ricochet::exports {
@@ -22,14 +22,17 @@ using report::Json;
 constexpr const char* readme =
     "A campaign of ricochet for IOHanalyzer, https://iohanalyzer.liacs.nl.\n"
     "\n"
-    "Every folder is one algorithm, and to be loaded as such: a solver, in the form it is shown,\n"
-    "with a feature that disturbs it, a gradient's price, and a budget in evaluations for each\n"
+    "Every folder is one algorithm, and to be loaded as such: a solver, in the formulation it is "
+    "shown,\n"
+    "with a perturbation that disturbs it, a gradient's price, and a budget in evaluations for "
+    "each\n"
     "variable. Runs of another budget are other runs, so they are another algorithm. Every "
-    "question\n"
+    "problem\n"
     "is one function; running_times.csv says which is which.\n"
     "\n"
     "evaluations: as charged, gradients at their price.\n"
-    "raw_y: regret, the true objective less the best known, of the best feasible point so far; to\n"
+    "raw_y: optimality gap, the true objective less the best known, of the best feasible point so "
+    "far; to\n"
     "  be minimised. Below 0 where the best known was beaten. Until a feasible point is found it "
     "is\n"
     "  1e30. best.x is then that of the least infeasible point.\n"
@@ -41,32 +44,32 @@ constexpr const char* readme =
     "IOHanalyzer's expected running time is wrong where runs end at different numbers of\n"
     "evaluations, as they do when a solver gives up or fails: it said 450 where 310 was true. "
     "Ours\n"
-    "are in running_times.csv: evaluations until a regret within the question's tolerance, runs\n"
+    "are in running_times.csv: evaluations until an optimality gap within the problem's tolerance, "
+    "runs\n"
     "that did not get there charged in full, runs that are alike counted once, with intervals of\n"
     "95 %.\n";
 
-/// Files of one algorithm on one question.
+/// Files of one algorithm on one problem.
 class Case {
  public:
-  Case(const JudgedRun& first, const CampaignDescription& campaign, Numbering& numbering,
-       const fs::path& folder)
+  Case(const comparison::JudgedRun& first, const CampaignDescription& campaign,
+       Numbering& numbering, const fs::path& folder)
       : root_(folder / numbering.algorithm(first.stored.key.cell)),
-        stem_(fmt::format("f{}_{}", numbering.function_id(first.question.name),
-                          numbering.function_name(first.question.name))),
+        stem_(fmt::format("f{}_{}", numbering.function_id(first.problem.name),
+                          numbering.function_name(first.problem.name))),
         rows_path_(fmt::format("data_{}/IOHprofiler_f{}_DIM{}.dat", stem_,
-                               numbering.function_id(first.question.name),
-                               first.question.variables)),
+                               numbering.function_id(first.problem.name), first.problem.variables)),
         head_(head_of(first, campaign, numbering)),
         rows_(made(root_ / rows_path_)) {}
 
-  void add(const JudgedRun& run) {
+  void add(const comparison::JudgedRun& run) {
     const RunRecord& record = run.stored.record;
     const auto steps = best_so_far(run.outcome);
     rows_.write("evaluations raw_y time_s gevals\n");
-    const contest::Step* best = &steps.front();
-    for (const contest::Step& step : steps) {
-      if (step.regret < best->regret) best = &step;
-      rows_.write(fmt::format("{} {} {} {}\n", step.evaluations, step.regret, step.seconds,
+    const comparison::Step* best = &steps.front();
+    for (const comparison::Step& step : steps) {
+      if (step.optimality_gap < best->optimality_gap) best = &step;
+      rows_.write(fmt::format("{} {} {} {}\n", step.evaluations, step.optimality_gap, step.seconds,
                               record.ledger.derivatives));
     }
     Json x = Json::array();
@@ -76,7 +79,8 @@ class Case {
     runs_.push_back(
         {{"instance", run.stored.key.instance},
          {"evals", steps.back().evaluations},
-         {"best", {{"evals", best->evaluations}, {"y", best->regret}, {"x", std::move(x)}}}});
+         {"best",
+          {{"evals", best->evaluations}, {"y", best->optimality_gap}, {"x", std::move(x)}}}});
   }
 
   void close() {
@@ -93,32 +97,34 @@ class Case {
     return file;
   }
 
-  Json head_of(const JudgedRun& first, const CampaignDescription& campaign, Numbering& numbering) {
-    dimension_ = first.question.variables;
+  Json head_of(const comparison::JudgedRun& first, const CampaignDescription& campaign,
+               Numbering& numbering) {
+    dimension_ = first.problem.variables;
     const Cell& cell = first.stored.key.cell;
     std::string version;
     for (const StoredSolver& solver : campaign.solvers) {
       if (solver.name == cell.solver) version = solver.version;
     }
     Json attributes = Json::array();
-    for (const auto& [name, value] : first.question.factors) {
+    for (const auto& [name, value] : first.problem.factors) {
       attributes.push_back({{name, number(value)}});
     }
-    attributes.push_back({{"form", cell.form}});
-    attributes.push_back({{"feature", cell.feature}});
-    return {{"version", "0.3.18"},  // of IOHexperimenter, whose format this is
-            {"suite", "ricochet"},
-            {"function_id", numbering.function_id(cell.question)},
-            {"function_name", numbering.function_name(cell.question)},
-            {"maximization", false},
-            {"algorithm",
-             {{"name", numbering.algorithm(cell)},
-              {"info", fmt::format("{} {}, shown {}, feature {}, gradients at {}, {} evaluations "
-                                   "for each variable",
-                                   cell.solver, version, cell.form, cell.feature,
-                                   cell.gradient_price, cell.budget)}}},
-            {"experiment_attributes", attributes},
-            {"attributes", {"evaluations", "raw_y", "time_s", "gevals"}}};
+    attributes.push_back({{"formulation", cell.formulation}});
+    attributes.push_back({{"perturbation", cell.perturbation}});
+    return {
+        {"version", "0.3.18"},  // of IOHexperimenter, which defines this format
+        {"suite", "ricochet"},
+        {"function_id", numbering.function_id(cell.problem)},
+        {"function_name", numbering.function_name(cell.problem)},
+        {"maximization", false},
+        {"algorithm",
+         {{"name", numbering.algorithm(cell)},
+          {"info", fmt::format("{} {}, shown {}, perturbation {}, gradients at {}, {} evaluations "
+                               "for each variable",
+                               cell.solver, version, cell.formulation, cell.perturbation,
+                               cell.gradient_price, cell.budget)}}},
+        {"experiment_attributes", attributes},
+        {"attributes", {"evaluations", "raw_y", "time_s", "gevals"}}};
   }
 
   fs::path root_;
@@ -135,13 +141,13 @@ void write_iohanalyzer(const Store& store, const fs::path& folder) {
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
   std::optional<Case> now;
-  each_judged(
+  comparison::each_judged(
       store,
-      [&](const JudgedRun& run) {
+      [&](const comparison::JudgedRun& run) {
         if (!now) now.emplace(run, store.description(), numbering, folder);
         now->add(run);
       },
-      [&](const JudgedCell& cell) {
+      [&](const comparison::JudgedCell& cell) {
         now->close();
         now.reset();
         times.add(cell, numbering);

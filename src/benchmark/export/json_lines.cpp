@@ -1,12 +1,12 @@
-#include "src/export/json_lines.h"
+#include "src/benchmark/export/json_lines.h"
 
 #include <string>
 
-#include "src/export/judged_runs.h"
-#include "src/export/output_file.h"
-#include "src/export/refusal_name.h"
+#include "src/benchmark/analysis/judged_runs.h"
+#include "src/benchmark/experiment/store/repeated_terminations.h"
+#include "src/benchmark/export/output_file.h"
+#include "src/benchmark/export/termination_name.h"
 #include "src/report/json.h"
-#include "src/store/repeated_exits.h"
 
 namespace ricochet::exports {
 namespace {
@@ -16,20 +16,22 @@ using report::Json;
 constexpr const char* json_lines_readme =
     "What a campaign of ricochet stored, as JSON (UTF-8).\n"
     "\n"
-    "campaign.json: the plan, the questions with best known value and tolerance, the solvers, the\n"
+    "campaign.json: the plan, the problems with best known value and tolerance, the solvers, the\n"
     "program and the machine.\n"
     "runs.jsonl: a line for each run, an object. `number` is that of `ricochet replay`; the key\n"
     "says which run it is; seconds are of processor time. The verdict is of the best point that "
     "was\n"
-    "evaluated, by its truth, and of the one handed over; regret: objective less the best known "
+    "evaluated, by its true objective, and of the one returned; optimality gap: objective less the "
+    "best known "
     "of\n"
-    "the question; solved: feasible, and regret <= tolerance. Improvements: points that were "
+    "the problem; solved: feasible, and optimality gap <= tolerance. Improvements: points that "
+    "were "
     "truly\n"
     "better than all before; [evaluations, seconds, objective, violation] of each, and x of the\n"
     "last. Numbers keep all their digits; null: there is none, or it is infinite or no number, as\n"
     "of a time without a limit.\n";
 
-/// Texts that are no UTF-8 do not stop it.
+/// The data as text; invalid UTF-8 in it is no error.
 std::string text_of(const Json& data, int indent = -1) {
   return data.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -38,22 +40,22 @@ Json list(const Vector& x) {
   return Json(std::vector<double>(x.begin(), x.end()));
 }
 
-Json json_of(const StoredQuestion& question) {
-  return {{"name", question.name},
-          {"family", question.family},
-          {"machine", question.machine},
-          {"variables", question.variables},
-          {"constraints", question.constraints},
-          {"equalities", question.equalities},
-          {"tolerance", question.tolerance},
-          {"best_known", question.best_known},
-          {"factors", question.factors}};
+Json json_of(const StoredProblem& problem) {
+  return {{"name", problem.name},
+          {"family", problem.family},
+          {"machine", problem.machine},
+          {"variables", problem.variables},
+          {"constraints", problem.constraints},
+          {"equalities", problem.equalities},
+          {"tolerance", problem.tolerance},
+          {"best_known", problem.best_known},
+          {"factors", problem.factors}};
 }
 
 Json json_of(const CampaignDescription& description) {
   return {{"plan", description.plan},
-          {"questions", report::list_of(description.questions,
-                                        [](const StoredQuestion& q) { return json_of(q); })},
+          {"problems", report::list_of(description.problems,
+                                       [](const StoredProblem& q) { return json_of(q); })},
           {"solvers", report::list_of(description.solvers,
                                       [](const StoredSolver& s) {
                                         return Json{{"name", s.name}, {"version", s.version}};
@@ -63,9 +65,9 @@ Json json_of(const CampaignDescription& description) {
 }
 
 Json json_of(const RunKey& key) {
-  return {{"question", key.cell.question},
-          {"form", key.cell.form},
-          {"feature", key.cell.feature},
+  return {{"problem", key.cell.problem},
+          {"formulation", key.cell.formulation},
+          {"perturbation", key.cell.perturbation},
           {"solver", key.cell.solver},
           {"budget_per_variable", key.cell.budget},
           {"gradient_price", key.cell.gradient_price},
@@ -82,39 +84,39 @@ Json json_of(const Ledger& ledger) {
 Json json_of(const Verdict& verdict) {
   return {{"feasible", verdict.feasible},
           {"objective", verdict.objective},
-          {"regret", verdict.regret},
+          {"optimality_gap", verdict.optimality_gap},
           {"solved", verdict.solved},
           {"evaluations_to_solve", verdict.evaluations_to_solve},
           {"seconds_to_solve", verdict.seconds_to_solve},
-          {"handed_over_regret", verdict.handed_over_regret},
-          {"handed_over_solved", verdict.handed_over_solved}};
+          {"returned_optimality_gap", verdict.returned_optimality_gap},
+          {"returned_solved", verdict.returned_solved}};
 }
 
-Json json_of(const JudgedRun& run) {
+Json json_of(const comparison::JudgedRun& run) {
   const RunRecord& record = run.stored.record;
-  Json data = {
-      {"number", run.stored.number},
-      {"key", json_of(run.stored.key)},
-      {"seed", record.seed},
-      {"evaluations_allowed", record.budget.evaluations},
-      {"seconds_allowed", record.budget.seconds},
-      {"ledger", json_of(record.ledger)},
-      {"refusal", name_of(record.refusal)},
-      {"failure", record.failure},
-      {"exits", report::list_of(repeated(record.exits),
-                                [](const RepeatedExit& exit) {
+  Json data = {{"number", run.stored.number},
+               {"key", json_of(run.stored.key)},
+               {"seed", record.seed},
+               {"evaluations_allowed", record.budget.evaluations},
+               {"seconds_allowed", record.budget.seconds},
+               {"ledger", json_of(record.ledger)},
+               {"termination_reason", name_of(record.termination_reason)},
+               {"failure", record.failure},
+               {"terminations",
+                report::list_of(repeated(record.terminations),
+                                [](const RepeatedTermination& exit) {
                                   return Json{{"reason", exit.reason}, {"starts", exit.starts}};
                                 })},
-      {"verdict", json_of(run.outcome.verdict)}};
-  data["handed_over"] = nullptr;
-  if (const auto& handed_over = record.handed_over) {
-    data["handed_over"] = {{"objective", handed_over->truth.objective},
-                           {"violation", handed_over->truth.violation},
-                           {"x", list(handed_over->x)}};
+               {"verdict", json_of(run.outcome.verdict)}};
+  data["returned"] = nullptr;
+  if (const auto& returned = record.returned) {
+    data["returned"] = {{"objective", returned->true_values.objective},
+                        {"violation", returned->true_values.violation},
+                        {"x", list(returned->x)}};
   }
   data["improvements"] = report::list_of(record.trace, [](const Improvement& step) {
     return Json::array(
-        {step.evaluations, step.seconds, step.truth.objective, step.truth.violation});
+        {step.evaluations, step.seconds, step.true_values.objective, step.true_values.violation});
   });
   data["last_improvement_x"] = record.trace.empty() ? Json() : list(record.trace.back().x);
   return data;
@@ -125,9 +127,9 @@ Json json_of(const JudgedRun& run) {
 void write_json(const Store& store, const std::filesystem::path& folder) {
   write_file(folder / "campaign.json", text_of(json_of(store.description()), 1));
   OutputFile runs(folder / "runs.jsonl");
-  each_judged(
-      store, [&](const JudgedRun& run) { runs.write(text_of(json_of(run))); },
-      [](const JudgedCell&) {});
+  comparison::each_judged(
+      store, [&](const comparison::JudgedRun& run) { runs.write(text_of(json_of(run))); },
+      [](const comparison::JudgedCell&) {});
   runs.close();
   write_file(folder / "README.txt", json_lines_readme);
 }

@@ -2,13 +2,13 @@
 
 #include <filesystem>
 
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::exports {
 
-/// campaign.json: what the campaign was; runs.jsonl: an object a line for each run, with its
-/// key, budget, ledger, verdict and improvements; README.txt. What JSON has no number for is
-/// null.
+/// Writes campaign.json, the description of the campaign; runs.jsonl, one object on a line for each
+/// run, with its key, budget, ledger, verdict and improvements; and README.txt. Numbers that JSON
+/// cannot write are null.
 void write_json(const Store& store, const std::filesystem::path& folder);
 
 }  // namespace ricochet::exports

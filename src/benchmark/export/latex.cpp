@@ -1,4 +1,4 @@
-#include "src/export/latex.h"
+#include "src/benchmark/export/latex.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "src/benchmark/export/output_file.h"
+#include "src/benchmark/export/summary_row.h"
 #include "src/core/one_line.h"
-#include "src/export/output_file.h"
-#include "src/export/summary_row.h"
 
 namespace ricochet::exports {
 namespace {
 
-/// The text as it is read, whatever LaTeX makes of its characters.
+/// The text with LaTeX's special characters escaped.
 std::string escaped(std::string_view text) {
   std::string tex;
   for (const char c : one_line(text)) {
@@ -46,10 +46,10 @@ std::string escaped(std::string_view text) {
       case '`':
         tex += "\\textasciigrave{}";
         break;
-      case '-':  // two of them would be a dash
+      case '-':  // LaTeX would turn two of them into a dash
         tex += tex.ends_with('-') ? "{}-" : "-";
         break;
-      case '[':  // after the end of a row these two would belong to it
+      case '[':  // after the end of a row LaTeX would read these as part of it
       case '*':
         tex += {'{', c, '}'};
         break;
@@ -69,7 +69,7 @@ std::string escaped(std::string_view text) {
   return tex;
 }
 
-/// The cells in a row, the last one bold where runs failed.
+/// The cells in a row, the last one bold if runs failed.
 std::string line(const std::vector<std::string>& names, const std::vector<std::string>& figures,
                  bool failed) {
   std::vector<std::string> cells;
@@ -94,9 +94,9 @@ void write_latex(const Store& store, const std::filesystem::path& folder) {
       std::string(summary_figures().size() + 1, 'r') + "}\n\\caption{" + escaped(summary_legend()) +
       "}\\\\\n\\toprule\n" + header + "\\midrule\n\\endfirsthead\n\\toprule\n" + header +
       "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n");
-  each_judged(
-      store, [](const JudgedRun&) {},
-      [&](const JudgedCell& cell) {
+  comparison::each_judged(
+      store, [](const comparison::JudgedRun&) {},
+      [&](const comparison::JudgedCell& cell) {
         const SummaryRow row = summary_row(cell);
         file.write(line(row.names, row.figures, row.failed > 0));
       });

@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::exports {
 
-/// table.tex, a longtable with a row for each question and competitor, and what it needs of
-/// LaTeX in a comment. Where runs failed, their number is bold.
+/// Writes table.tex, a longtable with a row for each problem and entry; a comment in it lists the
+/// LaTeX packages it needs. If runs failed, their number is bold.
 void write_latex(const Store& store, const std::filesystem::path& folder);
 
 }  // namespace ricochet::exports

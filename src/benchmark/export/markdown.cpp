@@ -1,4 +1,4 @@
-#include "src/export/markdown.h"
+#include "src/benchmark/export/markdown.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "src/benchmark/export/output_file.h"
+#include "src/benchmark/export/summary_row.h"
 #include "src/core/one_line.h"
-#include "src/export/output_file.h"
-#include "src/export/summary_row.h"
 #include "src/report/text.h"
 
 namespace ricochet::exports {
@@ -30,9 +30,9 @@ void write_markdown(const Store& store, const std::filesystem::path& folder) {
   file.write(summary_legend() + "\n\n" + row_of_table(summary_names(), summary_figures(), false));
   file.write(row_of_table(std::vector<std::string>(summary_names().size(), ":---"),
                           std::vector<std::string>(summary_figures().size(), "---:"), false));
-  each_judged(
-      store, [](const JudgedRun&) {},
-      [&](const JudgedCell& cell) {
+  comparison::each_judged(
+      store, [](const comparison::JudgedRun&) {},
+      [&](const comparison::JudgedCell& cell) {
         const SummaryRow row = summary_row(cell);
         file.write(row_of_table(row.names, row.figures, row.failed > 0));
       });

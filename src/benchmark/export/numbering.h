@@ -4,26 +4,27 @@
 #include <set>
 #include <string>
 
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::exports {
 
-/// What readers of other suites want instead of names: numbers of functions, and names that may
-/// be those of files and stand in lists. They hold letters, digits and -._+ only, differ where
-/// what they name does, and have at most 100 characters.
+/// What readers of other suites need instead of names: numbers of functions, and names that are
+/// valid as file names and in lists. The names hold only letters, digits and -._+, have at most 100
+/// characters, and are different for different things.
 class Numbering {
  public:
   explicit Numbering(const CampaignDescription& description);
 
-  /// 1, 2, ... Questions with 5 or 6 variables come first, else they stand as in the description:
-  /// COCO opens only those, and only 24.
-  int function_id(const std::string& question) const { return functions_.at(question).id; }
-  const std::string& function_name(const std::string& question) const {
-    return functions_.at(question).name;
+  /// 1, 2, ... Problems with 5 or 6 variables come first, because COCO opens only those, and only
+  /// 24; the others follow in the order of the description.
+  int function_id(const std::string& problem) const { return functions_.at(problem).id; }
+  const std::string& function_name(const std::string& problem) const {
+    return functions_.at(problem).name;
   }
 
-  /// Everything of a cell but its question makes an algorithm: solver, form, feature, gradient
-  /// price and budget, as runs of another budget are other runs.
+  /// The name of the cell's algorithm. An algorithm is everything of a cell except its problem:
+  /// solver, formulation, perturbation, gradient price and budget (runs with another budget are
+  /// other runs).
   const std::string& algorithm(const Cell& cell);
 
  private:
@@ -32,7 +33,7 @@ class Numbering {
     std::string name;
   };
   std::map<std::string, Function> functions_;
-  std::map<Cell, std::string> algorithms_;  ///< of cells without their question
+  std::map<Cell, std::string> algorithms_;  ///< of cells without their problem
   std::set<std::string> taken_;
 };
 

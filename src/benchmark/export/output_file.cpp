@@ -1,4 +1,4 @@
-#include "src/export/output_file.h"
+#include "src/benchmark/export/output_file.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ namespace {
 
 OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)) {
   const Uninterrupted not_while_the_folder_is_removed;
-  stream_ = std::fopen(file_.c_str(), "wxe");  // must be new; not for other programs
+  stream_ = std::fopen(file_.c_str(), "wxe");  // must be new; not inherited by other programs
   if (stream_ == nullptr) fail(file_, errno);
 }
 

@@ -6,10 +6,11 @@
 
 namespace ricochet::exports {
 
-/// A new file that is written piece by piece, as what goes into it need not fit into memory.
+/// A new file that is written piece by piece, because its content need not fit into memory.
 class OutputFile {
  public:
-  /// Throws OutputError or InputError, one line with the file and the reason, as the others do.
+  /// Throws OutputError or InputError, one line with the file and the reason, as do the other
+  /// members.
   explicit OutputFile(std::filesystem::path file);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -17,7 +18,7 @@ class OutputFile {
 
   void write(std::string_view text);
 
-  /// To be called in the end: a disk may tell only then that it is full.
+  /// Must be called at the end: a disk may report only then that it is full.
   void close();
 
  private:
@@ -25,7 +26,7 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
 };
 
-/// A new file with this text.
+/// Writes a new file with this text.
 void write_file(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace ricochet::exports

@@ -1,4 +1,4 @@
-#include "src/export/output_folder.h"
+#include "src/benchmark/export/output_folder.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -7,19 +7,20 @@
 
 namespace ricochet::exports {
 
-/// A folder that was empty or missing and gets all of its files at once, or none.
+/// A folder that is empty or missing at first and gets all of its files at once, or none.
 class OutputFolder {
  public:
-  /// Throws InputError where it is a file, or has something in it already, and as MadeFolder does.
+  /// Throws InputError if it is a file or not empty, and as MadeFolder does.
   explicit OutputFolder(std::filesystem::path folder);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where to write until then: a folder within it, which is removed if nothing comes of it.
+  /// Where to write before commit(): a folder within it, which is removed if commit() is not
+  /// called.
   const std::filesystem::path& draft() const { return draft_; }
 
-  /// Moves all that was written to its place.
+  /// Moves all written files to their place.
   void commit();
 
  private:
@@ -27,7 +28,7 @@ class OutputFolder {
 
   std::filesystem::path folder_;
   MadeFolder made_;
-  std::filesystem::path draft_;  ///< empty once it is committed
+  std::filesystem::path draft_;  ///< empty after commit()
   AtInterruption interrupted_;
 };
 

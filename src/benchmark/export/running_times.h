@@ -2,18 +2,19 @@
 
 #include <filesystem>
 
-#include "src/export/judged_runs.h"
-#include "src/export/numbering.h"
-#include "src/export/output_file.h"
+#include "src/benchmark/analysis/judged_runs.h"
+#include "src/benchmark/export/numbering.h"
+#include "src/benchmark/export/output_file.h"
 
 namespace ricochet::exports {
 
-/// A table for beside an export whose readers compute such figures otherwise: which algorithm and
-/// function is what, the share of its runs that solved it, and its expected running time.
+/// A table beside an export whose readers compute these numbers differently: the names of
+/// algorithms and functions, the success rate, and the expected running
+/// time.
 class RunningTimes {
  public:
   explicit RunningTimes(const std::filesystem::path& file);
-  void add(const JudgedCell& cell, Numbering& numbering);
+  void add(const comparison::JudgedCell& cell, Numbering& numbering);
   void close() { file_.close(); }
 
  private:

@@ -1,4 +1,4 @@
-#include "src/export/summary_row.h"
+#include "src/benchmark/export/summary_row.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ std::string interval(const Interval& interval, Text text) {
 }  // namespace
 
 std::vector<std::string> summary_names() {
-  return {"question", "solver", "form", "feature", "price", "budget"};
+  return {"problem", "solver", "formulation", "perturbation", "price", "budget"};
 }
 
 std::vector<std::string> summary_figures() {
@@ -35,16 +35,16 @@ std::string summary_legend() {
   return "Budgets are evaluations for each variable; price: evaluations that a gradient is "
          "charged, "
          "n: the number of variables. Solved: share of the runs that found a feasible point within "
-         "the question's tolerance of its best known value, runs that are alike counted once, with "
+         "the problem's tolerance of its best known value, runs that are alike counted once, with "
          "Wilson's interval. Running time: expected evaluations until then, runs that did not get "
          "there charged in full. Failed: runs that ended in an exception or were killed.";
 }
 
-SummaryRow summary_row(const JudgedCell& judged) {
-  const contest::Result result = contest::result_of(judged.outcomes);
+SummaryRow summary_row(const comparison::JudgedCell& judged) {
+  const comparison::Result result = comparison::result_of(judged.outcomes);
   const Cell& cell = judged.cell;
   const auto& time = result.running_time;
-  return {{cell.question, cell.solver, cell.form, cell.feature, cell.gradient_price,
+  return {{cell.problem, cell.solver, cell.formulation, cell.perturbation, cell.gradient_price,
            std::to_string(cell.budget)},
           {std::to_string(result.runs), percent(result.found.share),
            interval(result.found.interval, percent), time ? count(time->value) : "-",

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "src/contest/result.h"
-#include "src/export/judged_runs.h"
+#include "src/benchmark/analysis/judged_runs.h"
+#include "src/benchmark/analysis/result.h"
 
 namespace ricochet::exports {
 
-/// What a printed table says of a cell, not yet escaped for a language.
+/// The row of a cell in a printed table, not yet escaped for a language.
 struct SummaryRow {
   std::vector<std::string> names;    ///< as named in summary_names
   std::vector<std::string> figures;  ///< as named in summary_figures
@@ -18,10 +18,10 @@ struct SummaryRow {
 std::vector<std::string> summary_names();
 std::vector<std::string> summary_figures();
 
-/// What the figures are, in one sentence each, for below or above the table.
+/// One sentence for each figure, for the text below or above the table.
 std::string summary_legend();
 
-/// "-" where the expected running time is unknown, as nothing was solved.
-SummaryRow summary_row(const JudgedCell& cell);
+/// The expected running time is "-" if unknown, because no run solved the problem.
+SummaryRow summary_row(const comparison::JudgedCell& cell);
 
 }  // namespace ricochet::exports

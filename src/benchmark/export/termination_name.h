@@ -4,20 +4,20 @@
 
 namespace ricochet::exports {
 
-/// As it is in the store's own table of them.
-constexpr const char* name_of(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::none:
+/// The name of a termination reason, as in the store's table of them.
+constexpr const char* name_of(TerminationReason termination_reason) {
+  switch (termination_reason) {
+    case TerminationReason::none:
       return "none";
-    case Refusal::evaluations:
+    case TerminationReason::evaluations:
       return "evaluations";
-    case Refusal::seconds:
+    case TerminationReason::seconds:
       return "seconds";
-    case Refusal::bad_point:
+    case TerminationReason::bad_point:
       return "bad point";
-    case Refusal::failure:
+    case TerminationReason::failure:
       return "failure";
-    case Refusal::paused:
+    case TerminationReason::paused:
       return "paused";
   }
   return "";

@@ -1,4 +1,4 @@
-#include "src/studies/problems/family_data.h"
+#include "src/benchmark/problem_pages/family_data.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -22,21 +22,20 @@ Json list_of(const Vector& point) {
   return Json(std::vector<double>(point.data(), point.data() + point.size()));
 }
 
-/// The one with the most constraints, and so with every form that there is in the family.
-const Question& most_constrained(const Family& family) {
-  return *std::max_element(family.questions.begin(), family.questions.end(),
-                           [](const Question& a, const Question& b) {
-                             return a.stated.constraints < b.stated.constraints;
-                           });
+/// The problem with the most constraints: it has every formulation of the family.
+const Problem& most_constrained(const Family& family) {
+  return *std::max_element(
+      family.problems.begin(), family.problems.end(),
+      [](const Problem& a, const Problem& b) { return a.constraints < b.constraints; });
 }
 
-Json forms_of(const Question& question) {
-  return report::list_of(question.forms(), [&](const Form& form) -> Json {
-    const Problem problem = question.problem(form);
-    return {{"form", question.name_of(form)},
-            {"constraints", problem.constraints},
-            {"derivatives", static_cast<bool>(problem.differentiate)},
-            {"residuals", static_cast<bool>(problem.residuals)}};
+Json formulations_of(const Problem& problem) {
+  return report::list_of(problem.formulations(), [&](const Formulation& formulation) -> Json {
+    const Problem formulated = problem.formulated(formulation);
+    return {{"formulation", problem.name_of(formulation)},
+            {"constraints", formulated.constraints},
+            {"derivatives", static_cast<bool>(formulated.differentiate)},
+            {"residuals", static_cast<bool>(formulated.residuals)}};
   });
 }
 
@@ -55,10 +54,10 @@ Json variables_of(const Problem& problem) {
   return rows;
 }
 
-/// What is to be as large as possible has its negative minimised; it is shown as it is meant.
-Json row_of(const Question& question, double sign) {
-  const Problem& problem = question.stated;
-  const Truth start = truth_at(problem, problem.start);
+/// A row of the table. An objective to be maximised is minimised as its negative; `sign` restores
+/// it.
+Json row_of(const Problem& problem, double sign) {
+  const TrueValues start = true_values_at(problem, problem.start);
   Json row = {{"name", problem.name},
               {"start", sign * start.objective},
               {"start_violation", start.violation > 0 ? Json(start.violation) : Json()},
@@ -76,7 +75,7 @@ Json row_of(const Question& question, double sign) {
   return row;
 }
 
-/// What a line through the samples needs, to be drawn as if it had all of them.
+/// The samples that a line needs to look as if drawn through all of them.
 std::vector<report::Sample> corners_of(const std::vector<report::Sample>& samples) {
   constexpr double fineness = 2000;  // of the chart: half a pixel of a large screen
   const auto [least, most] =
@@ -87,7 +86,7 @@ std::vector<report::Sample> corners_of(const std::vector<report::Sample>& sample
   return report::simplified(samples, across, up);
 }
 
-/// What steps need: where they begin, and the end.
+/// The samples where a step begins, and the last one.
 std::vector<report::Sample> steps_of(const std::vector<report::Sample>& samples) {
   std::vector<report::Sample> steps;
   for (const report::Sample& sample : samples) {
@@ -97,59 +96,57 @@ std::vector<report::Sample> steps_of(const std::vector<report::Sample>& samples)
   return steps;
 }
 
-/// The question as a form of it is, over its one variable: a count's steps, a surrogate's line.
-Json curve_of(const Question& question, const Form& form) {
-  const Problem problem = question.problem(form);
-  const bool constrained = problem.constraints > 0;
+/// The curve of one formulation over the problem's one variable: steps for a count, a line for a
+/// surrogate.
+Json curve_of(const Problem& problem, const Formulation& formulation) {
+  const Problem formulated = problem.formulated(formulation);
+  const bool constrained = formulated.constraints > 0;
   std::vector<report::Sample> samples;
   for (int k = 0; k <= chart_samples; ++k) {
     const Vector x =
         problem.lower + (problem.upper - problem.lower) * static_cast<double>(k) / chart_samples;
-    const Values values = problem.evaluate(x);
+    const Values values = formulated.evaluate(x);
     samples.push_back({x[0], constrained ? values.constraints[0] : values.objective});
   }
-  const auto points = form.width > 0 ? corners_of(samples) : steps_of(samples);
-  return {{"form", question.name_of(form)},
+  const auto points = formulation.smoothing > 0 ? corners_of(samples) : steps_of(samples);
+  return {{"formulation", problem.name_of(formulation)},
           {"points", report::list_of(points, [](const report::Sample& point) {
              return Json{{"x", point.position}, {"value", point.value}};
            })}};
 }
 
-/// What is true of a question of one variable, and what a solver sees where it is smoothed.
+/// The chart of a problem of one variable: its true values, and the surrogate if it has one.
 Json chart_of(const Family& family) {
-  const Question& question = family.questions.at(family.questions.size() > 3 ? 3 : 0);
-  const Problem& stated = question.stated;
-  const Json variable = variables_of(stated)[0];
-  return {{"question", stated.name},
-          {"variable", stated.variables.empty() ? Json("x") : variable["name"]},
+  const Problem& problem = family.problems.at(family.problems.size() > 3 ? 3 : 0);
+  const Json variable = variables_of(problem)[0];
+  return {{"problem", problem.name},
+          {"variable", problem.variables.empty() ? Json("x") : variable["name"]},
           {"unit", variable["unit"]},
-          {"lower", stated.lower[0]},
-          {"upper", stated.upper[0]},
-          {"limit", stated.constraints > 0 ? Json(0) : Json()},
-          {"truth", curve_of(question, {})},
-          {"smoothed", stated.smoothed ? curve_of(question, {question.width}) : Json()},
-          {"best", stated.best_point ? Json((*stated.best_point)[0]) : Json()}};
+          {"lower", problem.lower[0]},
+          {"upper", problem.upper[0]},
+          {"limit", problem.constraints > 0 ? Json(0) : Json()},
+          {"true_values", curve_of(problem, {})},
+          {"smoothed", problem.smoothed ? curve_of(problem, {problem.smoothing}) : Json()},
+          {"best", problem.best_point ? Json((*problem.best_point)[0]) : Json()}};
 }
 
-/// The least and the most over the questions; `one` where they are the same.
+/// The least and the largest value over the problems; `one` is true if they are equal.
 template <class Of>
 Json range_of(const Family& family, Of of) {
-  const auto [least, most] = std::minmax_element(
-      family.questions.begin(), family.questions.end(),
-      [&](const Question& a, const Question& b) { return of(a.stated) < of(b.stated); });
-  return {{"least", of(least->stated)},
-          {"most", of(most->stated)},
-          {"one", of(least->stated) == of(most->stated)}};
+  const auto [least, most] =
+      std::minmax_element(family.problems.begin(), family.problems.end(),
+                          [&](const Problem& a, const Problem& b) { return of(a) < of(b); });
+  return {{"least", of(*least)}, {"most", of(*most)}, {"one", of(*least) == of(*most)}};
 }
 
-/// The members of a table that are texts.
+/// Adds the text members of a table.
 void add_texts(const toml::table& table, Json& texts) {
   for (const auto& [key, value] : table) {
     if (value.is_string()) texts[std::string(key.str())] = value.as_string()->get();
   }
 }
 
-/// What families.toml says of a family; of one that it does not know, nothing but the name.
+/// The texts of a family in families.toml; only the name if it is not there.
 Json texts_of(const Family& family) {
   static const toml::table all = toml::parse(embedded::families);
   Json texts = {{"title", family.name}};
@@ -164,7 +161,7 @@ Json texts_of(const Family& family) {
     add_texts(*own, texts);
   }
   Json names = texts;
-  names["width"] = family.questions.front().width;
+  names["smoothing"] = family.problems.front().smoothing;
   for (Json& text : texts) text = report::filled(text.get<std::string>(), {&names});
   return texts;
 }
@@ -172,38 +169,38 @@ Json texts_of(const Family& family) {
 }  // namespace
 
 Json family_data(const Family& family) {
-  const Question& first = family.questions.front();
-  const Question& constrained = most_constrained(family);
-  Json data = {{"report", "family"},
-               {"name", family.name},
-               {"first", first.name()},
-               {"variables", variables_of(first.stated)},
-               {"shown", constrained.name()},
-               {"penalty_weight",
-                constrained.stated.constraints > 0 ? Json(constrained.penalty_weight) : Json()},
-               {"forms", forms_of(constrained)},
-               {"questions", Json::array()},
-               {"charts", Json::array()}};
+  const Problem& first = family.problems.front();
+  const Problem& constrained = most_constrained(family);
+  Json data = {
+      {"report", "family"},
+      {"name", family.name},
+      {"first", first.name},
+      {"variables", variables_of(first)},
+      {"shown", constrained.name},
+      {"penalty_weight", constrained.constraints > 0 ? Json(constrained.penalty_weight) : Json()},
+      {"formulations", formulations_of(constrained)},
+      {"problems", Json::array()},
+      {"charts", Json::array()}};
   data.update(texts_of(family));
   const double sign = data["maximised"] == "" ? 1 : -1;
-  for (const Question& question : family.questions) {
-    data["questions"].push_back(row_of(question, sign));
+  for (const Problem& problem : family.problems) {
+    data["problems"].push_back(row_of(problem, sign));
   }
-  if (first.stated.dimension() == 1) data["charts"].push_back(chart_of(family));
+  if (first.dimension() == 1) data["charts"].push_back(chart_of(family));
   return data;
 }
 
 Json family_row(const Family& family) {
-  Json forms = forms_of(most_constrained(family));
-  const bool derivatives = std::any_of(forms.begin(), forms.end(), [](const Json& form) {
-    return form["derivatives"].template get<bool>();
-  });
+  Json formulations = formulations_of(most_constrained(family));
+  const bool derivatives = std::any_of(
+      formulations.begin(), formulations.end(),
+      [](const Json& formulation) { return formulation["derivatives"].template get<bool>(); });
   return {{"name", family.name},
           {"title", texts_of(family)["title"]},
-          {"questions", family.questions.size()},
+          {"problems", family.problems.size()},
           {"variables", range_of(family, [](const Problem& p) { return p.dimension(); })},
           {"constraints", range_of(family, [](const Problem& p) { return p.constraints; })},
-          {"forms", std::move(forms)},
+          {"formulations", std::move(formulations)},
           {"derivatives", derivatives}};
 }
 

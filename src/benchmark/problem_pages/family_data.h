@@ -5,10 +5,10 @@
 
 namespace ricochet::studies::problems {
 
-/// What the page of a family with at least one question is drawn from.
+/// The data for the page of a family with at least one problem.
 report::Json family_data(const Family& family);
 
-/// Its row in the table of all families.
+/// The family's row in the table of all families.
 report::Json family_row(const Family& family);
 
 }  // namespace ricochet::studies::problems

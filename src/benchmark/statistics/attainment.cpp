@@ -1,4 +1,4 @@
-#include "src/statistics/attainment.h"
+#include "src/benchmark/statistics/attainment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ double area_over_convergence_curve(const History& history, const Levels& levels,
                                    EvaluationAxis axis) {
   check(history, levels);
   if (!(budget >= 1)) throw std::invalid_argument("area_over_convergence_curve: budget < 1");
-  // An evaluation lasts until the next.
+  // Evaluation t extends from t to t + 1 on the axis.
   const auto place = [&](double t) { return axis == EvaluationAxis::linear ? t - 1 : std::log(t); };
   const double end = place(budget + 1);
   double area = 0;

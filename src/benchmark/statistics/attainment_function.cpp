@@ -1,4 +1,4 @@
-#include "src/statistics/attainment_function.h"
+#include "src/benchmark/statistics/attainment_function.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/statistics/mean_share.h"
+#include "src/benchmark/statistics/mean_share.h"
 
 namespace ricochet {
 namespace {

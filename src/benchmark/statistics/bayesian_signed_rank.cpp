@@ -1,20 +1,20 @@
-#include "src/statistics/bayesian_signed_rank.h"
+#include "src/benchmark/statistics/bayesian_signed_rank.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
+#include "src/benchmark/statistics/exponential.h"
 #include "src/core/random.h"
-#include "src/statistics/exponential.h"
 
 namespace ricochet {
 namespace {
 
 constexpr int draws = 20000;
 
-/// The differences with the prior's 0, sorted, and where that went. What is infinite becomes so
-/// large that with any finite one it is beyond the rope.
+/// The sorted differences together with the prior's 0, and the index of that 0. An infinite
+/// difference is replaced by one so large that its mean with any finite one is beyond the rope.
 struct Sample {
   std::vector<double> sorted;
   std::size_t prior;
@@ -35,7 +35,7 @@ Sample sample_of(const std::vector<double>& differences, double rope) {
   return sample;
 }
 
-/// For each i, how many of the sorted values x_k have x_i + x_k below the bound, or not above it.
+/// For each i, the number of sorted values x_k for which `belongs` accepts x_i + x_k.
 template <class Compare>
 std::vector<std::size_t> partners(const std::vector<double>& sorted, const Compare& belongs) {
   std::vector<std::size_t> numbers;
@@ -65,7 +65,7 @@ SignedRankPosterior bayesian_signed_rank(const std::vector<double>& differences,
   int positive = 0;
   for (int i = 0; i < draws; ++i) {
     for (std::size_t k = 0; k < sorted.size(); ++k) {
-      // Of the shape 1, and 1 / 2 for the prior; the sum of all scales the shares alike.
+      // Gamma weights of shape 1, and 1 / 2 for the prior; dividing by their sum is not necessary.
       weights[k] = k == prior ? std::pow(normal(1, random)[0], 2) / 2 : exponential(random);
       sums[k + 1] = sums[k] + weights[k];
     }

@@ -1,4 +1,4 @@
-#include "src/statistics/bootstrap.h"
+#include "src/benchmark/statistics/bootstrap.h"
 
 #include <algorithm>
 #include <cmath>

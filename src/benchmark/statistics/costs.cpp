@@ -1,4 +1,4 @@
-#include "src/statistics/costs.h"
+#include "src/benchmark/statistics/costs.h"
 
 #include <stdexcept>
 
@@ -6,11 +6,11 @@ namespace ricochet {
 
 std::size_t check_costs(const Costs& costs) {
   if (costs.empty() || costs.front().empty()) {
-    throw std::invalid_argument("costs: a question and a solver are needed");
+    throw std::invalid_argument("costs: a problem and a solver are needed");
   }
   for (const std::vector<double>& row : costs) {
     if (row.size() != costs.front().size()) {
-      throw std::invalid_argument("costs: every question needs a cost of every solver");
+      throw std::invalid_argument("costs: every problem needs a cost of every solver");
     }
     for (const double cost : row) {
       if (!(cost > 0)) throw std::invalid_argument("costs: a cost must be > 0");

@@ -1,4 +1,4 @@
-#include "src/statistics/empirical_distribution.h"
+#include "src/benchmark/statistics/empirical_distribution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,7 @@ MeanShare empirical_distribution(const std::vector<std::vector<double>>& hitting
   for (const std::vector<double>& times : hitting_times) {
     if (times.empty() ||
         std::any_of(times.begin(), times.end(), [](double x) { return std::isnan(x); })) {
-      throw std::invalid_argument(
-          "empirical_distribution: a question has no times, or not numbers");
+      throw std::invalid_argument("empirical_distribution: a problem has no times, or not numbers");
     }
     const auto reached = std::count_if(times.begin(), times.end(),
                                        [&](double x) { return x <= t && !std::isinf(x); });

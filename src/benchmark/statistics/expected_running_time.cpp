@@ -1,4 +1,4 @@
-#include "src/statistics/expected_running_time.h"
+#include "src/benchmark/statistics/expected_running_time.h"
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/statistics/confidence.h"
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/statistics/confidence.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 
 namespace ricochet {
 namespace {
@@ -31,7 +31,7 @@ Totals totals_of(const std::vector<Effort>& runs) {
   return totals;
 }
 
-/// Distance of a sum from its end where its parts are a and b from theirs.
+/// Distance from a sum to its interval's end, if a and b are those of its two terms.
 double joined(double a, double b, double correlation) {
   return std::sqrt(std::max(0.0, a * a + b * b + 2 * correlation * a * b));
 }
@@ -57,7 +57,7 @@ Interval expected_running_time_interval(const std::vector<Effort>& runs, double 
   if (size == 1) return {0, infinity};
   if (mean == 0) return {0, 0};
   double squares = 0;
-  double products = 0;  // with whether the run failed
+  double products = 0;  // with the indicator of failure
   for (const Effort& run : runs) {
     squares += std::pow(run.spent - mean, 2);
     products += (run.spent - mean) * (share - (run.reached ? 1 : 0));
@@ -67,7 +67,7 @@ Interval expected_running_time_interval(const std::vector<Effort>& runs, double 
       squares > 0 && failed_squares > 0
           ? std::clamp(products / std::sqrt(squares * failed_squares), -1.0, 1.0)
           : 0;
-  // The logarithm of the running time is that of the mean less that of the share.
+  // The logarithm of the running time is that of the mean effort less that of the share.
   const double t = quantile(boost::math::students_t(size - 1), (1 + confidence) / 2);
   const double of_mean = t * std::sqrt(squares / (size * (size - 1))) / mean;
   const Interval wilson = wilson_interval(successes, size, confidence);

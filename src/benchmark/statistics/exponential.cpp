@@ -1,12 +1,12 @@
-#include "src/statistics/exponential.h"
+#include "src/benchmark/statistics/exponential.h"
 
 #include <cmath>
 
 namespace ricochet {
 
 Exponential::Exponential() {
-  // Layers of the same area, the last of which is the tail with the block below it: theirs is the
-  // pair of edge and area for which 256 layers reach exactly up to 1.
+  // 256 layers of the same area; the last one is the tail with the block below it. With this edge
+  // and area the layers end exactly at height 1.
   constexpr double edge = 7.697117470131050;
   constexpr double area = 0.003949659822581557;
   ends_[0] = area * std::exp(edge);
@@ -19,7 +19,7 @@ Exponential::Exponential() {
 }
 
 double Exponential::beyond(std::size_t layer, double x, Random& random) const {
-  if (layer == 0) return ends_[1] + (*this)(random);  // it has no memory
+  if (layer == 0) return ends_[1] + (*this)(random);  // the distribution is memoryless
   const double height = heights_[layer] + uniform(random) * (heights_[layer + 1] - heights_[layer]);
   return height < std::exp(-x) ? x : (*this)(random);
 }

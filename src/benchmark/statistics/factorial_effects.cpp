@@ -1,4 +1,4 @@
-#include "src/statistics/factorial_effects.h"
+#include "src/benchmark/statistics/factorial_effects.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "src/benchmark/statistics/confidence.h"
 #include "src/core/vector.h"
-#include "src/statistics/confidence.h"
 
 namespace ricochet {
 namespace {
@@ -16,7 +16,8 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Sizes = std::vector<std::size_t>;
 
-/// Of one factor: the unit vector of the level, and -1 everywhere for the last.
+/// The sum-to-zero coding of one factor: the unit vector of the level, and -1 everywhere for the
+/// last.
 Vector coded(std::size_t level, std::size_t levels) {
   const auto columns = static_cast<Eigen::Index>(levels) - 1;
   const auto own = static_cast<Eigen::Index>(level);
@@ -24,13 +25,13 @@ Vector coded(std::size_t level, std::size_t levels) {
   return Vector::Unit(columns, own);
 }
 
-/// All products of the entries of both.
+/// All products of an entry of a and an entry of b.
 Vector product(const Vector& a, const Vector& b) {
   const Matrix all = b * a.transpose();
   return all.reshaped();
 }
 
-/// The mean, a factor, or two: which coefficients are theirs.
+/// A term of the model: the mean, a factor or an interaction of two, with its coefficients.
 struct Term {
   Sizes factors;
   Eigen::Index first;
@@ -41,7 +42,7 @@ struct Model {
   std::vector<Term> terms;
   Eigen::Index coefficients = 0;
 
-  /// The coding of the levels of a term's factors.
+  /// The coding of a term at the given levels of the factors.
   Vector coded_at(const Term& term, const Sizes& levels) const {
     Vector row = Vector::Ones(1);
     for (std::size_t i = 0; i < term.factors.size(); ++i) {
@@ -110,7 +111,7 @@ struct Equations {
   }
 };
 
-/// Each combination of levels of the term's factors, the last changing fastest.
+/// All combinations of levels of the term's factors, the last factor changing fastest.
 std::vector<Sizes> combinations(const Term& term, const Sizes& levels_of_factors) {
   std::vector<Sizes> all = {{}};
   for (const std::size_t factor : term.factors) {

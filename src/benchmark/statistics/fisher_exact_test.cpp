@@ -1,4 +1,4 @@
-#include "src/statistics/fisher_exact_test.h"
+#include "src/benchmark/statistics/fisher_exact_test.h"
 
 #include <algorithm>
 #include <boost/math/distributions/hypergeometric.hpp>
@@ -16,11 +16,11 @@ double fisher_exact_test(Share a, Share b) {
   const int trials = a.trials + b.trials;
   const int first = std::max(0, successes - b.trials);
   const int last = std::min(successes, a.trials);
-  if (first == last) return 1;  // no other table has these margins
+  if (first == last) return 1;  // this is the only table with these margins
   const boost::math::hypergeometric drawn(static_cast<unsigned>(successes),
                                           static_cast<unsigned>(a.trials),
                                           static_cast<unsigned>(trials));
-  // Tables of equal probability are equally rare, however theirs are rounded.
+  // Tables of equal probability count as equally rare despite rounding.
   const double seen = pdf(drawn, a.successes) * (1 + 1e-7);
   double p_value = 0;
   for (int k = first; k <= last; ++k) {

@@ -2,7 +2,7 @@
 
 namespace ricochet {
 
-/// Both ends belong to it; the upper one may be infinite.
+/// A closed interval; the upper end may be infinite.
 struct Interval {
   double lower, upper;
 };

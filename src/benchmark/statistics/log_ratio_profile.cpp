@@ -1,4 +1,4 @@
-#include "src/statistics/log_ratio_profile.h"
+#include "src/benchmark/statistics/log_ratio_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,11 @@ SolvedBy solved_by(double a, double b) {
   return std::isinf(b) ? SolvedBy::only_a : SolvedBy::both;
 }
 
-/// Those of questions that neither solved come first of those on the left, last on the right.
+/// Sort key: bars of problems that neither solved are the first on the left or the last on the
+/// right.
 auto key(const LogRatio& bar) {
   const double side = bar.solved_by != SolvedBy::neither ? 0 : bar.log2_ratio < 0 ? -1 : 1;
-  return std::tuple(bar.log2_ratio, side, bar.question);
+  return std::tuple(bar.log2_ratio, side, bar.problem);
 }
 
 }  // namespace
@@ -24,7 +25,7 @@ auto key(const LogRatio& bar) {
 std::vector<LogRatio> log_ratio_profile(const std::vector<double>& costs_of_a,
                                         const std::vector<double>& costs_of_b) {
   if (costs_of_a.empty() || costs_of_a.size() != costs_of_b.size()) {
-    throw std::invalid_argument("log_ratio_profile: costs of both solvers on the same questions");
+    throw std::invalid_argument("log_ratio_profile: costs of both solvers on the same problems");
   }
   std::vector<LogRatio> bars;
   double largest = 0;

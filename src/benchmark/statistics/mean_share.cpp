@@ -1,10 +1,10 @@
-#include "src/statistics/mean_share.h"
+#include "src/benchmark/statistics/mean_share.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 
 namespace ricochet {
 
@@ -22,7 +22,7 @@ MeanShare mean_share(const std::vector<double>& shares, double confidence) {
   double squares = imagined * (mean * mean + (1 - mean) * (1 - mean));
   for (const double share : shares) squares += (share - mean) * (share - mean);
   const double variance = squares / (size - 1 + imagined);
-  // Nothing in [0, 1] varies more than what is 0 or 1.
+  // Values in [0, 1] vary most if all of them are 0 or 1.
   const double trials = std::max(size, size * mean * (1 - mean) / variance);
   return {mean, wilson_interval(mean * trials, trials, confidence)};
 }

@@ -1,11 +1,11 @@
-#include "src/statistics/order_statistic_interval.h"
+#include "src/benchmark/statistics/order_statistic_interval.h"
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <stdexcept>
 
-#include "src/statistics/confidence.h"
+#include "src/benchmark/statistics/confidence.h"
 
 namespace ricochet {
 
@@ -20,10 +20,10 @@ std::optional<Interval> order_statistic_interval(std::vector<double> sample, dou
   }
   if (sample.empty()) return std::nullopt;
   std::sort(sample.begin(), sample.end());
-  const double tail = (1 - confidence) / 2 * (1 + 1e-12);  // or as much, however rounded
+  const double tail = (1 - confidence) / 2 * (1 + 1e-12);  // a tolerance for rounding
   const boost::math::binomial below(static_cast<double>(sample.size()), q);
-  // The number of values below the quantile is less than `lower`, or `upper` at least, with
-  // probability `tail` at most each; both count from 1.
+  // With probability `tail` at most, the number of values below the quantile is less than `lower`;
+  // the same holds for `upper` or more. Both count from 1.
   std::size_t lower = 0;
   while (lower < sample.size() && cdf(below, static_cast<double>(lower)) <= tail) ++lower;
   std::size_t upper = sample.size() + 1;

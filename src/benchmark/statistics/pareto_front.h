@@ -5,13 +5,13 @@
 
 namespace ricochet {
 
-/// Less of either is better; infinite allowed.
+/// A point with two values to be minimised; infinite values are allowed.
 struct CostAndError {
   double cost, error;
 };
 
-/// The points than which no other is as good in both and better in one, by rising cost; of equal
-/// points all. Throws std::invalid_argument for a value that is no number.
+/// Indices of the Pareto front: the points that no other point dominates, by rising cost; all of
+/// several equal points. Throws std::invalid_argument for a value that is no number.
 std::vector<std::size_t> pareto_front(const std::vector<CostAndError>& points);
 
 }  // namespace ricochet

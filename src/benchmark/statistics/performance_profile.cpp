@@ -1,4 +1,4 @@
-#include "src/statistics/performance_profile.h"
+#include "src/benchmark/statistics/performance_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ Costs extended_performance_ratios(const Costs& costs) {
   Costs ratios = costs;
   for (std::vector<double>& row : ratios) {
     std::vector<double> two(
-        2);  // the least and the next, which is the least of the winner's others
+        2);  // the least and the second least cost, which a winner is compared with
     std::partial_sort_copy(row.begin(), row.end(), two.begin(), two.end());
     for (double& cost : row) cost = ratio_of(cost, cost == two[0] ? two[1] : two[0]);
   }

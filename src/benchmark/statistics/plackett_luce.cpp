@@ -1,4 +1,4 @@
-#include "src/statistics/plackett_luce.h"
+#include "src/benchmark/statistics/plackett_luce.h"
 
 #include <tbb/parallel_for.h>
 
@@ -9,17 +9,18 @@
 #include <stdexcept>
 #include <utility>
 
+#include "src/benchmark/statistics/bootstrap.h"
+#include "src/benchmark/statistics/confidence.h"
+#include "src/benchmark/statistics/exponential.h"
 #include "src/core/random.h"
-#include "src/statistics/bootstrap.h"
-#include "src/statistics/confidence.h"
-#include "src/statistics/exponential.h"
 
 namespace ricochet {
 namespace {
 
-constexpr std::size_t chains = 8;  // that many, whatever the threads
+constexpr std::size_t chains = 8;  // fixed, whatever the number of threads
 
-/// Of the shape given, >= 1, and scale 1 (Marsaglia and Tsang 2000, doi:10.1145/358407.358414).
+/// A draw from the gamma distribution of this shape, >= 1, and scale 1 (Marsaglia and Tsang 2000,
+/// doi:10.1145/358407.358414).
 double gamma(double shape, Random& random) {
   const double d = shape - 1.0 / 3;
   for (;;) {
@@ -29,12 +30,12 @@ double gamma(double shape, Random& random) {
   }
 }
 
-/// The rankings one after the other, their ties in any order.
+/// The rankings one after the other, with their ties in some order.
 struct Orders {
   std::vector<std::uint32_t> solvers;
   std::vector<std::size_t> ends;                          ///< of the rankings
-  std::vector<std::pair<std::size_t, std::size_t>> ties;  ///< where each begins and ends
-  std::vector<double> named;                              ///< how often each solver is
+  std::vector<std::pair<std::size_t, std::size_t>> ties;  ///< first and end of each
+  std::vector<double> named;  ///< number of rankings that name each solver
 
   Orders(const std::vector<Ranking>& rankings, std::size_t number) : named(number) {
     for (const Ranking& ranking : rankings) {
@@ -52,7 +53,7 @@ struct Orders {
     }
   }
 
-  /// Each order alike likely.
+  /// Draws an order of each tie, all orders being equally likely.
   void shuffle_ties(Random& random) {
     for (const auto& [first, end] : ties) {
       for (std::size_t i = first + 1; i < end; ++i) {
@@ -63,7 +64,7 @@ struct Orders {
     }
   }
 
-  /// How often each solver was chosen; the last of a ranking is not, nobody else being left.
+  /// How often each solver was chosen. The last of a ranking is not, because no other is left.
   std::vector<double> chosen() const {
     std::vector<double> times = named;
     for (const std::size_t end : ends) --times[solvers[end - 1]];
@@ -71,9 +72,9 @@ struct Orders {
   }
 };
 
-/// At each place of each order, but for the last, a time, exponential at the rate of the weights
-/// that still stand: how long each weight stood in all, and 1 more, its prior's rate. `time` is of
-/// rate 1.
+/// Draws a time for each place of each order except the last, exponential with the sum of the
+/// weights not yet placed as its rate. Returns, for each solver, the sum of the times until it was
+/// placed plus 1, the rate of its prior. `time` draws with rate 1.
 template <class Time>
 std::vector<double> drawn_rates(const Orders& orders, const std::vector<double>& weights,
                                 const Time& time) {
@@ -99,7 +100,7 @@ double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Each from the gamma distribution that the rates leave it.
+/// Draws each weight from its gamma distribution given the rates.
 std::vector<double> drawn_weights(const std::vector<double>& chosen,
                                   const std::vector<double>& rates, Random& random) {
   std::vector<double> weights;
@@ -109,8 +110,8 @@ std::vector<double> drawn_weights(const std::vector<double>& chosen,
   return weights;
 }
 
-/// A sweep of the sampler; returns the rates. The sum of the weights, of which rankings say
-/// nothing, is drawn anew.
+/// A sweep of the sampler; returns the rates. The sum of the weights, which rankings do not
+/// determine, is drawn from its prior.
 std::vector<double> sweep(const Orders& orders, const std::vector<double>& chosen,
                           std::vector<double>& weights, Random& random) {
   static const Exponential exponential;
@@ -121,7 +122,8 @@ std::vector<double> sweep(const Orders& orders, const std::vector<double>& chose
   return rates;
 }
 
-/// Where the sampler starts: all times at their means, and so often that weights hardly change.
+/// The start of the sampler: weights from iterations with all times at their means, until they
+/// hardly change.
 std::vector<double> starting_weights(const Orders& orders) {
   const std::vector<double> chosen = orders.chosen();
   std::vector<double> weights(chosen.size(), 1.0);
@@ -138,16 +140,16 @@ std::vector<double> starting_weights(const Orders& orders) {
   return weights;
 }
 
-/// How many orders of the ties each chain goes through, and with how many sweeps.
+/// The number of tie orders for each chain, and of sweeps for each order.
 struct Schedule {
   int orders, settling, kept, draws_of_each;
 };
 
-/// 10,000 sweeps in all for 8,000 draws, or of many rankings fewer sweeps and as many draws: one
-/// more draw from the times of a sweep costs nothing there, and is nearly as good as that of
-/// another.
+/// 10,000 sweeps in all for 8,000 draws. For many rankings fewer sweeps and as many draws: there a
+/// further draw from the times of a sweep costs almost nothing, and is nearly as good as one from
+/// another sweep.
 Schedule schedule_for(const Orders& all) {
-  constexpr double most_visits = 7e7;  // of a place by a sweep: half a second
+  constexpr double most_visits = 7e7;  // visits of a place by a sweep: half a second
   constexpr double most_orders = 50;
   const auto places = static_cast<double>(all.solvers.size());
   const double sweeps = std::clamp(most_visits / std::max(1.0, places), 320.0, 10000.0) / chains;
@@ -159,7 +161,7 @@ Schedule schedule_for(const Orders& all) {
   return {orders, settling, kept, (8000 + sweeps_kept - 1) / sweeps_kept};
 }
 
-/// Draws of the weights, their sum 1, and how often each was the largest.
+/// Draws of the weights, normalised to sum 1, and how often each weight was the largest.
 struct Draws {
   std::vector<std::vector<double>> of_solver;
   std::vector<int> best;

@@ -1,12 +1,12 @@
-#include "src/statistics/rank_correlation.h"
+#include "src/benchmark/statistics/rank_correlation.h"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 
-#include "src/statistics/confidence.h"
-#include "src/statistics/ranks.h"
+#include "src/benchmark/statistics/confidence.h"
+#include "src/benchmark/statistics/ranks.h"
 
 namespace ricochet {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/statistics/rank_sum_test.h"
+#include "src/benchmark/statistics/rank_sum_test.h"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -7,17 +7,17 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "src/statistics/ranks.h"
+#include "src/benchmark/statistics/ranks.h"
 
 namespace ricochet {
 namespace {
 
-constexpr std::size_t most_for_exact = 60;  // some million additions
+constexpr std::size_t most_for_exact = 60;  // a few million additions
 
 /// Share of all choices of `chosen` ranks whose sum is at least as far from `mean` as `distance`.
 double exact(const std::vector<double>& ranks, std::size_t chosen, double mean, double distance) {
-  // Twice a rank is an integer. ways[j][s]: choices of j of the ranks so far with s as twice the
-  // sum.
+  // Twice a rank is an integer. ways[j][s]: number of choices of j of the ranks so far whose
+  // doubled sum is s.
   const std::size_t most = ranks.size() * (ranks.size() + 1);
   std::vector<std::vector<double>> ways(chosen + 1, std::vector<double>(most + 1));
   ways[0][0] = 1;
@@ -38,7 +38,7 @@ double exact(const std::vector<double>& ranks, std::size_t chosen, double mean, 
 
 double normal(const std::vector<double>& ranks, double chosen, double distance) {
   const auto all = static_cast<double>(ranks.size());
-  double square = 0;  // of the ranks, from their mean: ties make it smaller
+  double square = 0;  // of the ranks, around their mean: ties make it smaller
   for (const double rank : ranks) square += std::pow(rank - (all + 1) / 2, 2);
   const double variance = chosen * (all - chosen) * square / (all * (all - 1));
   if (variance == 0) return 1;

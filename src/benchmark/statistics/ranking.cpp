@@ -1,4 +1,4 @@
-#include "src/statistics/ranking.h"
+#include "src/benchmark/statistics/ranking.h"
 
 #include <algorithm>
 #include <cmath>

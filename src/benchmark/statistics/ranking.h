@@ -6,17 +6,17 @@
 
 namespace ricochet {
 
-/// The order of solvers on one question, the best first; those that are tied stand together, those
-/// that did not take part nowhere.
+/// The order of solvers on one problem, the best first. Tied solvers are in one group; solvers that
+/// did not take part are missing.
 using Ranking = std::vector<std::vector<std::size_t>>;
 
-/// What a solver reached on a question, and at what cost: less is better, the value first. Infinite
-/// where it reached nothing.
+/// The value that a solver reached on a problem, and its cost: less is better, the value compared
+/// first. Infinite if it reached nothing.
 struct Reached {
   double value, cost;
 };
 
-/// The ranking of solvers 0, 1, ... by what they reached; nothing where one did not take part.
+/// The ranking of solvers 0, 1, ... by what they reached; an entry without value did not take part.
 /// Throws std::invalid_argument for a value that is no number.
 Ranking ranking_of(const std::vector<std::optional<Reached>>& reached);
 

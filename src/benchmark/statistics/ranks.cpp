@@ -1,4 +1,4 @@
-#include "src/statistics/ranks.h"
+#include "src/benchmark/statistics/ranks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "src/statistics/shifted_geometric_mean.h"
+#include "src/benchmark/statistics/shifted_geometric_mean.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,18 +1,19 @@
-#include "src/statistics/signed_rank_test.h"
+#include "src/benchmark/statistics/signed_rank_test.h"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstddef>
 
-#include "src/statistics/ranks.h"
+#include "src/benchmark/statistics/ranks.h"
 
 namespace ricochet {
 namespace {
 
-constexpr std::size_t most_pairs_for_exact = 200;  // some million additions
+constexpr std::size_t most_pairs_for_exact = 200;  // a few million additions
 
-/// Chance that the sum of each rank or, as often, 0 is at least as far from its mean as `distance`.
+/// Probability that the sum, to which each rank contributes itself or 0 with probability 1/2, is at
+/// least as far from its mean as `distance`.
 double exact(const std::vector<double>& ranks, double mean, double distance) {
   const auto most = static_cast<std::size_t>(4 * mean);  // twice a rank is an integer
   std::vector<double> chance(most + 1);

@@ -1,8 +1,8 @@
-#include "src/statistics/virtual_best.h"
+#include "src/benchmark/statistics/virtual_best.h"
 
 #include <algorithm>
 
-#include "src/statistics/shifted_geometric_mean.h"
+#include "src/benchmark/statistics/shifted_geometric_mean.h"
 
 namespace ricochet {
 

@@ -1,11 +1,11 @@
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <stdexcept>
 
-#include "src/statistics/confidence.h"
+#include "src/benchmark/statistics/confidence.h"
 
 namespace ricochet {
 
@@ -18,7 +18,7 @@ Interval wilson_interval(double successes, double trials, double confidence) {
   const double failures = trials - successes;
   const double centre = successes + z * z / 2;
   const double half = z * std::sqrt(successes * failures / trials + z * z / 4);
-  // The ends of no success and of no failure are exact, rounded or not.
+  // For no success or no failure one end is exactly 0 or 1, despite rounding.
   return {successes == 0 ? 0 : std::max(0.0, (centre - half) / (trials + z * z)),
           failures == 0 ? 1 : std::min(1.0, (centre + half) / (trials + z * z))};
 }

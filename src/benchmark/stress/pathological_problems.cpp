@@ -1,4 +1,4 @@
-#include "src/studies/stress/ill_problems.h"
+#include "src/benchmark/stress/pathological_problems.h"
 
 #include <chrono>
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 
 constexpr double centre = 0.3;
 
-/// Half the sum of (x_i - 0.3)^2 on [0, 1]^n from 0.9: best, 0, in the middle of things. `before`
-/// is done at every evaluation, and its result added to the objective, the gradient's entries and
-/// the residuals.
+/// Half the sum of (x_i - 0.3)^2 on [0, 1]^n, with start 0.9 and best value 0 at 0.3, inside the
+/// box. `before` is called at every evaluation; its result is added to the objective, the entries
+/// of the gradient and the residuals.
 Problem bowl(std::string name, Eigen::Index n, std::function<double(const Vector&)> before) {
   Problem problem;
   problem.name = std::move(name);
@@ -43,7 +43,7 @@ double nothing(const Vector&) {
   return 0;
 }
 
-/// No number where the sum is above 1.2, the start included.
+/// NaN where the sum is above 1.2, including at the start.
 double no_number(const Vector& x) {
   return x.sum() > 1.2 ? std::numeric_limits<double>::quiet_NaN() : 0;
 }
@@ -76,7 +76,7 @@ Problem plateau() {
   return problem;
 }
 
-/// Lowest at an edge beyond which it is higher by 1.
+/// Lowest at a discontinuity, beyond which the objective is higher by 1.
 Problem cliff() {
   Problem problem = bowl("cliff", 2, nothing);
   const auto value = [](const Vector& x) {
@@ -113,7 +113,7 @@ Problem infeasible() {
   return problem;
 }
 
-/// So many coordinates, the first ones, have no choice but 0.3.
+/// The first `fixed` coordinates can only be 0.3.
 Problem narrow(std::string name, Eigen::Index fixed) {
   Problem problem = bowl(std::move(name), 2, nothing);
   problem.lower.head(fixed).setConstant(centre);
@@ -124,7 +124,7 @@ Problem narrow(std::string name, Eigen::Index fixed) {
 
 }  // namespace
 
-std::vector<IllProblem> ill_problems() {
+std::vector<PathologicalProblem> pathological_problems() {
   return {
       {"no number in a corner", bowl("no-number", 2, no_number)},
       {"infinite in a corner", bowl("infinite", 2, infinite)},

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "src/campaign/worker.h"
+#include "src/benchmark/experiment/campaign/worker.h"
 #include "src/core/problem.h"
 
 namespace ricochet::studies::stress {
 
-/// Something that goes wrong in practice, as a problem.
-struct IllProblem {
+/// A failure that happens in practice, as a problem.
+struct PathologicalProblem {
   std::string what;  ///< e.g. "no number in a corner"
   Problem problem;   ///< with derivatives and residuals wherever they make sense
   Budget budget = {400};
@@ -17,6 +17,6 @@ struct IllProblem {
 };
 
 /// All of them.
-std::vector<IllProblem> ill_problems();
+std::vector<PathologicalProblem> pathological_problems();
 
 }  // namespace ricochet::studies::stress

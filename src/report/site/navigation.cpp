@@ -1,4 +1,4 @@
-#include "src/site/navigation.h"
+#include "src/report/site/navigation.h"
 
 #include <algorithm>
 #include <fstream>
@@ -16,10 +16,6 @@ namespace fs = std::filesystem;
 
 // In reports/templates/page.mustache.
 constexpr std::string_view opening = "<!-- navigation -->", closing = "<!-- /navigation -->";
-
-Json subpages(const FoundReport& report) {
-  return report.data.value("pages", Json::array());
-}
 
 void put_between(const fs::path& page, const std::string& links) {
   std::ifstream stream(page, std::ios::binary);
@@ -53,9 +49,10 @@ std::string navigation(const std::vector<FoundReport>& reports, const std::strin
         {{"folder", folder}, {"label", label}, {"here", own && own_page.empty()}});
     if (!own) continue;
     data["own"] = {{"folder", folder}, {"label", label}};
-    for (const Json& page : subpages(report)) {
-      const std::string name = report::escape_html(page.get<std::string>());
-      data["pages"].push_back({{"folder", folder}, {"page", name}, {"here", page == own_page}});
+    for (const FoundPage& page : report.pages) {
+      const std::string name = report::escape_html(page.folder);
+      data["pages"].push_back(
+          {{"folder", folder}, {"page", name}, {"here", page.folder == own_page}});
     }
   }
   data["has_pages"] = !data["pages"].empty();
@@ -65,8 +62,8 @@ std::string navigation(const std::vector<FoundReport>& reports, const std::strin
 void link_pages(const fs::path& site, const std::vector<FoundReport>& reports) {
   for (const FoundReport& report : reports) {
     put_between(site / report.folder / "index.html", navigation(reports, report.folder));
-    for (const Json& page : subpages(report)) {
-      const std::string name = report.folder + "/" + page.get<std::string>();
+    for (const FoundPage& page : report.pages) {
+      const std::string name = report.folder + "/" + page.folder;
       put_between(site / name / "index.html", navigation(reports, name));
     }
   }

@@ -1,18 +1,13 @@
-#include "src/site/site.h"
+#include "src/report/site/site.h"
 
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "src/report/file_set.h"
 #include "src/report/report.h"
-#include "src/site/answers.h"
-#include "src/site/card.h"
-#include "src/site/competitors.h"
-#include "src/site/front_page.h"
-#include "src/site/motion.h"
-#include "src/site/navigation.h"
-#include "src/site/pairs.h"
-#include "src/site/questions.h"
+#include "src/report/site/front_page.h"
+#include "src/report/site/navigation.h"
 
 namespace ricochet::site {
 namespace {
@@ -21,20 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* data_file = "data.json";
 
-Json collected(const std::vector<FoundReport>& reports) {
-  return {{"report", "site"},
-          {"speed", speed_answer(reports)},
-          {"machines", machine_answers(reports)},
-          {"solvers", solver_answer(reports)},
-          {"contest", contest_data(reports)},
-          {"motion", motion_data(reports)},
-          {"pairs", pairs_data(reports)},
-          {"questions", questions_data(reports)},
-          {"cards", report::list_of(reports, card_of)},
-          {"missing", missing_cards(reports)}};
-}
-
-/// Without the dots and the slash at its end, so that it has a name and a folder above.
+/// Removes dots and a trailing slash, so that the path has a name and a parent.
 fs::path plain(const fs::path& folder) {
   const fs::path whole = fs::absolute(folder).lexically_normal();
   return whole.has_filename() ? whole : whole.parent_path();
@@ -50,30 +32,41 @@ bool is_site(const fs::path& folder) {
   return data.is_object() && data.value("report", "") == "site";
 }
 
-void write_site(const fs::path& folder) {
+std::vector<std::string> write_site(const fs::path& folder) {
   const std::vector<FoundReport> reports = found_reports(folder);
-  const Json data = collected(reports);
-  report::FileSet files = front_page(data, navigation(reports, ""));
-  files[data_file] = data.dump() + "\n";
-  report::replace_files(folder, files);
+  FrontPage page = front_page(front_of(reports), navigation(reports, ""));
+  report::replace_files(folder, page.files);
   link_pages(folder, reports);
+  return page.failures;
 }
 
-void write_site_above(const fs::path& report) {
+std::vector<std::string> write_site_above(const fs::path& report) {
   const fs::path above = plain(report).parent_path();
-  if (is_site(above)) write_site(above);
+  return is_site(above) ? write_site(above) : std::vector<std::string>();
 }
 
-bool redraw_site(const fs::path& from, const fs::path& folder) {
+std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const fs::path& folder) {
   std::error_code none;
-  if (fs::exists(from / data_file, none) && !is_site(from)) return false;
+  if (fs::exists(from / data_file, none) && !is_site(from)) return std::nullopt;
   const std::vector<FoundReport> reports = found_reports(from);
-  if (reports.empty()) return false;
+  if (reports.empty()) return std::nullopt;
+  std::vector<std::string> failures;
   for (const FoundReport& report : reports) {
-    report::redraw_report(from / report.folder, folder / report.folder);
+    try {
+      const auto written = report::redraw_report(from / report.folder, folder / report.folder);
+      for (const std::string& line : written.failures) {
+        failures.push_back(report.folder + ": " + line);
+      }
+    } catch (const std::logic_error&) {  // of another version: the front page says so
+      if (fs::equivalent(from, folder, none)) continue;
+      fs::create_directories(folder / report.folder);
+      fs::copy_file(from / report.folder / data_file, folder / report.folder / data_file,
+                    fs::copy_options::overwrite_existing);
+    }
   }
-  write_site(folder);
-  return true;
+  const std::vector<std::string> own = write_site(folder);
+  failures.insert(failures.end(), own.begin(), own.end());
+  return failures;
 }
 
 }  // namespace ricochet::site

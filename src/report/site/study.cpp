@@ -1,4 +1,4 @@
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 #include "src/core/folder_lock.h"
 #include "src/report/report.h"
-#include "src/site/site.h"
+#include "src/report/site/site.h"
 
 namespace ricochet::studies {
 namespace {
@@ -21,7 +21,7 @@ constexpr const char* compiler = "Clang " __VERSION__;
 constexpr const char* compiler = "GCC " __VERSION__;
 #endif
 
-/// The cores that this process may use.
+/// Number of cores that this process may use.
 int cores() {
   cpu_set_t allowed;
   return sched_getaffinity(0, sizeof allowed, &allowed) == 0
@@ -45,13 +45,14 @@ Finished run(const Study& study, bool quick, const std::filesystem::path& folder
                          {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
                          {"quick", quick}}}};
   data.update(results);
-  std::string epilogue = report::write_report(data, folder);
-  site::write_site_above(folder);
+  auto [epilogue, failures] = report::write_report(data, folder);
+  const std::vector<std::string> above = site::write_site_above(folder);
+  failures.insert(failures.end(), above.begin(), above.end());
   if (!epilogue.empty()) epilogue += "\n";
   epilogue +=
       fmt::format("The report: {}\n",
                   (std::filesystem::absolute(folder) / "index.html").lexically_normal().string());
-  return {std::move(data), std::move(epilogue)};
+  return {std::move(data), std::move(epilogue), std::move(failures)};
 }
 
 }  // namespace ricochet::studies

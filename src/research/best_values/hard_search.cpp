@@ -1,4 +1,4 @@
-#include "src/studies/best_values/hard_search.h"
+#include "src/research/best_values/hard_search.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -10,16 +10,16 @@
 #include <string>
 #include <utility>
 
-#include "problems/carrier_track/counting/quiet_pockets.h"
+#include "problems/carrier_track/counting/quiet_intervals.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/sensitivity.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/questions/speed_problem.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/problems/speed_problem.h"
+#include "problems/carrier_track/problems/top_speed.h"
 #include "solvers/bisection.h"
-#include "src/campaign/progress.h"
 #include "src/core/evaluator.h"
+#include "src/core/progress.h"
 #include "src/core/random.h"
 #include "src/core/seed.h"
 
@@ -30,7 +30,7 @@ using namespace carrier_track;
 
 constexpr double finest_step = 1e-4;  // [rad/s]
 constexpr double bisected_to = 1e-7;
-constexpr double least_share = 1e-3;  // of the box, in the last pocket
+constexpr double least_share = 1e-3;  // of the box, in the last quiet interval
 constexpr double largest_share = 1e-2;
 constexpr double least_distance = 0.5;  // [rad/s]
 constexpr double least_loud = 0.1;
@@ -38,34 +38,36 @@ constexpr double fastest_best = 17.9;
 constexpr double largest_bisection_share = 0.25;
 constexpr int most_around_a_case = 5;
 
-struct LastPocket {
-  Pocket pocket;
+struct LastQuietInterval {
+  QuietInterval quiet_interval;
   Hardness hardness;
 };
 
-/// The last pocket and what lies below it, where a scan finds it hard; `slack` is what a coarse
-/// scan may be wrong by.
-std::optional<LastPocket> last_pocket(const Machine& machine, double step, double slack) {
+/// Returns the last quiet interval and the quiet speeds below it, if a scan finds the machine hard;
+/// `slack` is the possible error of a coarse scan.
+std::optional<LastQuietInterval> last_quiet_interval(const Machine& machine, double step,
+                                                     double slack) {
   const SpeedScan scan = scan_speeds(machine.scene, step, fastest_speed);
-  const std::vector<Pocket> pockets = quiet_pockets(scan, machine.quiet_limit);
-  if (pockets.size() < 2) return std::nullopt;
-  LastPocket last{pockets.back(), {}};
+  const std::vector<QuietInterval> found = quiet_intervals(scan, machine.quiet_limit);
+  if (found.size() < 2) return std::nullopt;
+  LastQuietInterval last{found.back(), {}};
   Hardness& hardness = last.hardness;
-  for (const Pocket& pocket : pockets) {
-    if (pocket.width() < speed_tolerance - slack) continue;
-    if (hardness.pockets++ == 0) hardness.first_end = pocket.to;
+  for (const QuietInterval& quiet_interval : found) {
+    if (quiet_interval.width() < speed_tolerance - slack) continue;
+    if (hardness.quiet_intervals++ == 0) hardness.first_end = quiet_interval.to;
   }
-  hardness.last_begin = last.pocket.from;
-  hardness.loud_before = last.pocket.from - pockets[pockets.size() - 2].to;
+  hardness.last_begin = last.quiet_interval.from;
+  hardness.loud_before = last.quiet_interval.from - found[found.size() - 2].to;
   const double box = fastest_speed - slowest_speed;
-  const bool hard = hardness.pockets > 1 && last.pocket.width() >= least_share * box - slack &&
-                    last.pocket.width() <= largest_share * box + slack &&
-                    last.pocket.to - hardness.first_end >= least_distance - slack &&
-                    hardness.loud_before >= least_loud - slack && last.pocket.to < fastest_best;
+  const bool hard =
+      hardness.quiet_intervals > 1 && last.quiet_interval.width() >= least_share * box - slack &&
+      last.quiet_interval.width() <= largest_share * box + slack &&
+      last.quiet_interval.to - hardness.first_end >= least_distance - slack &&
+      hardness.loud_before >= least_loud - slack && last.quiet_interval.to < fastest_best;
   return hard ? std::optional(last) : std::nullopt;
 }
 
-/// The end of the pocket [rad/s], to bisected_to: between a quiet speed and a loud one.
+/// The end of the quiet interval [rad/s], to bisected_to: between a quiet speed and a loud one.
 double end_of(const Machine& machine, double quiet, double loud) {
   while (loud - quiet > bisected_to) {
     const double middle = (quiet + loud) / 2;
@@ -76,12 +78,12 @@ double end_of(const Machine& machine, double quiet, double loud) {
 
 bool certain_about(const Machine& machine, double speed) {
   for (const double at : {speed - finest_step, speed, speed + finest_step}) {
-    if (!record(at_speed(machine.scene, at), default_width, 0).certainty.certain) return false;
+    if (!record(at_speed(machine.scene, at), default_smoothing, 0).certainty.certain) return false;
   }
   return true;
 }
 
-/// Where bisection ends that begins at this share of the box.
+/// Returns the result of bisection started at this share of the box.
 double bisected(const Problem& problem, double share) {
   Evaluator evaluator(problem, Budget{100});
   Random unused;
@@ -89,11 +91,11 @@ double bisected(const Problem& problem, double share) {
   return bisection().solve(evaluator, start, unused).point.value_or(problem.upper)[0];
 }
 
-/// Whether bisection misses the best from the middle, which is where it goes on from an end, and
-/// from most places. Notes how far from it it ends, begun in the middle, and from which share of
-/// places it finds it.
+/// Returns true if bisection misses the best speed from the middle, which is also its continuation
+/// from an end, and from most starts. Records its error from the middle, and the share of starts
+/// from which it succeeds.
 bool bisection_misses(const Machine& machine, double best, Hardness& hardness) {
-  const Problem problem = top_speed_question(machine).stated;
+  const Problem problem = top_speed_problem(machine);
   constexpr int parts = 256;
   int solved = 0;
   for (int k = 1; k < parts; ++k) {
@@ -109,7 +111,7 @@ bool bisection_misses(const Machine& machine, double best, Hardness& hardness) {
 
 }  // namespace
 
-Machine random_machine(const Scene& reading, const std::string& around, int draw) {
+Machine random_machine(const Scene& constants, const std::string& around, int draw) {
   Random random(seed_of(around, "hard machine", draw, 0));
   const auto between = [&random](double low, double high) {
     return low * std::pow(high / low, uniform(random));
@@ -117,7 +119,7 @@ Machine random_machine(const Scene& reading, const std::string& around, int draw
   Machine machine;
   machine.id = fmt::format("{}~{}", around, draw);
   Scene& scene = machine.scene;
-  scene = scene_of(find_case(around), reading);
+  scene = scene_of(find_case(around), constants);
   for (const std::string& key : constants_of(scene)) {
     scene = scaled(std::move(scene), key, between(0.5, 2));
   }
@@ -131,11 +133,12 @@ Machine random_machine(const Scene& reading, const std::string& around, int draw
 
 std::optional<HardMachine> judged_hard(const Machine& machine) {
   for (const double coarse : {1e-2, 1e-3}) {
-    if (!last_pocket(machine, coarse, 2 * coarse)) return std::nullopt;
+    if (!last_quiet_interval(machine, coarse, 2 * coarse)) return std::nullopt;
   }
-  const auto last = last_pocket(machine, finest_step, 0);
+  const auto last = last_quiet_interval(machine, finest_step, 0);
   if (!last) return std::nullopt;
-  const double best = end_of(machine, last->pocket.to, last->pocket.to + finest_step);
+  const double best =
+      end_of(machine, last->quiet_interval.to, last->quiet_interval.to + finest_step);
   if (!certain_about(machine, best)) return std::nullopt;
   HardMachine hard;
   hard.hardness = last->hardness;
@@ -156,7 +159,7 @@ HardMachines find_hard_machines(int draws, std::size_t wanted) {
     tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) {
       const std::string& around = cases[i % cases.size()].id;
       const int draw = static_cast<int>(i / cases.size());
-      judged[i] = judged_hard(random_machine(default_reading().scene, around, draw));
+      judged[i] = judged_hard(random_machine(default_machine(), around, draw));
       if (judged[i]) {
         judged[i]->around = around;
         judged[i]->draw = draw;
@@ -169,7 +172,7 @@ HardMachines find_hard_machines(int draws, std::size_t wanted) {
     if (hard) found.push_back(std::move(*hard));
   }
   std::stable_sort(found.begin(), found.end(), [](const HardMachine& a, const HardMachine& b) {
-    return pocket_share(a) < pocket_share(b);
+    return quiet_interval_share(a) < quiet_interval_share(b);
   });
   std::map<std::string, int> around;
   std::vector<HardMachine> kept;
@@ -179,7 +182,7 @@ HardMachines find_hard_machines(int draws, std::size_t wanted) {
     hard.machine.id = fmt::format("{:02}", kept.size() + 1);
     kept.push_back(std::move(hard));
   }
-  return {default_reading(), std::move(kept)};
+  return {default_machine(), std::move(kept)};
 }
 
 }  // namespace ricochet::studies::best_values

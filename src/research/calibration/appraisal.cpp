@@ -1,4 +1,4 @@
-#include "src/studies/calibration/appraisal.h"
+#include "src/research/calibration/appraisal.h"
 
 #include <tbb/parallel_for.h>
 
@@ -8,18 +8,29 @@
 #include <utility>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/questions/speed_range.h"
+#include "problems/carrier_track/problems/speed_range.h"
 
 namespace ricochet::studies::calibration {
 namespace {
 
 using namespace carrier_track;
 
-CaseAppraisal appraise_case(const Case& the_case, const Fit& fit, double step) {
-  const CountAt count = counts_of(the_case, fit.reading, fit.constants);
-  SpeedScan scan = scan_of(the_case, fit.reading, fit.constants, step);
-  Score result = score(count, the_case.claim, scan, 1);
-  return {the_case, std::move(scan), std::move(result)};
+/// A case by its counts, stored by a scan at evenly spaced speeds.
+struct ScannedCase {
+  CountAt count;
+  SpeedScan scan;
+};
+
+template <class Scanned>
+std::vector<CaseAppraisal> judged_cases(const Scanned& scanned) {
+  const std::vector<Case> cases = all_cases();
+  std::vector<CaseAppraisal> judged(cases.size());
+  tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
+    auto [count, scan] = scanned(cases[i]);
+    Score result = score(count, cases[i].claim, scan, 1);
+    judged[i] = {cases[i], std::move(scan), std::move(result)};
+  });
+  return judged;
 }
 
 double square(double x) {
@@ -28,33 +39,42 @@ double square(double x) {
 
 }  // namespace
 
-CountAt counts_of(const Case& a_case, const Reading& reading, const Constants& constants) {
-  return [&, scene = scene_of(a_case, reading, constants)](double omega) {
-    return static_cast<int>(objective(scene_at(scene, reading, constants, omega), 0.0));
+CountAt counts_of(const Case& a_case, const Interpretation& interpretation,
+                  const Constants& constants) {
+  return [&, scene = scene_of(a_case, interpretation, constants)](double omega) {
+    return static_cast<int>(objective(scene_at(scene, interpretation, constants, omega), 0.0));
   };
 }
 
-SpeedScan scan_of(const Case& a_case, const Reading& reading, const Constants& constants,
-                  double step) {
-  if (reading.transition == Transition::plain) {
-    return scan_speeds(scene_of(a_case, reading, constants), step, fastest_speed);
+SpeedScan scan_of(const Case& a_case, const Interpretation& interpretation,
+                  const Constants& constants, double step) {
+  if (interpretation.transition == Transition::plain) {
+    return scan_speeds(scene_of(a_case, interpretation, constants), step, fastest_speed);
   }
-  return scan_speeds(counts_of(a_case, reading, constants), step, fastest_speed);
+  return scan_speeds(counts_of(a_case, interpretation, constants), step, fastest_speed);
 }
 
 double selection_criterion(double sum_of_squares, int errors, int constants) {
-  const int p = constants + 1;  // and the variance
+  const int p = constants + 1;  // plus one for the variance
   if (errors <= p + 1) return std::numeric_limits<double>::infinity();
   const double mean = std::max(1e-6, sum_of_squares / errors);
   return errors * std::log(mean) + 2.0 * p + 2.0 * p * (p + 1) / (errors - p - 1);
 }
 
+std::vector<CaseAppraisal> judged(const CountsOfCase& counts, double step) {
+  return judged_cases([&](const Case& a_case) {
+    CountAt count = counts(a_case);
+    SpeedScan scan = scan_speeds(count, step, fastest_speed);
+    return ScannedCase{std::move(count), std::move(scan)};
+  });
+}
+
 Appraisal appraise(const Fit& fit, double step) {
-  const auto cases = all_cases();
-  std::vector<CaseAppraisal> judged(cases.size());
-  tbb::parallel_for(std::size_t{0}, cases.size(),
-                    [&](std::size_t i) { judged[i] = appraise_case(cases[i], fit, step); });
-  return summed_up(std::move(judged), static_cast<int>(fit.freed.size()));
+  const auto scanned = [&](const Case& a_case) {
+    return ScannedCase{counts_of(a_case, fit.interpretation, fit.constants),
+                       scan_of(a_case, fit.interpretation, fit.constants, step)};
+  };
+  return summed_up(judged_cases(scanned), static_cast<int>(fit.free.size()));
 }
 
 Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants) {
@@ -77,7 +97,7 @@ Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants) {
     }
     if (!claim.threshold) continue;
     ++thresholds;
-    // A case without a threshold errs by as much as one at the end of the range that it prefers.
+    // Without a threshold, the case counts as if it were at the lowest or at the highest speed.
     const double end =
         c.scan.counts.front() > quiet_limit(s.quiet_count) ? c.scan.step : fastest_speed;
     const double error = std::log(s.threshold.value_or(end) / *claim.threshold);

@@ -1,32 +1,40 @@
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "src/studies/calibration/fit.h"
+#include "src/report/json.h"
+#include "src/research/calibration/fit.h"
 
 namespace ricochet::studies::calibration {
 
-/// The collision count of a case at a speed, by a reading and its constants. Refers to both.
+/// Returns the collision count of a case over the speed, for an interpretation and its parameters.
+/// Refers to both.
 carrier_track::CountAt counts_of(const carrier_track::Case& a_case,
-                                 const carrier_track::Reading& reading,
+                                 const carrier_track::Interpretation& interpretation,
                                  const carrier_track::Constants& constants);
 
-/// Those counts at evenly spaced speeds up to 18 rad/s, side by side where the reading allows it.
+/// Those counts at evenly spaced speeds up to 18 rad/s, vectorised if the interpretation allows it.
 carrier_track::SpeedScan scan_of(const carrier_track::Case& a_case,
-                                 const carrier_track::Reading& reading,
+                                 const carrier_track::Interpretation& interpretation,
                                  const carrier_track::Constants& constants, double step);
 
-/// A case, judged: the six parts of its score over evenly spaced speeds.
+/// The evaluation of a case: the six parts of its score over evenly spaced speeds.
 struct CaseAppraisal {
   carrier_track::Case the_case;
   carrier_track::SpeedScan scan;
   carrier_track::Score score;
 };
 
-/// What a fit is worth, over all cases, in the terms of the paper.
+/// The counts of a case at any speed.
+using CountsOfCase = std::function<carrier_track::CountAt(const carrier_track::Case&)>;
+
+/// Evaluates C1..C12 with any counts at speeds `step` [rad/s] apart up to 18 rad/s, in parallel.
+std::vector<CaseAppraisal> judged(const CountsOfCase& counts, double step);
+
+/// The evaluation of a fit over all cases, in the terms of the paper.
 struct Appraisal {
   std::vector<CaseAppraisal> cases;  ///< C1..C12
   double threshold_error = 0;        ///< root mean square of ln(threshold / paper)
@@ -37,22 +45,26 @@ struct Appraisal {
   double misclassified = 0;          ///< highest of C1..C10
   double loudness = 0;               ///< lowest of C1..C10
   int right_examples = 0;            ///< of 20
-  double quiet_share = 0;            ///< of the speeds at which C11 is quiet as C4 is, in [0, 1]
+  double quiet_share = 0;            ///< speeds at which C11 is as quiet as C4, share in [0, 1]
   double criterion = 0;              ///< AICc, see below
 };
 
-/// Judges at speeds `step` [rad/s] apart, up to 18 rad/s.
+RICOCHET_WRITTEN_AS_JSON(Appraisal, threshold_error, worst_threshold, within, exact_counts, purity,
+                         misclassified, loudness, right_examples, quiet_share, criterion);
+
+/// Evaluates at speeds `step` [rad/s] apart, up to 18 rad/s.
 ///
-/// The criterion weighs the error against the number of fitted constants k (Hurvich and Tsai 1989,
-/// doi:10.1093/biomet/76.2.297): with the n = 20 errors ln(threshold / paper) and
-/// ln(quiet count / paper), n ln(mean square) + 2 p + 2 p (p + 1) / (n - p - 1), p = k + 1. Lower
-/// is better; from k = 18 on it is infinite: such a fit has memorised.
+/// The criterion weighs the error against the number of fitted parameters k (Hurvich and Tsai 1989,
+/// doi:10.1093/biomet/76.2.297): with the n = 20 errors ln(threshold / paper) and ln(quiet count /
+/// paper), n ln(mean square) + 2 p + 2 p (p + 1) / (n - p - 1), p = k + 1. Lower is better; from k
+/// = 18 on it is infinite: such a fit is overfitted.
 Appraisal appraise(const Fit& fit, double step);
 
-/// The same of C1..C12, judged already, whatever has counted; with so many constants fitted.
+/// The same from evaluated cases C1..C12, whatever produced the counts, with this number of fitted
+/// parameters.
 Appraisal summed_up(std::vector<CaseAppraisal> cases, int constants);
 
-/// The criterion alone. Mean squares below 1e-6 count as that: no count or threshold of the paper
+/// The criterion alone. A mean square below 1e-6 counts as 1e-6: no count or threshold of the paper
 /// has more digits.
 double selection_criterion(double sum_of_squares, int errors, int constants);
 

@@ -1,4 +1,4 @@
-#include "src/studies/calibration/best_point.h"
+#include "src/research/calibration/best_point.h"
 
 #include <stdexcept>
 
@@ -14,8 +14,8 @@ void improve(Problem& problem, const Solver& solver, std::int64_t evaluations, B
   problem.start = best.x;
   const RunRecord record = run(problem, solver, Budget{evaluations}, 0);
   if (!record.failure.empty()) throw std::runtime_error(problem.name + ": " + record.failure);
-  if (record.trace.empty() || record.trace.back().truth.objective >= best.misfit) return;
-  best = {record.trace.back().x, record.trace.back().truth.objective};
+  if (record.trace.empty() || record.trace.back().true_values.objective >= best.loss) return;
+  best = {record.trace.back().x, record.trace.back().true_values.objective};
 }
 
 }  // namespace ricochet::studies::calibration

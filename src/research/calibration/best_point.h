@@ -7,17 +7,17 @@
 
 namespace ricochet::studies::calibration {
 
-/// The best point so far of a problem whose objective is a misfit.
+/// The best point so far of a problem whose objective is a loss.
 struct BestPoint {
   Vector x;
-  double misfit;
+  double loss;
 };
 
 /// The problem's start.
 BestPoint start_of(const Problem& problem);
 
-/// Runs a solver from the best point on, which becomes the problem's start, and keeps what is
-/// better. Throws std::runtime_error where the run failed.
+/// Runs a solver from the best point, which becomes the problem's start, and keeps an improvement.
+/// Throws std::runtime_error if the run failed.
 void improve(Problem& problem, const Solver& solver, std::int64_t evaluations, BestPoint& best);
 
 }  // namespace ricochet::studies::calibration

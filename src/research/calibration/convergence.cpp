@@ -1,13 +1,13 @@
-#include "src/studies/calibration/convergence.h"
+#include "src/research/calibration/convergence.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "src/campaign/progress.h"
 #include "src/core/run.h"
+#include "src/research/calibration/fit_task.h"
+#include "src/research/paper/loss.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -20,74 +20,54 @@ std::int64_t evaluations_at(const ConvergencePlan& plan, std::size_t look) {
   return static_cast<std::int64_t>(looked_at[look] * static_cast<double>(plan.evaluations));
 }
 
-/// One for each look.
-std::vector<std::string> keys_of(const Freedom& freedom, const Solver& solver, int seed,
-                                 const ConvergencePlan& plan) {
-  std::vector<std::string> keys;
+/// One for each checkpoint. The evaluations are part of the kind, since the same search may first
+/// be short.
+std::vector<AskedFit> asked_of(const Parameterisation& parameterisation, const Solver& solver,
+                               int seed, const ConvergencePlan& plan) {
+  std::vector<AskedFit> asked;
   for (std::size_t look = 0; look < looks; ++look) {
-    const auto kind =
-        fmt::format("converge-{}-of-{}", evaluations_at(plan, look), plan.evaluations);
-    keys.push_back(key_of(kind, freedom, {solver, {}, {}, plan.evaluations, seed}, ""));
+    asked.push_back({fmt::format("converge, {} evaluations of {}, by {}, seed {}",
+                                 evaluations_at(plan, look), plan.evaluations, solver.name, seed),
+                     parameterisation, "", options_of({solver, {}, {}, plan.evaluations, seed}),
+                     [](const Fit& fit) { return loss(fit.interpretation, fit.constants); }});
   }
-  return keys;
+  return asked;
 }
 
-std::vector<Fit> searched(const Freedom& freedom, const Solver& solver, int seed,
-                          const ConvergencePlan& plan) {
-  const Problem problem = calibration_problem(freedom);
+std::vector<Fit> long_search(const Parameterisation& parameterisation, const Solver& solver,
+                             int seed, const ConvergencePlan& plan) {
+  const Problem problem = calibration_problem(parameterisation);
   const RunRecord record = run(problem, solver, Budget{plan.evaluations}, seed);
   if (!record.failure.empty()) throw std::runtime_error(problem.name + ": " + record.failure);
+  const double loss = carrier_track::loss(parameterisation.interpretation, parameterisation.held);
   std::vector<Fit> fits;
   for (std::size_t look = 0; look < looks; ++look) {
-    Fit fit{freedom.reading, freedom.freed, freedom.held, 0, ""};
-    const Vector start = point_of(freedom, freedom.held);
-    fit.misfit = problem.evaluate(start).objective;
-    for (const Improvement& found : record.trace) {
-      if (found.evaluations > evaluations_at(plan, look)) break;
-      if (found.truth.objective >= fit.misfit) continue;
-      fit.misfit = found.truth.objective;
-      fit.constants = constants_at(freedom, found.x);
-    }
-    fits.push_back(std::move(fit));
+    fits.push_back(best_within(evaluations_at(plan, look), record, parameterisation, loss));
   }
-  return fits;
-}
-
-std::vector<Fit> known_or_searched(const Freedom& freedom, const Solver& solver, int seed,
-                                   const ConvergencePlan& plan, FitStore& store) {
-  const std::vector<std::string> keys = keys_of(freedom, solver, seed, plan);
-  std::vector<Fit> fits;
-  for (const std::string& key : keys) {
-    if (auto known = store.find(key)) fits.push_back(std::move(*known));
-  }
-  if (fits.size() == keys.size()) return fits;
-  fits = searched(freedom, solver, seed, plan);
-  for (std::size_t look = 0; look < looks; ++look) store.add(keys[look], fits[look]);
   return fits;
 }
 
 }  // namespace
 
 const Fit& Convergence::best() const {
-  return std::min_element(searches.begin(), searches.end(),
-                          [](const LongSearch& a, const LongSearch& b) {
-                            return a.last().misfit < b.last().misfit;
-                          })
+  return std::min_element(
+             searches.begin(), searches.end(),
+             [](const LongSearch& a, const LongSearch& b) { return a.last().loss < b.last().loss; })
       ->last();
 }
 
 std::vector<Fit> Convergence::as_good() const {
   std::vector<Fit> fits;
   for (const LongSearch& s : searches) {
-    if (s.last().misfit <= (1 + agreement) * best().misfit) fits.push_back(s.last());
+    if (s.last().loss <= (1 + agreement) * best().loss) fits.push_back(s.last());
   }
   return fits;
 }
 
 double Convergence::spread(std::size_t look) const {
   double worst = 0;
-  for (const LongSearch& s : searches) worst = std::max(worst, s.fits.at(look).misfit);
-  return worst / best().misfit - 1;
+  for (const LongSearch& s : searches) worst = std::max(worst, s.fits.at(look).loss);
+  return worst / best().loss - 1;
 }
 
 std::optional<double> Convergence::agreed_from() const {
@@ -96,31 +76,28 @@ std::optional<double> Convergence::agreed_from() const {
   return from;
 }
 
-std::vector<Convergence> converge(const std::vector<Freedom>& freedoms, const ConvergencePlan& plan,
-                                  FitStore& store) {
+std::vector<Convergence> converge(const std::vector<Parameterisation>& parameterisations,
+                                  const ConvergencePlan& plan, FitStore& store) {
   std::vector<Convergence> all;
-  for (const Freedom& freedom : freedoms) {
+  std::vector<FitTask> tasks;
+  for (const Parameterisation& parameterisation : parameterisations) {
     Convergence& one = all.emplace_back();
-    one.freedom = freedom;
+    one.parameterisation = parameterisation;
     one.evaluations = plan.evaluations;
     for (const Solver& solver : plan.solvers) {
-      for (const int seed : plan.seeds) one.searches.push_back({solver.name, seed, {}});
+      for (const int seed : plan.seeds) {
+        one.searches.push_back({solver.name, seed, {}});
+        tasks.push_back({asked_of(parameterisation, solver, seed, plan),
+                         [=, &plan] { return long_search(parameterisation, solver, seed, plan); },
+                         1});
+      }
     }
   }
-  const std::size_t each = plan.solvers.size() * plan.seeds.size();
-  Progress progress("searching until searches agree", static_cast<double>(all.size() * each));
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, all.size() * each, 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          LongSearch& search = all[i / each].searches[i % each];
-          search.fits =
-              known_or_searched(freedoms[i / each], plan.solvers[i % each / plan.seeds.size()],
-                                search.seed, plan, store);
-          progress.advance(1);
-        }
-      },
-      tbb::simple_partitioner());
+  auto fits = searched("searching until searches agree", tasks, store);
+  auto next = fits.begin();
+  for (Convergence& one : all) {
+    for (LongSearch& search : one.searches) search.fits = std::move(*next++);
+  }
   return all;
 }
 
@@ -130,8 +107,7 @@ OrderOfPairs order_of_pairs(const std::vector<Convergence>& all) {
     for (std::size_t b = a + 1; b < all.size(); ++b) {
       int first = 0, second = 0;
       for (std::size_t s = 0; s < all[a].searches.size(); ++s) {
-        const double difference =
-            all[a].searches[s].last().misfit - all[b].searches[s].last().misfit;
+        const double difference = all[a].searches[s].last().loss - all[b].searches[s].last().loss;
         first += difference < 0 ? 1 : 0;
         second += difference > 0 ? 1 : 0;
       }

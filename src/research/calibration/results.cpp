@@ -1,30 +1,30 @@
-#include "src/studies/calibration/results.h"
+#include "src/research/calibration/results.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/questions/misfit.h"
-#include "src/statistics/rank_correlation.h"
-#include "src/studies/calibration/fit_task.h"
-#include "src/studies/calibration/long_searches.h"
+#include "src/benchmark/statistics/rank_correlation.h"
+#include "src/research/calibration/fit_task.h"
+#include "src/research/calibration/long_searches.h"
+#include "src/research/paper/fitted_interpretation.h"
+#include "src/research/paper/loss.h"
 
 namespace ricochet::studies::calibration {
 namespace {
 
 using namespace carrier_track;
 
-/// So many of the best readings are fitted closely.
+/// Number of the best interpretations that are refined.
 constexpr std::size_t finalists = 4;
 
-/// A compliant contact costs about a hundred times an impact.
+/// A compliant contact costs about 100 times as much as an impact.
 constexpr std::int64_t compliant_price = 60;
 
-FitTask reading_task(const Reading& reading, const Search& search, const Constants& start) {
-  Freedom freedom{reading, open_of(reading), start};
-  const bool dear = reading.recovery == Recovery::contact_speed;
-  return {"fit", fit, std::move(freedom),
-          with_evaluations(search, search.evaluations / (dear ? compliant_price : 1))};
+FitTask interpretation_task(const Interpretation& interpretation, const Search& search,
+                            const Constants& start) {
+  const bool dear = interpretation.recovery == Recovery::contact_speed;
+  return fit_task("fit", {interpretation, unknowns_of(interpretation), start},
+                  with_evaluations(search, search.evaluations / (dear ? compliant_price : 1)));
 }
 
 std::vector<RankedFit> appraised(std::vector<Fit> fits, double step) {
@@ -37,128 +37,129 @@ std::vector<RankedFit> appraised(std::vector<Fit> fits, double step) {
 }
 
 bool better(const Fit& a, const Fit& b) {
-  return a.misfit < b.misfit;
+  return a.loss < b.loss;
 }
 
 bool lower_criterion(const RankedFit& a, const RankedFit& b) {
   return a.appraisal.criterion < b.appraisal.criterion;
 }
 
-/// The best of the fits whose cases share a scene: others are dearer, and no machine of a user's.
+/// Returns the best fit whose cases share a scene: others are more expensive and cannot describe a
+/// user's machine.
 Fit best_scene(const std::vector<Fit>& fits) {
   const Fit* best = &fits.front();
   for (const Fit& f : fits) {
-    if (!is_one_scene(f.reading)) continue;
-    if (!is_one_scene(best->reading) || better(f, *best)) best = &f;
+    if (!is_one_scene(f.interpretation)) continue;
+    if (!is_one_scene(best->interpretation) || better(f, *best)) best = &f;
   }
   return *best;
 }
 
-/// Fits the variations of a reading that the fits do not hold yet, from given constants on.
-void add_variations(std::vector<Fit>& fits, const Reading& varied, const Constants& start,
+/// Fits the variations of an interpretation that are not yet among the fits, from given parameters.
+void add_variations(std::vector<Fit>& fits, const Interpretation& varied, const Constants& start,
                     const Search& search, FitStore& store) {
   std::vector<FitTask> tasks;
-  for (const Reading& r : variations(varied)) {
-    const bool known =
-        std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) { return fit.reading == r; });
-    if (!known) tasks.push_back(reading_task(r, search, start));
+  for (const Interpretation& r : variations(varied)) {
+    const bool known = std::any_of(fits.begin(), fits.end(),
+                                   [&](const Fit& fit) { return fit.interpretation == r; });
+    if (!known) tasks.push_back(interpretation_task(r, search, start));
   }
-  for (Fit& f : done("fitting variations", tasks, store)) fits.push_back(std::move(f));
+  for (Fit& f : fits_by("fitting variations", tasks, store)) fits.push_back(std::move(f));
 }
 
-std::vector<Fit> fits_of(const std::vector<Reading>& readings, const Search& search,
+std::vector<Fit> fits_of(const std::vector<Interpretation>& interpretations, const Search& search,
                          FitStore& store) {
   std::vector<FitTask> tasks;
-  for (const Reading& r : readings) tasks.push_back(reading_task(r, search, natural_constants()));
-  return done("fitting readings", tasks, store);
+  for (const Interpretation& r : interpretations)
+    tasks.push_back(interpretation_task(r, search, natural_constants()));
+  return fits_by("fitting interpretations", tasks, store);
 }
 
-/// Fits the best few whose cases share a scene once more and more closely, from where they are.
+/// Refines the best few whose cases share a scene, from their current parameters.
 void refine_finalists(std::vector<Fit>& fits, const Plan& plan, FitStore& store) {
   std::stable_sort(fits.begin(), fits.end(), better);
   std::vector<FitTask> tasks;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < fits.size() && places.size() < finalists; ++i) {
-    if (!is_one_scene(fits[i].reading)) continue;
-    tasks.push_back({"final",
-                     fit,
-                     {fits[i].reading, fits[i].freed, fits[i].constants},
-                     with_evaluations(plan.search, plan.finalist_evaluations)});
+    if (!is_one_scene(fits[i].interpretation)) continue;
+    tasks.push_back(fit_task("final", {fits[i].interpretation, fits[i].free, fits[i].constants},
+                             with_evaluations(plan.search, plan.finalist_evaluations)));
     places.push_back(i);
   }
-  const auto refined = done("fitting the best readings closely", tasks, store);
+  const auto refined = fits_by("fitting the best interpretations closely", tasks, store);
   for (std::size_t k = 0; k < places.size(); ++k) fits[places[k]] = refined[k];
   std::stable_sort(fits.begin(), fits.end(), better);
 }
 
-std::vector<RankedFit> compared_readings(const Plan& plan, FitStore& store) {
-  std::vector<Fit> fits = fits_of(plan.readings, plan.search, store);
+std::vector<RankedFit> compared_interpretations(const Plan& plan, FitStore& store) {
+  std::vector<Fit> fits = fits_of(plan.interpretations, plan.search, store);
   if (fits.size() > 1) {
     for (int round = 0; round < 2; ++round) {
       const Fit best = best_scene(fits);
-      add_variations(fits, best.reading, best.constants, plan.search, store);
+      add_variations(fits, best.interpretation, best.constants, plan.search, store);
     }
   }
   refine_finalists(fits, plan, store);
   return appraised(std::move(fits), 5 * plan.step);
 }
 
-/// The same readings by each of the other searches, from the natural constants on.
+/// Fits the same interpretations with each of the other searches, from the natural values.
 std::vector<Ranking> rankings_of(const Results& results, const Plan& plan, FitStore& store) {
   std::vector<double> own;
-  std::vector<Reading> readings;
-  for (const RankedFit& r : results.readings) {
-    if (r.fit.reading.recovery == Recovery::contact_speed) continue;
-    own.push_back(r.fit.misfit);
-    readings.push_back(r.fit.reading);
+  std::vector<Interpretation> interpretations;
+  for (const RankedFit& r : results.interpretations) {
+    if (r.fit.interpretation.recovery == Recovery::contact_speed) continue;
+    own.push_back(r.fit.loss);
+    interpretations.push_back(r.fit.interpretation);
   }
   std::vector<Ranking> rankings;
   for (const Search& check : plan.checks) {
     Ranking& ranking = rankings.emplace_back();
     ranking.search = with_evaluations(check, plan.search.evaluations);
-    for (const Fit& f : fits_of(readings, ranking.search, store)) {
-      ranking.readings.push_back(f.reading);
-      ranking.misfits.push_back(f.misfit);
+    for (const Fit& f : fits_of(interpretations, ranking.search, store)) {
+      ranking.interpretations.push_back(f.interpretation);
+      ranking.losses.push_back(f.loss);
     }
-    ranking.rank_correlation = rank_correlation(own, ranking.misfits).value_or(0.0);
+    ranking.rank_correlation = rank_correlation(own, ranking.losses).value_or(0.0);
   }
   return rankings;
 }
 
-/// The fit with the lowest criterion among the best few whose cases share a scene.
-Fit most_sparing(const std::vector<RankedFit>& readings) {
+/// Returns the fit with the lowest criterion among the best few whose cases share a scene.
+Fit most_sparing(const std::vector<RankedFit>& interpretations) {
   std::vector<const RankedFit*> candidates;
-  for (const RankedFit& r : readings) {
-    if (is_one_scene(r.fit.reading) && candidates.size() < finalists) candidates.push_back(&r);
+  for (const RankedFit& r : interpretations) {
+    if (is_one_scene(r.fit.interpretation) && candidates.size() < finalists)
+      candidates.push_back(&r);
   }
-  if (candidates.empty()) return readings.front().fit;
+  if (candidates.empty()) return interpretations.front().fit;
   return (*std::min_element(
               candidates.begin(), candidates.end(),
               [](const RankedFit* a, const RankedFit* b) { return lower_criterion(*a, *b); }))
       ->fit;
 }
 
-/// The fit with one constant more held at its natural value, the one that costs least.
+/// Fixes one more parameter at its natural value, the one that increases the loss least.
 std::optional<Fit> with_one_held(const Fit& from, const Plan& plan, FitStore& store) {
   std::vector<FitTask> tasks;
-  for (std::size_t i = 0; i < from.freed.size(); ++i) {
-    const auto which = static_cast<std::size_t>(from.freed[i]);
-    if (!open_constants()[which].natural) continue;
-    Freedom freedom{from.reading, from.freed, from.constants};
-    freedom.freed.erase(freedom.freed.begin() + static_cast<std::ptrdiff_t>(i));
-    freedom.held[which] = *open_constants()[which].natural;
+  for (std::size_t i = 0; i < from.free.size(); ++i) {
+    const auto which = static_cast<std::size_t>(from.free[i]);
+    if (!unknown_parameters()[which].natural) continue;
+    Parameterisation parameterisation{from.interpretation, from.free, from.constants};
+    parameterisation.free.erase(parameterisation.free.begin() + static_cast<std::ptrdiff_t>(i));
+    parameterisation.held[which] = *unknown_parameters()[which].natural;
     tasks.push_back(
-        {"pin", fit, std::move(freedom), with_evaluations(plan.search, plan.pin_evaluations)});
+        fit_task("pin", parameterisation, with_evaluations(plan.search, plan.pin_evaluations)));
   }
   if (tasks.empty()) return std::nullopt;
-  const std::vector<Fit> fits = done("holding one more constant", tasks, store);
+  const std::vector<Fit> fits = fits_by("holding one more constant", tasks, store);
   return *std::min_element(fits.begin(), fits.end(),
-                           [](const Fit& a, const Fit& b) { return a.misfit < b.misfit; });
+                           [](const Fit& a, const Fit& b) { return a.loss < b.loss; });
 }
 
 std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& store) {
   std::vector<Fit> fits = {best};
-  while (fits.back().freed.size() > plan.fewest_constants) {
+  while (fits.back().free.size() > plan.fewest_constants) {
     auto next = with_one_held(fits.back(), plan, store);
     if (!next) break;
     fits.push_back(std::move(*next));
@@ -166,26 +167,27 @@ std::vector<RankedFit> frontier_of(const Fit& best, const Plan& plan, FitStore& 
   return appraised(std::move(fits), plan.step);
 }
 
-RankedFit usual_reading(const Plan& plan) {
-  const FittedReading& usual = default_reading();
-  Fit fit{usual.reading, usual.freed, usual.constants, misfit(usual.reading, usual.constants), ""};
+RankedFit usual_interpretation(const Plan& plan) {
+  const FittedInterpretation& usual = default_interpretation();
+  Fit fit{usual.interpretation, usual.free, usual.constants,
+          loss(usual.interpretation, usual.constants), ""};
   Appraisal appraisal = appraise(fit, plan.step);
   return {std::move(fit), std::move(appraisal)};
 }
 
-/// A fit as free as the choice that has not seen a case. The search begins at the choice, so that
-/// it does not fail for want of time, and is over the whole of the bounds.
+/// Returns fits with the free parameters of the choice and one case left out. The search begins at
+/// the choice, so that evaluations are not the limit, and covers the whole of the bounds.
 std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitStore& store) {
   std::vector<FitTask> tasks;
   std::vector<Prediction> predictions;
-  const Freedom freedom{choice.reading, choice.freed, choice.constants};
+  const Parameterisation parameterisation{choice.interpretation, choice.free, choice.constants};
   for (const Case& c : all_cases()) {
     if (!c.claim.threshold) continue;
-    tasks.push_back(
-        {"left out", fit, freedom, with_evaluations(plan.search, plan.left_out_evaluations), c.id});
+    tasks.push_back(fit_task("left out", parameterisation,
+                             with_evaluations(plan.search, plan.left_out_evaluations), c.id));
     predictions.push_back({c.id, *c.claim.threshold, std::nullopt});
   }
-  const std::vector<Fit> fits = done("leaving one case out", tasks, store);
+  const std::vector<Fit> fits = fits_by("leaving one case out", tasks, store);
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const Appraisal appraisal = appraise(fits[i], plan.step);
     for (const CaseAppraisal& c : appraisal.cases) {
@@ -198,11 +200,12 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1600, 2400, 100, 2, {}, 0.01, core_readings()};
+  return {with_evaluations(search, 2400), 12000, 1600, 2400, 100, 2, {}, 0.01,
+          core_interpretations()};
 }
 
 Plan quick_plan(const Search& search) {
-  return {with_evaluations(search, 30), 60, 12, 12, 6, 2, {}, 0.1, core_readings()};
+  return {with_evaluations(search, 30), 60, 12, 12, 6, 2, {}, 0.1, core_interpretations()};
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
@@ -216,9 +219,9 @@ ConvergencePlan quick_convergence(const Solver& one, const Solver& other) {
 Results calibrate(const Plan& plan, FitStore& store) {
   Results results;
   results.plan = plan;
-  results.readings = compared_readings(plan, store);
-  if (results.readings.size() > 1) results.rankings = rankings_of(results, plan, store);
-  results.frontier = frontier_of(most_sparing(results.readings), plan, store);
+  results.interpretations = compared_interpretations(plan, store);
+  if (results.interpretations.size() > 1) results.rankings = rankings_of(results, plan, store);
+  results.frontier = frontier_of(most_sparing(results.interpretations), plan, store);
   const auto lowest =
       std::min_element(results.frontier.begin(), results.frontier.end(), lower_criterion);
   results.chosen = static_cast<std::size_t>(lowest - results.frontier.begin());
@@ -230,7 +233,8 @@ Results calibrate(const Plan& plan, FitStore& store) {
       std::stable_sort(fits.begin(), fits.end(), lower_criterion);
     }
   }
-  results.usual = usual_reading(plan);
+  if (plan.variants) results.variants = try_variants(*plan.variants, store);
+  results.usual = usual_interpretation(plan);
   const Fit& choice = results.choice().fit;
   results.predictions = predictions_of(choice, plan, store);
   results.sensitivities = sensitivities(choice, plan.step);

@@ -5,7 +5,8 @@
 #include <map>
 #include <numeric>
 
-#include "src/studies/calibration/results.h"
+#include "src/research/calibration/results.h"
+#include "src/research/solver_data.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -14,54 +15,40 @@ using namespace carrier_track;
 using report::Json;
 using report::list_of;
 
-const OpenConstant& constant_of(Open open) {
-  return open_constants()[static_cast<std::size_t>(open)];
-}
-
-/// Name of an open constant as people read it: "centrifugal mass radius".
-std::string words_of(Open constant) {
-  std::string words(constant_of(constant).name);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
+const UnknownParameter& constant_of(Unknown open) {
+  return unknown_parameters()[static_cast<std::size_t>(open)];
 }
 
 /// "projected-constant-revolutions (5)": with the number of its free constants.
-std::string words_of(const Freedom& freedom) {
-  return fmt::format("{} ({})", name_of(freedom.reading), freedom.freed.size());
+std::string name_with_size(const Parameterisation& parameterisation) {
+  return fmt::format("{} ({})", name_of(parameterisation.interpretation),
+                     parameterisation.free.size());
 }
 
 Json data_of(const RankedFit& r) {
-  const Appraisal& a = r.appraisal;
-  return {{"reading", name_of(r.fit.reading)},
-          {"constants", r.fit.freed.size()},
-          {"misfit", r.fit.misfit},
-          {"threshold_error", a.threshold_error},
-          {"within", a.within},
-          {"exact_counts", a.exact_counts},
-          {"purity", a.purity},
-          {"misclassified", a.misclassified},
-          {"loudness", a.loudness},
-          {"right_examples", a.right_examples},
-          {"quiet_share", a.quiet_share},
-          {"criterion", a.criterion}};
+  Json data = {{"interpretation", name_of(r.fit.interpretation)},
+               {"constants", r.fit.free.size()},
+               {"loss", r.fit.loss}};
+  data.update(Json(r.appraisal));
+  return data;
 }
 
-/// The best reading for every answer to every question.
-Json answers_of(const std::vector<RankedFit>& readings) {
-  std::vector<std::string> questions;
+/// The best interpretation for every answer to every question of the paper.
+Json answers_of(const std::vector<RankedFit>& interpretations) {
+  std::vector<std::string> problems;
   std::map<std::string, std::map<std::string, const RankedFit*>> best;
-  for (const RankedFit& r : readings) {
-    for (const auto& [question, answer] : carrier_track::answers_of(r.fit.reading)) {
-      if (!best.contains(question)) questions.push_back(question);
-      best[question].try_emplace(answer, &r);  // by rising misfit: the first is the best
+  for (const RankedFit& r : interpretations) {
+    for (const auto& [problem, answer] : carrier_track::answers_of(r.fit.interpretation)) {
+      if (!best.contains(problem)) problems.push_back(problem);
+      best[problem].try_emplace(answer, &r);  // by rising loss: the first is the best
     }
   }
   Json rows = Json::array();
-  for (const std::string& question : questions) {
-    for (const auto& [answer, r] : best[question]) {
-      Json row = {{"question", question},
+  for (const std::string& problem : problems) {
+    for (const auto& [answer, r] : best[problem]) {
+      Json row = {{"problem", problem},
                   {"answer", answer},
-                  {"best", r == &readings.front() ? Json(true) : Json()}};
+                  {"best", r == &interpretations.front() ? Json(true) : Json()}};
       row.update(data_of(*r));
       rows.push_back(std::move(row));
     }
@@ -71,42 +58,44 @@ Json answers_of(const std::vector<RankedFit>& readings) {
 
 Json rankings_of(const Results& results) {
   Json searches = Json::array();
-  Json rows =
-      Json::array({{{"reading", "rank correlation"}, {"own", nullptr}, {"others", Json::array()}}});
+  Json rows = Json::array(
+      {{{"interpretation", "rank correlation"}, {"own", nullptr}, {"others", Json::array()}}});
   for (const Ranking& r : results.rankings) {
     searches.push_back({{"solver", r.search.global.name}, {"seed", r.search.seed}});
-    rows[0]["others"].push_back({{"correlation", r.rank_correlation}, {"misfit", nullptr}});
+    rows[0]["others"].push_back({{"correlation", r.rank_correlation}, {"loss", nullptr}});
   }
-  for (const RankedFit& own : results.readings) {
+  for (const RankedFit& own : results.interpretations) {
     Json others = Json::array();
     for (const Ranking& r : results.rankings) {
-      const auto found = std::find(r.readings.begin(), r.readings.end(), own.fit.reading);
-      const auto i = static_cast<std::size_t>(found - r.readings.begin());
-      others.push_back({{"correlation", nullptr},
-                        {"misfit", i < r.misfits.size() ? Json(r.misfits[i]) : Json()}});
+      const auto found =
+          std::find(r.interpretations.begin(), r.interpretations.end(), own.fit.interpretation);
+      const auto i = static_cast<std::size_t>(found - r.interpretations.begin());
+      others.push_back(
+          {{"correlation", nullptr}, {"loss", i < r.losses.size() ? Json(r.losses[i]) : Json()}});
     }
-    rows.push_back({{"reading", name_of(own.fit.reading)},
-                    {"own", own.fit.misfit},
+    rows.push_back({{"interpretation", name_of(own.fit.interpretation)},
+                    {"own", own.fit.loss},
                     {"others", std::move(others)}});
   }
   return {{"searches", std::move(searches)}, {"rows", std::move(rows)}};
 }
 
-/// What every other command computes with, and whether that is the choice.
+/// The default interpretation, which every other command uses, and whether it is the choice.
 Json usual_of(const Results& results) {
   const Fit& usual = results.usual.fit;
   const Fit& choice = results.choice().fit;
   Json data = data_of(results.usual);
-  data["is_choice"] = usual.reading == choice.reading && usual.constants == choice.constants;
+  data["is_choice"] =
+      usual.interpretation == choice.interpretation && usual.constants == choice.constants;
   return data;
 }
 
-/// A row a freedom, by rising misfit: what each search found.
+/// A row for each parameterisation, by rising loss: the result of each search.
 Json convergence_of(const Results& results) {
   std::vector<std::size_t> order(results.convergence.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, {},
-                           [&](std::size_t i) { return results.convergence[i].best().misfit; });
+                           [&](std::size_t i) { return results.convergence[i].best().loss; });
   int agreed = 0;
   Json rows = Json::array();
   for (const std::size_t i : order) {
@@ -126,7 +115,7 @@ Json convergence_of(const Results& results) {
     row["spreads"] = Json::array();
     for (std::size_t k = 0; k < std::size(looked_at); ++k) row["spreads"].push_back(one.spread(k));
     row["searches"] = list_of(one.searches, [](const LongSearch& s) -> Json {
-      return {{"last", s.last().misfit}};
+      return {{"last", s.last().loss}};
     });
     rows.push_back(std::move(row));
   }
@@ -140,26 +129,26 @@ Json convergence_of(const Results& results) {
           {"searches", searches},
           {"count", searches.size()},
           {"evaluations", results.plan.convergence->evaluations},
-          {"reading_evaluations", results.plan.convergence->reading_evaluations},
-          {"constants", default_reading().freed.size()},
+          {"interpretation_evaluations", results.plan.convergence->interpretation_evaluations},
+          {"constants", default_interpretation().free.size()},
           {"pairs", pairs.all},
           {"alike", pairs.all - static_cast<int>(pairs.ties.size())},
           {"ties", list_of(pairs.ties, [&](const auto& tie) -> Json {
-             return {{"first", words_of(results.convergence[tie.first].freedom)},
-                     {"second", words_of(results.convergence[tie.second].freedom)}};
+             return {{"first", name_with_size(results.convergence[tie.first].parameterisation)},
+                     {"second", name_with_size(results.convergence[tie.second].parameterisation)}};
            })}};
 }
 
-/// What a fit holds of its reading's constants, which of them the one before it fitted, and where
-/// it reaches the goals.
-Json frontier_row(const RankedFit& r, const std::vector<Open>& fitted_before) {
+/// The fixed parameters of a fit, those of them that the previous fit had free, and its results for
+/// the goals.
+Json frontier_row(const RankedFit& r, const std::vector<Unknown>& fitted_before) {
   std::string names;
-  for (const Open open : open_of(r.fit.reading)) {
-    if (!contains(r.fit.freed, open)) names += fmt::format(" {}", constant_of(open).name);
+  for (const Unknown open : unknowns_of(r.fit.interpretation)) {
+    if (!contains(r.fit.free, open)) names += fmt::format(" {}", constant_of(open).name);
   }
   Json held;
-  for (const Open open : fitted_before) {
-    if (contains(r.fit.freed, open)) continue;
+  for (const Unknown open : fitted_before) {
+    if (contains(r.fit.free, open)) continue;
     held = {{"constant", words_of(open)},
             {"value", r.fit.constants[static_cast<std::size_t>(open)]},
             {"unit", constant_of(open).unit}};
@@ -178,21 +167,21 @@ Json frontier_row(const RankedFit& r, const std::vector<Open>& fitted_before) {
 
 Json frontier_of(const std::vector<RankedFit>& frontier) {
   Json rows = Json::array();
-  std::vector<Open> fitted_before = frontier.front().fit.freed;
+  std::vector<Unknown> fitted_before = frontier.front().fit.free;
   for (const RankedFit& r : frontier) {
     rows.push_back(frontier_row(r, fitted_before));
-    fitted_before = r.fit.freed;
+    fitted_before = r.fit.free;
   }
   return rows;
 }
 
 Json constants_of(const Fit& fit) {
-  return list_of(open_of(fit.reading), [&](Open open) -> Json {
-    const OpenConstant& c = constant_of(open);
+  return list_of(unknowns_of(fit.interpretation), [&](Unknown open) -> Json {
+    const UnknownParameter& c = constant_of(open);
     return {{"constant", words_of(open)},
             {"value", fit.constants[static_cast<std::size_t>(open)]},
             {"unit", c.unit},
-            {"freed", contains(fit.freed, open)},
+            {"free", contains(fit.free, open)},
             {"lower", c.lower},
             {"upper", c.upper},
             {"why", c.why}};
@@ -226,30 +215,28 @@ Json interval_of(const Profile& p) {
 
 Json points_of(const Profile& profile) {
   return list_of(profile.points, [](const auto& point) -> Json {
-    return {{"value", point.first}, {"misfit", point.second}};
+    return {{"value", point.first}, {"loss", point.second}};
   });
 }
 
-/// What the threshold of each case owes to a constant of the choice, a row a constant.
+/// Sensitivity of each case's threshold to the free parameters of the choice, a row for each
+/// parameter.
 Json sensitivity_of(const Results& results) {
   Json rows = Json::array();
-  const std::vector<Open>& freed = results.choice().fit.freed;
-  for (std::size_t i = 0; i < freed.size(); ++i) {
+  const std::vector<Unknown>& free = results.choice().fit.free;
+  for (std::size_t i = 0; i < free.size(); ++i) {
     const auto slope = [i](const CaseSensitivity& row) { return row.slopes[i]; };
     rows.push_back(
-        {{"constant", words_of(freed[i])}, {"slopes", list_of(results.sensitivities, slope)}});
+        {{"constant", words_of(free[i])}, {"slopes", list_of(results.sensitivities, slope)}});
   }
   return {{"cases", list_of(results.sensitivities, &CaseSensitivity::case_id)},
           {"constants", std::move(rows)}};
 }
 
 Json plan_of(const Plan& plan) {
-  const auto of = [](const Solver& solver) {
-    return Json{{"name", solver.name}, {"version", solver.version}};
-  };
-  return {{"global", of(plan.search.global)},
-          {"least_squares", of(plan.search.least_squares)},
-          {"local", of(plan.search.local)},
+  return {{"global", solver_data(plan.search.global)},
+          {"least_squares", solver_data(plan.search.least_squares)},
+          {"local", solver_data(plan.search.local)},
           {"seed", plan.search.seed},
           {"evaluations", plan.search.evaluations},
           {"finalist_evaluations", plan.finalist_evaluations},
@@ -266,14 +253,15 @@ Json data_of(const Results& results) {
   const auto& profiles = results.profiles;
   Json data = {{"plan", plan_of(results.plan)},
                {"choice", data_of(results.choice())},
-               {"best", data_of(results.readings.front())},
+               {"best", data_of(results.interpretations.front())},
                {"usual", usual_of(results)},
-               {"compared", results.readings.size() > 1},
+               {"compared", results.interpretations.size() > 1},
                {"nearest", Json::array()},
                {"others", Json::array()},
-               {"answers", answers_of(results.readings)},
+               {"answers", answers_of(results.interpretations)},
                {"rankings", results.rankings.empty() ? Json() : rankings_of(results)},
                {"convergence", results.convergence.empty() ? Json() : convergence_of(results)},
+               {"variants", results.variants ? data_of(*results.variants) : Json()},
                {"frontier", frontier_of(results.frontier)},
                {"constants", constants_of(results.choice().fit)},
                {"prediction_error", unseen},
@@ -285,8 +273,8 @@ Json data_of(const Results& results) {
                {"intervals", list_of(profiles, interval_of)},
                {"sensitivity", sensitivity_of(results)},
                {"profiles", Json::object()}};
-  data["best"]["description"] = description_of(results.readings.front().fit.reading);
-  for (const RankedFit& r : results.readings) {
+  data["best"]["description"] = description_of(results.interpretations.front().fit.interpretation);
+  for (const RankedFit& r : results.interpretations) {
     data[data["nearest"].size() < nearest ? "nearest" : "others"].push_back(data_of(r));
   }
   for (const Profile& p : profiles) data["profiles"][words_of(p.constant)] = points_of(p);

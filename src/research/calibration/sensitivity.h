@@ -4,35 +4,36 @@
 #include <string>
 #include <vector>
 
-#include "src/studies/calibration/fit.h"
+#include "src/research/calibration/fit.h"
 
 namespace ricochet::studies::calibration {
 
-/// How the thresholds of a case answer to the constants.
+/// Sensitivity of a case's thresholds to the parameters.
 struct CaseSensitivity {
   std::string case_id;
-  /// One a freed constant: d ln(threshold) / d ln(constant), and per unit for a constant whose
-  /// bounds are not logarithmic (an angle: per radian; others: per width of the bounds). None
-  /// where a threshold is missing on either side.
+  /// For each free parameter: d ln(threshold) / d ln(parameter), or per unit for a parameter whose
+  /// bounds are not logarithmic (an angle: per radian; others: per width of the bounds). Nothing if
+  /// a threshold is missing on either side.
   std::vector<std::optional<double>> slopes;
 };
 
-/// Central differences over 2 % of the constant, or of the width of its bounds, with thresholds
+/// Central differences over 2 % of the parameter, or of the width of its bounds, with thresholds
 /// from speeds `step` [rad/s] apart. C1..C10.
 std::vector<CaseSensitivity> sensitivities(const Fit& fit, double step);
 
-/// How far a constant may go, in steps that double, before the misfit, with the other freed
-/// constants fitted anew, has risen by one: by one tolerance of one part of one case.
+/// Profile of the loss over a parameter: how far it can move, in steps that double, before the
+/// loss, with the other free parameters fitted again, has risen by one, i.e. by one tolerance of
+/// one part of one case.
 struct Profile {
-  carrier_track::Open constant;
+  carrier_track::Unknown constant;
   double value;
-  double lower, upper;          ///< the nearest values tried at which it has
-  bool lower_open, upper_open;  ///< nothing tried on that side has: the bounds end it
-  std::vector<std::pair<double, double>> points;  ///< value and misfit, by rising value
+  double lower, upper;          ///< the nearest values tried at which it has risen
+  bool lower_open, upper_open;  ///< no value on that side reached it: the bound limits it
+  std::vector<std::pair<double, double>> points;  ///< value and loss, by rising value
 };
 
-/// The profile of every freed constant. `search.local` fits the others, with search.evaluations
-/// at each point.
+/// Returns the profile of every free parameter. `search.local` fits the others, with
+/// search.evaluations at each point.
 std::vector<Profile> profiles(const Fit& fit, const Search& search);
 
 }  // namespace ricochet::studies::calibration

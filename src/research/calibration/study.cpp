@@ -1,49 +1,34 @@
-#include "src/studies/calibration/study.h"
+#include "src/research/calibration/study.h"
 
 #include <fmt/format.h>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
 #include "solvers/solvers.h"
 #include "src/core/error.h"
 #include "src/core/interruption.h"
-#include "src/core/near_names.h"
 #include "src/core/text_file.h"
-#include "src/studies/calibration/results.h"
+#include "src/research/calibration/results.h"
+#include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::studies {
 namespace {
 
 using namespace calibration;
 
-Solver solver_named(const std::string& name) {
-  std::vector<std::string> known;
-  for (const Solver& solver : all_solvers()) {
-    if (solver.name == name) return solver;
-    known.push_back(solver.name);
-  }
-  for (const MissingSolver& missing : missing_solvers()) {
-    if (missing.solver != name) continue;
-    throw InputError(fmt::format("--solver {}: this build has no {}; allowed: {}", name,
-                                 missing.library, fmt::join(known, ", ")));
-  }
-  throw InputError(
-      fmt::format("--solver {}: there is no such solver; {}", name, what_instead(name, known)));
-}
-
-/// Throws InputError for options that allow none.
+/// Throws InputError for invalid options.
 Plan plan_of(const CalibrationOptions& options, bool quick) {
-  if (options.all_readings && !options.reading.empty()) {
-    throw InputError("--all-readings stands alone: it takes no --reading");
+  if (options.all_interpretations && !options.interpretation.empty()) {
+    throw InputError("--all-interpretations stands alone: it takes no --interpretation");
   }
   if (options.seed < 0) {
     throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
   }
-  const Search search{solver_named(options.solver), solver_named("ceres-trust-region"),
+  const Search search{solver_named(options.solver, "--solver"), solver_named("ceres-trust-region"),
                       solver_named("nlopt-sbplx"), 0, options.seed};
   Plan plan = quick ? quick_plan(search) : full_plan(search);
-  if (!options.all_readings) {
-    plan.readings = {options.reading.empty() ? carrier_track::default_reading().reading
-                                             : carrier_track::find_reading(options.reading)};
+  if (!options.all_interpretations) {
+    plan.interpretations = {options.interpretation.empty()
+                                ? carrier_track::default_interpretation().interpretation
+                                : carrier_track::find_interpretation(options.interpretation)};
   }
   if (options.check) {
     Search reseeded = search;
@@ -56,18 +41,22 @@ Plan plan_of(const CalibrationOptions& options, bool quick) {
     const auto convergence = quick ? quick_convergence : full_convergence;
     plan.convergence = convergence(solver_named("pagmo-sade"), solver_named("pagmo-de1220"));
   }
+  if (options.variants) {
+    const auto variants = quick ? quick_variant_plan : full_variant_plan;
+    plan.variants = variants(solver_named("pagmo-cmaes-ipop"), solver_named("nlopt-sbplx"));
+  }
   return plan;
 }
 
-void write_reading(const Fit& fit, const CalibrationOptions& options) {
-  const auto fitted = carrier_track::fitted_reading(
-      fit.reading, fit.constants, fit.freed,
+void write_interpretation(const Fit& fit, const CalibrationOptions& options) {
+  const auto fitted = carrier_track::fitted_interpretation(
+      fit.interpretation, fit.constants, fit.free,
       fmt::format("ricochet calibrate{}{}{} --seed {} --solver {}",
-                  options.all_readings ? " --all-readings" : " --reading ",
-                  options.all_readings ? "" : name_of(fit.reading),
+                  options.all_interpretations ? " --all-interpretations" : " --interpretation ",
+                  options.all_interpretations ? "" : name_of(fit.interpretation),
                   options.converge ? " --converge" : "", options.seed, options.solver),
       "the choice");
-  write_text_file(options.folder / "reading.toml", write_fitted_reading(fitted));
+  write_text_file(options.folder / "interpretation.toml", write_fitted_interpretation(fitted));
 }
 
 }  // namespace
@@ -83,7 +72,7 @@ Study calibration_study(const CalibrationOptions& options) {
         fmt::format("finished fits are kept in {}: the same command goes on", fits.string()));
     const Results results = calibrate(plan, store);
     const Fit& choice = results.choice().fit;
-    if (carrier_track::is_one_scene(choice.reading)) write_reading(choice, options);
+    if (carrier_track::is_one_scene(choice.interpretation)) write_interpretation(choice, options);
     return data_of(results);
   };
   return {"calibration", "A first look, in half a minute", compute};

@@ -3,16 +3,16 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/studies/dynamics/work.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
 
-/// A free mass of 1 kg in a gap [m] that is shaken at 10 Hz by 0.2 mm, seen from the gap.
+/// A free mass of 1 kg in a gap [m] that is shaken at 10 Hz with 0.2 mm, in the gap's frame.
 Scene shaken_gap(double gap, double restitution, double seconds) {
   const double amplitude = 2e-4;                         // [m]
   const double frequency = 2 * std::numbers::pi * 10.0;  // [rad/s]
@@ -27,15 +27,17 @@ Scene shaken_gap(double gap, double restitution, double seconds) {
   return scene;
 }
 
-/// The same, closer, livelier, and pulled to the lower wall with half the force of the shaking.
+/// The same in a smaller gap, with higher restitution, and pulled to the lower wall with half the
+/// amplitude of the shaking force.
 Scene chaotic(double seconds) {
   Scene scene = shaken_gap(0.6e-3, 0.8, seconds);
   scene.pull = 0.5 * scene.disturbance;
   return scene;
 }
 
-/// A free mass of 1 kg that swings by 2 mm from a summit to the next, the first time 10 nm further
-/// than the upper wall. What it loses there lets it sink to the lower wall, which it touches too.
+/// A free mass of 1 kg that swings by 2 mm from one summit to the next; the first summit is 10 nm
+/// beyond the upper wall. The energy lost there lets it sink to the lower wall, which it touches
+/// too.
 Scene grazing() {
   const double swing = 2e-3;      // [m]
   const double overshoot = 1e-8;  // [m]
@@ -47,13 +49,13 @@ Scene grazing() {
   scene.restitution_lower = scene.restitution_upper = 0.9;
   scene.disturbance = 0.5 * swing * frequency * frequency;
   scene.disturbance_frequency = frequency;
-  scene.slowest = 1e-6;
+  scene.counting_limit = 1e-6;
   scene.window = Seconds{3};
   return scene;
 }
 
 Scene case_at(const char* id, double omega) {
-  Scene scene = scene_of(find_case(id), default_reading().scene);
+  Scene scene = scene_of(find_case(id), default_machine());
   scene.omega = omega;
   return scene;
 }

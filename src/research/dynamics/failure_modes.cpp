@@ -1,13 +1,13 @@
-#include "src/studies/dynamics/failure_modes.h"
+#include "src/research/dynamics/failure_modes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "problems/carrier_track/reference_integrators/accuracy.h"
-#include "src/campaign/progress.h"
-#include "src/studies/dynamics/work.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
+#include "src/core/progress.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -16,7 +16,7 @@ using namespace carrier_track;
 
 using std::numbers::pi;
 constexpr double gravity = 9.8;  // [m/s^2]
-constexpr int angles = 32;       // at which swings start and peaks come
+constexpr int angles = 32;       // start angles of swings, and angles of peaks
 
 /// A ball that is dropped, falls for `fall` [s], and bounces.
 Scene ball(double fall, double restitution, double seconds) {
@@ -45,8 +45,8 @@ Scene block() {
   return scene;
 }
 
-/// A resting block under a force of period 2 pi s that peaks at angle `peak` [rad], at 1 + excess
-/// times friction.
+/// Tests if a resting block breaks loose under a force of period 2 pi s that peaks at angle `peak`
+/// [rad], at 1 + excess times friction.
 Outcome pushed_for_a_moment(const Integrator& integrator, Strictness strictness, double excess,
                             double peak) {
   Scene scene = block();
@@ -61,7 +61,7 @@ struct Sample {
   bool finished = true;
 };
 
-/// Impacts that count, over runs whose start velocity differs by a hundredth each.
+/// Counted impacts over runs whose start velocities differ by 1 % each.
 Sample impacts_of(const Integrator& integrator, const Scene& scene, double control, int starts) {
   Sample sample;
   double squares = 0;
@@ -101,8 +101,8 @@ Zeno zeno_of(const Integrator& integrator, Strictness strictness) {
   if (zeno.impacts < 20) return zeno;
   double error = 0;
   for (std::size_t k = 0; k < 20; ++k) {
-    const double truth = impact_time(fall, e, static_cast<double>(k));
-    error = std::max(error, std::abs(outcome.impacts[k].time - truth));
+    const double true_values = impact_time(fall, e, static_cast<double>(k));
+    error = std::max(error, std::abs(outcome.impacts[k].time - true_values));
   }
   zeno.error = error;
   return zeno;
@@ -150,7 +150,7 @@ Sticking sticking_of(const Integrator& integrator, Strictness strictness, int de
       const double peak = 0.5 + 1.0 * i / angles;
       const Outcome over = pushed_for_a_moment(integrator, strictness, excess, peak);
       const Outcome short_of = pushed_for_a_moment(integrator, strictness, -excess, peak);
-      // NOTE: a run that gives up has taken a million steps, so none is tried after it.
+      // NOTE: a run that gives up has taken a million steps, so the series ends here.
       if (!over.finished || !short_of.finished) sticking.gave_up = excess;
       all = all && over.finished && over.end.position != 0;
       sticking.breaks_loose_early |= short_of.end.position != 0;

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/studies/dynamics/failure_modes.h"
+#include "src/research/dynamics/failure_modes.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using report::Json;
 
-/// A size, and whether it reads well without a power of ten.
+/// A magnitude, and whether it is readable without a power of ten.
 Json size_of(double value) {
   const double size = std::abs(value);
   return {{"size", size}, {"plain", size == 0 || (size >= 0.01 && size < 1000)}};
@@ -27,7 +27,7 @@ Json data_of(const Zeno& zeno) {
           {"good", rests && std::abs(late) < std::max(1e-5, 1e-3 * zeno.end_of_impacts)}};
 }
 
-/// The least overshoot from which on all shares are one; nothing if none is.
+/// The least overshoot from which on all shares are one; nothing if there is none.
 std::optional<double> all_right_from(const std::vector<double>& overshoots,
                                      const std::vector<double>& shares) {
   std::optional<double> least;
@@ -102,7 +102,7 @@ Json touches_of(const std::vector<double>& overshoots) {
   return touches;
 }
 
-/// How often a method is right, in whole percent.
+/// Share of correct decisions of a method, in whole per cent.
 Json rights_of(const MethodFailures& method) {
   Json rights = Json::array();
   for (const double share : method.missed) rights.push_back(std::round(100 * share));
@@ -121,7 +121,7 @@ Json control_data(const FailureModeStudy& study, const std::vector<MethodFailure
           {"rights", report::list_of(methods, rights_of)}};
 }
 
-/// In how many failure modes a method of control_data fails.
+/// Number of failure modes in which a method of control_data fails.
 int failures(const Json& method) {
   int failed = 0;
   for (const char* mode : {"zeno", "grazes", "sticking", "rate"}) {
@@ -131,7 +131,7 @@ int failures(const Json& method) {
   return failed;
 }
 
-/// How many methods fail in a failure mode.
+/// Number of methods that fail in a failure mode.
 int failing(const Json& methods, const char* mode) {
   return static_cast<int>(std::count_if(methods.begin(), methods.end(), [&](const Json& method) {
     return method[mode]["good"] == false;

@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/fidelity.h"
+#include "src/research/dynamics/fidelity.h"
 
 #include <fmt/format.h>
 
@@ -7,19 +7,18 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/campaign/progress.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/processor_time.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 struct Count {
-  std::optional<int> count;  // none: refused, for too many impacts or steps
+  std::optional<int> count;  // nothing: rejected for too many impacts or steps
   double seconds;            // [s] of processor time
 };
 
@@ -38,27 +37,24 @@ std::string name_of(double stiffness) {
   return fmt::format("1e{:.0f}", std::log10(stiffness));
 }
 
-/// All cases with one stiffness.
-Json total_of(const FidelityStudy& study, std::size_t s) {
-  FidelityCell total;
-  std::optional<double> least, most;  // cost of a case
+FidelityTotal total_of(const FidelityStudy& study, std::size_t s) {
+  FidelityTotal total{.stiffness = name_of(study.plan.stiffnesses[s])};
+  int distance = 0;
   for (const auto& row : study.cells) {
     total.equal += row[s].equal;
-    total.distance += row[s].distance;
     total.compared += row[s].compared;
+    distance += row[s].distance;
     if (!row[s].cost) continue;
-    least = std::min(least.value_or(*row[s].cost), *row[s].cost);
-    most = std::max(most.value_or(*row[s].cost), *row[s].cost);
+    total.least_cost = std::min(total.least_cost.value_or(*row[s].cost), *row[s].cost);
+    total.most_cost = std::max(total.most_cost.value_or(*row[s].cost), *row[s].cost);
+  }
+  if (total.compared > 0) {
+    total.share = static_cast<double>(total.equal) / total.compared;
+    total.distance = 1.0 * distance / total.compared;
   }
   const auto tried = static_cast<int>(study.cells.size() * study.plan.speeds.size());
-  return {{"stiffness", name_of(study.plan.stiffnesses[s])},
-          {"compared", total.compared},
-          {"equal", total.equal},
-          {"share", total.share()},
-          {"distance", total.compared > 0 ? Json(1.0 * total.distance / total.compared) : Json()},
-          {"unfinished", tried - total.compared},
-          {"least_cost", least},
-          {"most_cost", most}};
+  total.unfinished = tried - total.compared;
+  return total;
 }
 
 }  // namespace
@@ -72,7 +68,7 @@ FidelityStudy study_fidelity(const FidelityPlan& plan) {
     study.cases.push_back(the_case.id);
     std::vector<FidelityCell> row(plan.stiffnesses.size());
     std::vector<double> hard_seconds(row.size()), compliant_seconds(row.size());
-    Scene scene = scene_of(the_case, default_reading().scene);
+    Scene scene = scene_of(the_case, default_machine());
     scene.contact_law = ContactLaw::exact_restitution;
     for (const double omega : plan.speeds) {
       scene.fidelity = Fidelity::impact;
@@ -98,19 +94,15 @@ FidelityStudy study_fidelity(const FidelityPlan& plan) {
   return study;
 }
 
-Json data_of(const FidelityStudy& study) {
+FidelityData data_of(const FidelityStudy& study) {
   const std::vector<double>& speeds = study.plan.speeds;
-  Json data = {
-      {"cases", study.cases.size()},
-      {"speeds", {{"tried", speeds.size()}, {"first", speeds.front()}, {"last", speeds.back()}}},
-      {"stiffnesses", Json::array()},
-      {"shares", Json::array()}};
-  for (std::size_t c = 0; c < study.cases.size(); ++c) {
-    data["shares"].push_back({{"case", study.cases[c]},
-                              {"equal", report::list_of(study.cells[c], &FidelityCell::share)}});
-  }
+  FidelityData data{study.cases.size(), {speeds.size(), speeds.front(), speeds.back()}, {}, {}};
   for (std::size_t s = 0; s < study.plan.stiffnesses.size(); ++s) {
-    data["stiffnesses"].push_back(total_of(study, s));
+    data.stiffnesses.push_back(total_of(study, s));
+  }
+  for (std::size_t c = 0; c < study.cases.size(); ++c) {
+    FidelityShares& shares = data.shares.emplace_back(FidelityShares{study.cases[c], {}});
+    for (const FidelityCell& cell : study.cells[c]) shares.equal.push_back(cell.share());
   }
   return data;
 }

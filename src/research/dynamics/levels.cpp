@@ -1,31 +1,32 @@
-#include "src/studies/dynamics/levels.h"
+#include "src/research/dynamics/levels.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/campaign/progress.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/processor_time.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 constexpr double highest = 18;  // [rad/s]
 
 Scene scene_with(const Case& the_case, double direction, double stiffness) {
-  Scene scene = scene_of(the_case, default_reading().scene);
+  Scene scene = scene_of(the_case, default_machine());
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = stiffness;
-  scene.contact_friction = false;  // y has its own, of the wall's force
+  scene.contact_friction = false;  // y has a contact friction of its own
   scene.across = Across<double>{direction * scene.pull,
                                 scene.wall_lower,
                                 scene.wall_upper,
@@ -52,7 +53,7 @@ Finding find(const Case& the_case, double omega, const LevelPlan& plan) {
   Finding finding;
   Scene scene = at_speed(scene_with(the_case, 0, plan.stiffness), omega);
   scene.across.reset();
-  const Recording hard = record(at_level(scene, Fidelity::impact), default_width, 0);
+  const Recording hard = record(at_level(scene, Fidelity::impact), default_smoothing, 0);
   finding.doubt = hard.certainty.doubt;
   finding.resolved = !hard.certainty.certain && needed_fidelity(scene) == Fidelity::compliant;
   for (const double direction : plan.directions) {
@@ -121,50 +122,55 @@ LevelStudy study_levels(const LevelPlan& plan) {
   return study;
 }
 
-Json data_of(const LevelStudy& study) {
-  Json data = {{"stiffness", study.plan.stiffness},
-               {"directions", Json::array()},
-               {"cases", Json::array()},
-               {"costs", Json::array()},
-               {"wrong", Json::array()}};
-  int speeds = 0, certain = 0, resolved = 0;
+LevelData data_of(const LevelStudy& study) {
+  LevelData data{.stiffness = study.plan.stiffness};
+  std::vector<int> coupled(study.plan.directions.size(), 0), wrong = coupled;
   for (const LevelRow& row : study.rows) {
-    speeds += row.speeds;
-    certain += row.certain;
-    resolved += row.resolved;
     const auto doubts = [&](Doubt doubt) { return row.doubts[static_cast<std::size_t>(doubt)]; };
-    data["cases"].push_back({{"case", row.id},
-                             {"speeds", row.speeds},
-                             {"certain", share(row.certain, row.speeds)},
-                             {"margin", doubts(Doubt::margin)},
-                             {"window", doubts(Doubt::window)},
-                             {"graze", doubts(Doubt::graze)},
-                             {"sensitive", doubts(Doubt::sensitive)},
-                             {"resolved", row.resolved}});
-    Json shares = Json::array();  // a direction each
-    for (const int wrong : row.wrong) shares.push_back(share(wrong, row.speeds));
-    data["wrong"].push_back({{"case", row.id}, {"shares", std::move(shares)}});
-    data["costs"].push_back({{"case", row.id},
-                             {"compliant", row.seconds[1] / row.seconds[0]},
-                             {"planar", row.seconds[2] / row.seconds[0]},
-                             {"automatic", row.seconds[3] / row.seconds[0]}});
-  }
-  data["speeds"] = speeds;
-  data["certain"] = certain;
-  data["certain_share"] = share(certain, speeds);
-  data["uncertain"] = speeds - certain;
-  data["resolved"] = resolved;
-  for (std::size_t d = 0; d < study.plan.directions.size(); ++d) {
-    int coupled = 0, wrong = 0;
-    for (const LevelRow& row : study.rows) {
-      coupled += row.coupled[d];
-      wrong += row.wrong[d];
+    data.speeds += row.speeds;
+    data.certain += row.certain;
+    data.resolved += row.resolved;
+    data.cases.push_back({row.id, row.speeds, share(row.certain, row.speeds), doubts(Doubt::margin),
+                          doubts(Doubt::window), doubts(Doubt::graze), doubts(Doubt::sensitive),
+                          row.resolved});
+    data.costs.push_back({row.id, row.seconds[1] / row.seconds[0], row.seconds[2] / row.seconds[0],
+                          row.seconds[3] / row.seconds[0]});
+    WrongShares& shares = data.wrong.emplace_back(WrongShares{row.id, {}});
+    for (std::size_t d = 0; d < wrong.size(); ++d) {
+      shares.shares.push_back(share(row.wrong[d], row.speeds));
+      coupled[d] += row.coupled[d];
+      wrong[d] += row.wrong[d];
     }
-    data["directions"].push_back({{"tangent", study.plan.directions[d]},
-                                  {"coupled", share(coupled, speeds)},
-                                  {"wrong", share(wrong, speeds)}});
+  }
+  data.certain_share = share(data.certain, data.speeds);
+  data.uncertain = data.speeds - data.certain;
+  for (std::size_t d = 0; d < wrong.size(); ++d) {
+    data.directions.push_back(
+        {study.plan.directions[d], share(coupled[d], data.speeds), share(wrong[d], data.speeds)});
   }
   return data;
+}
+
+std::vector<LevelCost> level_costs(const FidelityData& walls, const LevelData& levels) {
+  std::vector<LevelCost> costs = {{"hard walls", true, 1, 0}};
+  for (const FidelityTotal& wall : walls.stiffnesses) {
+    if (!wall.share || !wall.least_cost) continue;
+    costs.push_back({"stiffness " + wall.stiffness, false,
+                     std::sqrt(*wall.least_cost * *wall.most_cost), 1 - *wall.share});
+  }
+  std::vector<double> planar;
+  for (const LevelCosts& one : levels.costs) planar.push_back(one.planar);
+  std::ranges::sort(planar);
+  for (const LevelDirection& direction : levels.directions) {
+    costs.push_back({fmt::format("both directions, tan phi {:.2g}", direction.tangent), false,
+                     planar[planar.size() / 2], direction.wrong});
+  }
+  return costs;
+}
+
+PlanarNeed planar_need(const LevelData& levels) {
+  return {std::ranges::max(levels.directions, {}, &LevelDirection::wrong).wrong,
+          levels.directions.back().tangent};
 }
 
 }  // namespace ricochet::studies::dynamics

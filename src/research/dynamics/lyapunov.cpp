@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/lyapunov.h"
+#include "src/research/dynamics/lyapunov.h"
 
 #include <fmt/format.h>
 
@@ -10,17 +10,17 @@
 
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/models/simulate.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/campaign/progress.h"
-#include "src/studies/dynamics/work.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "src/core/progress.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
 
-/// [rad/s]; of the forces that act.
+/// [rad/s]; of the forces that are not zero.
 double fastest_rate(const Scene& scene) {
   return std::max(scene.omega, scene.disturbance != 0 ? scene.disturbance_frequency : 0.0);
 }
@@ -30,8 +30,8 @@ bool rests(const Motion<Scalar>& motion) {
   return motion.velocity == 0 && motion.acceleration == 0;
 }
 
-/// Carries a difference along a simulation. Its length is kept at one; what that takes out is
-/// summed as a logarithm, so that no window is too long.
+/// Propagates a difference along a simulation. Its length is normalised to one and the logarithms
+/// of the factors are summed, so that windows of any length are possible.
 class Tangent : public Observer {
  public:
   Tangent(const Scene& scene, const Difference& start)
@@ -46,7 +46,7 @@ class Tangent : public Observer {
     if (struck_ && !forgotten_) leap_at_wall(start);
     if (moving_ && !struck_) difference_.velocity *= start.acceleration / acceleration_;
     const Motion<double> end = path.at(duration);
-    if (rests(end)) difference_.velocity = 0;  // of a start at rest, too: friction holds both
+    if (rests(end)) difference_.velocity = 0;  // also for a start at rest: friction holds both
     if (forgotten_ && !rests(end)) begin_anew();
     difference_.position += duration * difference_.velocity;
     moving_ = !rests(end);
@@ -63,14 +63,14 @@ class Tangent : public Observer {
     velocity_ = wall == Wall::upper ? speed : -speed;
   }
 
-  double time() const { return time_; }  // [s], where the last stretch ended
+  double time() const { return time_; }  // [s], where the last flight ended
   std::int64_t impacts() const { return impacts_; }
   std::int64_t rests_on_wall() const { return rests_on_wall_; }
-  double growth() const { return earlier_ + growth_; }  // of ln(length), all in all
+  double growth() const { return earlier_ + growth_; }  // of ln(length), in total
   double growth_since_rest() const { return growth_; }
   double largest_growth() const { return largest_; }  // since a rest or the start
 
-  /// Since the start, if there was no rest on a wall.
+  /// Since the start, if the body has not rested on a wall.
   Difference difference() const {
     const double length = std::exp(growth_);
     return {length * difference_.position, length * difference_.velocity};
@@ -91,7 +91,7 @@ class Tangent : public Observer {
     difference_ = {0, 0};
   }
 
-  /// With any difference, as rounding makes one.
+  /// Restarts with an arbitrary difference, such as a rounding error.
   void begin_anew() {
     earlier_ += growth_;
     forgotten_ = false;
@@ -118,7 +118,7 @@ class Tangent : public Observer {
   std::int64_t impacts_ = 0;
   std::int64_t rests_on_wall_ = 0;
   bool forgotten_ = false;
-  bool moving_ = false;      // at the end of the last stretch
+  bool moving_ = false;      // at the end of the last flight
   double acceleration_ = 0;  // there [m/s^2]
   bool struck_ = false;      // since
   double restitution_ = 0;   // of that impact
@@ -130,7 +130,7 @@ Difference any_difference(const Scene& scene) {
   return {std::sqrt(0.5), std::sqrt(0.5) * fastest_rate(scene)};
 }
 
-/// Notes growth and impacts at the limits of the parts of a window.
+/// Records growth and impacts at the ends of the parts of a window.
 class GrowthByPart : public Tangent {
  public:
   static constexpr std::size_t parts = 10;
@@ -153,7 +153,7 @@ class GrowthByPart : public Tangent {
     }
   }
 
-  /// After the simulation.
+  /// To be called after the simulation.
   Sensitivity sensitivity() {
     marks_.push_back({growth(), impacts()});
     const double window = part_ * parts;
@@ -267,7 +267,7 @@ LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
   for (const Case& the_case : cases) {
     study.cases.push_back(the_case.id);
     auto& row = study.cells.emplace_back();
-    Scene scene = scene_of(the_case, default_reading().scene);
+    Scene scene = scene_of(the_case, default_machine());
     scene.window = Revolutions{plan.turns};
     for (const double omega : plan.speeds) row.push_back(sensitivity_of(at_speed(scene, omega)));
     progress.advance(1);
@@ -285,7 +285,7 @@ LyapunovStudy study_lyapunov(const LyapunovPlan& plan) {
   }
   constexpr double omega = 10;
   for (const char* id : {"C2", "C10"}) {
-    Scene scene = scene_of(find_case(id), default_reading().scene);
+    Scene scene = scene_of(find_case(id), default_machine());
     scene.omega = omega;
     scene.window = Revolutions{plan.turns};
     study.courses.push_back(

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/studies/dynamics/lyapunov.h"
+#include "src/research/dynamics/lyapunov.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -12,12 +12,12 @@ using report::Json;
 using std::numbers::pi;
 const double all_digits = 53 * std::log10(2.0);  // of a double: 15.95
 
-/// What a motion loses; null where it loses all.
+/// Digits lost by a motion; null if it loses all.
 Json digits_of(const Sensitivity& motion) {
   return motion.chaotic() ? Json() : Json(motion.digits_lost);
 }
 
-/// Impact by impact, as far as it is drawn.
+/// By impact, as far as it is drawn.
 Json drawn_digits(const Course& course) {
   Json drawn = Json::array();
   for (const double digits : course.digits_lost) {
@@ -27,7 +27,7 @@ Json drawn_digits(const Course& course) {
   return drawn;
 }
 
-/// The growth per period of the shaking over the gap, and what closed forms say of it.
+/// Growth per period of the shaking over the gap, with the values of closed forms.
 Json shaken_data(const LyapunovStudy& study) {
   Json gaps = Json::array();
   for (std::size_t k = 0; k < study.shaken.size(); ++k) {
@@ -46,9 +46,9 @@ Json shaken_data(const LyapunovStudy& study) {
 /// All motions of the paper's cases together.
 Json cases_data(const LyapunovStudy& study) {
   int runs = 0, chaotic = 0, forgetting = 0;
-  double digits = 0, speed = 0;  // at worst, and there [rad/s]
+  double digits = 0, speed = 0;  // worst case, and its speed [rad/s]
   std::string worst;
-  double least_rests = 1e300, most_rests = 0;  // a turn, where there are several
+  double least_rests = 1e300, most_rests = 0;  // per turn, if there are several
   for (std::size_t c = 0; c < study.cells.size(); ++c) {
     for (std::size_t s = 0; s < study.cells[c].size(); ++s) {
       const Sensitivity& cell = study.cells[c][s];

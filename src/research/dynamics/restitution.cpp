@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/restitution.h"
+#include "src/research/dynamics/restitution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr double faithful_within = 0.01;
 Json data_of(const LawStudy& law) {
   const ReturnedRestitution worst = worst_of(law);
   const double off = distance(worst);
-  const bool exact = off < 5e-4;  // its worst place is a matter of rounding
+  const bool exact = off < 5e-4;  // its worst place depends on rounding only
   return {{"law", law.name},
           {"exact", exact},
           {"worst_asked", exact ? Json() : Json(worst.asked)},
@@ -32,12 +32,6 @@ Json data_of(const LawStudy& law) {
           {"of_a_tenth", closed_return(law.law, 0.1)},
           {"of_nine_tenths", closed_return(law.law, 0.9)},
           {"measurement_error", largest_measurement_error(law)}};
-}
-
-Json rows_of(const std::vector<ReturnedRestitution>& points) {
-  return report::list_of(points, [](const ReturnedRestitution& point) -> Json {
-    return {{"asked", point.asked}, {"returned", point.returned}};
-  });
 }
 
 }  // namespace
@@ -101,8 +95,8 @@ Json data_of(const std::vector<LawStudy>& laws) {
                {"measured", Json::array()}};
   for (const LawStudy& law : laws) {
     data["laws"].push_back(data_of(law));
-    data["curves"].push_back({{"law", law.name}, {"exact", rows_of(law.exact)}});
-    for (Json& row : rows_of(law.measured)) data["measured"].push_back(std::move(row));
+    data["curves"].push_back({{"law", law.name}, {"exact", law.exact}});
+    for (const ReturnedRestitution& one : law.measured) data["measured"].push_back(one);
     if (distance(worst_of(law)) <= faithful_within) data["faithful"].push_back(law.name);
   }
   return data;

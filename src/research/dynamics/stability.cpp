@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/stability.h"
+#include "src/research/dynamics/stability.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "problems/carrier_track/reference_integrators/accuracy.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
 #include "problems/carrier_track/scene/contact_law.h"
-#include "src/campaign/progress.h"
-#include "src/studies/dynamics/work.h"
+#include "src/core/progress.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -48,7 +48,7 @@ Integrator find(const std::vector<Integrator>& integrators, const std::string& n
   return *found;
 }
 
-/// A body of 1 kg that comes with 1 m/s to the wall at 0, of 1 N/m^n, from `distance` [m].
+/// A body of 1 kg that approaches the wall at 0, of 1 N/m^n, with 1 m/s from `distance` [m].
 Scene one_impact(ContactLaw law, double exponent, double restitution, double distance) {
   Scene scene;
   scene.wall_upper = 100;
@@ -63,9 +63,9 @@ Scene one_impact(ContactLaw law, double exponent, double restitution, double dis
   return scene;
 }
 
-/// Lets a method pass `one_impact` with a step of about `length` [s], whose phase at the wall is
-/// the i-th of `phases` that fill a step evenly. The steps vary by 10 %, so that the phase of the
-/// way out is another one each time: errors of both edges could cancel, or add up.
+/// Runs a method through `one_impact` with a step of about `length` [s], whose phase at the wall is
+/// the i-th of `phases` that fill a step evenly. The steps vary by 10 %, so that the phase at the
+/// end of the contact varies too: otherwise errors of both edges could cancel, or add up.
 Outcome pass(const Integrator& method, ContactLaw law, double exponent, double restitution,
              double length, int i, int phases) {
   const double golden = std::fmod(i * std::numbers::phi, 1.0);

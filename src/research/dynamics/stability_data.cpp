@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/studies/dynamics/stability.h"
+#include "src/research/dynamics/stability.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -30,8 +30,8 @@ int runs_of(const StabilityMap& map) {
   return static_cast<int>(map.cells.size() * map.controls.size());
 }
 
-/// By how much the cheapest right count of a method is dearer on the stiffest walls than on the
-/// softest; nothing if there is none.
+/// Ratio of the cost of a method's cheapest right count on the stiffest and on the softest walls;
+/// nothing if there is none.
 std::optional<double> growth(const StabilityMap& map) {
   const auto soft = cheapest_right(map.cells.front());
   const auto stiff = cheapest_right(map.cells.back());
@@ -39,7 +39,7 @@ std::optional<double> growth(const StabilityMap& map) {
   return stiff->evaluations / soft->evaluations;
 }
 
-/// The runs of every behaviour, and the border that linear theory draws.
+/// The runs by behaviour, and the stability limit of linear theory.
 Json map_data(const StabilityStudy& study, const StabilityMap& map) {
   const auto& stiffnesses = study.plan.stiffnesses;
   const auto bound = spring_bound(map.method);
@@ -68,7 +68,7 @@ Json map_data(const StabilityStudy& study, const StabilityMap& map) {
   return data;
 }
 
-/// What something costs, stiffness by stiffness.
+/// Cost by stiffness.
 template <class Evaluations>
 Json costs_of(const StabilityStudy& study, const Evaluations& evaluations_of) {
   Json costs = Json::array();

@@ -1,9 +1,9 @@
-#include "src/studies/dynamics/study.h"
+#include "src/research/dynamics/study.h"
 
 #include <cmath>
 
-#include "src/campaign/progress.h"
-#include "src/studies/dynamics/restitution.h"
+#include "src/core/progress.h"
+#include "src/research/dynamics/restitution.h"
 
 namespace ricochet::studies {
 namespace dynamics {
@@ -86,8 +86,12 @@ Json results_of(const StudyPlan& plan) {
   data["failure_modes"] = data_of(study_failure_modes(plan.failure_modes, integrators));
   data["stability"] = data_of(study_stability(plan.stability));
   data["lyapunov"] = data_of(study_lyapunov(plan.lyapunov));
-  data["fidelity"] = data_of(study_fidelity(plan.fidelity));
-  data["levels"] = data_of(study_levels(plan.levels));
+  const FidelityData walls = data_of(study_fidelity(plan.fidelity));
+  const LevelData levels = data_of(study_levels(plan.levels));
+  data["fidelity"] = walls;
+  data["levels"] = levels;
+  data["level_costs"] = level_costs(walls, levels);
+  data["planar"] = planar_need(levels);
   data["thresholds"] = data_of(study_thresholds(plan.thresholds, integrators));
   data["controls"] = {{"per_decade", plan.work.per_decade},
                       {"tolerance", plan.work.tolerance},

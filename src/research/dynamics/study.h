@@ -2,25 +2,25 @@
 
 #include <cstddef>
 
-#include "src/studies/dynamics/failure_modes.h"
-#include "src/studies/dynamics/fidelity.h"
-#include "src/studies/dynamics/levels.h"
-#include "src/studies/dynamics/lyapunov.h"
-#include "src/studies/dynamics/stability.h"
-#include "src/studies/dynamics/thresholds.h"
-#include "src/studies/dynamics/work.h"
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
+#include "src/research/dynamics/failure_modes.h"
+#include "src/research/dynamics/fidelity.h"
+#include "src/research/dynamics/levels.h"
+#include "src/research/dynamics/lyapunov.h"
+#include "src/research/dynamics/stability.h"
+#include "src/research/dynamics/thresholds.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies {
 
-/// Contact laws, numerical methods and levels of the model. A minute on one processor; times
-/// are measured, so one thing at a time.
+/// Contact laws, numerical methods and levels of the model. About a minute on one processor; times
+/// are measured, so nothing runs in parallel.
 Study dynamics_study();
 
 namespace dynamics {
 
 struct StudyPlan {
-  std::size_t measured_stride;  ///< every which restitution is simulated, too
+  std::size_t measured_stride;  ///< every how many restitutions one is simulated, too
   double chaotic_seconds;       ///< [s], window of the chaotic scene
   WorkPlan work;
   FidelityPlan fidelity;
@@ -31,7 +31,7 @@ struct StudyPlan {
   ThresholdPlan thresholds;
 };
 
-/// All but the times is the same every time.
+/// The results are reproducible, except for the times.
 report::Json results_of(const StudyPlan& plan);
 
 }  // namespace dynamics

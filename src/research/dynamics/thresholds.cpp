@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/thresholds.h"
+#include "src/research/dynamics/thresholds.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -9,24 +9,23 @@
 #include <limits>
 #include <stdexcept>
 
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/reference_integrators/accuracy.h"
-#include "src/campaign/progress.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/processor_time.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 
 constexpr double fastest = 18;          // [rad/s]
 constexpr double resolved = 1e-10;      // [rad/s], where the bisection ends
-constexpr double repeated_below = 0.1;  // [s]: shorter measurements are made three times
+constexpr double repeated_below = 0.1;  // [s]: shorter measurements are repeated three times
 
-/// The count; nothing where the simulation does not come to an end.
+/// The count; nothing if the simulation does not finish.
 using CountOf = std::function<std::optional<int>(const Scene& scene, double omega)>;
 
 struct TimedSimulation {
@@ -38,7 +37,7 @@ std::string power_of_ten(double value) {
   return fmt::format("1e{:.0f}", std::log10(value));
 }
 
-/// A level of the model; `change` sets it.
+/// A level of the model, set by `change`.
 TimedSimulation level_simulation(const std::string& name, const std::string& control,
                                  const std::function<void(Scene&)>& change) {
   return {name, "level", control, [change](const Scene& scene, double omega) -> std::optional<int> {
@@ -86,19 +85,19 @@ std::vector<TimedSimulation> simulations_of(const ThresholdPlan& plan,
   return all;
 }
 
-/// A machine whose fastest quiet speed is looked for.
-struct QuietQuestion {
+/// A machine whose fastest quiet speed is searched for.
+struct QuietProblem {
   Scene scene;
   double quiet_limit;
 };
 
-CaseThreshold searched(const CountOf& count, const QuietQuestion& question, double grid) {
+CaseThreshold searched(const CountOf& count, const QuietProblem& problem, double grid) {
   CaseThreshold found;
   const auto is_quiet = [&](double omega) {
-    const auto there = count(question.scene, omega);
+    const auto there = count(problem.scene, omega);
     ++found.simulations;
     found.unfinished += there ? 0 : 1;
-    return there && *there <= question.quiet_limit;
+    return there && *there <= problem.quiet_limit;
   };
   double loud = std::numeric_limits<double>::infinity();
   double quiet = fastest;
@@ -112,7 +111,7 @@ CaseThreshold searched(const CountOf& count, const QuietQuestion& question, doub
   return found;
 }
 
-/// The least of three measurements, or one that is long, for each simulation.
+/// The minimum of three measurements, or one long one, for each simulation.
 double seconds_of(const CountOf& count, const Scene& scene, double grid) {
   const int speeds = static_cast<int>(std::lround(fastest / grid));
   double least = std::numeric_limits<double>::infinity();
@@ -126,14 +125,14 @@ double seconds_of(const CountOf& count, const Scene& scene, double grid) {
   return least / speeds;
 }
 
-/// How far a case is from the reference; nothing where either has no threshold.
+/// Error of a case relative to the reference; nothing if either has no threshold.
 std::optional<double> error_in(const ThresholdStudy& study, std::size_t s, std::size_t c) {
   const auto& found = study.simulations[s].cases[c].speed;
   const auto& right = study.simulations.front().cases[c].speed;
   return found && right ? std::optional(std::abs(*found - *right)) : std::nullopt;
 }
 
-Json row_of(const ThresholdStudy& study, std::size_t s) {
+SimulationRow row_of(const ThresholdStudy& study, std::size_t s) {
   const SimulatedThresholds& one = study.simulations[s];
   std::optional<double> least_error, error, least, most;
   double logarithms = 0;
@@ -152,20 +151,11 @@ Json row_of(const ThresholdStudy& study, std::size_t s) {
     }
   }
   if (missing > 0) error = least_error = std::nullopt;
-  // Of equal ones, rounding may put the mean beyond.
+  // If all are equal, rounding may put the mean outside their range.
   const double mean = std::clamp(std::exp(logarithms), *least, *most);
-  return {{"simulation", one.simulation},
-          {"kind", one.kind},
-          {"control", one.control},
-          {"reference", s == 0},
-          {"seconds", mean},
-          {"seconds_least", least},
-          {"seconds_most", most},
-          {"error", error},
-          {"error_least", least_error},
-          {"missing", missing},
-          {"unfinished", unfinished},
-          {"within", error && *error <= found_within}};
+  return {one.simulation, one.kind, one.control, s == 0,
+          mean,           least,    most,        error,
+          least_error,    missing,  unfinished,  error && *error <= found_within};
 }
 
 }  // namespace
@@ -173,56 +163,49 @@ Json row_of(const ThresholdStudy& study, std::size_t s) {
 ThresholdStudy study_thresholds(const ThresholdPlan& plan,
                                 const std::vector<Integrator>& integrators) {
   ThresholdStudy study{plan, {}};
-  std::vector<QuietQuestion> questions;
+  std::vector<QuietProblem> problems;
   for (const std::string& id : plan.cases) {
     const Case the_case = find_case(id);
-    const Scene scene = scene_of(the_case, default_reading().scene);
-    questions.push_back({scene, quiet_limit(quiet_count(scene, the_case.claim, ScanOptions{}))});
+    const Scene scene = scene_of(the_case, default_machine());
+    problems.push_back({scene, quiet_limit(quiet_count(scene, the_case.claim, ScanOptions{}))});
   }
   const std::vector<TimedSimulation> simulations = simulations_of(plan, integrators);
   for (const TimedSimulation& one : simulations) {
     study.simulations.push_back(
-        {one.name, one.kind, one.control, std::vector<CaseThreshold>(questions.size())});
+        {one.name, one.kind, one.control, std::vector<CaseThreshold>(problems.size())});
   }
   Progress progress("thresholds", static_cast<double>(2 * simulations.size()));
   tbb::parallel_for(std::size_t{0}, simulations.size(), [&](std::size_t s) {
-    for (std::size_t c = 0; c < questions.size(); ++c) {
-      study.simulations[s].cases[c] = searched(simulations[s].count, questions[c], plan.grid);
+    for (std::size_t c = 0; c < problems.size(); ++c) {
+      study.simulations[s].cases[c] = searched(simulations[s].count, problems[c], plan.grid);
     }
     progress.advance(1);
   });
-  for (std::size_t s = 0; s < simulations.size(); ++s) {  // one thing at a time
-    for (std::size_t c = 0; c < questions.size(); ++c) {
+  for (std::size_t s = 0; s < simulations.size(); ++s) {  // sequentially, since times are measured
+    for (std::size_t c = 0; c < problems.size(); ++c) {
       study.simulations[s].cases[c].seconds =
-          seconds_of(simulations[s].count, questions[c].scene, plan.timed_grid);
+          seconds_of(simulations[s].count, problems[c].scene, plan.timed_grid);
     }
     progress.advance(1);
   }
   return study;
 }
 
-Json data_of(const ThresholdStudy& study) {
-  Json data = {{"cases", Json::array()},
-               {"tolerance", found_within},
-               {"simulations", Json::array()},
-               {"cheapest", nullptr},
-               {"level", 0}};
+ThresholdData data_of(const ThresholdStudy& study) {
+  ThresholdData data{.family = "top-speed",
+                     .forms = {"count", "penalised-count"},
+                     .names = study.plan.cases,
+                     .tolerance = found_within,
+                     .tried = study.simulations.size()};
   for (std::size_t c = 0; c < study.plan.cases.size(); ++c) {
-    data["cases"].push_back(
-        {{"case", study.plan.cases[c]}, {"threshold", study.simulations.front().cases[c].speed}});
+    data.cases.push_back({study.plan.cases[c], study.simulations.front().cases[c].speed});
   }
-  int within = 0;
   for (std::size_t s = 0; s < study.simulations.size(); ++s) {
-    Json row = row_of(study, s);
-    if (row["within"].get<bool>()) {
-      ++within;
-      Json& cheapest = data["cheapest"];
-      if (cheapest.is_null() || row["seconds"] < cheapest["seconds"]) cheapest = row;
-    }
-    data["simulations"].push_back(std::move(row));
+    const SimulationRow& row = data.simulations.emplace_back(row_of(study, s));
+    if (!row.within) continue;
+    ++data.within;
+    if (!data.cheapest || row.seconds < data.cheapest->seconds) data.cheapest = row;
   }
-  data["within"] = within;
-  data["tried"] = study.simulations.size();
   return data;
 }
 

@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/work.h"
+#include "src/research/dynamics/work.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ std::vector<double> controls(double first, double last, int per_decade) {
 
 struct Measured {
   Outcome outcome;
-  double seconds;  // [s] of processor time a run
+  double seconds;  // [s] of processor time per run
 };
 
 Measured measure(const Integrator& integrator, const Scene& scene, double control) {

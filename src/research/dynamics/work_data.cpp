@@ -3,27 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/studies/dynamics/work.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 using report::Json;
 
-/// What an error is held to: in a chaotic scene that of the rate, else that of impact times [s].
+/// Limits of the error: in a chaotic scene of the rate, else of impact times [s].
 std::vector<double> limits_of(const SceneWork& work) {
   if (work.benchmark.chaotic) return {work.rate_spread};
   return {1e-6, 1e-9};
 }
 
-/// Time of the loosest trial within a limit over that of the reference.
+/// Time of the loosest trial within a limit relative to the reference.
 std::optional<double> slowdown(const SceneWork& work, const MethodWork& method, double limit) {
   const auto trial = loosest_within(method, limit);
   if (!trial) return std::nullopt;
   return trial->seconds / work.methods.front().trials.front().seconds;
 }
 
-/// The same of the evaluations of the forces.
+/// The same for the evaluations of the forces.
 std::optional<double> evaluations_ratio(const SceneWork& work, const MethodWork& method,
                                         double limit) {
   const auto trial = loosest_within(method, limit);
@@ -32,7 +32,7 @@ std::optional<double> evaluations_ratio(const SceneWork& work, const MethodWork&
   return static_cast<double>(trial->force_evaluations) / static_cast<double>(own);
 }
 
-/// A small ratio is shown with a digit after the point.
+/// A small ratio is shown with one decimal.
 Json data_of(const std::optional<double>& ratio) {
   return {{"ratio", ratio}, {"small", ratio && *ratio < 10}};
 }
@@ -41,7 +41,7 @@ bool fails(const Trial& trial, bool chaotic) {
   return !trial.finished || (!chaotic && trial.accuracy.missed + trial.accuracy.spurious > 0);
 }
 
-/// Errors are drawn no smaller than this: the rounding of a time, or half an impact in the rate.
+/// Smallest error that is drawn: the rounding of a time, or half an impact in the rate.
 double smallest_error(const SceneWork& work) {
   return work.benchmark.chaotic ? 0.5 / work.impacts : 1e-16;
 }
@@ -54,7 +54,8 @@ struct Errors {
   double lower, upper;
 };
 
-/// From the decade below the smallest error to one above the largest: where failures are drawn.
+/// From the decade below the smallest error to the decade above the largest, where failures are
+/// drawn.
 Errors errors_of(const SceneWork& work) {
   Errors range{1e-3, 1e-3};
   for (const MethodWork& method : work.methods) {
@@ -68,8 +69,8 @@ Errors errors_of(const SceneWork& work) {
           std::pow(10, std::ceil(std::log10(range.upper)) + 1)};
 }
 
-/// The error of every trial over its processor time per impact [s]; of a method without control the
-/// time alone.
+/// Adds the error of every trial over its processor time per impact [s]; for a method without
+/// control only the time.
 void add_trials(const SceneWork& work, Json& data) {
   const Errors errors = errors_of(work);
   const double spread = work.rate_spread;
@@ -94,7 +95,7 @@ void add_trials(const SceneWork& work, Json& data) {
   }
 }
 
-/// Which other methods keep within a limit, and the fastest of them.
+/// Lists the other methods within a limit, and the fastest of them.
 Json data_of(const SceneWork& work, double limit) {
   Json best;
   int reached = 0;
@@ -113,7 +114,7 @@ Json data_of(const SceneWork& work, double limit) {
           {"others", work.methods.size() - 1}};
 }
 
-/// A method at its tightest control, and what the limits cost it.
+/// A method at its tightest control, and its cost at the limits.
 Json data_of(const SceneWork& work, const MethodWork& method) {
   const Trial& tightest = method.trials.back();
   const bool chaotic = work.benchmark.chaotic;

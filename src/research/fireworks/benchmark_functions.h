@@ -6,8 +6,8 @@
 
 namespace ricochet::studies::fireworks {
 
-/// One of the nine functions on which the algorithm was published, by the name that Table 3 has, on
-/// [-100, 100]^n; its best value is 0. Schwefel is sum (x_1 - x_i^2)^2 + (x_i - 1)^2; Ellipse,
+/// Returns one of the nine functions on which the algorithm was published, by its name in Table 3,
+/// on [-100, 100]^n; its best value is 0. Schwefel is sum (x_1 - x_i^2)^2 + (x_i - 1)^2; Ellipse,
 /// Cigar and Tablet have the factor 10^4. Throws std::out_of_range for another name.
 Problem benchmark_function(const std::string& name, Eigen::Index n);
 

@@ -1,4 +1,4 @@
-#include "src/studies/fireworks/cec2013.h"
+#include "src/research/fireworks/cec2013.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 namespace ricochet::studies::fireworks {
 namespace {
 
-/// -1400 of function 1, up by 100 a function, past 0, to 1400 of function 28 (Liang, Qu, Suganthan
+/// -1400 for function 1, in steps of 100 without 0, to 1400 for function 28 (Liang, Qu, Suganthan
 /// and Hernandez-Diaz, Technical Report 201212, Zhengzhou University, 2013).
 double best_value(unsigned number) {
   return number <= 14 ? 100.0 * number - 1500 : 100.0 * number - 1400;

@@ -1,10 +1,10 @@
-#include "src/studies/fireworks/competition.h"
+#include "src/research/fireworks/competition.h"
 
 #include "solvers/fireworks/fireworks_family.h"
-#include "src/studies/fireworks/errors.h"
-#include "src/studies/fireworks/published.h"
+#include "src/research/fireworks/errors.h"
+#include "src/research/fireworks/published.h"
 #ifdef RICOCHET_HAS_PAGMO
-#include "src/studies/fireworks/cec2013.h"
+#include "src/research/fireworks/cec2013.h"
 #endif
 
 namespace ricochet::studies::fireworks {
@@ -12,37 +12,38 @@ namespace {
 
 using report::Json;
 
-std::vector<Contestant> contestants_of(const Json& rows, const std::vector<Solver>& members) {
-  std::vector<Contestant> contestants;
+std::vector<Entry> entries_of(const Json& rows, const std::vector<Solver>& members) {
+  std::vector<Entry> entries;
 #ifdef RICOCHET_HAS_PAGMO
   for (const Json& row : rows) {
     const auto number = row["number"].get<unsigned>();
     for (const Solver& member : members) {
-      contestants.push_back({member, [number] { return cec2013(number, 30); }});
+      entries.push_back({member, [number] { return cec2013(number, 30); }});
     }
   }
 #endif
-  return contestants;
+  return entries;
 }
 
-/// All but the readings of the paper, which are as good as Tan and Zhu's program at most.
+/// All except the interpretations of the paper, which are at most as good as Tan and Zhu's program.
 std::vector<Solver> contenders() {
   std::vector<Solver> members;
   for (Solver& member : ricochet::fireworks::family()) {
-    const bool reading = member.name == "fireworks" || member.name == "fireworks-as-printed";
-    if (!reading) members.push_back(std::move(member));
+    const bool interpretation = member.name == "fireworks" || member.name == "fireworks-as-printed";
+    if (!interpretation) members.push_back(std::move(member));
   }
   return members;
 }
 
-/// Our moments beside another's mean, where there is one.
+/// Our moments and the published mean, if there is one.
 Json cell_of(const std::vector<double>& errors, const Json& row, const std::string& solver,
              int published_runs) {
-  Json cell = moments_of(errors);
+  const Moments moments = moments_of(errors);
+  Json cell = moments;
   const bool compared = row.contains(solver);
   cell["other"] = compared ? row[solver] : Json();
   cell["agrees"] =
-      compared ? Json(agrees(cell, {row[solver].get<double>(), published_runs})) : Json();
+      compared ? Json(agrees(moments, {row[solver].get<double>(), published_runs})) : Json();
   return cell;
 }
 
@@ -51,7 +52,7 @@ Json cell_of(const std::vector<double>& errors, const Json& row, const std::stri
 Json competition_data(int runs, std::int64_t evaluations) {
   const Json& table = published()["cec2013"];
   const std::vector<Solver> members = contenders();
-  const std::vector<Contestant> contestants = contestants_of(table["rows"], members);
+  const std::vector<Entry> entries = entries_of(table["rows"], members);
   Json data = {{"source", table["source"]},
                {"evaluations", evaluations},
                {"runs", runs},
@@ -59,11 +60,11 @@ Json competition_data(int runs, std::int64_t evaluations) {
                {"solvers", report::list_of(members, &Solver::name)},
                {"rows", Json::array()}};
   std::vector<std::vector<double>> errors;
-  if (!contestants.empty()) {
-    errors = errors_of(contestants, evaluations, runs, "functions of CEC 2013");
+  if (!entries.empty()) {
+    errors = errors_of(entries, evaluations, runs, "functions of CEC 2013");
   }
   int compared = 0, agreeing = 0;
-  for (std::size_t k = 0; k < contestants.size(); k += members.size()) {
+  for (std::size_t k = 0; k < entries.size(); k += members.size()) {
     Json row = table["rows"][k / members.size()];
     Json cells = Json::array();
     for (std::size_t i = 0; i < members.size(); ++i) {

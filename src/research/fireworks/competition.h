@@ -5,8 +5,8 @@
 namespace ricochet::studies::fireworks {
 
 /// Tan and Zhu's program, the corrected one, EFWA, dynFWA, BBFWA and LoTFWA on six functions of the
-/// competition of CEC 2013, in 30 dimensions, beside the figures of other implementations. No rows
-/// in a build without pagmo.
+/// competition of CEC 2013, in 30 dimensions, with the results of other implementations. No rows in
+/// a build without pagmo.
 report::Json competition_data(int runs, std::int64_t evaluations);
 
 }  // namespace ricochet::studies::fireworks

@@ -1,4 +1,4 @@
-#include "src/studies/fireworks/plateau.h"
+#include "src/research/fireworks/plateau.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include "solvers/fireworks/bare_bones_fireworks.h"
 #include "solvers/fireworks/fireworks_family.h"
 #include "solvers/random_search.h"
-#include "src/statistics/wilson_interval.h"
-#include "src/studies/fireworks/errors.h"
-#include "src/studies/fireworks/published.h"
+#include "src/benchmark/statistics/wilson_interval.h"
+#include "src/research/fireworks/errors.h"
+#include "src/research/fireworks/published.h"
 
 namespace ricochet::studies::fireworks {
 namespace {
@@ -50,7 +50,7 @@ Json cell_of(const std::vector<double>& errors) {
           {"other", nullptr}};
 }
 
-/// Puts the figures of others beside ours.
+/// Adds the published results to ours.
 void add_published(const std::string& landscape, Json& solvers) {
   for (const Json& row : published()["plateau"]["rows"]) {
     if (row["landscape"] != landscape) continue;
@@ -76,16 +76,16 @@ Problem logarithmic_staircase(double target) {
 
 Json plateau_data(int runs) {
   const Json& targets = published()["plateau"]["targets"];
-  std::vector<Contestant> contestants;
+  std::vector<Entry> entries;
   for (const auto& make : {needle, logarithmic_staircase}) {
     for (const Solver& solver : contenders()) {
       for (const Json& target : targets) {
         const Problem problem = make(target.get<double>());
-        contestants.push_back({solver, [problem] { return problem; }});
+        entries.push_back({solver, [problem] { return problem; }});
       }
     }
   }
-  const auto errors = errors_of(contestants, evaluations, runs, "plateaus");
+  const auto errors = errors_of(entries, evaluations, runs, "plateaus");
   Json landscapes = Json::array();
   std::size_t next = 0;
   for (const auto& make : {needle, logarithmic_staircase}) {

@@ -1,4 +1,4 @@
-#include "src/studies/fireworks/published.h"
+#include "src/research/fireworks/published.h"
 
 #include "embedded/published.h"
 

@@ -4,7 +4,7 @@
 
 namespace ricochet::studies::fireworks {
 
-/// The figures of others, from published.json, by the name of the comparison; each with its
+/// Published results of others, from published.json, by the name of the comparison; each with its
 /// `source`.
 const report::Json& published();
 

@@ -1,9 +1,9 @@
-#include "src/studies/fireworks/shift.h"
+#include "src/research/fireworks/shift.h"
 
 #include "solvers/fireworks/fireworks_family.h"
-#include "src/studies/fireworks/benchmark_functions.h"
-#include "src/studies/fireworks/errors.h"
-#include "src/studies/fireworks/published.h"
+#include "src/research/fireworks/benchmark_functions.h"
+#include "src/research/fireworks/errors.h"
+#include "src/research/fireworks/published.h"
 
 namespace ricochet::studies::fireworks {
 namespace {
@@ -13,7 +13,8 @@ using report::Json;
 constexpr Eigen::Index dimension = 30;
 constexpr std::int64_t evaluations = 10'000;
 
-/// More than this from the origin is far, and so much worse there is a bias.
+/// An optimum at more than this distance from the origin is far; a solver that is much worse there
+/// is biased.
 constexpr double far = 30;
 constexpr double much = 100;
 
@@ -22,14 +23,14 @@ constexpr double much = 100;
 Json shift_data(int runs) {
   const Json& table = published()["shift"];
   const std::vector<Solver> members = ricochet::fireworks::family();
-  std::vector<Contestant> contestants;
+  std::vector<Entry> entries;
   for (const Solver& member : members) {
     for (const Json& row : table["rows"]) {
       const Problem problem = shifted_sphere(row["shift"].get<double>(), dimension);
-      contestants.push_back({member, [problem] { return problem; }});
+      entries.push_back({member, [problem] { return problem; }});
     }
   }
-  const auto errors = errors_of(contestants, evaluations, runs, "shifted sphere");
+  const auto errors = errors_of(entries, evaluations, runs, "shifted sphere");
   Json data = {
       {"source", table["source"]}, {"evaluations", evaluations}, {"runs", runs},
       {"shifts", table["rows"]},   {"solvers", Json::array()},   {"biased", Json::array()}};

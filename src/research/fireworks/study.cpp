@@ -1,9 +1,9 @@
-#include "src/studies/fireworks/study.h"
+#include "src/research/fireworks/study.h"
 
-#include "src/studies/fireworks/competition.h"
-#include "src/studies/fireworks/plateau.h"
-#include "src/studies/fireworks/shift.h"
-#include "src/studies/fireworks/table_3.h"
+#include "src/research/fireworks/competition.h"
+#include "src/research/fireworks/plateau.h"
+#include "src/research/fireworks/shift.h"
+#include "src/research/fireworks/table_3.h"
 
 namespace ricochet::studies {
 namespace {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
 
 namespace ricochet::studies {
 
-/// The fireworks family beside what others have published and measured of it: ten minutes of
-/// processor time.
+/// Compares the fireworks family with published measurements: ten minutes of processor time.
 Study fireworks_study();
 
 }  // namespace ricochet::studies

@@ -1,10 +1,10 @@
-#include "src/studies/limits/claims.h"
+#include "src/research/limits/claims.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "src/studies/limits/order_bound.h"
+#include "src/research/limits/order_bound.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -13,7 +13,7 @@ using namespace carrier_track;
 
 constexpr Part parts_of_a_case[] = {Part::threshold,     Part::count,    Part::purity,
                                     Part::misclassified, Part::loudness, Part::examples};
-constexpr double quiet_share_weight = 4;  // as in misfit()
+constexpr double quiet_share_weight = 4;  // as in loss()
 
 const char* word_for(Part part) {
   switch (part) {
@@ -35,7 +35,7 @@ const char* word_for(Part part) {
   return "";
 }
 
-double share_of(Part part, const MisfitParts& parts) {
+double share_of(Part part, const LossParts& parts) {
   switch (part) {
     case Part::threshold:
       return parts.threshold;
@@ -66,11 +66,11 @@ std::vector<Claimed> claims_of(const std::vector<Part>& parts) {
 
 double sum(const CoarseJudgement& judgement, const std::vector<Claimed>& claims, bool of_these) {
   const std::vector<Claimed> all = all_claims();
-  const std::vector<double> misfits = misfit_by_claim(judgement);
+  const std::vector<double> losses = loss_by_claim(judgement);
   double total = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool among = std::ranges::find(claims, all[i]) != claims.end();
-    if (among == of_these) total += misfits[i];
+    if (among == of_these) total += losses[i];
   }
   return total;
 }
@@ -91,14 +91,14 @@ std::vector<Claimed> all_claims() {
   return claims;
 }
 
-std::vector<double> misfit_by_claim(const CoarseJudgement& judgement) {
-  std::vector<double> misfits;
+std::vector<double> loss_by_claim(const CoarseJudgement& judgement) {
+  std::vector<double> losses;
   for (const CoarseCase& c : judgement.cases) {
-    const MisfitParts parts = misfit_parts(c.score, c.the_case.claim);
-    for (const Part part : parts_of_a_case) misfits.push_back(share_of(part, parts));
+    const LossParts parts = loss_parts(c.score, c.the_case.claim);
+    for (const Part part : parts_of_a_case) losses.push_back(share_of(part, parts));
   }
-  misfits.push_back(quiet_share_weight * judgement.quiet_share);
-  return misfits;
+  losses.push_back(quiet_share_weight * judgement.quiet_share);
+  return losses;
 }
 
 std::vector<ClaimGroup> dropped_groups() {
@@ -122,11 +122,11 @@ std::vector<ClaimGroup> asked_groups() {
           {"all claims", all_claims()}};
 }
 
-double misfit_without(const CoarseJudgement& judgement, const ClaimGroup& dropped) {
+double loss_without(const CoarseJudgement& judgement, const ClaimGroup& dropped) {
   return sum(judgement, dropped.claims, false);
 }
 
-double misfit_of_only(const CoarseJudgement& judgement, const ClaimGroup& asked) {
+double loss_of_only(const CoarseJudgement& judgement, const ClaimGroup& asked) {
   return sum(judgement, asked.claims, true);
 }
 

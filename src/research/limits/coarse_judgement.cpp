@@ -1,4 +1,4 @@
-#include "src/studies/limits/coarse_judgement.h"
+#include "src/research/limits/coarse_judgement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,21 +7,22 @@ namespace ricochet::studies::limits {
 
 using namespace carrier_track;
 
-CoarseJudgement judged_by_thresholds(const Reading& reading, const Constants& constants) {
+CoarseJudgement judged_by_thresholds(const Interpretation& interpretation,
+                                     const Constants& constants) {
   CoarseJudgement judgement{{}, 0};
   for (const Case& a_case : all_cases()) {
     if (!a_case.claim.threshold) continue;
-    judgement.cases.push_back({a_case, coarse_score(reading, constants, a_case, finer)});
+    judgement.cases.push_back({a_case, coarse_score(interpretation, constants, a_case, finer)});
   }
   return judgement;
 }
 
-CoarseJudgement judged_coarsely(const Reading& reading, const Constants& constants) {
-  CoarseJudgement judgement = judged_by_thresholds(reading, constants);
+CoarseJudgement judged_coarsely(const Interpretation& interpretation, const Constants& constants) {
+  CoarseJudgement judgement = judged_by_thresholds(interpretation, constants);
   for (const CoarseCase& c : judgement.cases) {
     if (c.the_case.id != "C4") continue;
     judgement.quiet_share =
-        quiet_share_of_c11(reading, constants, std::max(c.score.quiet_count, 1));
+        quiet_share_of_c11(interpretation, constants, std::max(c.score.quiet_count, 1));
   }
   return judgement;
 }

@@ -2,33 +2,34 @@
 
 #include <vector>
 
-#include "problems/carrier_track/questions/misfit.h"
+#include "src/research/paper/loss.h"
 
 namespace ricochet::studies::limits {
 
-/// So finely the cells next to a threshold are looked at again: thresholds are then known to 0.8 %.
+/// Number of parts into which the cells next to a threshold are divided: thresholds are then known
+/// to 0.8 %.
 inline constexpr int finer = 8;
 
-/// A case with a threshold, and how a reading does there.
+/// A case with a threshold, and the results of an interpretation for it.
 struct CoarseCase {
   carrier_track::Case the_case;
   carrier_track::CoarseScore score;
 };
 
-/// How a reading does in C1..C10, and in C11, by coarse cells.
+/// The results of an interpretation for C1..C10, and for C11, by coarse cells.
 struct CoarseJudgement {
   std::vector<CoarseCase> cases;
   double quiet_share;  ///< of C11, see quiet_share_of_c11()
 };
 
-CoarseJudgement judged_coarsely(const carrier_track::Reading& reading,
+CoarseJudgement judged_coarsely(const carrier_track::Interpretation& interpretation,
                                 const carrier_track::Constants& constants);
 
-/// The cases alone: C11 is not looked at, and its share is 0.
-CoarseJudgement judged_by_thresholds(const carrier_track::Reading& reading,
+/// Only the cases with thresholds: C11 is not evaluated, and its share is 0.
+CoarseJudgement judged_by_thresholds(const carrier_track::Interpretation& interpretation,
                                      const carrier_track::Constants& constants);
 
-/// Four goals, 0 where the paper is reached, and beside them what is told.
+/// Four goals, 0 where the paper's values are reached, and related values.
 struct GoalValues {
   double threshold_error;  ///< root mean square of ln(threshold / paper)
   double worst_threshold;  ///< largest |ln|

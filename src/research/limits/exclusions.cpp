@@ -1,4 +1,4 @@
-#include "src/studies/limits/exclusions.h"
+#include "src/research/limits/exclusions.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,16 +12,15 @@ constexpr std::size_t gains_told = 3;
 constexpr double least_gain = 0.05;  // of a tolerance
 
 Target target_without(const ClaimGroup& dropped) {
-  return {"without " + dropped.name, false, [dropped](const CoarseJudgement& judgement) {
-            return misfit_without(judgement, dropped);
-          }};
+  return {"without " + dropped.name, false,
+          [dropped](const CoarseJudgement& judgement) { return loss_without(judgement, dropped); }};
 }
 
 std::vector<GoalSearch> from_each(const std::vector<Fit>& starts, const Target& target, int seed,
                                   const ExclusionPlan& plan) {
   std::vector<GoalSearch> searches;
   for (const Fit& start : starts) {
-    searches.push_back({{start.reading, start.freed, start.constants},
+    searches.push_back({{start.interpretation, start.free, start.constants},
                         target,
                         plan.solver,
                         seed,
@@ -31,20 +30,20 @@ std::vector<GoalSearch> from_each(const std::vector<Fit>& starts, const Target& 
   return searches;
 }
 
-/// The lowest of some ends.
+/// The fit with the lowest value among some final ones.
 const Fit& best_of(const std::vector<GoalFound>& found, std::size_t first, std::size_t count) {
   const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
   return std::min_element(
              begin, begin + static_cast<std::ptrdiff_t>(count),
-             [](const GoalFound& a, const GoalFound& b) { return a.whole.misfit < b.whole.misfit; })
+             [](const GoalFound& a, const GoalFound& b) { return a.whole.loss < b.whole.loss; })
       ->whole;
 }
 
 std::vector<Exclusion::Gain> gains_of(const Exclusion& e, const CoarseJudgement& control,
                                       const CoarseJudgement& without) {
   const std::vector<Claimed> claims = all_claims();
-  const std::vector<double> before = misfit_by_claim(control);
-  const std::vector<double> after = misfit_by_claim(without);
+  const std::vector<double> before = loss_by_claim(control);
+  const std::vector<double> after = loss_by_claim(without);
   std::vector<Exclusion::Gain> gains;
   for (std::size_t i = 0; i < claims.size(); ++i) {
     if (std::ranges::find(e.dropped.claims, claims[i]) != e.dropped.claims.end()) continue;
@@ -81,19 +80,19 @@ Exclusions exclusions(const std::vector<Fit>& starts, const ExclusionPlan& plan,
     result.start = std::min(result.start, value_of(everything, start));
   }
   for (std::size_t k = 0; k < plan.control_seeds.size(); ++k) {
-    result.controls.push_back(best_of(found, k * starts.size(), starts.size()).misfit);
+    result.controls.push_back(best_of(found, k * starts.size(), starts.size()).loss);
   }
   const Fit& control = best_of(found, 0, starts.size());
-  const CoarseJudgement with_all = judged_coarsely(control.reading, control.constants);
+  const CoarseJudgement with_all = judged_coarsely(control.interpretation, control.constants);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::size_t first = (plan.control_seeds.size() + g) * starts.size();
     const Fit& without = best_of(found, first, starts.size());
     Exclusion& e = result.all.emplace_back();
     e.dropped = groups[g];
-    e.its_share = misfit_of_only(with_all, groups[g]);
-    e.rest = misfit_without(with_all, groups[g]);
-    e.rest_without = without.misfit;
-    e.gains = gains_of(e, with_all, judged_coarsely(without.reading, without.constants));
+    e.its_share = loss_of_only(with_all, groups[g]);
+    e.rest = loss_without(with_all, groups[g]);
+    e.rest_without = without.loss;
+    e.gains = gains_of(e, with_all, judged_coarsely(without.interpretation, without.constants));
   }
   std::ranges::stable_sort(result.all, std::greater(), &Exclusion::relief);
   return result;

@@ -3,25 +3,26 @@
 #include <string>
 #include <vector>
 
-#include "src/studies/limits/claims.h"
-#include "src/studies/limits/goal_search.h"
+#include "src/research/limits/claims.h"
+#include "src/research/limits/goal_search.h"
 
-/// Which claim of the paper excludes which: one is dropped at a time, and the search goes on.
+/// Conflicts between claims of the paper: one claim is dropped at a time, and the search is
+/// continued.
 namespace ricochet::studies::limits {
 
 struct ExclusionPlan {
-  Solver solver;                   ///< that goes on from each of the starts
+  Solver solver;                   ///< continues from each of the starts
   std::int64_t evaluations;        ///< from each
-  std::vector<int> control_seeds;  ///< of the searches that drop nothing; the first is that of all
+  std::vector<int> control_seeds;  ///< of the searches that drop nothing; others use the first
 };
 
-/// What one claim costs the others.
+/// How much one claim increases the loss of the others.
 struct Exclusion {
   ClaimGroup dropped;
-  double its_share;     ///< what it adds to the misfit of the control's end
-  double rest;          ///< the misfit of all others, where a control with as many evaluations ends
-  double rest_without;  ///< the same, where the search that drops it ends
-  /// What gains most from it, with how much, by falling gain; not what gains next to nothing.
+  double its_share;     ///< its contribution to the final loss of the control
+  double rest;          ///< final loss of all others in a control with as many evaluations
+  double rest_without;  ///< the same, at the end of the search that drops it
+  /// The claim that improves, and by how much; sorted by falling gain, without negligible gains.
   struct Gain {
     std::string name;
     double gain;
@@ -32,15 +33,15 @@ struct Exclusion {
 };
 
 struct Exclusions {
-  double start;                  ///< misfit of the best start
-  std::vector<double> controls;  ///< misfits that searches which drop nothing end with, by seed
+  double start;                  ///< loss of the best start
+  std::vector<double> controls;  ///< final losses of the searches that drop nothing, by seed
   std::vector<Exclusion> all;    ///< by falling relief
 
-  /// How far the controls' ends lie apart: what chance alone may make of a relief.
+  /// Spread of the controls' final losses: a relief of this size can be due to chance.
   double spread() const;
 };
 
-/// From each of the starts, which share a freedom.
+/// Continues from each of the starts, which have the same free parameters.
 Exclusions exclusions(const std::vector<Fit>& starts, const ExclusionPlan& plan, FitStore& store);
 
 }  // namespace ricochet::studies::limits

@@ -4,30 +4,31 @@
 #include <vector>
 
 #include "solvers/several_goals.h"
-#include "src/studies/calibration/appraisal.h"
-#include "src/studies/limits/goal_search.h"
+#include "src/research/calibration/appraisal.h"
+#include "src/research/limits/goal_search.h"
 
-/// What can be had together of four goals, by the number of constants that are fitted.
+/// Trade-offs between four goals, by the number of fitted parameters.
 namespace ricochet::studies::limits {
 
-/// The goals as a search sees them: rms error of the thresholds, counts missed with their distance,
-/// which is below 1, 1 - worst purity, examples missed.
+/// The goals of a search: rms error of the thresholds, counts missed plus their distance, which is
+/// below 1, 1 - worst purity, examples missed.
 Vector goal_vector(const GoalValues& goals);
 
-/// Where hypervolumes end: an error of 0.3, ten counts, no purity, ten examples.
+/// Reference point of hypervolumes: an error of 0.3, ten counts, no purity, ten examples.
 Vector goal_reference();
 
-/// Fronts of one reading with more and more constants, each searched on from that before.
+/// Fronts of one interpretation with more and more free parameters, each started from the previous
+/// one.
 struct FrontChain {
-  carrier_track::Reading reading;
-  std::vector<std::vector<carrier_track::Open>> freed;  ///< each holds the one before
+  carrier_track::Interpretation interpretation;
+  std::vector<std::vector<carrier_track::Unknown>> free;  ///< each includes the previous one
   int seed;
   int population, generations;  ///< of each
 };
 
-/// One front of a chain: fits, and what each reaches.
+/// One front of a chain: fits and their goals.
 struct ChainedFront {
-  carrier_track::Freedom freedom;
+  carrier_track::Parameterisation parameterisation;
   int seed;
   std::vector<Fit> fits;
   std::vector<GoalValues> goals;
@@ -36,7 +37,7 @@ struct ChainedFront {
   double dominated_share() const;
 };
 
-/// All chains, in parallel; what the store holds is not searched again.
+/// Searches all chains, in parallel; searches in the store are not repeated.
 std::vector<ChainedFront> searched_fronts(const std::vector<FrontChain>& chains, FitStore& store);
 
 }  // namespace ricochet::studies::limits

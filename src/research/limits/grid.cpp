@@ -1,11 +1,11 @@
-#include "src/studies/limits/grid.h"
+#include "src/research/limits/grid.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "src/campaign/progress.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -16,7 +16,7 @@ std::size_t power(std::size_t base, std::size_t exponent) {
   return exponent == 0 ? 1 : base * power(base, exponent - 1);
 }
 
-/// The place on each axis of a point of that number; the last axis changes first.
+/// The coordinates of a point by its index; the last axis changes first.
 Vector place_of(std::size_t number, std::size_t axes, std::size_t steps) {
   Vector u(static_cast<Eigen::Index>(axes));
   for (Eigen::Index i = u.size(); i-- > 0; number /= steps) {
@@ -27,23 +27,24 @@ Vector place_of(std::size_t number, std::size_t axes, std::size_t steps) {
 
 }  // namespace
 
-GridScan scanned_grid(const Fit& about, const std::vector<Open>& axes, int steps) {
-  const Freedom freedom{about.reading, axes, about.constants};
+GridScan scanned_grid(const Fit& about, const std::vector<Unknown>& axes, int steps) {
+  const Parameterisation parameterisation{about.interpretation, axes, about.constants};
   const auto size = static_cast<std::size_t>(steps);
   const std::size_t points = power(size, axes.size());
   std::vector<GoalValues> goals(points);
   Progress progress("an exhaustive scan", static_cast<double>(points));
   tbb::parallel_for(std::size_t{0}, points, [&](std::size_t k) {
-    const Constants constants = constants_at(freedom, place_of(k, axes.size(), size));
-    goals[k] = goals_of(judged_by_thresholds(about.reading, constants));
+    const Constants constants = constants_at(parameterisation, place_of(k, axes.size(), size));
+    goals[k] = goals_of(judged_by_thresholds(about.interpretation, constants));
     progress.advance(1);
   });
   const auto best_by = [&](auto member) {
     const auto best = std::ranges::min_element(goals, {}, member);
     Fit fit = about;
-    fit.constants = constants_at(
-        freedom, place_of(static_cast<std::size_t>(best - goals.begin()), axes.size(), size));
-    fit.misfit = (*best).*member;
+    fit.constants =
+        constants_at(parameterisation,
+                     place_of(static_cast<std::size_t>(best - goals.begin()), axes.size(), size));
+    fit.loss = (*best).*member;
     return fit;
   };
   GridScan scan{about,
@@ -56,9 +57,9 @@ GridScan scanned_grid(const Fit& about, const std::vector<Open>& axes, int steps
                 0,
                 0,
                 {}};
-  scan.threshold_error = scan.lowest_error.misfit;
-  scan.worst_threshold = scan.lowest_worst.misfit;
-  const GoalValues own = goals_of(judged_by_thresholds(about.reading, about.constants));
+  scan.threshold_error = scan.lowest_error.loss;
+  scan.worst_threshold = scan.lowest_worst.loss;
+  const GoalValues own = goals_of(judged_by_thresholds(about.interpretation, about.constants));
   scan.own_error = own.threshold_error;
   scan.own_worst = own.worst_threshold;
   const std::size_t beneath = points / (size * size);

@@ -1,25 +1,31 @@
-#include "src/studies/limits/judged.h"
+#include "src/research/limits/judged.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "src/campaign/progress.h"
-#include "src/studies/limits/claims.h"
+#include "src/core/progress.h"
+#include "src/research/limits/claims.h"
 
 namespace ricochet::studies::limits {
 namespace {
 
 Judged judge_one(const Fit& fit, double step) {
-  const CoarseJudgement coarse = judged_coarsely(fit.reading, fit.constants);
-  Judged result{fit, goals_of(coarse), misfit_without(coarse, {}),
-                calibration::appraise(fit, step)};
+  const CoarseJudgement coarse = judged_coarsely(fit.interpretation, fit.constants);
+  Judged result{fit, goals_of(coarse), loss_without(coarse, {}), calibration::appraise(fit, step)};
   result.fine.cases.clear();
   return result;
 }
 
 }  // namespace
+
+void to_json(report::Json& json, const Judged& point) {
+  json = {{"interpretation", carrier_track::name_of(point.fit.interpretation)},
+          {"constants", point.fit.free.size()},
+          {"claims", point.claims}};
+  json.update(report::Json(point.fine));
+}
 
 std::vector<Judged> judged(const std::vector<Fit>& fits, double step) {
   std::vector<Judged> all(fits.size());

@@ -1,4 +1,4 @@
-#include "src/studies/limits/order_bound.h"
+#include "src/research/limits/order_bound.h"
 
 #include <algorithm>
 #include <bit>
@@ -18,7 +18,7 @@ bool has(Places set, std::size_t place) {
   return (set >> place & 1U) != 0;
 }
 
-/// Whether all that lies above a member is a member.
+/// Returns true if everything above a member is a member.
 bool is_upper(Places set, const std::vector<AtMost>& order) {
   return std::all_of(order.begin(), order.end(),
                      [&](const AtMost& o) { return !has(set, o.lower) || has(set, o.upper); });
@@ -37,7 +37,7 @@ double nearest_at(std::size_t i, const std::vector<double>& values,
   for (const Places upper : upper_sets) {
     if (!has(upper, i)) continue;
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Places other : upper_sets) {  // a lower set is the rest of an upper one
+    for (const Places other : upper_sets) {  // a lower set is the complement of an upper one
       const Places lower = all & ~other;
       if (has(lower, i)) lowest = std::min(lowest, mean_of(values, upper & lower));
     }
@@ -46,7 +46,7 @@ double nearest_at(std::size_t i, const std::vector<double>& values,
   return highest;
 }
 
-/// Whether the order, or what follows from it, has the first at most the second.
+/// Transitive closure: true if the order implies that the first is at most the second.
 std::vector<std::vector<bool>> closure(std::size_t size, const std::vector<AtMost>& order) {
   std::vector<std::vector<bool>> at_most(size, std::vector<bool>(size, false));
   for (const AtMost& o : order) at_most[o.lower][o.upper] = true;
@@ -60,7 +60,7 @@ std::vector<std::vector<bool>> closure(std::size_t size, const std::vector<AtMos
   return at_most;
 }
 
-/// Whether the threshold of `a` is concluded to be at most that of `b`.
+/// Returns true if the paper concludes that the threshold of `a` is at most that of `b`.
 bool concluded(const Case& a, const Case& b) {
   if (a.restitution == b.restitution && a.friction == b.friction) {
     return a.disturbance > b.disturbance;  // (C)
@@ -143,8 +143,8 @@ OrderBound proportional_bound(const std::vector<Response>& all, std::size_t thre
   for (const Response& r : all) {
     if (r.below_chord <= 0) continue;
     const double share = r.cases[1].disturbance / r.cases[2].disturbance;
-    // The distance from a half-space: by the Euclidean length of its normal, and by the sum of its
-    // entries, of which the largest error takes an equal part each.
+    // The distance from a half-space: by the Euclidean length of its normal, and by the sum of the
+    // magnitudes of its entries (the largest error if all are equal).
     const double square_of_normal = std::pow(1 - share, 2) + std::pow(share, 2) + 1;
     squares += std::pow(r.below_chord, 2) / square_of_normal;
     bound.largest = std::max(bound.largest, r.below_chord / 2);

@@ -3,56 +3,57 @@
 #include <cstddef>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 
-/// How near a model can come to the paper's thresholds whose own thresholds are ordered as the
-/// paper concludes: bounds that hold whatever the model's equations and constants are.
+/// Lower bounds on the error of a model's thresholds if they are ordered as the paper concludes:
+/// valid for any equations and parameters of the model.
 namespace ricochet::studies::limits {
 
-/// One value must not be greater than another; both by their place.
+/// One value must not be greater than another; both by index.
 struct AtMost {
   std::size_t lower, upper;
 };
 
-/// What is lost by being ordered.
+/// Distance between the given values and the nearest values that satisfy the order constraints.
 struct OrderBound {
-  double root_mean_square;      ///< least of all ordered values' distance from the given ones
-  double largest;               ///< least largest distance; of other ordered values, in general
+  double root_mean_square;      ///< least root mean square distance of ordered values
+  double largest;               ///< least largest distance; generally of other ordered values
   std::vector<double> nearest;  ///< the ordered values of the least mean square
 };
 
-/// Isotonic regression over a partial order, in closed form: the nearest value at i is the largest,
-/// over upper sets U with i, of the smallest, over lower sets L with i, mean of U and L (Robertson,
-/// Wright and Dykstra, Order Restricted Statistical Inference, 1988, theorem 1.4.4); the least
-/// largest distance is half the largest violation. At most 16 values.
+/// Isotonic regression over a partial order, in closed form: the nearest value at i is the maximum,
+/// over upper sets U with i, of the minimum, over lower sets L with i, of the mean of the
+/// intersection of U and L (Robertson, Wright and Dykstra, Order Restricted Statistical Inference,
+/// 1988, theorem 1.4.4); the least largest distance is half the largest violation. At most 16
+/// values.
 OrderBound isotonic_bound(const std::vector<double>& values, const std::vector<AtMost>& order);
 
-/// What the paper concludes of thresholds, between cases by their place in the list: without
-/// disturbance they fall with the recovery coefficient (A) and do not with friction (B); they fall
-/// with the disturbance, whatever the rest is (C). Between cases that differ in nothing else.
+/// The paper's conclusions on thresholds, between cases by index: without disturbance they fall
+/// with the recovery coefficient (A) and do not fall with friction (B); they fall with the
+/// disturbance, whatever the other values are (C). Only between cases that differ in nothing else.
 std::vector<AtMost> concluded_order(const std::vector<carrier_track::Case>& cases);
 
-/// That thresholds do not depend on the disturbance at all: for cases that differ in nothing else,
-/// both ways.
+/// The constraint that thresholds do not depend on the disturbance: both directions, for cases that
+/// differ in nothing else.
 std::vector<AtMost> indifferent_order(const std::vector<carrier_track::Case>& cases);
 
 /// A machine of the paper at three disturbances.
 struct Response {
   std::vector<carrier_track::Case> cases;  ///< by rising disturbance: 0, 0.1 and 1 N
-  double first_share;                      ///< of the whole fall of ln(threshold) that comes first
-  /// By how much ln(threshold) at the middle disturbance lies below the chord.
+  double first_share;                      ///< share of the fall of ln(threshold) in the first step
+  /// Returns how far ln(threshold) at the middle disturbance lies below the chord.
   double below_chord;
 };
 
-/// Those of which the paper tells three thresholds.
+/// The machines for which the paper gives three thresholds.
 std::vector<Response> responses(const std::vector<carrier_track::Case>& cases);
 
-/// The same for models whose thresholds fall in proportion to the disturbance, as the first order
-/// of any smooth dependence does, or by more and more: ln(threshold) is linear or concave. A chord
-/// must not lie above the value in the middle; all else is as the paper has it.
+/// The same bound for models whose thresholds fall in proportion to the disturbance, as the first
+/// order of any smooth dependence does, or faster: ln(threshold) is linear or concave. The chord
+/// must not lie above the value in the middle; everything else is as in the paper.
 OrderBound proportional_bound(const std::vector<Response>& responses, std::size_t thresholds);
 
-/// The cases of which the paper tells a threshold, and the logarithms of these.
+/// The cases for which the paper gives a threshold, and the logarithms of these.
 std::vector<carrier_track::Case> cases_with_threshold();
 std::vector<double> log_thresholds(const std::vector<carrier_track::Case>& cases);
 

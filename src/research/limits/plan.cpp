@@ -1,23 +1,24 @@
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "solvers/solvers.h"
 #include "solvers/varied.h"
-#include "src/studies/limits/results.h"
+#include "src/research/limits/results.h"
+#include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::studies::limits {
 namespace {
 
 using namespace carrier_track;
 
-/// From what costs most to hold at its natural value to what costs least, as the calibration held
-/// one after the other when it made reading.toml.
-const std::vector<Open> by_cost = {Open::slowest,        Open::centrifugal_mass_radius,
-                                   Open::start_velocity, Open::revolutions,
-                                   Open::clearance,      Open::pull,
-                                   Open::normal_force,   Open::start_share,
-                                   Open::phase};
+/// From the highest to the lowest cost of fixing it at its natural value, in the order of the
+/// calibration that made interpretation.toml.
+const std::vector<Unknown> by_cost = {Unknown::counting_limit, Unknown::centrifugal_mass_radius,
+                                      Unknown::start_velocity, Unknown::revolutions,
+                                      Unknown::clearance,      Unknown::pull,
+                                      Unknown::normal_force,   Unknown::start_share,
+                                      Unknown::phase};
 
-/// The readings that came nearest by long searches, the usual one left out.
-std::vector<Reading> other_readings(const Reading& main) {
-  std::vector<Reading> others(4);
+/// The interpretations with the lowest losses after long searches, without the default one.
+std::vector<Interpretation> other_interpretations(const Interpretation& main) {
+  std::vector<Interpretation> others(4);
   others[0].normal_force = NormalForce::contact;
   others[2].base = Base::spindle;
   others[3].disturbance = DisturbanceKind::acceleration;
@@ -28,11 +29,11 @@ std::vector<Reading> other_readings(const Reading& main) {
 }  // namespace
 
 Plan full_plan() {
-  const Reading& main = default_reading().reading;
+  const Interpretation& main = default_interpretation().interpretation;
   const Solver near = varied("pagmo-cmaes", "pagmo-cmaes, small steps", {{"initial_step", 0.05}});
   const Solver cmaes = solver_named("pagmo-cmaes-ipop");
   return {.main = main,
-          .others = other_readings(main),
+          .others = other_interpretations(main),
           .order = by_cost,
           .first_constants = 3,
           .seeds = {1, 2, 3},

@@ -1,23 +1,23 @@
-#include "src/studies/limits/results.h"
+#include "src/research/limits/results.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "src/studies/limits/claims.h"
+#include "src/research/limits/claims.h"
 
 namespace ricochet::studies::limits {
 namespace {
 
 using namespace carrier_track;
 
-constexpr double symmetry_factor = 2;  // by which rounding is not changed
+constexpr double symmetry_factor = 2;  // a power of two does not change rounding
 constexpr std::size_t scanned_constants = 3;
-constexpr std::size_t few_constants = 5;  // of the other readings' first fronts
+constexpr std::size_t few_constants = 5;  // of the other interpretations' first fronts
 constexpr double curve_step = 0.1;        // [N]
 
-std::vector<Open> first_of(const std::vector<Open>& order, std::size_t size) {
+std::vector<Unknown> first_of(const std::vector<Unknown>& order, std::size_t size) {
   return {order.begin(), order.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
@@ -27,11 +27,11 @@ std::vector<FrontChain> chains_of(const Plan& plan) {
     FrontChain& chain =
         chains.emplace_back(FrontChain{plan.main, {}, seed, plan.population, plan.generations});
     for (std::size_t k = plan.first_constants; k <= plan.order.size(); ++k) {
-      chain.freed.push_back(first_of(plan.order, k));
+      chain.free.push_back(first_of(plan.order, k));
     }
   }
-  for (const Reading& reading : plan.others) {
-    chains.push_back({reading,
+  for (const Interpretation& interpretation : plan.others) {
+    chains.push_back({interpretation,
                       {first_of(plan.order, few_constants), plan.order},
                       plan.seeds.front(),
                       plan.population,
@@ -40,7 +40,7 @@ std::vector<FrontChain> chains_of(const Plan& plan) {
   return chains;
 }
 
-/// For every reading and number of constants, the seeds together.
+/// For every interpretation and number of parameters, all seeds together.
 std::vector<Fit> points_of(const std::vector<ChainedFront>& fronts, const Worth& worth) {
   std::vector<Fit> fits;
   std::vector<bool> taken(fronts.size(), false);
@@ -48,9 +48,9 @@ std::vector<Fit> points_of(const std::vector<ChainedFront>& fronts, const Worth&
     if (taken[i]) continue;
     std::vector<const ChainedFront*> alike;
     for (std::size_t j = i; j < fronts.size(); ++j) {
-      const Freedom& a = fronts[i].freedom;
-      const Freedom& b = fronts[j].freedom;
-      if (a.reading != b.reading || a.freed != b.freed) continue;
+      const Parameterisation& a = fronts[i].parameterisation;
+      const Parameterisation& b = fronts[j].parameterisation;
+      if (a.interpretation != b.interpretation || a.free != b.free) continue;
       alike.push_back(&fronts[j]);
       taken[j] = true;
     }
@@ -71,42 +71,42 @@ Target worst_target() {
 
 Target asked_target(const ClaimGroup& group) {
   return {"asked " + group.name, false,
-          [group](const CoarseJudgement& j) { return misfit_of_only(j, group); }};
+          [group](const CoarseJudgement& j) { return loss_of_only(j, group); }};
 }
 
 const Fit& lowest_of(const std::vector<GoalFound>& found) {
-  return std::ranges::min_element(found, {}, [](const GoalFound& f) { return f.whole.misfit; })
+  return std::ranges::min_element(found, {}, [](const GoalFound& f) { return f.whole.loss; })
       ->whole;
 }
 
 double range_of(const std::vector<GoalFound>& found) {
   const auto [lowest, highest] =
-      std::ranges::minmax_element(found, {}, [](const GoalFound& f) { return f.whole.misfit; });
-  return highest->whole.misfit - lowest->whole.misfit;
+      std::ranges::minmax_element(found, {}, [](const GoalFound& f) { return f.whole.loss; });
+  return highest->whole.loss - lowest->whole.loss;
 }
 
-/// The last front of each seed, with all constants of the main reading.
+/// The last front of each seed, with all parameters of the main interpretation.
 std::vector<const ChainedFront*> last_fronts(const Results& results) {
   std::vector<const ChainedFront*> last;
   for (const ChainedFront& front : results.fronts) {
-    const bool all = front.freedom.freed.size() == results.plan.order.size();
-    if (all && front.freedom.reading == results.plan.main) last.push_back(&front);
+    const bool all = front.parameterisation.free.size() == results.plan.order.size();
+    if (all && front.parameterisation.interpretation == results.plan.main) last.push_back(&front);
   }
   return last;
 }
 
 Fit best_by(const Target& target, std::vector<Fit> fits) {
-  for (Fit& fit : fits) fit.misfit = value_of(target, fit);
-  return *std::ranges::min_element(fits, {}, &Fit::misfit);
+  for (Fit& fit : fits) fit.loss = value_of(target, fit);
+  return *std::ranges::min_element(fits, {}, &Fit::loss);
 }
 
-/// From the best of each seed's last front on.
+/// Searches from the best point of each seed's last front.
 std::vector<GoalFound> found_from_fronts(const Target& target, const Results& results,
                                          FitStore& store) {
   std::vector<GoalSearch> searches;
   for (const ChainedFront* front : last_fronts(results)) {
     const Fit start = best_by(target, front->fits);
-    searches.push_back({{start.reading, start.freed, start.constants},
+    searches.push_back({{start.interpretation, start.free, start.constants},
                         target,
                         results.plan.near,
                         front->seed,
@@ -116,26 +116,26 @@ std::vector<GoalFound> found_from_fronts(const Target& target, const Results& re
   return searched(searches, "thresholds alone, from the fronts", store);
 }
 
-/// The main reading by every solver and seed for either number, the others by the first solver for
-/// the first.
+/// The main interpretation with every solver and seed for both numbers, the others with the first
+/// solver for the first number.
 std::vector<LongSearches> planned_long_searches(const Plan& plan) {
   std::vector<LongSearches> all;
-  const auto plan_for = [&](const Reading& reading, const Target& target,
+  const auto plan_for = [&](const Interpretation& interpretation, const Target& target,
                             const std::vector<Solver>& solvers) {
     LongSearches& one = all.emplace_back();
-    one.reading = reading;
+    one.interpretation = interpretation;
     one.target = target.name;
     for (const Solver& solver : solvers) {
       for (const int seed : plan.seeds) {
-        one.searches.push_back(
-            {freedom_of(reading, plan.order), target, solver, seed, plan.long_evaluations});
+        one.searches.push_back({parameterisation_of(interpretation, plan.order), target, solver,
+                                seed, plan.long_evaluations});
       }
     }
   };
   plan_for(plan.main, error_target(), plan.solvers);
   plan_for(plan.main, worst_target(), plan.solvers);
-  for (const Reading& reading : plan.others) {
-    plan_for(reading, error_target(), {plan.solvers.front()});
+  for (const Interpretation& interpretation : plan.others) {
+    plan_for(interpretation, error_target(), {plan.solvers.front()});
   }
   return all;
 }
@@ -155,7 +155,7 @@ std::vector<LongSearches> long_searches(const Results& results, FitStore& store)
     one.found.assign(next, end);
     next = end;
     std::vector<GoalFound> ends = one.found;
-    if (one.reading == plan.main) {
+    if (one.interpretation == plan.main) {
       one.from_fronts = found_from_fronts(one.searches.front().target, results, store);
       ends.insert(ends.end(), one.from_fronts.begin(), one.from_fronts.end());
     }
@@ -173,7 +173,7 @@ std::vector<Asked> asked_alone(const Plan& plan, FitStore& store) {
   for (const ClaimGroup& group : asked_groups()) {
     all.push_back({group, {}, {}});
     for (std::size_t s = 0; s < seeds; ++s) {
-      searches.push_back({freedom_of(plan.main, plan.order), asked_target(group),
+      searches.push_back({parameterisation_of(plan.main, plan.order), asked_target(group),
                           plan.solvers.front(), plan.seeds[s], plan.asked_evaluations});
     }
   }
@@ -189,8 +189,8 @@ std::vector<Asked> asked_alone(const Plan& plan, FitStore& store) {
   return all;
 }
 
-/// The best by all claims of what each seed's last front of the main reading holds, with all
-/// constants, and the best of the searches that asked for all claims: best first, two of them.
+/// The two best starts by all claims, best first, among the last fronts of the main interpretation
+/// for each seed, with all parameters, and the searches for all claims.
 std::vector<Fit> starts_of(const Results& results) {
   const Target all_claims = asked_target(asked_groups().back());
   std::vector<Fit> starts;
@@ -198,17 +198,18 @@ std::vector<Fit> starts_of(const Results& results) {
     starts.push_back(best_by(all_claims, front->fits));
   }
   for (const GoalFound& found : results.asked.back().found) starts.push_back(found.whole);
-  std::ranges::stable_sort(starts, {}, &Fit::misfit);
+  std::ranges::stable_sort(starts, {}, &Fit::loss);
   starts.resize(2);
   return starts;
 }
 
-/// The judged point with the lowest misfit of all claims among those of the main reading with so
-/// many constants, or with more where there is none.
+/// The evaluated point with the lowest loss of all claims among those of the main interpretation
+/// with this number of parameters, or with more if there is none.
 const Judged& nearest(const Results& results, std::size_t constants) {
   const Judged* best = nullptr;
   for (const Judged& point : results.points) {
-    if (point.fit.reading != results.plan.main || point.fit.freed.size() != constants) continue;
+    if (point.fit.interpretation != results.plan.main || point.fit.free.size() != constants)
+      continue;
     if (best == nullptr || point.claims < best->claims) best = &point;
   }
   return best == nullptr ? results.asked.back().best : *best;
@@ -221,7 +222,8 @@ ResponseCurve curve_of(const std::string& name, const Fit& fit, const Response& 
   for (int k = 0; k * curve_step <= last + 1e-9; ++k) {
     a_case.disturbance = k * curve_step;
     curve.disturbances.push_back(a_case.disturbance);
-    curve.thresholds.push_back(coarse_score(fit.reading, fit.constants, a_case, finer).threshold);
+    curve.thresholds.push_back(
+        coarse_score(fit.interpretation, fit.constants, a_case, finer).threshold);
   }
   return curve;
 }
@@ -229,7 +231,7 @@ ResponseCurve curve_of(const std::string& name, const Fit& fit, const Response& 
 }  // namespace
 
 double LongSearches::lowest() const {
-  return best.fit.misfit;
+  return best.fit.loss;
 }
 
 double LongSearches::apart() const {

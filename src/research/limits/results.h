@@ -5,67 +5,68 @@
 #include <vector>
 
 #include "src/report/json.h"
-#include "src/studies/limits/exclusions.h"
-#include "src/studies/limits/front_search.h"
-#include "src/studies/limits/grid.h"
-#include "src/studies/limits/judged.h"
-#include "src/studies/limits/order_bound.h"
-#include "src/studies/limits/symmetry.h"
+#include "src/research/limits/exclusions.h"
+#include "src/research/limits/front_search.h"
+#include "src/research/limits/grid.h"
+#include "src/research/limits/judged.h"
+#include "src/research/limits/order_bound.h"
+#include "src/research/limits/symmetry.h"
 
 namespace ricochet::studies::limits {
 
-/// How long to search, and how closely to judge.
+/// Length of the searches, and step of the evaluations.
 struct Plan {
-  carrier_track::Reading main;                 ///< whose fronts and claims are looked into
-  std::vector<carrier_track::Reading> others;  ///< of which some fronts are searched, too
-  /// The main reading's fronts have first_constants, ... of these, the others' five and all.
-  std::vector<carrier_track::Open> order;
+  carrier_track::Interpretation main;                 ///< whose fronts and claims are studied
+  std::vector<carrier_track::Interpretation> others;  ///< of which some fronts are searched, too
+  /// The main interpretation's fronts have the first first_constants, ... of these free, the
+  /// others' five and all.
+  std::vector<carrier_track::Unknown> order;
   std::size_t first_constants;
-  std::vector<int> seeds;       ///< of the main reading's fronts and the long searches
+  std::vector<int> seeds;       ///< of the main interpretation's fronts and the long searches
   int population, generations;  ///< of a front
   std::vector<Solver>
-      solvers;  ///< of the long searches; the first also of the others' and the rest
+      solvers;  ///< of the long searches; the first is also used for the others and for the rest
   std::int64_t long_evaluations;
-  Solver near;                     ///< goes on from where another search ended, with small steps
+  Solver near;                     ///< continues from the end of another search, with small steps
   std::int64_t near_evaluations;   ///< of each of these
-  std::int64_t asked_evaluations;  ///< of each search for some claims alone
+  std::int64_t asked_evaluations;  ///< of each search for only some claims
   ExclusionPlan exclusion;
   Worth worth;
   int grid_steps;
   int symmetry_draws;
-  double step;  ///< [rad/s] between the speeds of a judgement
+  double step;  ///< [rad/s] between the speeds of an evaluation
 };
 
-/// Some twelve minutes on two cores.
+/// About twelve minutes on two cores.
 Plan full_plan();
 
-/// The same kind of report in seconds: nothing converges.
+/// The same kind of report in seconds, without convergence.
 Plan quick_plan();
 
-/// Searches of one reading, with all its constants, for one number alone.
+/// Searches of one interpretation, with all its parameters free, for one number.
 struct LongSearches {
-  carrier_track::Reading reading;
+  carrier_track::Interpretation interpretation;
   std::string target;
   std::vector<GoalSearch> searches;
   std::vector<GoalFound> found;
-  std::vector<GoalFound> from_fronts;  ///< from the best by the number of each seed's front
+  std::vector<GoalFound> from_fronts;  ///< from the best point, by the number, of each seed's front
   Judged best;
 
-  /// The number itself, by coarse cells: the lowest that a search ends with, and how far the
-  /// highest is from the lowest of the searches from anywhere, or from the fronts.
+  /// The number, by coarse cells: the lowest final value of a search, and the difference between
+  /// the highest and the lowest of the searches from random points, or from the fronts.
   double lowest() const;
   double apart() const;
   double fronts_apart() const;
 };
 
-/// Some claims asked for alone, with all constants of the main reading.
+/// Searches for a subset of the claims, with all parameters of the main interpretation free.
 struct Asked {
   ClaimGroup group;
-  std::vector<GoalFound> found;  ///< one a seed
+  std::vector<GoalFound> found;  ///< one for each seed
   Judged best;
 };
 
-/// Thresholds of the machine of C1, C5 and C9 under disturbances between theirs.
+/// Thresholds of the machine of C1, C5 and C9 for disturbances between those cases.
 struct ResponseCurve {
   std::string fit;
   std::vector<double> disturbances;  ///< [N]
@@ -75,13 +76,13 @@ struct ResponseCurve {
 struct Results {
   Plan plan;
   std::vector<carrier_track::Case> cases;  ///< with a threshold
-  OrderBound ordered;                      ///< by what the paper concludes
+  OrderBound ordered;                      ///< with the order that the paper concludes
   std::vector<Response> responses;
   OrderBound proportional;
-  OrderBound indifferent;  ///< did the disturbance have no effect
+  OrderBound indifferent;  ///< if the disturbance had no effect
   SymmetryChecks symmetries;
   std::vector<ChainedFront> fronts;
-  std::vector<Judged> points;  ///< of the fronts, worth judging
+  std::vector<Judged> points;  ///< of the fronts, worth evaluating
   CoarseDoubt doubt;
   std::vector<LongSearches> long_searches;
   std::vector<Asked> asked;
@@ -90,8 +91,8 @@ struct Results {
   std::vector<ResponseCurve> curves;
 };
 
-/// Computes everything that the store does not hold yet. The same plan gives the same results, on
-/// any number of threads.
+/// Computes everything that is missing in the store. The results depend only on the plan, not on
+/// the number of threads.
 Results limits(const Plan& plan, FitStore& store);
 
 report::Json data_of(const Results& results);

@@ -1,9 +1,9 @@
-#include "src/studies/limits/study.h"
+#include "src/research/limits/study.h"
 
 #include <fmt/format.h>
 
 #include "src/core/interruption.h"
-#include "src/studies/limits/results.h"
+#include "src/research/limits/results.h"
 
 namespace ricochet::studies {
 

@@ -2,13 +2,12 @@
 
 #include <filesystem>
 
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
 
 namespace ricochet::studies {
 
-/// How near any reading of the paper can come to its claims: what can be had together, which claim
-/// excludes which, and bounds. Goes on from the searches that fits.toml of the folder, which is the
-/// report's, holds.
+/// How close any interpretation of the paper can come to its claims: trade-offs, conflicts between
+/// claims, and bounds. Resumes from the searches in fits.toml of the folder, which is the report's.
 Study limits_study(const std::filesystem::path& folder);
 
 }  // namespace ricochet::studies

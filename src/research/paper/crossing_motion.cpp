@@ -1,4 +1,4 @@
-#include "problems/carrier_track/paper/crossing_motion.h"
+#include "src/research/paper/crossing_motion.h"
 
 #include <cmath>
 #include <numbers>
@@ -26,7 +26,7 @@ std::vector<SpeedKnot<double>> crossing_profile(double omega, double angle, doub
   std::vector<SpeedKnot<double>> knots;
   for (int half = 0; half < std::ceil(2 * turns); ++half) {
     const double middle = std::numbers::pi * (half + 0.5);
-    // The plate that leads has turned by `driven` from the tangent, or has as much to go.
+    // The leading plate has turned by `driven` from the tangent, or has as far to go.
     for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
       const double driven = angle * (1 - std::abs(share));
       knots.push_back({(middle + share * angle) / omega, on_crossing(1.0, omega, driven).speed});

@@ -6,21 +6,21 @@
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene.h"
 
-/// The questions that the paper leaves to its reader (paper.md, section 5). The first answer to
-/// each is the one of the simplest model.
+/// The questions that the paper leaves open (paper.md, section 5). The first answer to each is that
+/// of the simplest model.
 namespace ricochet::carrier_track::inline paper {
 
 /// The direction of the yarn tension T_1.
 enum class Tension {
   constant,  ///< fixed: phi is a constant
   rotating,  ///< turns with the driver plate: phi = alpha
-  phased     ///< the same, ahead by a constant angle
+  phased     ///< as rotating, ahead by a constant angle
 };
 
-/// What the window t_0 is a fixed number of.
+/// The unit in which the window t_0 is fixed.
 enum class WindowUnit { revolutions, seconds };
 
-/// What 0.1 cos t and cos t are.
+/// The meaning of 0.1 cos t and cos t.
 enum class DisturbanceKind {
   force,         ///< newtons, at 1 rad/s, from phase 0
   acceleration,  ///< m/s^2
@@ -30,9 +30,9 @@ enum class DisturbanceKind {
 
 /// The normal force that the friction coefficient multiplies.
 enum class NormalForce {
-  constant,  ///< a constant of its own
+  constant,  ///< a separate constant
   weight,    ///< m g
-  contact    ///< a constant of its own, and in contact the force of the wall too
+  contact    ///< a separate constant, plus the wall's force in contact
 };
 
 /// The path of the carrier.
@@ -41,14 +41,14 @@ enum class Transition {
   crossing  ///< with the straight crossing EF of equations (3)-(5) once every half turn
 };
 
-/// What C_r is.
+/// The meaning of C_r.
 enum class Recovery {
   restitution,    ///< Newton's: the ratio of the speeds
-  hunt_crossley,  ///< the c of the law's damping 3 (1 - c) / 2, which returns more
+  hunt_crossley,  ///< the c of the law's damping 3 (1 - c) / 2, whose restitution is higher
   contact_speed   ///< the same with one approach speed for all impacts in the damping
 };
 
-/// What counts.
+/// The events that count.
 enum class Rule {
   impacts,     ///< impacts on either wall, faster than a limit
   peaks_1mm,   ///< maxima of x from 3 mm on or up to 1 mm, as in (33)
@@ -62,7 +62,7 @@ enum class Base {
 };
 
 /// One answer to each question.
-struct Reading {
+struct Interpretation {
   Centrifugal forcing = Centrifugal::projected;
   Tension tension = Tension::constant;
   WindowUnit window = WindowUnit::revolutions;
@@ -73,32 +73,33 @@ struct Reading {
   Rule rule = Rule::impacts;
   Base base = Base::remainder;
 
-  bool operator==(const Reading&) const = default;
+  bool operator==(const Interpretation&) const = default;
 };
 
-/// Forcing, tension and window, and every other answer that is not the first:
+/// Forcing, tension and window, and every other answer except the first:
 /// "projected-constant-revolutions-weight".
-std::string name_of(const Reading& reading);
+std::string name_of(const Interpretation& interpretation);
 
-/// In a sentence.
-std::string description_of(const Reading& reading);
+/// Describes it in a sentence.
+std::string description_of(const Interpretation& interpretation);
 
-/// What a reading answers to one of the questions.
+/// An interpretation's answer to one of the questions.
 struct Answer {
   std::string question;
   std::string answer;
 };
 
 /// To all nine, in the order of the members.
-std::vector<Answer> answers_of(const Reading& reading);
+std::vector<Answer> answers_of(const Interpretation& interpretation);
 
 /// Every combination of forcing, tension and window with the first answers to the others: 18.
-std::vector<Reading> core_readings();
+std::vector<Interpretation> core_interpretations();
 
-/// The reading with one other answer to one of the other questions: 11 for a core reading.
-std::vector<Reading> variations(const Reading& reading);
+/// The interpretation with one answer to one of the other questions changed: 11 for a core
+/// interpretation.
+std::vector<Interpretation> variations(const Interpretation& interpretation);
 
-/// The reading of a name that name_of() gives. Throws InputError for any other.
-Reading find_reading(const std::string& name);
+/// The interpretation of a name that name_of() gives. Throws InputError for any other.
+Interpretation find_interpretation(const std::string& name);
 
 }  // namespace ricochet::carrier_track::inline paper

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/misfit.h"
+#include "src/research/paper/loss.h"
 
 #include <ceres/jet.h>
 
@@ -10,12 +10,12 @@
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/models/impact_lanes.h"
-#include "problems/carrier_track/questions/speed_range.h"
+#include "problems/carrier_track/problems/speed_range.h"
 
-namespace ricochet::carrier_track::inline questions {
+namespace ricochet::carrier_track::inline paper {
 namespace {
 
-/// Of the slowest impact that counts: a body that bounces less may rest.
+/// Share of the counting limit: a body that rebounds slower may rest.
 constexpr double resting_share = 0.01;
 
 void add_cells(std::vector<SpeedCell>& cells, double from, double to, double width) {
@@ -26,7 +26,7 @@ void add_cells(std::vector<SpeedCell>& cells, double from, double to, double wid
   }
 }
 
-/// The distance over its tolerance, and beyond 3 a logarithm.
+/// The distance over its tolerance; logarithmic beyond 3.
 double tamed(double distance) {
   return distance < 3 ? distance : 3 + std::log(distance - 2);
 }
@@ -50,7 +50,7 @@ double total_width(const std::vector<Cell>& cells) {
   return sum;
 }
 
-/// The count that holds over the most speeds.
+/// The count at the most speeds.
 int widest_count(const std::vector<Cell>& cells) {
   std::map<int, double> widths;
   for (const Cell& c : cells) widths[c.count] += c.width;
@@ -73,11 +73,11 @@ double median_count(std::vector<Cell> cells) {
 
 struct CoarseSplit {
   double speed, misclassified;
-  std::size_t quiet_cells;  ///< so many are below
+  std::size_t quiet_cells;  ///< number of cells below
 };
 
 CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
-  double wrong = 0;  // with everything called loud
+  double wrong = 0;  // if everything were called loud
   for (const Cell& c : cells) wrong += c.count <= limit ? c.width : 0;
   CoarseSplit best{0, wrong, 0};
   double edge = 0;
@@ -93,23 +93,23 @@ CoarseSplit coarse_split(const std::vector<Cell>& cells, double limit) {
   return best;
 }
 
-/// The counts at some speeds, or most_counted + 1 where they are higher: most constants that a
-/// search tries first make a carrier hammer for thousands of impacts, and nobody need wait for the
-/// last of them.
-std::vector<int> counts_by(const Reading& reading, const Constants& constants, const Case& a_case,
-                           const std::vector<double>& speeds) {
-  const Scene scene = scene_of(a_case, reading, constants);
+/// The counts at some speeds, or most_counted + 1 where they are higher: with most parameters that
+/// a search tries first the carrier has thousands of impacts, which need not all be simulated.
+std::vector<int> counts_by(const Interpretation& interpretation, const Constants& constants,
+                           const Case& a_case, const std::vector<double>& speeds) {
+  const Scene scene = scene_of(a_case, interpretation, constants);
   std::vector<Scene> scenes;
-  for (const double omega : speeds) scenes.push_back(scene_at(scene, reading, constants, omega));
+  for (const double omega : speeds)
+    scenes.push_back(scene_at(scene, interpretation, constants, omega));
   std::vector<int> counts;
   if (std::all_of(scenes.begin(), scenes.end(), suits_lanes)) {
     std::vector<ImpactCount> observers(scenes.size());
     const auto outcomes = run_in_lanes(
         scenes.size(),
         [&](std::size_t k) {
-          observers[k].slowest = scenes[k].slowest;
+          observers[k].counting_limit = scenes[k].counting_limit;
           observers[k].most = most_counted;
-          return ImpactModel<double>(scenes[k], resting_share * scenes[k].slowest);
+          return ImpactModel<double>(scenes[k], resting_share * scenes[k].counting_limit);
         },
         [&](std::size_t k) -> ImpactCount& { return observers[k]; });
     for (std::size_t k = 0; k < scenes.size(); ++k) {
@@ -138,9 +138,9 @@ std::vector<int> counts_by(const Reading& reading, const Constants& constants, c
   return counts;
 }
 
-CountsOf counts_by(const Reading& reading, const Constants& constants) {
+CountsOf counts_by(const Interpretation& interpretation, const Constants& constants) {
   return [&](const Case& a_case, const std::vector<double>& speeds) {
-    return counts_by(reading, constants, a_case, speeds);
+    return counts_by(interpretation, constants, a_case, speeds);
   };
 }
 
@@ -150,7 +150,7 @@ std::vector<double> speeds_of(const std::vector<SpeedCell>& cells) {
   return speeds;
 }
 
-/// The cells on either side of a split, each in `parts`, counted anew.
+/// The cells on either side of a split, each divided into `parts` and counted again.
 std::vector<Cell> finer_cells(const std::vector<Cell>& cells, std::size_t quiet_cells, int parts,
                               const Case& a_case, const CountsOf& counts_of) {
   const std::size_t first = quiet_cells - 1;
@@ -186,36 +186,37 @@ std::vector<ClaimedCell> claimed_cells() {
 
 struct Slopes {
   double count;   ///< of the surrogate
-  Vector slopes;  ///< one a freed constant
+  Vector slopes;  ///< one for each free parameter
 };
 
 /// Surrogate counts, without derivatives.
-std::vector<double> surrogates(const Reading& reading, const Constants& constants, double width,
-                               const std::vector<ClaimedCell>& cells) {
+std::vector<double> surrogates(const Interpretation& interpretation, const Constants& constants,
+                               double smoothing, const std::vector<ClaimedCell>& cells) {
   std::vector<Scene> scenes;
   for (const auto& [the_case, cell] : cells) {
-    const Scene scene = scene_of(the_case, reading, constants);
-    scenes.push_back(scene_at(scene, reading, constants, cell.omega));
+    const Scene scene = scene_of(the_case, interpretation, constants);
+    scenes.push_back(scene_at(scene, interpretation, constants, cell.omega));
   }
-  return objectives(scenes, width);
+  return objectives(scenes, smoothing);
 }
 
-/// A surrogate count and its derivatives, some constants at a time: a dual number costs as much as
-/// it has room for.
-Slopes slopes_of_count(const Reading& reading, const Constants& constants,
-                       const std::vector<Open>& freed, double width, const ClaimedCell& where) {
+/// A surrogate count and its derivatives, in groups of parameters: the cost of a dual number grows
+/// with its size.
+Slopes slopes_of_count(const Interpretation& interpretation, const Constants& constants,
+                       const std::vector<Unknown>& free, double smoothing,
+                       const ClaimedCell& where) {
   constexpr std::size_t room = 5;
   using Jet = ceres::Jet<double, static_cast<int>(room)>;
-  Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(freed.size()))};
-  for (std::size_t first = 0; first < freed.size(); first += room) {
-    const std::size_t last = std::min(first + room, freed.size());
+  Slopes slopes{0, Vector::Zero(static_cast<Eigen::Index>(free.size()))};
+  for (std::size_t first = 0; first < free.size(); first += room) {
+    const std::size_t last = std::min(first + room, free.size());
     BasicConstants<Jet> dual;
-    for (std::size_t i = 0; i < open_size; ++i) dual[i] = Jet(constants[i]);
+    for (std::size_t i = 0; i < unknown_size; ++i) dual[i] = Jet(constants[i]);
     for (std::size_t i = first; i < last; ++i) {
-      dual[static_cast<std::size_t>(freed[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
+      dual[static_cast<std::size_t>(free[i])].v[static_cast<Eigen::Index>(i - first)] = 1;
     }
-    const BasicScene<Jet> scene = scene_of(where.the_case, reading, dual);
-    const Jet count = objective(at_speed(scene, Jet(where.cell.omega)), width);
+    const BasicScene<Jet> scene = scene_of(where.the_case, interpretation, dual);
+    const Jet count = objective(at_speed(scene, Jet(where.cell.omega)), smoothing);
     slopes.count = count.a;
     for (std::size_t i = first; i < last; ++i) {
       slopes.slopes[static_cast<Eigen::Index>(i)] = count.v[static_cast<Eigen::Index>(i - first)];
@@ -233,7 +234,7 @@ std::vector<SpeedCell> speed_cells(double threshold) {
   return cells;
 }
 
-MisfitParts misfit_parts(const CoarseScore& s, const Claim& claim) {
+LossParts loss_parts(const CoarseScore& s, const Claim& claim) {
   const double quiet = *claim.quiet_count;
   return {tamed(std::abs(std::log((s.quiet_count + 0.3) / (quiet + 0.3))) / 0.15),
           tamed(std::max(0.0, 0.9 - s.purity) / 0.15),
@@ -244,13 +245,14 @@ MisfitParts misfit_parts(const CoarseScore& s, const Claim& claim) {
           3 * s.shape};
 }
 
-double misfit_of(const CoarseScore& score, const Claim& claim) {
-  const MisfitParts p = misfit_parts(score, claim);
+double loss_of(const CoarseScore& score, const Claim& claim) {
+  const LossParts p = loss_parts(score, claim);
   return p.count + p.purity + p.threshold + p.misclassified + p.loudness + p.examples + p.shape;
 }
 
-double quiet_share_of_c11(const Reading& reading, const Constants& constants, int quiet) {
-  return quiet_share_of_c11(counts_by(reading, constants), quiet);
+double quiet_share_of_c11(const Interpretation& interpretation, const Constants& constants,
+                          int quiet) {
+  return quiet_share_of_c11(counts_by(interpretation, constants), quiet);
 }
 
 double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
@@ -263,9 +265,9 @@ double quiet_share_of_c11(const CountsOf& counts_of, int quiet) {
   return share;
 }
 
-CoarseScore coarse_score(const Reading& reading, const Constants& constants, const Case& a_case,
-                         int finer) {
-  return coarse_score(counts_by(reading, constants), a_case, finer);
+CoarseScore coarse_score(const Interpretation& interpretation, const Constants& constants,
+                         const Case& a_case, int finer) {
+  return coarse_score(counts_by(interpretation, constants), a_case, finer);
 }
 
 CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int finer) {
@@ -314,42 +316,44 @@ CoarseScore coarse_score(const CountsOf& counts_of, const Case& a_case, int fine
           below_shape / total_width(below) + above_shape / total_width(above)};
 }
 
-double misfit(const Reading& reading, const Constants& constants, const std::string& left_out) {
-  return misfit(counts_by(reading, constants), left_out);
+double loss(const Interpretation& interpretation, const Constants& constants,
+            const std::string& left_out) {
+  return loss(counts_by(interpretation, constants), left_out);
 }
 
-double misfit(const CountsOf& counts_of, const std::string& left_out) {
+double loss(const CountsOf& counts_of, const std::string& left_out) {
   double sum = 0;
   int quiet_of_c4 = 1;
   for (const Case& a_case : all_cases()) {
     if (!a_case.claim.threshold) continue;
     if (a_case.id == left_out && a_case.id != "C4") continue;
     const CoarseScore s = coarse_score(counts_of, a_case);
-    if (a_case.id != left_out) sum += misfit_of(s, a_case.claim);
+    if (a_case.id != left_out) sum += loss_of(s, a_case.claim);
     if (a_case.id == "C4") quiet_of_c4 = std::max(s.quiet_count, 1);
   }
   return sum + 4 * quiet_share_of_c11(counts_of, quiet_of_c4);
 }
 
-SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
-                           const std::vector<Open>& freed, double width) {
-  const bool differentiable =
-      reading.recovery != Recovery::contact_speed && reading.transition == Transition::plain;
+SmoothLoss smooth_loss(const Interpretation& interpretation, const Constants& constants,
+                       const std::vector<Unknown>& free, double smoothing) {
+  const bool differentiable = interpretation.recovery != Recovery::contact_speed &&
+                              interpretation.transition == Transition::plain;
   const std::vector<ClaimedCell> cells = claimed_cells();
-  const std::vector<double> counts = surrogates(reading, constants, width, cells);
-  const auto columns = static_cast<Eigen::Index>(freed.size());
+  const std::vector<double> counts = surrogates(interpretation, constants, smoothing, cells);
+  const auto columns = static_cast<Eigen::Index>(free.size());
   const auto rows = static_cast<Eigen::Index>(cells.size());
-  SmoothMisfit result{Vector(rows), Matrix::Zero(rows, columns)};
+  SmoothLoss result{Vector(rows), Matrix::Zero(rows, columns)};
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const auto& [the_case, cell] = cells[k];
     const double threshold = *the_case.claim.threshold;
     const int quiet = *the_case.claim.quiet_count;
     const bool below = cell.omega < threshold;
-    // Loud enough even if the dual number's value is rounded otherwise.
+    // Loud enough even if the dual number's value is rounded differently.
     const bool flat = !below && above_claim(counts[k] * (1 - 1e-9), quiet) == 0;
     const bool has_slopes = differentiable && columns > 0 && !flat;
-    const Slopes at = has_slopes ? slopes_of_count(reading, constants, freed, width, cells[k])
-                                 : Slopes{counts[k], {}};
+    const Slopes at = has_slopes
+                          ? slopes_of_count(interpretation, constants, free, smoothing, cells[k])
+                          : Slopes{counts[k], {}};
     const double weight =
         std::sqrt(3 * cell.width / (below ? threshold : fastest_speed - threshold));
     const double distance = below ? below_claim(at.count, quiet) : -above_claim(at.count, quiet);
@@ -361,4 +365,4 @@ SmoothMisfit smooth_misfit(const Reading& reading, const Constants& constants,
   return result;
 }
 
-}  // namespace ricochet::carrier_track::inline questions
+}  // namespace ricochet::carrier_track::inline paper

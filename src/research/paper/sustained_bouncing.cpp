@@ -1,4 +1,4 @@
-#include "problems/carrier_track/paper/sustained_bouncing.h"
+#include "src/research/paper/sustained_bouncing.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -10,8 +10,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// A motion that strikes once a turn and turns back at the angle t after its departure, in units of
-/// the pull: forces by pull, speeds by pull / (mass omega), time by 1 / omega.
+/// A motion with one impact per turn whose velocity is zero at the angle t after departure, in
+/// units of the pull: forces by pull, speeds by pull / (mass omega), time by 1 / omega.
 class Orbit {
  public:
   Orbit(double turning_angle, double friction, double restitution)
@@ -51,8 +51,8 @@ class Orbit {
   double share_;
 };
 
-/// Whether a body that departs so rises without a halt until it turns back: its velocity is
-/// positive where the drive first overcomes pull and friction, its least on the way.
+/// Returns true if a body that departs so rises without a halt up to its summit: its velocity is
+/// positive where the drive first overcomes pull and friction, which is its minimum on the way.
 bool rises_at_once(double force, double angle, double speed, double friction) {
   if (force <= 1 + friction) return true;
   const double later = -std::acos((1 + friction) / force);
@@ -60,8 +60,8 @@ bool rises_at_once(double force, double angle, double speed, double friction) {
   return speed - (1 + friction) * (later - angle) + force * (std::sin(later) - std::sin(angle)) > 0;
 }
 
-/// Amplitude of the drive over omega^2 [kg m]; nothing where the scene's forces are others than a
-/// steady pull onto the lower wall and a drive.
+/// Amplitude of the drive over omega^2 [kg m]; nothing if the scene's forces are not a steady pull
+/// onto the lower wall and a drive.
 std::optional<double> drive_of(const Scene& scene) {
   if (scene.pull_rotates || scene.centrifugal != Centrifugal::projected) return std::nullopt;
   const double drive = std::abs(scene.centrifugal_mass_radius - scene.slider_mass_radius);

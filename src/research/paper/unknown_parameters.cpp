@@ -1,26 +1,26 @@
-#include "problems/carrier_track/paper/open_constants.h"
+#include "src/research/paper/unknown_parameters.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/paper/crossing_motion.h"
+#include "src/research/paper/crossing_motion.h"
 
 namespace ricochet::carrier_track::inline paper {
 
-double value_at(const OpenConstant& c, double share) {
+double value_at(const UnknownParameter& c, double share) {
   if (c.logarithmic) return c.lower * std::pow(c.upper / c.lower, share);
   return c.lower + share * (c.upper - c.lower);
 }
 
-double share_of(const OpenConstant& c, double value) {
+double share_of(const UnknownParameter& c, double value) {
   const double share = c.logarithmic ? std::log(value / c.lower) / std::log(c.upper / c.lower)
                                      : (value - c.lower) / (c.upper - c.lower);
   return std::clamp(share, 0.0, 1.0);
 }
 
-const std::vector<OpenConstant>& open_constants() {
+const std::vector<UnknownParameter>& unknown_parameters() {
   constexpr double turn = 2 * std::numbers::pi;
-  static const std::vector<OpenConstant> constants = {
+  static const std::vector<UnknownParameter> constants = {
       {"pull", "N", 0.01, 40, true, 0.01,
        "a yarn is braided under some newtons; drawn straight across the track, it has none along "
        "x"},
@@ -36,7 +36,7 @@ const std::vector<OpenConstant>& open_constants() {
       {"phase", "rad", 0, turn, false, 0.0, "any angle; (31) starts at 0"},
       {"revolutions", "turns", 0.3, 4, true, 1.0, "from a part of a turn to some; one is natural"},
       {"seconds", "s", 0.3, 8, true, turn, "as long as a turn at 0.8 to 20 rad/s; at 1 rad/s"},
-      {"slowest", "m/s", 1e-7, 0.2, true, std::nullopt,
+      {"counting_limit", "m/s", 1e-7, 0.2, true, std::nullopt,
        "from what a computation resolves to what is heard"},
       {"pull_phase", "rad", 0, turn, false, 0.0, "any angle"},
       {"disturbance_frequency", "rad/s", 0.3, 60, true, 1.0,
@@ -48,62 +48,62 @@ const std::vector<OpenConstant>& open_constants() {
   return constants;
 }
 
-std::vector<Open> open_of(const Reading& reading) {
-  const bool impacts = reading.rule == Rule::impacts;
-  const auto used = [&](Open open) {
+std::vector<Unknown> unknowns_of(const Interpretation& interpretation) {
+  const bool impacts = interpretation.rule == Rule::impacts;
+  const auto used = [&](Unknown open) {
     switch (open) {
-      case Open::normal_force:
-        return reading.normal_force != NormalForce::weight;
-      case Open::revolutions:
-        return reading.window == WindowUnit::revolutions;
-      case Open::seconds:
-        return reading.window == WindowUnit::seconds;
-      case Open::slowest:
+      case Unknown::normal_force:
+        return interpretation.normal_force != NormalForce::weight;
+      case Unknown::revolutions:
+        return interpretation.window == WindowUnit::revolutions;
+      case Unknown::seconds:
+        return interpretation.window == WindowUnit::seconds;
+      case Unknown::counting_limit:
         return impacts;
-      case Open::pull_phase:
-        return reading.tension == Tension::phased;
-      case Open::disturbance_frequency:
-        return reading.disturbance == DisturbanceKind::frequency;
-      case Open::disturbance_phase:
-        return reading.disturbance == DisturbanceKind::phase;
-      case Open::crossing_angle:
-        return reading.transition == Transition::crossing;
-      case Open::contact_speed:
-        return reading.recovery == Recovery::contact_speed;
+      case Unknown::pull_phase:
+        return interpretation.tension == Tension::phased;
+      case Unknown::disturbance_frequency:
+        return interpretation.disturbance == DisturbanceKind::frequency;
+      case Unknown::disturbance_phase:
+        return interpretation.disturbance == DisturbanceKind::phase;
+      case Unknown::crossing_angle:
+        return interpretation.transition == Transition::crossing;
+      case Unknown::contact_speed:
+        return interpretation.recovery == Recovery::contact_speed;
       default:
         return true;
     }
   };
-  std::vector<Open> open;
-  for (std::size_t i = 0; i < open_size; ++i) {
-    if (used(static_cast<Open>(i))) open.push_back(static_cast<Open>(i));
+  std::vector<Unknown> open;
+  for (std::size_t i = 0; i < unknown_size; ++i) {
+    if (used(static_cast<Unknown>(i))) open.push_back(static_cast<Unknown>(i));
   }
   return open;
 }
 
-bool contains(const std::vector<Open>& constants, Open constant) {
+bool contains(const std::vector<Unknown>& constants, Unknown constant) {
   return std::find(constants.begin(), constants.end(), constant) != constants.end();
 }
 
 Constants natural_constants() {
   Constants constants{};
-  for (std::size_t i = 0; i < open_size; ++i) {
-    const OpenConstant& c = open_constants()[i];
+  for (std::size_t i = 0; i < unknown_size; ++i) {
+    const UnknownParameter& c = unknown_parameters()[i];
     const bool searched = !c.natural || (c.logarithmic && *c.natural == c.lower);
     constants[i] = searched ? std::sqrt(c.lower * c.upper) : *c.natural;
   }
   return constants;
 }
 
-Scene scene_at(const Scene& scene, const Reading& reading, const Constants& constants,
+Scene scene_at(const Scene& scene, const Interpretation& interpretation, const Constants& constants,
                double omega) {
   Scene result = at_speed(scene, omega);
-  if (reading.transition == Transition::crossing) {
-    const double turns = reading.window == WindowUnit::revolutions
+  if (interpretation.transition == Transition::crossing) {
+    const double turns = interpretation.window == WindowUnit::revolutions
                              ? std::get<Revolutions>(scene.window).count
                              : omega * std::get<Seconds>(scene.window).count / 6.0;
-    result.profile =
-        crossing_profile(omega, constants[static_cast<std::size_t>(Open::crossing_angle)], turns);
+    result.profile = crossing_profile(
+        omega, constants[static_cast<std::size_t>(Unknown::crossing_angle)], turns);
   }
   return result;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/studies/reproduction/data.h"
+#include "src/research/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

@@ -1,13 +1,13 @@
 #include <algorithm>
 
-#include "src/studies/reproduction/data.h"
+#include "src/research/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
 
 using report::Json;
 
-/// The mean counts at a disturbance, a row a friction.
+/// The mean counts at a disturbance, a row for each friction.
 Json means_at(const CountGrid& grid, std::size_t disturbance) {
   Json rows = Json::array();
   for (std::size_t f = 0; f < grid.frictions.size(); ++f) {
@@ -22,18 +22,11 @@ Json means_at(const CountGrid& grid, std::size_t disturbance) {
           {"frictions", std::move(rows)}};
 }
 
-/// With the first few of its exceptions, of which all are where it disagrees.
+/// With the first few exceptions; all pairs that disagree are exceptions.
 Json trend_data(const Trend& trend) {
   constexpr std::size_t shown = 4;
-  Json first = Json::array();
-  for (const Reversal& e : trend.exceptions) {
-    if (first.size() == shown) break;
-    first.push_back({{"line", e.line},
-                     {"from", e.from},
-                     {"to", e.to},
-                     {"mean_from", e.mean_from},
-                     {"mean_to", e.mean_to}});
-  }
+  std::vector<Reversal> first = trend.exceptions;
+  if (first.size() > shown) first.resize(shown);
   return {{"conclusion", trend.conclusion},
           {"claim", trend.claim},
           {"agree", trend.agree},

@@ -1,4 +1,4 @@
-#include "src/studies/reproduction/conclusions.h"
+#include "src/research/reproduction/conclusions.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -7,14 +7,15 @@
 #include <numeric>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "src/campaign/progress.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
 
 using carrier_track::Scene;
 
-/// Walks one line of the grid; `means` from the end where the claim says the count is smallest.
+/// Follows one line of the grid; `means` begins at the end where the claim says the count is
+/// smallest.
 void walk(Trend& trend, const std::vector<double>& means, const std::vector<double>& positions,
           const std::string& line) {
   for (std::size_t i = 0; i + 1 < means.size(); ++i) {
@@ -44,7 +45,7 @@ double CountGrid::mean(std::size_t restitution, std::size_t friction,
   return means[(disturbance * frictions.size() + friction) * restitutions.size() + restitution];
 }
 
-CountGrid count_grid(const Scene& reading, double step, bool coarse) {
+CountGrid count_grid(const Scene& interpretation, double step, bool coarse) {
   CountGrid grid;
   grid.restitutions = coarse ? std::vector{0.1, 0.3, 0.5, 0.7, 0.9}
                              : std::vector{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
@@ -55,7 +56,7 @@ CountGrid count_grid(const Scene& reading, double step, bool coarse) {
   grid.means.resize(rows * grid.disturbances.size());
   Progress progress("counting over the grid", static_cast<double>(grid.means.size()));
   tbb::parallel_for(std::size_t{0}, grid.means.size(), [&](std::size_t i) {
-    Scene scene = reading;
+    Scene scene = interpretation;
     scene.restitution_lower = scene.restitution_upper =
         grid.restitutions[i % grid.restitutions.size()];
     scene.friction = grid.frictions[i % rows / grid.restitutions.size()];

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "problems/carrier_track/scene/scene.h"
+#include "src/report/json.h"
 
 namespace ricochet::studies::reproduction {
 
 /// Mean collision count over evenly spaced speeds of 0..18 rad/s, on a grid of restitution,
-/// friction and disturbance: the ground on which conclusions A, B and C of the paper are tested.
+/// friction and disturbance: the data for testing conclusions A, B and C of the paper.
 struct CountGrid {
   std::vector<double> restitutions;
   std::vector<double> frictions;
@@ -19,17 +20,17 @@ struct CountGrid {
 };
 
 /// `step` [rad/s] between the speeds. Parallel over the grid.
-CountGrid count_grid(const carrier_track::Scene& reading, double step, bool coarse);
+CountGrid count_grid(const carrier_track::Scene& interpretation, double step, bool coarse);
 
-/// Neighbours on a line of the grid between which the mean count changes the other way.
+/// Neighbours on a line of the grid between which the mean count changes against the claim.
 struct Reversal {
-  std::string line;           ///< what is the same along it: "friction 0.1"
+  std::string line;           ///< values that are constant along it: "friction 0.1"
   double from, to;            ///< restitution, friction or disturbance [N]
   double mean_from, mean_to;  ///< the mean counts there
 };
+RICOCHET_WRITTEN_AS_JSON(Reversal, line, from, to, mean_from, mean_to);
 
-/// How often neighbours on the grid change the way a conclusion says, and by how much from end to
-/// end.
+/// How often neighbours on the grid change as a conclusion says, and the change from end to end.
 struct Trend {
   std::string conclusion;  ///< "A", "B" or "C"
   std::string claim;
@@ -40,8 +41,8 @@ struct Trend {
   std::vector<Reversal> exceptions = {};  ///< where neighbours disagree
 };
 
-/// A: rises with restitution, without disturbance. B: falls with friction, without disturbance.
-/// C: rises with the disturbance, whatever the others.
+/// A: rises with restitution, without disturbance. B: falls with friction, without disturbance. C:
+/// rises with the disturbance, for all other values.
 std::vector<Trend> trends(const CountGrid& grid);
 
 }  // namespace ricochet::studies::reproduction

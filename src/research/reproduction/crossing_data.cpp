@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "problems/carrier_track/paper/crossing_motion.h"
-#include "src/studies/reproduction/data.h"
+#include "src/research/paper/crossing_motion.h"
+#include "src/research/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

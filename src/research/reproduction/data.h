@@ -3,43 +3,46 @@
 #include <vector>
 
 #include "src/report/json.h"
-#include "src/studies/reproduction/study.h"
+#include "src/research/reproduction/study.h"
 
 /// The parts of the report's data. Speeds are in rad/s, errors and shares are fractions.
 namespace ricochet::studies::reproduction {
 
-/// What the paper says of every case and what is computed: by the case's id.
+/// The paper's claims for every case and the computed values, by the case's id.
 report::Json case_data(const std::vector<CaseStudy>& cases);
 
-/// The speeds that the paper's figures show, those on the wrong side, a chart of the thresholds.
+/// Fastest quiet speeds of the machines, i.e. of cases that differ only in their disturbance.
+report::Json speed_data(const std::vector<CaseStudy>& cases);
+
+/// The speeds of the paper's figures, those on the wrong side, a chart of the thresholds.
 report::Json threshold_data(const std::vector<CaseStudy>& cases);
 
-/// How much of the thresholds, the paper's and those computed, formulas of one line explain.
+/// How much of the thresholds, the paper's and the computed ones, simple formulas explain.
 report::Json theory_data(const std::vector<CaseStudy>& cases);
 
-/// Collision count against speed, one chart a case.
+/// Collision count against speed, one chart for each case.
 report::Json curve_data(const std::vector<CaseStudy>& cases);
 
-/// Whether the count makes a step at the threshold of every case.
+/// Does the count make a step at the threshold of every case?
 report::Json sharpness_data(const std::vector<CaseStudy>& cases);
 
-/// The steps of every case's staircase, beside the threshold by the paper's rule.
+/// The steps of every case's staircase, with the threshold by the paper's rule.
 report::Json step_data(const std::vector<CaseStudy>& cases);
 
 /// Conclusions A, B and C on a grid of restitution, friction and disturbance.
 report::Json conclusion_data(const CountGrid& grid, const std::vector<Trend>& trends);
 
-/// x(t) of the cases without disturbance, at several speeds, with those of the cases that differ in
-/// their disturbance alone; of the others as in Figures 9-14; and when the carrier hits its walls.
+/// x(t) of the cases without disturbance, at several speeds, with those of the cases that differ
+/// only in their disturbance; of the others as in Figures 9-14; and the times of the impacts.
 report::Json path_data(const std::vector<CaseStudy>& cases);
 
 /// Velocity and acceleration along the track, as in Figure 3.
 report::Json crossing_data();
 
-/// How well which solver finds the fewest collisions and the fastest quiet speed.
-report::Json comparison_data(const Results& results);
+/// How well each solver finds the fewest collisions and the fastest quiet speed.
+report::Json comparison_data(const std::optional<StoredCampaign>& comparison);
 
-/// What the reading decides where the paper leaves something open, and its constants.
-report::Json reading_data(const carrier_track::FittedReading& reading);
+/// The interpretation's answers to the paper's open questions, and its parameters.
+report::Json interpretation_data(const carrier_track::FittedInterpretation& interpretation);
 
 }  // namespace ricochet::studies::reproduction

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/carrier_track/advice/path_chart.h"
 #include "src/report/simplified.h"
-#include "src/studies/path_chart.h"
-#include "src/studies/reproduction/data.h"
+#include "src/research/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -16,12 +16,12 @@ using report::Json;
 
 constexpr double of_a_pixel = 1.0 / 4000;  // of the plot's width and height: a tenth, or less
 
-/// Without digits that no picture shows.
+/// Rounds to the digits that are visible in a picture.
 double short_number(double value) {
   return std::round(value * 1e5) / 1e5;
 }
 
-/// The corners of x(t) that are enough to draw it.
+/// The corners that suffice to draw x(t).
 Json line_of(const Scene& scene, const Recording& recording) {
   const std::vector<report::Sample> samples = path_samples(scene, recording);
   const double across = samples.back().position * of_a_pixel;
@@ -31,7 +31,7 @@ Json line_of(const Scene& scene, const Recording& recording) {
   });
 }
 
-/// What every chart of a case's paths has.
+/// The common parts of all charts of a case's paths.
 Json frame_of(const CaseStudy& c, double omega) {
   const double lower = c.scene.wall_lower / millimetre;
   const double upper = c.scene.wall_upper / millimetre;
@@ -58,7 +58,7 @@ Json path_of(const CaseStudy& c, double omega, const char* side, const Recording
   return path;
 }
 
-/// Impacts that count, before and after the first tenth of a turn.
+/// Counted impacts, before and after the first tenth of a turn.
 Json impacts_of(const CaseStudy& c, double omega, const Recording& recording) {
   const double end_of_start = 0.1 * 2 * std::numbers::pi / omega;
   int start = 0;
@@ -69,7 +69,7 @@ Json impacts_of(const CaseStudy& c, double omega, const Recording& recording) {
   return {{"omega", omega}, {"start", start}, {"later", later}};
 }
 
-/// The paths at one speed of all cases that differ from this one in their disturbance alone.
+/// The paths at one speed of all cases that differ from this one only in their disturbance.
 Json overlaid(const std::vector<CaseStudy>& cases, const CaseStudy& c, double omega) {
   Json overlay = frame_of(c, omega);
   Json lines = Json::array();
@@ -87,7 +87,7 @@ Json overlaid(const std::vector<CaseStudy>& cases, const CaseStudy& c, double om
   return overlay;
 }
 
-/// From below a case's threshold to the speed that the paper shows as loud.
+/// From below a case's threshold to the paper's loud speed.
 Json frames_of(const std::vector<CaseStudy>& cases, const CaseStudy& c) {
   struct Place {
     double share;

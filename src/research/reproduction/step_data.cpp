@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/studies/reproduction/data.h"
+#include "src/research/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-/// Whether the step is where the paper's rule, applied to the same counts, divides them.
+/// Returns true if the step is at the threshold of the paper's rule, applied to the same counts.
 bool is_near(const Step& step, const std::optional<double>& threshold) {
   return threshold && std::abs(std::log(step.omega / *threshold)) < std::log(1.1);
 }

@@ -1,15 +1,20 @@
-#include "src/studies/reproduction/study.h"
+#include "src/research/reproduction/study.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "embedded/reproduction_plan.h"
 #include "embedded/reproduction_quick_plan.h"
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/questions/speed_range.h"
-#include "src/campaign/progress.h"
-#include "src/core/patterns.h"
-#include "src/studies/reproduction/data.h"
+#include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/problems/speed_range.h"
+#include "solvers/solvers.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/core/error.h"
+#include "src/core/progress.h"
+#include "src/research/reproduction/data.h"
+#include "src/research/solver_data.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -19,11 +24,12 @@ using report::Json;
 
 Recording path_at(Scene scene, double omega) {
   scene.omega = omega;
-  return record(scene, default_width, samples_of_a_path);
+  return record(scene, default_smoothing, samples_of_a_path);
 }
 
-CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptions& options) {
-  const Scene scene = scene_of(the_case, reading);
+CaseStudy study_case(const Case& the_case, const Scene& interpretation,
+                     const ScanOptions& options) {
+  const Scene scene = scene_of(the_case, interpretation);
   SpeedScan scan = scan_speeds(scene, options.step, options.highest);
   const Score result = score(scene, the_case.claim, scan, options.stride);
   const LogarithmicScan whole =
@@ -36,27 +42,22 @@ CaseStudy study_case(const Case& the_case, const Scene& reading, const ScanOptio
           std::move(paths)};
 }
 
-/// The one part of the plan, as it is held without a store.
-contest::ContestPlan contest_of(const Plan& plan, const Catalogue& catalogue) {
-  const Campaign campaign(plan, catalogue);
-  const PlanPart& part = plan.parts.front();
-  contest::ContestPlan contest;
-  contest.questions = campaign.questions();
-  for (const Solver& solver : catalogue.solvers) {
-    const auto& chosen = campaign.solvers();
-    if (std::any_of(chosen.begin(), chosen.end(),
-                    [&](const Solver& c) { return c.name == solver.name; })) {
-      contest.solvers.push_back(solver);
-    }
+/// A store of another plan, program or data is replaced: its runs take seconds.
+StoredCampaign opened(const Plan& plan, const Catalogue& catalogue, const ComparisonStore& store) {
+  if (std::filesystem::exists(store.file)) Store::open(store.file, Store::For::reading);
+  try {
+    return stored_campaign(plan, catalogue, store.file, store.provenance);
+  } catch (const InputError& error) {
+    if (!std::filesystem::remove(store.file)) throw;
+    Progress::announce(fmt::format("{}; it is made anew", error.what()));
+    return stored_campaign(plan, catalogue, store.file, store.provenance);
   }
-  contest.widths = part.widths;
-  contest.instances = part.instances;
-  contest.budgets = part.budgets;
-  contest.limits = plan.limits;
-  contest.wants = [forms = part.forms](const Question& question, const Form& form) {
-    return fits_any(question.name_of(form), forms);
-  };
-  return contest;
+}
+
+/// The problems and solvers of the plan. Problems of the literature are left out: compiling them
+/// would double the time to the first report.
+Catalogue paper_catalogue() {
+  return {case_families(), all_solvers(), {}, {}, {}, {}};
 }
 
 }  // namespace
@@ -71,23 +72,23 @@ StudyPlan quick_plan() {
           plan_from(embedded::reproduction_quick_plan, "reports/plans/reproduction_quick.toml")};
 }
 
-Results results_of(const StudyPlan& plan, const Catalogue& catalogue) {
+Results results_of(const StudyPlan& plan, const Catalogue& catalogue,
+                   const ComparisonStore& store) {
   Results results;
   results.plan = plan;
-  results.reading = default_reading();
-  results.contest = contest_of(plan.comparison, catalogue);
-  results.groups = contest::groups_of(results.contest, catalogue.families);
+  results.interpretation = default_interpretation();
+  results.comparison = opened(plan.comparison, catalogue, store);
   {
     const auto cases = all_cases();
     Progress progress("scanning speeds", static_cast<double>(cases.size()));
     for (const Case& c : cases) {
-      results.cases.push_back(study_case(c, results.reading.scene, plan.scan));
+      results.cases.push_back(study_case(c, results.interpretation.scene, plan.scan));
       progress.advance(1);
     }
   }
-  results.grid = count_grid(results.reading.scene, plan.grid_step, plan.coarse_grid);
+  results.grid = count_grid(results.interpretation.scene, plan.grid_step, plan.coarse_grid);
   results.trends = trends(results.grid);
-  results.standings = contest::hold(results.contest);
+  make_runs(results.comparison->campaign, {}, results.comparison->store);
   return results;
 }
 
@@ -96,8 +97,8 @@ Json data_of(const Results& results) {
   const StudyPlan& plan = results.plan;
   const PlanPart& compared = plan.comparison.parts.front();
   Json solvers = Json::array();
-  for (const Solver& solver : results.contest.solvers) {
-    solvers.push_back({{"name", solver.name}, {"version", solver.version}});
+  if (results.comparison) {
+    solvers = report::list_of(results.comparison->campaign.solvers(), solver_data);
   }
   return {{"agreement",
            {{"thresholds", agreement.thresholds},
@@ -112,6 +113,7 @@ Json data_of(const Results& results) {
             {"least", compared.budgets.front()},
             {"most", compared.budgets.back()}}},
           {"cases", case_data(results.cases)},
+          {"speeds", speed_data(results.cases)},
           {"thresholds", threshold_data(results.cases)},
           {"theory", theory_data(results.cases)},
           {"counts", curve_data(results.cases)},
@@ -120,8 +122,8 @@ Json data_of(const Results& results) {
           {"conclusions", conclusion_data(results.grid, results.trends)},
           {"paths", path_data(results.cases)},
           {"crossing", crossing_data()},
-          {"comparison", comparison_data(results)},
-          {"reading", reading_data(results.reading)},
+          {"comparison", comparison_data(results.comparison)},
+          {"interpretation", interpretation_data(results.interpretation)},
           {"solvers", std::move(solvers)}};
 }
 
@@ -147,10 +149,11 @@ Agreement agreement_of(const std::vector<CaseStudy>& cases) {
 
 namespace ricochet::studies {
 
-Study reproduction_study() {
+Study reproduction_study(const std::filesystem::path& folder, const Provenance& provenance) {
   using namespace reproduction;
-  return {"reproduction", "A coarser study, in seconds", [](bool quick) {
-            return data_of(results_of(quick ? quick_plan() : full_plan(), whole_catalogue()));
+  return {"reproduction", "A coarser study, in seconds", [=](bool quick) {
+            return data_of(results_of(quick ? quick_plan() : full_plan(), paper_catalogue(),
+                                      {folder / "comparison.sqlite", provenance}));
           }};
 }
 

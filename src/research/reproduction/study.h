@@ -2,37 +2,37 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/staircase.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "src/benchmark/comparison/group.h"
+#include "src/benchmark/experiment/campaign/stored_campaign.h"
 #include "src/report/json.h"
-#include "src/studies/contest/catalogue.h"
-#include "src/studies/contest/group.h"
-#include "src/studies/reproduction/conclusions.h"
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
+#include "src/research/paper/fitted_interpretation.h"
+#include "src/research/reproduction/conclusions.h"
 
 namespace ricochet::studies::reproduction {
 
-/// How finely to look, and how long.
+/// Resolution and length of the study.
 struct StudyPlan {
   carrier_track::ScanOptions scan;
   double grid_step = 0;  ///< [rad/s] between the speeds at each point of the grid
   bool coarse_grid = false;
-  /// What solvers are compared on: of its one part questions, solvers, forms, widths, instances and
-  /// budgets; features, prices and seeds are those of a part that names none.
-  Plan comparison;
+  Plan comparison;  ///< of solvers: one part, without perturbations
 };
 
-/// Thresholds to 1e-3 rad/s, solvers as reports/plans/reproduction.toml has it: under half a minute
-/// on two cores.
+/// Thresholds to 1e-3 rad/s, solvers as in reports/plans/reproduction.toml: under half a minute on
+/// two cores.
 StudyPlan full_plan();
 
-/// Thresholds to 1e-2 rad/s, solvers as reproduction_quick.toml beside it has it: a few seconds.
+/// Thresholds to 1e-2 rad/s, solvers as in reproduction_quick.toml in the same folder: a few
+/// seconds.
 StudyPlan quick_plan();
 
 inline constexpr std::size_t samples_of_a_path = 600;
@@ -49,33 +49,38 @@ struct CaseStudy {
   carrier_track::SpeedScan scan;
   carrier_track::Score score;
   carrier_track::Staircase staircase;
-  std::optional<FigurePaths> paths;  ///< where the paper has a figure
+  std::optional<FigurePaths> paths;  ///< if the paper has a figure
 };
 
-/// All that the report shows.
+/// The contents of the report.
 struct Results {
   StudyPlan plan;
-  carrier_track::FittedReading reading;
+  carrier_track::FittedInterpretation interpretation;
   std::vector<CaseStudy> cases;
   CountGrid grid;
   std::vector<Trend> trends;
-  contest::ContestPlan contest;
-  std::vector<contest::Group> groups;  ///< of the contest's questions, by family
-  std::vector<contest::Standing> standings;
+  std::optional<StoredCampaign> comparison;  ///< of solvers, if it has been run
 };
 
-/// Computes everything. The same plan gives the same results, but for the times in them.
-Results results_of(const StudyPlan& plan, const Catalogue& catalogue);
+/// Where the comparison of solvers is stored.
+struct ComparisonStore {
+  std::filesystem::path file;
+  Provenance provenance;
+};
 
-/// What reports/templates/reproduction.toml asks for.
+/// Computes everything; for the comparison only the runs missing in its store. A store of another
+/// plan, program or data is replaced. The results depend only on the plan, except for the times.
+Results results_of(const StudyPlan& plan, const Catalogue& catalogue, const ComparisonStore& store);
+
+/// Returns the data for reports/templates/reproduction.toml.
 report::Json data_of(const Results& results);
 
-/// How near the results come to the paper over all cases.
+/// Agreement of the results with the paper over all cases.
 struct Agreement {
   int thresholds = 0;         ///< cases with a threshold both in the paper and computed
   double relative_error = 0;  ///< root mean square of ln(computed / paper) over these
-  int examples = 0;           ///< speeds that the paper's figures show
-  int right = 0;              ///< of these, on the side where the paper has them
+  int examples = 0;           ///< speeds in the paper's figures
+  int right = 0;              ///< of these, on the same side as in the paper
 };
 
 Agreement agreement_of(const std::vector<CaseStudy>& cases);
@@ -84,7 +89,8 @@ Agreement agreement_of(const std::vector<CaseStudy>& cases);
 
 namespace ricochet::studies {
 
-/// The cases of the paper, computed and set beside what the paper says of them.
-Study reproduction_study();
+/// Computes the cases of the paper and compares them with its claims. The runs of its comparison of
+/// solvers are stored in comparison.sqlite in this folder.
+Study reproduction_study(const std::filesystem::path& folder, const Provenance& provenance);
 
 }  // namespace ricochet::studies

@@ -1,4 +1,4 @@
-#include "src/studies/reproduction/theory.h"
+#include "src/research/reproduction/theory.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "problems/carrier_track/paper/sustained_bouncing.h"
+#include "src/research/paper/sustained_bouncing.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -19,7 +19,7 @@ double log_loss(const ThresholdPoint& point) {
   return std::log((1 - point.restitution) / (1 + point.restitution));
 }
 
-/// What a constant of a formula is multiplied by in ln w.
+/// The factor of a parameter of a formula in ln w.
 using Factor = double (*)(const ThresholdPoint&);
 
 double one(const ThresholdPoint&) {
@@ -66,8 +66,8 @@ Formula linear_formula(std::string words, std::vector<std::string> names, double
   return {std::move(words), std::move(names), fit, threshold};
 }
 
-/// Half the logarithm of the least drive over the pull, at normal force over pull `ratio`. Not
-/// finite where that limit does not exist.
+/// Half the logarithm of the least drive over the pull, for a normal force of `ratio` times the
+/// pull. Not finite if that limit does not exist.
 double log_bouncing(double ratio, const ThresholdPoint& point) {
   const auto limit =
       carrier_track::sustained_bouncing(1.0, ratio * point.friction, point.restitution);

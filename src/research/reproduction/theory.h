@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// How much of a list of thresholds a formula of one line explains.
+/// How much of a list of thresholds simple formulas explain.
 namespace ricochet::studies::reproduction {
 
 /// The threshold of a case, of the paper or computed.
@@ -17,7 +17,7 @@ struct ThresholdPoint {
   double threshold;    ///< w [rad/s], > 0
 };
 
-/// How far predicted thresholds are from points, all as ln(predicted / threshold).
+/// Errors of predicted thresholds, all as ln(predicted / threshold).
 struct PredictionErrors {
   double rms;                       ///< root mean square
   std::optional<double> explained;  ///< share of the variance of ln w, <= 1; none if all are equal
@@ -25,25 +25,25 @@ struct PredictionErrors {
   std::string worst_id;             ///< the case it belongs to
 };
 
-/// `predicted` [rad/s] > 0, one a point; at least one.
+/// `predicted` [rad/s] > 0, one for each point; at least one.
 PredictionErrors errors_of(const std::vector<ThresholdPoint>& points,
                            const std::vector<double>& predicted);
 
-/// A family of thresholds with constants to fit, by least squares of ln w.
+/// A family of thresholds with parameters to fit, by least squares of ln w.
 struct Formula {
   std::string words;
   std::vector<std::string> constants;  ///< their names
-  /// The best constants; nothing where the points do not determine them.
+  /// The best parameters; nothing if the points do not determine them.
   std::function<std::optional<std::vector<double>>(const std::vector<ThresholdPoint>&)> fit;
   /// w [rad/s] at a point, whose threshold is not used.
   std::function<double(const std::vector<double>& constants, const ThresholdPoint&)> threshold;
 };
 
-/// With R = (1 - e) / (1 + e), from one constant to four; in the last, S(F / P) is the least drive
+/// With R = (1 - e) / (1 + e), from one parameter to four; in the last, S(F / P) is the least drive
 /// over the pull P that sustains bouncing with friction F, and r stands for normal force over pull
 /// (problems/carrier_track/sustained_bouncing.h). Friction and disturbance enter as exp(k μ) and
-/// exp(d D), which are linear in ln w; where the points have two frictions only, (1 + k μ) would
-/// fit as well.
+/// exp(d D), which are linear in ln w; if the points have only two frictions, (1 + k μ) would fit
+/// equally well.
 std::vector<Formula> all_formulas();
 
 /// Of the above, w = c √R.
@@ -58,12 +58,12 @@ Formula friction_formula();
 struct FormulaFit {
   std::vector<double> constants;
   PredictionErrors errors;
-  /// Root mean square of the errors at points that the fit did not see, each left out in turn;
-  /// nothing where the others do not determine the constants, or give it no threshold.
+  /// Root mean square of the errors at points left out of the fit, one at a time; nothing if the
+  /// others do not determine the parameters, or if the formula gives no threshold there.
   std::optional<double> left_out;
 };
 
-/// Nothing unless there are more points than constants and they determine these.
+/// Nothing unless there are more points than parameters and they determine these.
 std::optional<FormulaFit> fitted(const Formula& formula, const std::vector<ThresholdPoint>& points);
 
 }  // namespace ricochet::studies::reproduction

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <set>
 
-#include "problems/carrier_track/paper/sustained_bouncing.h"
-#include "src/studies/reproduction/data.h"
-#include "src/studies/reproduction/theory.h"
+#include "src/research/paper/sustained_bouncing.h"
+#include "src/research/reproduction/data.h"
+#include "src/research/reproduction/theory.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -15,13 +15,13 @@ using report::Json;
 using Points = std::vector<ThresholdPoint>;
 using SceneSpeed = std::optional<double> (*)(const Scene&);
 
-/// The thresholds of one origin, and what the report calls them.
+/// The thresholds of one origin, and their name in the report.
 struct Thresholds {
   std::string name;
   Points points;
 };
 
-/// The paper's, and those computed for the same cases.
+/// The paper's thresholds, and the computed ones of the same cases.
 std::vector<Thresholds> thresholds_of(const std::vector<CaseStudy>& cases) {
   Thresholds paper{"paper", {}};
   Thresholds computed{"computed", {}};
@@ -42,12 +42,12 @@ const CaseStudy& study_of(const ThresholdPoint& point, const std::vector<CaseStu
                        [&](const CaseStudy& c) { return c.the_case.id == point.id; });
 }
 
-/// A mean error of ln w as a share of w.
+/// Converts a mean error of ln w to a share of w.
 Json share_of(const std::optional<double>& logarithm) {
   return logarithm ? Json(std::expm1(*logarithm)) : Json();
 }
 
-/// A row of the table; without errors where nothing is fitted or predicted.
+/// A row of the table; without errors if nothing is fitted or predicted.
 Json row_of(const std::string& words, const std::string& thresholds, std::size_t fitted_constants,
             const std::optional<PredictionErrors>& errors) {
   return {{"formula", words},
@@ -75,7 +75,7 @@ Json row_of(const Formula& formula, const Thresholds& thresholds) {
   return row;
 }
 
-/// A speed that theory gives for the scene of every case, without a constant to fit.
+/// A speed from theory for the scene of every case, without fitted parameters.
 Json row_of(const std::string& words, SceneSpeed speed, const std::vector<CaseStudy>& cases,
             const Thresholds& thresholds) {
   Points points;
@@ -122,7 +122,7 @@ Json group_of(const Thresholds& one, double friction) {
   return {{"name", one.name}, {"friction", friction}, {"points", std::move(points)}};
 }
 
-/// What the chart shows: the thresholds by friction, and the formula's line through them.
+/// Data of the chart: the thresholds by friction, and the formula's curve.
 void add_curves(const std::vector<Thresholds>& both, Json& data) {
   data["groups"] = data["lines"] = Json::array();
   for (const Thresholds& one : both) {
@@ -136,7 +136,7 @@ void add_curves(const std::vector<Thresholds>& both, Json& data) {
   }
 }
 
-/// Two cases that differ in one property only.
+/// Two cases that differ only in one property.
 struct Pair {
   ThresholdPoint from, to;
   double ratio() const { return to.threshold / from.threshold; }
@@ -159,7 +159,8 @@ std::vector<Pair> pairs_of(const Points& points, double ThresholdPoint::*differs
   return pairs;
 }
 
-/// From the least value to the largest, and whether two digits tell them apart; null for none.
+/// From the smallest value to the largest, and whether they differ in two digits; null if there are
+/// none.
 Json range_of(const std::vector<double>& values) {
   if (values.empty()) return {};
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -168,7 +169,7 @@ Json range_of(const std::vector<double>& values) {
           {"varies", std::round(100 * *least) != std::round(100 * *most)}};
 }
 
-/// How many times as high the threshold is at the lower restitution.
+/// Ratio of the thresholds at the lower and the higher restitution.
 Json restitution_factors(const Points& points) {
   std::vector<double> factors;
   for (const Pair& pair : pairs_of(points, &ThresholdPoint::restitution)) {
@@ -177,7 +178,7 @@ Json restitution_factors(const Points& points) {
   return range_of(factors);
 }
 
-/// By what friction multiplies the threshold, at restitution 0.1 and at 0.9.
+/// Factor by which friction multiplies the threshold, at restitution 0.1 and at 0.9.
 Json friction_factors(const Points& points) {
   std::vector<double> low, high;
   for (const Pair& pair : pairs_of(points, &ThresholdPoint::friction)) {
@@ -187,7 +188,7 @@ Json friction_factors(const Points& points) {
   return {{"low", range_of(low)}, {"high", range_of(high)}};
 }
 
-/// What the text says of the thresholds of one origin.
+/// Data of the text on the thresholds of one origin.
 Json data_of(const Thresholds& one) {
   const auto power = fitted(power_formula(), one.points);
   return {{"name", one.name},
@@ -199,8 +200,8 @@ Json data_of(const Thresholds& one) {
           {"friction", friction_factors(one.points)}};
 }
 
-/// By what the speed of sustained bouncing grows with friction; null where the scenes have none at
-/// either restitution.
+/// Factor by which friction increases the speed of sustained bouncing; null if the scenes have none
+/// at either restitution.
 Json bouncing_friction(const std::vector<CaseStudy>& cases) {
   Points points;
   for (const CaseStudy& c : cases) {
@@ -214,8 +215,8 @@ Json bouncing_friction(const std::vector<CaseStudy>& cases) {
   return factors.at("low").is_null() || factors.at("high").is_null() ? Json() : factors;
 }
 
-/// How the computed thresholds compare with a speed of the model, at both restitutions, and at
-/// which of them they are that speed, within a tenth; null where the model has no such speed.
+/// Compares the computed thresholds with a speed of the model, at both restitutions, and finds at
+/// which of them they agree within a tenth; null if the model has no such speed.
 Json speed_data(const std::string& name, SceneSpeed speed, const std::vector<CaseStudy>& cases,
                 const Points& computed) {
   Json ratios = Json::object();
@@ -234,8 +235,7 @@ Json speed_data(const std::string& name, SceneSpeed speed, const std::vector<Cas
   return {{"name", name}, {"ratios", std::move(ratios)}};
 }
 
-/// How high the carrier would rise in sustained bouncing, in clearances, and whether it has the
-/// room.
+/// Height of the carrier in sustained bouncing, in clearances, and whether it has enough room.
 Json height_data(const std::vector<CaseStudy>& cases) {
   std::vector<double> heights;
   for (const CaseStudy& c : cases) {

@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/bias.h"
+#include "src/research/surrogate/bias.h"
 
 #include <tbb/parallel_for.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/questions/machine.h"
-#include "problems/carrier_track/questions/speed_range.h"
-#include "src/campaign/progress.h"
-#include "src/statistics/bootstrap.h"
-#include "src/statistics/rank_correlation.h"
+#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/problems/speed_range.h"
+#include "src/benchmark/statistics/bootstrap.h"
+#include "src/benchmark/statistics/rank_correlation.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -18,10 +18,11 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-std::vector<double> over_speeds(const Machine& machine, double width, const BiasPlan& plan) {
+std::vector<double> over_speeds(const Machine& machine, double smoothing, const BiasPlan& plan) {
   std::vector<double> values(static_cast<std::size_t>(std::lround(fastest_speed / plan.step)));
   tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t k) {
-    values[k] = objective(at_speed(machine.scene, static_cast<double>(k + 1) * plan.step), width);
+    values[k] =
+        objective(at_speed(machine.scene, static_cast<double>(k + 1) * plan.step), smoothing);
   });
   return values;
 }
@@ -34,21 +35,21 @@ std::optional<std::size_t> last_quiet(const std::vector<double>& values, double 
   return std::nullopt;
 }
 
-Bias bias_at(double width, const std::vector<double>& counts, const std::vector<double>& surrogate,
-             const Machine& machine, const BiasPlan& plan) {
-  Bias bias{width, 0, rank_correlation(counts, surrogate), 0, {}, {}};
+Bias bias_at(double smoothing, const std::vector<double>& counts,
+             const std::vector<double>& surrogate, const Machine& machine, const BiasPlan& plan) {
+  Bias bias{smoothing, 0, rank_correlation(counts, surrogate), 0, {}, {}};
   for (std::size_t k = 0; k < counts.size(); ++k) {
     bias.error += std::abs(surrogate[k] - counts[k]) / static_cast<double>(counts.size());
   }
   const auto lowest = std::min_element(surrogate.begin(), surrogate.end()) - surrogate.begin();
-  bias.count_regret =
+  bias.count_optimality_gap =
       counts[static_cast<std::size_t>(lowest)] - *std::min_element(counts.begin(), counts.end());
   const auto best = last_quiet(counts, machine.quiet_limit);
   const auto found = last_quiet(surrogate, half_level(machine.quiet_limit));
   if (!best || !found) return bias;
   const auto speed = [&](std::size_t k) { return static_cast<double>(k + 1) * plan.step; };
   bias.speed = speed(*found);
-  bias.speed_regret = speed(*best) - speed(*found);
+  bias.speed_optimality_gap = speed(*best) - speed(*found);
   bias.loud = counts[*found] > machine.quiet_limit;
   return bias;
 }
@@ -66,9 +67,9 @@ BiasStudy study_bias(const BiasPlan& plan) {
     row.lowest = static_cast<int>(*std::min_element(counts.begin(), counts.end()));
     const auto best = last_quiet(counts, machine.quiet_limit);
     if (best) row.fastest = static_cast<double>(*best + 1) * plan.step;
-    for (const double width : plan.widths) {
+    for (const double smoothing : plan.smoothings) {
       row.biases.push_back(
-          bias_at(width, counts, over_speeds(machine, width, plan), machine, plan));
+          bias_at(smoothing, counts, over_speeds(machine, smoothing, plan), machine, plan));
     }
     progress.advance(1);
   }
@@ -77,14 +78,14 @@ BiasStudy study_bias(const BiasPlan& plan) {
 
 namespace {
 
-Json width_data(const Bias& bias) {
-  return {{"width", bias.width},
+Json smoothing_data(const Bias& bias) {
+  return {{"smoothing", bias.smoothing},
           {"error", bias.error},
           {"rank_correlation", bias.rank_correlation},
-          {"count_regret", bias.count_regret},
-          {"count_is_lowest", bias.count_regret <= 0},
+          {"count_optimality_gap", bias.count_optimality_gap},
+          {"count_is_lowest", bias.count_optimality_gap <= 0},
           {"speed", bias.speed},
-          {"speed_regret", bias.speed_regret},
+          {"speed_optimality_gap", bias.speed_optimality_gap},
           {"quiet", bias.speed ? Json(!bias.loud) : Json()}};
 }
 
@@ -92,19 +93,19 @@ Json case_data(const CaseBias& row) {
   return {{"id", row.id},
           {"lowest", row.lowest},
           {"fastest", row.fastest},
-          {"widths", report::list_of(row.biases, width_data)}};
+          {"smoothings", report::list_of(row.biases, smoothing_data)}};
 }
 
-/// How wrong the fastest quiet speed is over the cases, at one width.
-Json over_cases(const BiasStudy& study, std::size_t width) {
+/// Error of the fastest quiet speed over the cases, at one smoothing parameter.
+Json over_cases(const BiasStudy& study, std::size_t smoothing) {
   std::vector<double> wrong;
   int loud = 0;
   for (const CaseBias& row : study.cases) {
-    const Bias& bias = row.biases[width];
-    wrong.push_back(bias.speed_regret ? std::abs(*bias.speed_regret) : 18.0);
+    const Bias& bias = row.biases[smoothing];
+    wrong.push_back(bias.speed_optimality_gap ? std::abs(*bias.speed_optimality_gap) : 18.0);
     loud += bias.loud ? 1 : 0;
   }
-  return {{"width", study.plan.widths[width]},
+  return {{"smoothing", study.plan.smoothings[smoothing]},
           {"median", quantile(wrong, 0.5)},
           {"worst", *std::max_element(wrong.begin(), wrong.end())},
           {"loud", loud},
@@ -114,13 +115,13 @@ Json over_cases(const BiasStudy& study, std::size_t width) {
 }  // namespace
 
 Json data_of(const BiasStudy& study) {
-  const std::size_t last = study.plan.widths.size() - 1;
+  const std::size_t last = study.plan.smoothings.size() - 1;
   std::size_t usual = 0;
-  while (usual < last && study.plan.widths[usual] > 0.25) ++usual;
+  while (usual < last && study.plan.smoothings[usual] > 0.25) ++usual;
   return {{"usual", over_cases(study, usual)},
           {"narrowest", over_cases(study, last)},
           {"speeds", std::lround(18 / study.plan.step)},
-          {"widths", study.plan.widths.size()},
+          {"smoothings", study.plan.smoothings.size()},
           {"cases", report::list_of(study.cases, case_data)}};
 }
 

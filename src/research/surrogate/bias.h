@@ -6,30 +6,32 @@
 
 #include "src/report/json.h"
 
-/// How far the surrogate's answers are from those of the count, at every smoothing width.
+/// Surrogate bias: how far the surrogate's optima are from those of the count, at every smoothing
+/// parameter.
 namespace ricochet::studies::surrogate {
 
 struct BiasPlan {
-  double step;                 ///< [rad/s] of the speeds looked at, up to 18 rad/s
-  std::vector<double> widths;  ///< from wide to narrow
+  double step;                     ///< [rad/s] between the speeds, up to 18 rad/s
+  std::vector<double> smoothings;  ///< from wide to narrow
 };
 
-/// One case at one width.
+/// One case at one smoothing parameter.
 struct Bias {
-  double width;
+  double smoothing;
   double error;                            ///< mean |surrogate - count| over the speeds
-  std::optional<double> rank_correlation;  ///< Spearman's; nothing where one of them is constant
-  double count_regret;  ///< count where the surrogate is lowest, above the lowest count
-  /// The fastest speed at which the surrogate is quiet, and what it misses of the fastest at which
-  /// the count is [rad/s], below 0 where it is faster. Nothing where the surrogate is never quiet.
-  std::optional<double> speed, speed_regret;
+  std::optional<double> rank_correlation;  ///< Spearman's; nothing if one of them is constant
+  double count_optimality_gap;  ///< count at the surrogate's minimum, minus the lowest count
+  /// The fastest speed at which the surrogate is quiet, and the fastest at which the count is minus
+  /// this speed [rad/s], below 0 if the surrogate's is faster. Nothing if the surrogate is never
+  /// quiet.
+  std::optional<double> speed, speed_optimality_gap;
   bool loud = false;  ///< whether the count is loud at that speed
 };
 
 struct CaseBias {
   std::string id;
   int lowest;      ///< count
-  double fastest;  ///< [rad/s], at which the count is quiet
+  double fastest;  ///< [rad/s] at which the count is quiet
   std::vector<Bias> biases;
 };
 
@@ -38,7 +40,7 @@ struct BiasStudy {
   std::vector<CaseBias> cases;
 };
 
-/// Every case of the paper in the default reading.
+/// Every case of the paper in the default interpretation.
 BiasStudy study_bias(const BiasPlan& plan);
 
 report::Json data_of(const BiasStudy& study);

@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/continuation_study.h"
+#include "src/research/surrogate/continuation_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/problems/top_speed.h"
 #include "solvers/solvers.h"
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/runner.h"
 #include "src/core/instance.h"
 #include "src/core/verdict.h"
 
@@ -18,7 +18,7 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-/// Those that want derivatives and take constraints, alone and led.
+/// Solvers with derivatives and constraints, alone and with continuation.
 std::vector<Solver> compared_solvers() {
   std::vector<Solver> solvers;
   for (Solver& solver : all_solvers()) {
@@ -38,10 +38,11 @@ ContinuationRuns runs_of(const std::string& id, const Problem& problem,
   for (const RunRecord& record : records) {
     const Verdict verdict = judge(record, problem, speed_tolerance);
     runs.solved += verdict.solved;
-    runs.worst_regret = std::max(runs.worst_regret,
-                                 verdict.regret.value_or(std::numeric_limits<double>::infinity()));
-    if (!verdict.solved && runs.exit.empty() && !record.exits.empty()) {
-      runs.exit = record.exits.back().reason;
+    runs.worst_optimality_gap =
+        std::max(runs.worst_optimality_gap,
+                 verdict.optimality_gap.value_or(std::numeric_limits<double>::infinity()));
+    if (!verdict.solved && runs.exit.empty() && !record.terminations.empty()) {
+      runs.exit = record.terminations.back().reason;
     }
   }
   return runs;
@@ -57,9 +58,9 @@ ContinuationStudy study_continuation(const ContinuationPlan& plan) {
   std::vector<Entry> entries;
   for (const Machine& machine : all_machines()) {
     if (!find_case(machine.id).claim.threshold) continue;
-    entries.push_back({machine.id, top_speed_question(machine).problem({default_width})});
+    entries.push_back({machine.id, top_speed_problem(machine).formulated({default_smoothing})});
   }
-  std::deque<Problem> problems;  // stays in place while the jobs point into it
+  std::deque<Problem> problems;  // addresses must remain valid: the jobs refer to them
   std::vector<Job> jobs;
   for (const Entry& entry : entries) {
     for (const Solver& solver : solvers) {
@@ -108,7 +109,8 @@ Json data_of(const ContinuationStudy& study) {
            {"solver", row.solver},
            {"budget", row.budget},
            {"failed", failed},
-           {"worst", std::isfinite(row.worst_regret) ? Json(row.worst_regret) : Json()},
+           {"worst",
+            std::isfinite(row.worst_optimality_gap) ? Json(row.worst_optimality_gap) : Json()},
            {"exit", row.exit}});
     }
     solved[k % columns] += row.solved;

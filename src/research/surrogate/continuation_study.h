@@ -6,12 +6,13 @@
 #include "src/core/run.h"
 #include "src/report/json.h"
 
-/// Whether solvers led from a wide smoothing width to zero find what the count says.
+/// Do solvers with continuation from a large smoothing parameter to zero find the optimum of the
+/// count?
 namespace ricochet::studies::surrogate {
 
 struct ContinuationPlan {
   int instances;
-  std::vector<long> budgets;  ///< evaluations of a run
+  std::vector<long> budgets;  ///< evaluations per run
 };
 
 /// The runs of one solver, with one budget, on the fastest quiet speed of one case.
@@ -19,9 +20,9 @@ struct ContinuationRuns {
   std::string id;
   std::string solver;
   long budget;
-  int solved;           ///< runs within the tolerance of the best, judged by the true count
-  double worst_regret;  ///< [rad/s]; infinite where a run found no quiet speed
-  std::string exit;     ///< what the solver said last, in the first run that did not solve it
+  int solved;                   ///< runs within the tolerance of the best, scored on the true count
+  double worst_optimality_gap;  ///< [rad/s]; infinite if a run evaluated no quiet speed
+  std::string exit;             ///< last termination reason in the first run that did not solve it
 };
 
 struct ContinuationStudy {
@@ -29,10 +30,10 @@ struct ContinuationStudy {
   std::vector<ContinuationRuns> rows;  ///< by case, solver and budget
 };
 
-/// Regret [rad/s] that still counts as solved.
+/// Optimality gap [rad/s] that still counts as solved.
 inline constexpr double speed_tolerance = 0.01;
 
-/// Sums up runs of one solver, one at least, on instances of a problem.
+/// Summarises runs of one solver, at least one, on instances of a problem.
 ContinuationRuns runs_of(const std::string& id, const Problem& problem,
                          const std::vector<RunRecord>& records);
 

@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/continuity.h"
+#include "src/research/surrogate/continuity.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,14 +7,14 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/models/observer_pair.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/campaign/progress.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "src/benchmark/statistics/bootstrap.h"
+#include "src/core/progress.h"
 #include "src/core/seed.h"
-#include "src/statistics/bootstrap.h"
-#include "src/studies/surrogate/draws.h"
-#include "src/studies/surrogate/largest_jump.h"
-#include "src/studies/surrogate/tail.h"
+#include "src/research/surrogate/draws.h"
+#include "src/research/surrogate/largest_jump.h"
+#include "src/research/surrogate/tail.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -38,16 +38,16 @@ double strikes_of(const Scene& scene) {
   return counter.strikes;
 }
 
-/// Of one simulation.
+/// For one simulation.
 struct Sums {
   double count = 0, surrogate = 0, strikes = 0;
 };
 
-Sums sums_of(const Scene& scene, double width) {
+Sums sums_of(const Scene& scene, double smoothing) {
   Sums sums;
   auto add = [&](double z, double left) {
     sums.count += weight(z, left, 0.0);
-    sums.surrogate += weight(z, left, width);
+    sums.surrogate += weight(z, left, smoothing);
   };
   Features<double, decltype(add)> features(scene, add);
   StrikeCounter counter;
@@ -57,7 +57,8 @@ Sums sums_of(const Scene& scene, double width) {
   return sums;
 }
 
-/// Segments of a case for one of a lively case, whose simulations cost ten times as much.
+/// Number of segments of a case for one of a case with many impacts, whose simulations cost ten
+/// times as much.
 std::size_t share_of(const Case& a_case) {
   return a_case.restitution > 0.5 ? 1 : 8;
 }
@@ -90,17 +91,17 @@ Segment random_segment(const Scene& scene, Random& random) {
   return segment;
 }
 
-Jumps jumps_of(const Segment& segment, double width) {
+Jumps jumps_of(const Segment& segment, double smoothing) {
   constexpr int pieces = 16;
   std::vector<double> counts, values, strikes;
   for (int k = 0; k <= pieces; ++k) {
-    const Sums sums = sums_of(segment.at(static_cast<double>(k) / pieces), width);
+    const Sums sums = sums_of(segment.at(static_cast<double>(k) / pieces), smoothing);
     counts.push_back(sums.count);
     values.push_back(sums.surrogate);
     strikes.push_back(sums.strikes);
   }
   const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
-  const auto value_at = [&](double t) { return objective(segment.at(t), width); };
+  const auto value_at = [&](double t) { return objective(segment.at(t), smoothing); };
   Jumps jumps{*fewest != *most, narrowed(steepest_piece(values), value_at).change(), {}, {}};
   const Piece steepest = steepest_piece(strikes);
   if (steepest.change() > 0) {
@@ -118,24 +119,24 @@ Jumps jumps_of(const Segment& segment, double width) {
 ContinuityStudy study_continuity(const ContinuityPlan& plan) {
   ContinuityStudy study{plan, {}};
   const std::vector<Case> cases = all_cases();
-  const std::size_t widths = plan.widths.size();
+  const std::size_t smoothings = plan.smoothings.size();
   std::size_t shares = 0;
   for (const Case& a_case : cases) shares += share_of(a_case);
   Progress progress("continuity", static_cast<double>(cases.size()));
   for (const Case& a_case : cases) {
     ContinuityRow row{a_case.id, plan.segments * share_of(a_case) / shares, 0, {}, {}, {}};
-    const Scene scene = scene_of(a_case, default_reading().scene);
+    const Scene scene = scene_of(a_case, default_machine());
     std::vector<Jumps> found(row.segments);
     tbb::parallel_for(std::size_t{0}, row.segments, [&](std::size_t k) {
       Random random(plan.seed ^ seed_of(a_case.id, "continuity", 0, static_cast<int>(k)));
-      found[k] = jumps_of(random_segment(scene, random), plan.widths[k % widths]);
+      found[k] = jumps_of(random_segment(scene, random), plan.smoothings[k % smoothings]);
     });
-    row.jumps.resize(widths);
-    row.births.resize(widths);
+    row.jumps.resize(smoothings);
+    row.births.resize(smoothings);
     for (std::size_t k = 0; k < row.segments; ++k) {
       row.count_jumps += found[k].of_count;
-      row.jumps[k % widths].push_back(found[k].surrogate);
-      if (found[k].at_birth) row.births[k % widths].push_back(*found[k].at_birth);
+      row.jumps[k % smoothings].push_back(found[k].surrogate);
+      if (found[k].at_birth) row.births[k % smoothings].push_back(*found[k].at_birth);
       if (found[k].exponent) row.exponents.push_back(*found[k].exponent);
     }
     for (auto& jumps : row.jumps) std::sort(jumps.begin(), jumps.end());
@@ -155,11 +156,12 @@ struct Kind {
 };
 constexpr Kind kinds[] = {{"steepest", &ContinuityRow::jumps}, {"birth", &ContinuityRow::births}};
 
-/// The jumps of all cases at one width, rising.
-std::vector<double> jumps_of(const ContinuityStudy& study, const Kind& kind, std::size_t width) {
+/// The jumps of all cases at one smoothing parameter, in rising order.
+std::vector<double> jumps_of(const ContinuityStudy& study, const Kind& kind,
+                             std::size_t smoothing) {
   std::vector<double> all;
   for (const ContinuityRow& row : study.rows) {
-    const std::vector<double>& jumps = (row.*kind.jumps)[width];
+    const std::vector<double>& jumps = (row.*kind.jumps)[smoothing];
     all.insert(all.end(), jumps.begin(), jumps.end());
   }
   std::sort(all.begin(), all.end());
@@ -168,9 +170,10 @@ std::vector<double> jumps_of(const ContinuityStudy& study, const Kind& kind, std
 
 Json data_of(const ContinuityRow& row) {
   Json jumps = Json::array();
-  for (const auto& of_width : row.jumps) {
-    jumps.push_back({{"jump", quantile(of_width, 0.99)}, {"small", nullptr}});
-    jumps.push_back({{"jump", of_width.back()}, {"small", of_width.back() <= largest_allowed}});
+  for (const auto& of_smoothing : row.jumps) {
+    jumps.push_back({{"jump", quantile(of_smoothing, 0.99)}, {"small", nullptr}});
+    jumps.push_back(
+        {{"jump", of_smoothing.back()}, {"small", of_smoothing.back() <= largest_allowed}});
   }
   return {{"id", row.id},
           {"segments", row.segments},
@@ -178,26 +181,26 @@ Json data_of(const ContinuityRow& row) {
           {"jumps", std::move(jumps)}};
 }
 
-/// What an impact with the speed of the last hops would count at a width.
-double weight_at_rest(double width) {
+/// The weight at a smoothing parameter of an impact with the speed of the last bounces before rest.
+double weight_at_rest(double smoothing) {
   return carrier_track::step(
-      std::log(carrier_track::resting_speed / carrier_track::default_reading().scene.slowest),
-      width);
+      std::log(carrier_track::resting_speed / carrier_track::default_machine().counting_limit),
+      smoothing);
 }
 
 }  // namespace
 
 Json data_of(const ContinuityStudy& study) {
-  const std::vector<double>& widths = study.plan.widths;
-  const double widest = *std::max_element(widths.begin(), widths.end());
+  const std::vector<double>& smoothings = study.plan.smoothings;
+  const double widest = *std::max_element(smoothings.begin(), smoothings.end());
   Json data = {{"allowed", largest_allowed}, {"resting_speed", carrier_track::resting_speed},
                {"widest", widest},           {"weight_at_rest", weight_at_rest(widest)},
                {"seed", study.plan.seed},    {"columns", Json::array()},
-               {"worst", Json::array()},     {"widths", Json::array()},
+               {"worst", Json::array()},     {"smoothings", Json::array()},
                {"cases", Json::array()},     {"tails", Json::array()}};
   std::size_t births = 0;
   std::size_t larger = 0;
-  for (std::size_t w = 0; w < widths.size(); ++w) {
+  for (std::size_t w = 0; w < smoothings.size(); ++w) {
     double worst = 0;
     for (const Kind& kind : kinds) {
       const std::vector<double> jumps = jumps_of(study, kind, w);
@@ -206,20 +209,20 @@ Json data_of(const ContinuityStudy& study) {
       larger += larger_than(largest_allowed, jumps);
       worst = std::max(worst, jumps.back());
       data["tails"].push_back(
-          {{"width", widths[w]}, {"where", kind.name}, {"tail", tail_of(jumps)}});
-      data["widths"].push_back({{"width", widths[w]},
-                                {"where", kind.name},
-                                {"segments", jumps.size()},
-                                {"half", quantile(jumps, 0.5)},
-                                {"of_10", quantile(jumps, 0.9)},
-                                {"of_100", quantile(jumps, 0.99)},
-                                {"of_1000", quantile(jumps, 0.999)},
-                                {"all", jumps.back()},
-                                {"small", jumps.back() <= largest_allowed}});
+          {{"smoothing", smoothings[w]}, {"where", kind.name}, {"tail", tail_of(jumps)}});
+      data["smoothings"].push_back({{"smoothing", smoothings[w]},
+                                    {"where", kind.name},
+                                    {"segments", jumps.size()},
+                                    {"half", quantile(jumps, 0.5)},
+                                    {"of_10", quantile(jumps, 0.9)},
+                                    {"of_100", quantile(jumps, 0.99)},
+                                    {"of_1000", quantile(jumps, 0.999)},
+                                    {"all", jumps.back()},
+                                    {"small", jumps.back() <= largest_allowed}});
     }
-    data["worst"].push_back({{"width", widths[w]}, {"jump", worst}});
-    data["columns"].push_back({{"width", widths[w]}, {"share", 0.99}});
-    data["columns"].push_back({{"width", widths[w]}, {"share", nullptr}});
+    data["worst"].push_back({{"smoothing", smoothings[w]}, {"jump", worst}});
+    data["columns"].push_back({{"smoothing", smoothings[w]}, {"share", 0.99}});
+    data["columns"].push_back({{"smoothing", smoothings[w]}, {"share", nullptr}});
   }
   std::size_t segments = 0;
   std::size_t count_jumps = 0;

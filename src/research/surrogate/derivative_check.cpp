@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/derivative_check.h"
+#include "src/research/surrogate/derivative_check.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,19 +7,19 @@
 #include <cctype>
 #include <cmath>
 
-#include "src/campaign/progress.h"
+#include "src/benchmark/statistics/bootstrap.h"
 #include "src/core/difference.h"
+#include "src/core/progress.h"
 #include "src/core/seed.h"
-#include "src/statistics/bootstrap.h"
-#include "src/studies/surrogate/draws.h"
-#include "src/studies/surrogate/tail.h"
+#include "src/research/surrogate/draws.h"
+#include "src/research/surrogate/tail.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
 
 using report::Json;
 
-/// A difference that is off by more than this share has other reasons than rounding.
+/// A relative error above this is not due to rounding.
 constexpr double digits_lost = 1e-3;
 
 /// Objective and constraints.
@@ -33,7 +33,7 @@ Vector in_units(const Problem& problem, const Vector& point) {
   return problem.lower + point.cwiseProduct(problem.upper - problem.lower);
 }
 
-/// Slopes of everything at a point of the unit box, from steps h and less.
+/// Slopes of all functions at a point of the unit box, from steps h and less.
 std::vector<Difference> slopes(const Problem& problem, const Vector& point, const Vector& direction,
                                double h) {
   return differences(
@@ -43,15 +43,16 @@ std::vector<Difference> slopes(const Problem& problem, const Vector& point, cons
       0.0, h);
 }
 
-/// Whether a difference that is off by little is no further off than another, from shorter steps,
-/// is from it, or than it is estimated to be.
+/// Returns true if a difference with a small error is no further from the exact value than from
+/// another difference with shorter steps, or than its estimated error.
 bool is_rounding(double exact, const Difference& difference, const Difference& other) {
   const double apart = std::abs(exact - difference.slope);
   const double own = std::max(difference.error, std::abs(difference.slope - other.slope));
   return apart <= 10 * own && apart <= digits_lost * std::abs(exact);
 }
 
-/// Whether a difference is right within a share of the slope, or its own error.
+/// Returns true if a difference is correct within a share of the slope, or within its estimated
+/// error.
 bool agrees(double exact, const Difference& difference) {
   const double apart = std::abs(exact - difference.slope);
   return apart <= outlier * std::abs(exact) || apart <= 10 * difference.error;
@@ -70,16 +71,15 @@ struct Group {
   std::vector<std::size_t> members;
 };
 
-/// The families with derivatives; their problems, smoothed where only that has derivatives, are put
-/// one after the other.
+/// Returns the families with derivatives; problems are smoothed if only the surrogate has
+/// derivatives.
 std::vector<Group> groups_of(const std::vector<Family>& families, std::vector<Problem>& problems) {
   std::vector<Group> groups;
   for (const Family& family : families) {
     Group group{family.name, {}};
-    for (const Question& question : family.questions) {
-      const Problem& stated = question.stated;
+    for (const Problem& stated : family.problems) {
       const bool smooths = !stated.differentiate && stated.smoothed;
-      const Problem problem = smooths ? stated.smoothed(question.width) : stated;
+      const Problem problem = smooths ? stated.smoothed(stated.smoothing) : stated;
       if (!problem.differentiate) continue;
       group.members.push_back(problems.size());
       problems.push_back(problem);
@@ -124,7 +124,7 @@ std::vector<Comparison> compare(const Problem& problem, const Vector& point,
   for (Eigen::Index k = 0; k < exact.size(); ++k) {
     const Difference& far = found[static_cast<std::size_t>(k)];
     Comparison result{0, exact[k], far.slope, far.error, d.trust, Cause::none};
-    // NOTE: written so that what is not a number is an outlier.
+    // NOTE: written so that NaN is an outlier.
     if (!(result.relative() <= outlier)) {
       const bool beyond = d.trust.reach < 4 * first_step;
       if (beyond && near.empty()) {

@@ -11,26 +11,27 @@
 #include "src/core/problem.h"
 #include "src/report/json.h"
 
-/// Are the derivatives right? Exact ones beside differences, at random points of every problem.
+/// Are the derivatives correct? Compares exact ones with differences, at random points of every
+/// problem.
 namespace ricochet::studies::surrogate {
 
-/// Relative errors above this are outliers, and want a cause.
+/// Relative errors above this are outliers, whose cause is determined.
 inline constexpr double outlier = 1e-6;
 
-/// A slope below this share of the function's size, or of 1, across the whole box is next to
-/// nothing, and so is an error below it.
+/// A slope below this share of the function's magnitude, or of 1, across the whole box is
+/// negligible, and so is an error below it.
 inline constexpr double nothing = 1e-9;
 
-/// The steps of the differences: this and less, in a box of width 1.
+/// The steps of the differences: at most this, in a box of width 1.
 inline constexpr double first_step = 1e-3;
 
-/// Why a difference is not equal to an exact derivative.
+/// Why a difference does not equal an exact derivative.
 enum class Cause {
-  none,         ///< it is: no outlier
-  flat,         ///< the two differ by next to nothing
-  reach,        ///< its steps led over the gradient's reach; shorter ones agree
-  rounding,     ///< by less than 1e-3, and no more than differences differ among themselves
-  unexplained,  ///< nobody knows
+  none,         ///< not an outlier
+  flat,         ///< the two differ by a negligible amount
+  reach,        ///< its steps exceeded the gradient's reach; shorter ones agree
+  rounding,     ///< by less than 1e-3, and no more than differences vary
+  unexplained,  ///< unknown
 };
 inline constexpr std::size_t causes = 5;
 
@@ -39,36 +40,36 @@ struct Comparison {
   std::size_t problem;
   double exact;       ///< derivative along the direction, in a box of width 1
   double difference;  ///< the same by extrapolated differences
-  double error;       ///< that the difference is estimated to have
+  double error;       ///< estimated, of the difference
   Trust trust;
   Cause cause;
 
-  /// Of the difference from the exact derivative, relative to the larger; 0 where they are equal.
+  /// Error of the difference, relative to the larger of the two; 0 if they are equal.
   double relative() const;
 };
 
-/// Everything that `problem`, which has derivatives, says at a point in the unit box, along a
-/// direction of length 1: the objective, then the constraints. `point` must be first_step away from
-/// the box's faces.
+/// Compares all functions of `problem`, which has derivatives, at a point in the unit box along a
+/// direction of length 1: the objective, then the constraints. `point` must be at least first_step
+/// away from the box's faces.
 std::vector<Comparison> compare(const Problem& problem, const Vector& point,
                                 const Vector& direction);
 
 struct DerivativeCheckPlan {
-  std::vector<Family> families;  ///< their questions without derivatives are passed over
-  std::size_t points;            ///< in all, shared out evenly to the families
+  std::vector<Family> families;  ///< their problems without derivatives are skipped
+  std::size_t points;            ///< in total, distributed evenly over the families
   std::uint64_t seed;
 };
 
-/// Of one function of the problems of a family.
+/// For one function of the problems of a family.
 struct DerivativeErrors {
   std::string family;
   std::string function;  ///< "objective" or "constraints"
   std::size_t points = 0;
-  std::vector<double> errors;  ///< relative, rising: one a function and point
+  std::vector<double> errors;  ///< relative, rising: one for each function and point
   std::array<std::size_t, causes> by_cause{};
 };
 
-/// An outlier, to be looked at.
+/// An outlier with its details.
 struct Outlier {
   std::string problem;
   Comparison comparison;
@@ -79,7 +80,7 @@ struct DerivativeCheckStudy {
   std::size_t points = 0;
   std::size_t families = 0;
   std::uint64_t seed = 0;
-  std::vector<DerivativeErrors> rows;  ///< of each family its objective, then its constraints
+  std::vector<DerivativeErrors> rows;  ///< for each family its objective, then its constraints
   std::vector<Outlier> outliers;       ///< the unexplained first, then by falling relative error
 };
 

@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/gradient_doubt.h"
+#include "src/research/surrogate/gradient_doubt.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,11 +7,11 @@
 #include <span>
 
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/questions/machine.h"
-#include "problems/carrier_track/questions/speed_range.h"
-#include "src/campaign/progress.h"
+#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/problems/speed_range.h"
+#include "src/benchmark/statistics/bootstrap.h"
 #include "src/core/problem.h"
-#include "src/statistics/bootstrap.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -23,7 +23,7 @@ constexpr double agreement = 1e-6;   // relative
 constexpr double trend_reach = 0.5;  // [rad/s] to either side
 constexpr int trend_points = 10;     // to either side
 
-/// All that is found at one speed.
+/// The results at one speed.
 struct Finding {
   Slope slope;
   double trend;                ///< of the count, by least squares [per rad/s]
@@ -42,9 +42,9 @@ double trend_of(const Scene& scene, double omega) {
   return products / squares;
 }
 
-Finding find(const Scene& scene, double omega, double width, const std::vector<double>& steps) {
-  const auto value_at = [&](double speed) { return objective(at_speed(scene, speed), width); };
-  Finding finding{surrogate_slope(at_speed(scene, omega), width, fastest_speed - slowest_speed),
+Finding find(const Scene& scene, double omega, double smoothing, const std::vector<double>& steps) {
+  const auto value_at = [&](double speed) { return objective(at_speed(scene, speed), smoothing); };
+  Finding finding{surrogate_slope(at_speed(scene, omega), smoothing, fastest_speed - slowest_speed),
                   trend_of(scene, omega),
                   {}};
   for (const double share : steps) {
@@ -76,16 +76,16 @@ GradientQuality sum_of(std::span<const Finding> findings) {
   return quality;
 }
 
-/// At points evenly spread over the cells, but for the ends of each.
-std::vector<Finding> findings_of(const Machine& machine, double width,
+/// At points evenly spaced over the cells, without the ends of each.
+std::vector<Finding> findings_of(const Machine& machine, double smoothing,
                                  const GradientDoubtPlan& plan) {
   const int points = plan.cells * plan.points;
   std::vector<Finding> findings(static_cast<std::size_t>(points));
   tbb::parallel_for(0, points, [&](int k) {
-    // From a half of the first step on, so that differences stay above 0.
+    // Starts at half of the first step, so that differences stay above 0.
     const double omega = fastest_speed * (k + 0.5) / points;
     findings[static_cast<std::size_t>(k)] =
-        find(machine.scene, std::max(omega, 0.2), width, plan.steps);
+        find(machine.scene, std::max(omega, 0.2), smoothing, plan.steps);
   });
   return findings;
 }
@@ -96,11 +96,11 @@ GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
   GradientDoubtStudy study{plan, {}, {}, {}};
   const std::vector<Machine> machines = all_machines();
   Progress progress("gradient validity",
-                    static_cast<double>(machines.size() * (plan.widths.size() + 1)));
+                    static_cast<double>(machines.size() * (plan.smoothings.size() + 1)));
   const auto size = static_cast<std::size_t>(plan.points);
   std::vector<std::vector<double>> errors(plan.steps.size());
   for (const Machine& machine : machines) {
-    const auto findings = findings_of(machine, default_width, plan);
+    const auto findings = findings_of(machine, default_smoothing, plan);
     CaseQuality& row = study.rows.emplace_back(CaseQuality{machine.id, {}});
     for (std::size_t first = 0; first < findings.size(); first += size) {
       row.cells.push_back(sum_of(std::span(findings).subspan(first, size)));
@@ -115,13 +115,13 @@ GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
     study.step_errors.push_back(
         {plan.steps[s], quantile(errors[s], 0.5), quantile(errors[s], 0.9)});
   }
-  for (const double width : plan.widths) {
+  for (const double smoothing : plan.smoothings) {
     std::vector<Finding> every;
     for (const Machine& machine : machines) {
-      for (Finding& f : findings_of(machine, width, plan)) every.push_back(std::move(f));
+      for (Finding& f : findings_of(machine, smoothing, plan)) every.push_back(std::move(f));
       progress.advance(1);
     }
-    study.by_width.push_back(sum_of(every));
+    study.by_smoothing.push_back(sum_of(every));
   }
   return study;
 }
@@ -159,10 +159,10 @@ Json data_of(const GradientDoubtStudy& study) {
       for (std::size_t d = 0; d < all.doubts.size(); ++d) all.doubts[d] += q.doubts[d];
     }
   }
-  Json widths = Json::array();
-  for (std::size_t w = 0; w < study.plan.widths.size(); ++w) {
-    widths.push_back({{"width", study.plan.widths[w]}});
-    widths.back().update(quality_data(study.by_width[w]));
+  Json smoothings = Json::array();
+  for (std::size_t w = 0; w < study.plan.smoothings.size(); ++w) {
+    smoothings.push_back({{"smoothing", study.plan.smoothings[w]}});
+    smoothings.back().update(quality_data(study.by_smoothing[w]));
   }
   Json speeds = Json::array();
   for (int k = 0; k < study.plan.cells; ++k) {
@@ -171,14 +171,11 @@ Json data_of(const GradientDoubtStudy& study) {
   const auto case_data = [](const CaseQuality& row) -> Json {
     return {{"id", row.id}, {"cells", report::list_of(row.cells, quality_data)}};
   };
-  const auto step_data = [](const StepError& error) -> Json {
-    return {{"step", error.step}, {"median", error.median}, {"upper", error.upper}};
-  };
   return {{"all", quality_data(all)},
-          {"widths", std::move(widths)},
+          {"smoothings", std::move(smoothings)},
           {"speeds", std::move(speeds)},
           {"cases", report::list_of(study.rows, case_data)},
-          {"steps", report::list_of(study.step_errors, step_data)}};
+          {"steps", study.step_errors}};
 }
 
 }  // namespace ricochet::studies::surrogate

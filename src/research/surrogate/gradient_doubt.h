@@ -8,23 +8,22 @@
 
 #include "src/report/json.h"
 
-/// Where the surrogate's gradient means something: over every case and the speeds.
+/// Where is the surrogate's gradient meaningful? Over all cases and speeds.
 namespace ricochet::studies::surrogate {
 
 struct GradientDoubtPlan {
-  int cells;                   ///< of the range of speeds, for the maps
-  int points;                  ///< in a cell
-  std::vector<double> widths;  ///< for the table; the maps are of default_width
-  std::vector<double> steps;   ///< of differences, as parts of the range of speeds, falling
+  int cells;                       ///< of the range of speeds, for the maps
+  int points;                      ///< in a cell
+  std::vector<double> smoothings;  ///< for the table; the maps are of default_smoothing
+  std::vector<double> steps;       ///< of differences, as shares of the range of speeds, falling
 };
 
-/// What the gradient is worth at points of one cell, or of one width.
+/// Quality of the gradient at points of one cell, or of one smoothing parameter.
 struct GradientQuality {
   int points = 0;
-  int agreeing = 0;  ///< with differences of some step, to 1e-6
-  int trending =
-      0;          ///< points about which the count rises or falls at all, and the gradient is not 0
-  int right = 0;  ///< of those, points where the gradient has the sign of the count's trend
+  int agreeing = 0;  ///< with differences of any of the steps, to 1e-6
+  int trending = 0;  ///< points where the count has a trend and the gradient is not 0
+  int right = 0;     ///< of those, points where the gradient has the sign of the count's trend
   std::array<int, 4> doubts{};  ///< by GradientDoubt
   double log_reach = 0;         ///< median of log10(reach)
 };
@@ -39,11 +38,12 @@ struct StepError {
   double step;
   double median, upper;  ///< the latter the 0.9 quantile
 };
+RICOCHET_WRITTEN_AS_JSON(StepError, step, median, upper);
 
 struct GradientDoubtStudy {
   GradientDoubtPlan plan;
   std::vector<CaseQuality> rows;
-  std::vector<GradientQuality> by_width;  ///< of all cases
+  std::vector<GradientQuality> by_smoothing;  ///< of all cases
   std::vector<StepError> step_errors;
 };
 

@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/grazes.h"
+#include "src/research/surrogate/grazes.h"
 
 #include <tbb/parallel_for.h>
 
@@ -8,10 +8,10 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/gradients/trust.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/studies/surrogate/largest_jump.h"
-#include "src/studies/surrogate/line_fit.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "src/research/surrogate/largest_jump.h"
+#include "src/research/surrogate/line_fit.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -43,7 +43,7 @@ double turns_until(const std::vector<Impact>& strikes, std::size_t k, const Scen
   return (k < strikes.size() ? strikes[k].time : window) / window;
 }
 
-/// The graze where strike k jumps most between two speeds.
+/// Finds the graze where strike k jumps most between two speeds.
 std::optional<Graze> graze_within(const Scene& scene, std::size_t k, Piece piece) {
   const Piece end = narrowed(
       piece, [&](double omega) { return turns_until(strikes_at(scene, omega), k, scene, omega); });
@@ -51,7 +51,7 @@ std::optional<Graze> graze_within(const Scene& scene, std::size_t k, Piece piece
   const int side = end.at_upper < end.at_lower ? 1 : -1;
   const double omega = side > 0 ? end.upper : end.lower;
   const std::vector<Impact> strikes = strikes_at(scene, omega);
-  if (k >= strikes.size() || strikes[k].speed > gentle * scene.slowest) return std::nullopt;
+  if (k >= strikes.size() || strikes[k].speed > gentle * scene.counting_limit) return std::nullopt;
   return Graze{omega, side, strikes[k].wall, strikes[k].time};
 }
 
@@ -89,10 +89,10 @@ std::vector<Graze> find_grazes(const Scene& scene, double lower, double upper, i
   return grazes;
 }
 
-Approach approach(const Scene& scene, const Graze& graze, double width, double distance) {
+Approach approach(const Scene& scene, const Graze& graze, double smoothing, double distance) {
   const double step = graze.side * distance * graze_range;
-  const Slope hit = surrogate_slope(at_speed(scene, graze.omega + step), width, graze_range);
-  const Slope missed = surrogate_slope(at_speed(scene, graze.omega - step), width, graze_range);
+  const Slope hit = surrogate_slope(at_speed(scene, graze.omega + step), smoothing, graze_range);
+  const Slope missed = surrogate_slope(at_speed(scene, graze.omega - step), smoothing, graze_range);
   return {distance, hit.slope, missed.slope, hit.trust.reach, missed.trust.reach};
 }
 
@@ -101,16 +101,16 @@ GrazeStudy study_grazes(const GrazePlan& plan) {
   const std::vector<Case> cases = all_cases();
   std::vector<std::vector<GrazeRow>> found(cases.size());
   tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t c) {
-    const Scene scene = scene_of(cases[c], default_reading().scene);
+    const Scene scene = scene_of(cases[c], default_machine());
     for (const Graze& graze : find_grazes(scene, 1, 17, plan.steps)) {
       if (found[c].size() == plan.each) break;
       GrazeRow row{cases[c].id, graze, {}, {}};
-      for (const double width : plan.widths) {
+      for (const double smoothing : plan.smoothings) {
         auto& approaches = row.approaches.emplace_back();
         for (const double distance : plan.distances) {
           const double far = graze.omega + graze_range * distance;
           if (far > graze_range || graze.omega - graze_range * distance <= 0.1) continue;
-          approaches.push_back(approach(scene, graze, width, distance));
+          approaches.push_back(approach(scene, graze, smoothing, distance));
         }
         row.exponents.push_back(exponent_of(approaches));
       }
@@ -125,9 +125,9 @@ GrazeStudy study_grazes(const GrazePlan& plan) {
 
 namespace {
 
-/// The slopes that are not zero, at one width: of the first graze of each case that something
-/// follows, and where the wall is missed, of all of these.
-Json slopes_of(const GrazeStudy& study, std::size_t width) {
+/// The slopes that are not zero, at one smoothing parameter: of the first graze of each case that
+/// is followed by counted impacts, and on the side where the wall is missed, of all of these.
+Json slopes_of(const GrazeStudy& study, std::size_t smoothing) {
   Json hits = Json::array(), missed = Json::array();
   const auto add = [](const Approach& at, double slope, Json& rows) {
     if (slope != 0) rows.push_back({{"distance", at.distance}, {"slope", std::abs(slope)}});
@@ -137,14 +137,14 @@ Json slopes_of(const GrazeStudy& study, std::size_t width) {
     if (!row.followed() || row.id == shown) continue;
     shown = row.id;
     Json hit = Json::array();
-    for (const Approach& at : row.approaches[width]) {
+    for (const Approach& at : row.approaches[smoothing]) {
       add(at, at.hit_slope, hit);
       add(at, at.missed_slope, missed);
     }
     hits.push_back({{"id", row.id}, {"omega", row.graze.omega}, {"slopes", std::move(hit)}});
   }
-  return {{"number", width + 1},
-          {"smoothing", study.plan.widths[width]},
+  return {{"number", smoothing + 1},
+          {"smoothing", study.plan.smoothings[smoothing]},
           {"hits", std::move(hits)},
           {"missed", std::move(missed)}};
 }
@@ -201,21 +201,22 @@ Json data_of(const GrazeStudy& study) {
   }
   if (followed == 0) return nullptr;
   Json slopes = Json::array();
-  for (std::size_t w = 0; w < study.plan.widths.size(); ++w) slopes.push_back(slopes_of(study, w));
+  for (std::size_t w = 0; w < study.plan.smoothings.size(); ++w)
+    slopes.push_back(slopes_of(study, w));
   return {{"right", std::abs(least + 0.5) < 0.05 && std::abs(most + 0.5) < 0.05},
           {"followed", followed},
           {"all", rows.size()},
           {"least", least},
           {"most", most},
-          {"narrowest", study.plan.widths.back()},
-          {"widest", study.plan.widths.front()},
+          {"narrowest", study.plan.smoothings.back()},
+          {"widest", study.plan.smoothings.front()},
           {"nearest", study.plan.distances.back()},
           {"farthest", study.plan.distances.front()},
           {"steepest", steepest},
           {"missed", missed},
           {"reach_error", reach_error},
           {"short_reach", short_reach},
-          {"widths", study.plan.widths},
+          {"smoothings", study.plan.smoothings},
           {"rows", std::move(rows)},
           {"slopes", std::move(slopes)},
           {"reaches", reaches_of(study)}};

@@ -7,10 +7,10 @@
 #include "problems/carrier_track/models/impact_model.h"
 #include "src/report/json.h"
 
-/// What the surrogate's slope does next to a graze: a speed at which a wall is touched at rest.
+/// The surrogate's slope next to a graze: a speed at which a wall is touched with velocity zero.
 namespace ricochet::studies::surrogate {
 
-/// Grazes are approached in shares of this range of speeds [rad/s].
+/// Distances to grazes are shares of this range of speeds [rad/s].
 inline constexpr double graze_range = 18;
 
 struct Graze {
@@ -20,9 +20,9 @@ struct Graze {
   double time;               ///< [s]
 };
 
-/// Grazes of a valid scene between two speeds [rad/s], each within a rounding or so, at most one
+/// Finds grazes of a valid scene between two speeds [rad/s], each to about rounding, at most one
 /// between neighbours of `steps` + 1 even speeds: where a strike's time jumps, and the strike on
-/// the one side is next to nothing. A strike is an impact on another wall than the one before.
+/// one side has almost no speed. A strike is an impact on another wall than the previous one.
 std::vector<Graze> find_grazes(const carrier_track::Scene& scene, double lower, double upper,
                                int steps);
 
@@ -33,38 +33,39 @@ struct Approach {
   double hit_reach, missed_reach;  ///< Trust::reach in the range
 };
 
-Approach approach(const carrier_track::Scene& scene, const Graze& graze, double width,
+Approach approach(const carrier_track::Scene& scene, const Graze& graze, double smoothing,
                   double distance);
 
 struct GrazePlan {
-  int steps;                      ///< of the search between 1 and 17 rad/s
-  std::size_t each;               ///< at most so many grazes of a case, the slowest
-  std::vector<double> widths;     ///< > 0, the default first
-  std::vector<double> distances;  ///< shares of the range, falling, 1e-6 at most the last
+  int steps;                       ///< of the search between 1 and 17 rad/s
+  std::size_t each;                ///< at most this number of grazes of a case, the slowest
+  std::vector<double> smoothings;  ///< > 0, the default first
+  std::vector<double> distances;   ///< shares of the range, falling, the last at most 1e-6
 };
 
 struct GrazeRow {
   std::string id;
   Graze graze;
-  std::vector<std::vector<Approach>> approaches;  ///< a width, a distance each
-  /// A width each: p of |hit slope - missed slope| ~ distance^p, by least squares over the
-  /// distances from 1e-11 to 1e-7; nothing where the two are the same.
+  std::vector<std::vector<Approach>> approaches;  ///< by smoothing parameter and distance
+  /// For each smoothing parameter: p of |hit slope - missed slope|
+  /// distance^p, by least squares over the distances from 1e-11 to 1e-7; nothing if the two are
+  /// equal.
   std::vector<std::optional<double>> exponents;
 
-  /// Whether anything that counts follows the graze before the motion forgets it: the slope then
-  /// grows without limit, with an exponent of -0.5. It is 1 where the slopes come together, and 0
-  /// where one side keeps another slope than the other.
+  /// Returns true if a counted impact follows the graze before the motion forgets it: the slope
+  /// then grows without limit, with an exponent of -0.5. The exponent is 1 if the slopes converge,
+  /// and 0 if they stay different.
   bool followed() const { return exponents.front() && *exponents.front() < -0.25; }
 };
 
 struct GrazeStudy {
   GrazePlan plan;
-  std::vector<GrazeRow> rows;  ///< of C1..C12 in the default reading
+  std::vector<GrazeRow> rows;  ///< of C1..C12 in the default interpretation
 };
 
 GrazeStudy study_grazes(const GrazePlan& plan);
 
-/// Null where nothing that counts follows any graze.
+/// Null if no counted impact follows any graze.
 report::Json data_of(const GrazeStudy& study);
 
 }  // namespace ricochet::studies::surrogate

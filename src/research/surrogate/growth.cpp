@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/growth.h"
+#include "src/research/surrogate/growth.h"
 
 #include <ceres/jet.h>
 #include <fmt/format.h>
@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/campaign/progress.h"
-#include "src/studies/dynamics/work.h"
-#include "src/studies/surrogate/line_fit.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "src/core/progress.h"
+#include "src/research/dynamics/work.h"
+#include "src/research/surrogate/line_fit.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -30,10 +30,11 @@ Scene in_window(const Driven& driven, double turns) {
   return scene;
 }
 
-/// Notes how far the impacts move.
+/// Records how far the impacts move.
 class Mover : public Observer {
  public:
-  explicit Mover(const Driven& driven) : rate_(driven.rate()), slowest_(driven.scene.slowest) {}
+  explicit Mover(const Driven& driven)
+      : rate_(driven.rate()), slowest_(driven.scene.counting_limit) {}
 
   void impact(const Jet& time, Wall /*wall*/, const Jet& speed) {
     if (speed.a < slowest_) return;
@@ -109,7 +110,7 @@ GrowthStudy study_growth(const GrowthPlan& plan) {
   GrowthStudy study{plan, {}, {}};
   for (const Case& a_case : all_cases()) {
     for (const double speed : plan.speeds) {
-      const Scene scene = at_speed(scene_of(a_case, default_reading().scene), speed);
+      const Scene scene = at_speed(scene_of(a_case, default_machine()), speed);
       study.rows.push_back({{fmt::format("{} at {:g} rad/s", a_case.id, speed), scene}, {}, {}});
     }
   }
@@ -129,7 +130,7 @@ GrowthStudy study_growth(const GrowthPlan& plan) {
 
 namespace {
 
-/// The turns of the first window in which something holds.
+/// The turns of the first window in which a condition holds.
 template <class Holds>
 std::optional<double> first_turns(const GrowthRow& row, const Holds& holds) {
   for (const GrowthCell& cell : row.cells) {
@@ -155,7 +156,7 @@ bool forgets(const GrowthRow& row) {
   return !row.cells.back().sensitivity.exponent();
 }
 
-/// Of the first three shaken gaps and of two cases.
+/// For the first three shaken gaps and two cases.
 Json courses_of(const GrowthStudy& study) {
   Json courses = Json::array();
   const auto add = [&](const GrowthRow& row) {
@@ -191,7 +192,7 @@ Json data_of(const GrowthRow& row) {
           {"within_wrong_from", within_wrong_from(row)}};
 }
 
-/// Of the paper's cases, and of the chaotic ones of the shaken gaps.
+/// For the paper's cases, and for the chaotic ones of the shaken gaps.
 Json totals_of(const GrowthStudy& study) {
   int cases = 0, forgetting = 0, doubted = 0;
   double fastest = 0, worst = 0;  // rate [1/s], and error of a difference

@@ -8,15 +8,15 @@
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "src/core/difference.h"
 #include "src/report/json.h"
-#include "src/studies/dynamics/lyapunov.h"
-#include "src/studies/surrogate/grazes.h"
+#include "src/research/dynamics/lyapunov.h"
+#include "src/research/surrogate/grazes.h"
 
-/// How long are gradients through a motion good for? Whether they grow with the window, and what
-/// they do next to a graze.
+/// For how long a motion are gradients useful? Their growth with the window, and their behaviour
+/// next to a graze.
 namespace ricochet::studies::surrogate {
 
-/// A motion driven at a rate [rad/s], with respect to which it is differentiated: the speed of the
-/// driver plate or, of a shaken gap, the frequency of its shaking.
+/// A motion driven at a rate [rad/s], the variable of the derivatives: the speed of the driver
+/// plate or, for a shaken gap, the frequency of its shaking.
 struct Driven {
   std::string name;
   carrier_track::Scene scene;
@@ -30,18 +30,17 @@ struct Driven {
     auto now = carrier_track::lifted<Scalar>(scene);
     (shaken ? now.disturbance_frequency : now.omega) = x[0];
     auto watcher = watch.of(now);
-    return carrier_track::objective(now, carrier_track::default_width, watcher);
+    return carrier_track::objective(now, carrier_track::default_smoothing, watcher);
   }
 };
 
-/// The derivative of an impact: of what reaches the wall at a given phase of the driving.
+/// The derivative of an impact: of the state that reaches the wall at a given phase of the driving.
 struct Stretched {
   double time;    ///< [s]
   double length;  ///< [m s], hypot(position, velocity / rate) per rad/s of the rate
 };
 
-/// Of each impact of a valid scene that is fast enough to count, by dual numbers through the
-/// simulation.
+/// For each counted impact of a valid scene, by dual numbers through the simulation.
 std::vector<Stretched> stretched_by_impact(const Driven& driven);
 
 /// Rate [1/s] at which the lengths grow from the first tenth of the window on, by least squares of
@@ -53,12 +52,12 @@ struct GrowthCell {
   double turns;  ///< of the driving
   std::optional<double> rate;
   dynamics::Sensitivity sensitivity;
-  double gradient;    ///< of the surrogate at the default width, per rad/s
+  double gradient;    ///< of the surrogate at the default smoothing parameter, per rad/s
   Trust trust;        ///< in a box 18 rad/s wide
   Difference blind;   ///< steps of a thousandth of the rate and less
   Difference within;  ///< the same, but no longer than a quarter of the reach
 
-  /// How far a difference is from the gradient, relative to the larger; 0 where both are 0.
+  /// Error of a difference relative to the larger of it and the gradient; 0 if both are 0.
   double error_of(const Difference& difference) const;
 };
 
@@ -72,7 +71,7 @@ struct GrowthPlan {
 
 struct GrowthRow {
   Driven driven;
-  std::vector<GrowthCell> cells;     ///< a window each
+  std::vector<GrowthCell> cells;     ///< one for each window
   std::vector<Stretched> stretched;  ///< in the longest window
 };
 
@@ -82,12 +81,12 @@ struct GrowthStudy {
   GrazeStudy grazes;
 };
 
-/// The arena "chaotic", and others like it with another pull and restitution.
+/// The benchmark scene "chaotic", and similar ones with another pull and restitution.
 std::vector<Driven> shaken_gaps();
 
 GrowthStudy study_growth(const GrowthPlan& plan);
 
-/// Above this disagreement a difference tells nothing of a gradient.
+/// A difference with a larger error gives no information on a gradient.
 inline constexpr double useless = 0.1;
 
 report::Json data_of(const GrowthStudy& study);

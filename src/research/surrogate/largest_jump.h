@@ -14,8 +14,8 @@ struct Piece {
   double change() const { return std::abs(at_upper - at_lower); }
 };
 
-/// Of the even pieces of [0, 1] between the values of a function at their ends, that with the
-/// largest change; two values at least.
+/// Returns the piece with the largest change, of the even pieces of [0, 1] between the values of a
+/// function at their ends; at least two values.
 inline Piece steepest_piece(const std::vector<double>& values) {
   const double pieces = static_cast<double>(values.size() - 1);
   Piece steepest{0, 0, values[0], values[0]};
@@ -27,7 +27,7 @@ inline Piece steepest_piece(const std::vector<double>& values) {
   return steepest;
 }
 
-/// Two neighbouring numbers of a piece: those that bisection ends at that goes, each time, where f
+/// Returns two neighbouring numbers of a piece, by bisection that always takes the half where f
 /// changes more.
 template <class Function>
 Piece narrowed(Piece piece, const Function& f) {
@@ -45,8 +45,8 @@ Piece narrowed(Piece piece, const Function& f) {
   }
 }
 
-/// How much f changes between two neighbouring numbers, where the largest of its changes over 16
-/// pieces of [0, 1] leads to.
+/// Returns the change of f between two neighbouring numbers, found from the largest of its changes
+/// over 16 pieces of [0, 1].
 template <class Function>
 double largest_jump(const Function& f) {
   constexpr int pieces = 16;

@@ -10,8 +10,8 @@ struct Point {
   double x, y;
 };
 
-/// Slope of the line through finite points by least squares; nothing for fewer than three, or of
-/// one x.
+/// Slope of the line through finite points by least squares; nothing for fewer than three points,
+/// or if all x are equal.
 inline std::optional<double> slope_of(const std::vector<Point>& points) {
   if (points.size() < 3) return std::nullopt;
   double x = 0;

@@ -1,14 +1,14 @@
-#include "src/studies/surrogate/study.h"
+#include "src/research/surrogate/study.h"
 
 #include <cmath>
 
 #include "problems/families.h"
-#include "src/studies/surrogate/bias.h"
-#include "src/studies/surrogate/continuation_study.h"
-#include "src/studies/surrogate/continuity.h"
-#include "src/studies/surrogate/derivative_check.h"
-#include "src/studies/surrogate/gradient_doubt.h"
-#include "src/studies/surrogate/growth.h"
+#include "src/research/surrogate/bias.h"
+#include "src/research/surrogate/continuation_study.h"
+#include "src/research/surrogate/continuity.h"
+#include "src/research/surrogate/derivative_check.h"
+#include "src/research/surrogate/gradient_doubt.h"
+#include "src/research/surrogate/growth.h"
 
 namespace ricochet::studies {
 namespace {
@@ -24,7 +24,7 @@ struct Plan {
   DerivativeCheckPlan derivative_check;
 };
 
-/// Powers of ten, and `between` values more in each decade.
+/// Powers of ten, with `between` further values in each decade.
 std::vector<double> falling(int first, int last, int between) {
   std::vector<double> values;
   for (int k = 0; k <= (first - last) * (between + 1); ++k) {

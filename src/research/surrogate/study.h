@@ -1,10 +1,10 @@
 #pragma once
 
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
 
 namespace ricochet::studies {
 
-/// Whether the surrogate, and its gradient, can be trusted: some minutes on two processors.
+/// Can the surrogate and its gradient be trusted? Takes some minutes on two processors.
 Study surrogate_study();
 
 }  // namespace ricochet::studies

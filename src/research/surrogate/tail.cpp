@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/tail.h"
+#include "src/research/surrogate/tail.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,10 +7,10 @@
 
 namespace ricochet::studies::surrogate {
 
-/// Which share of the values is larger than limits from 1e-16 to 1: rows of limit and share.
+/// Share of the values above limits from 1e-16 to 1: rows of limit and share.
 report::Json tail_of(const std::vector<double>& rising);
 
-/// How many of the values are larger.
+/// Number of values above the limit.
 std::size_t larger_than(double limit, const std::vector<double>& rising);
 
 }  // namespace ricochet::studies::surrogate

@@ -1,20 +1,20 @@
-#include "src/contest/chosen.h"
+#include "src/benchmark/analysis/chosen.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "src/core/error.h"
-#include "tests/contest/valley.h"
+#include "tests/benchmark/analysis/valley.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 namespace {
 
-TEST(Chosen, LeavesOutQuestionsWhoseBestValueIsNotKnown) {
-  Question known = valley_question();
-  Question unknown = valley_question();
-  unknown.stated.name = "valley-2";
-  unknown.stated.best_known.reset();
-  EXPECT_EQ(chosen_questions({known, unknown}, "valley*", "--questions").size(), 1U);
+TEST(Chosen, LeavesOutProblemsWhoseBestValueIsNotKnown) {
+  Problem known = valley_problem();
+  Problem unknown = valley_problem();
+  unknown.name = "valley-2";
+  unknown.best_known.reset();
+  EXPECT_EQ(chosen_problems({known, unknown}, "valley*", "--problems").size(), 1U);
 }
 
 TEST(Chosen, SaysWhatMayHaveBeenMeant) {
@@ -29,4 +29,4 @@ TEST(Chosen, SaysWhatMayHaveBeenMeant) {
 }
 
 }  // namespace
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

@@ -1,10 +1,10 @@
-#include "src/contest/outcomes.h"
+#include "src/benchmark/analysis/outcomes.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 namespace {
 
 Outcomes numbered(int count) {
@@ -46,4 +46,4 @@ TEST(Outcomes, AreSharedByCopiesThatOutliveThem) {
 }
 
 }  // namespace
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

@@ -1,30 +1,34 @@
-#include "src/contest/rating.h"
+#include "src/benchmark/analysis/rating.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/contest/valley.h"
+#include "tests/benchmark/analysis/held_campaign.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 namespace {
 
 TEST(Rating, TakesWholeLevelsForTheTargetsOfACount) {
-  Question question = valley_question();
-  question.tolerance = 0.5;
-  EXPECT_EQ(targets_of(question), (std::vector<double>{0.5, 1.5, 2.5, 4.5, 8.5}));
-  question.tolerance = 0.01;
-  EXPECT_EQ(targets_of(question).size(), 4U);
-  EXPECT_DOUBLE_EQ(targets_of(question).back(), 10);
+  Problem problem = valley_problem();
+  problem.tolerance = 0.5;
+  EXPECT_EQ(targets_of(problem), (std::vector<double>{0.5, 1.5, 2.5, 4.5, 8.5}));
+  problem.tolerance = 0.01;
+  EXPECT_EQ(targets_of(problem).size(), 4U);
+  EXPECT_DOUBLE_EQ(targets_of(problem).back(), 10);
 }
 
-TEST(Rating, PutsTheQuickBeforeTheSlowAndTheSlowBeforeTheHopeless) {
-  ContestPlan plan;
-  plan.questions = {valley_question()};
-  plan.solvers = {patient("hopeless", 1000), patient("slow", 20), patient("quick", 3)};
-  plan.instances = 6;
-  plan.budgets = {50};
-  auto standings = hold(plan);
-  std::erase_if(standings, [](const Standing& s) { return s.form.width > 0; });
-  const auto ratings = rate(plan, standings, {0}, 0);
+class RatedCampaign : public HeldCampaign {
+ protected:
+  /// Of these solvers, that are shown what is judged.
+  std::vector<Rating> rated(const std::vector<Solver>& solvers, const std::string& budget,
+                            int instances) {
+    hold(solvers, budget, instances, {}, "\"count\"");
+    return rate(comparison_of(*campaign_, cell_results(*campaign_, *store_), {}), {0}, 0);
+  }
+};
+
+TEST_F(RatedCampaign, PutsTheQuickBeforeTheSlowAndTheSlowBeforeTheHopeless) {
+  const auto ratings =
+      rated({patient("hopeless", 1000), patient("slow", 20), patient("quick", 3)}, "50", 6);
   ASSERT_EQ(ratings.size(), 3U);
   EXPECT_EQ(ratings[0].solver, "quick");
   EXPECT_EQ(ratings[1].solver, "slow");
@@ -40,19 +44,12 @@ TEST(Rating, PutsTheQuickBeforeTheSlowAndTheSlowBeforeTheHopeless) {
   EXPECT_EQ(ratings[2].progress.back().share, 0);
 }
 
-TEST(Rating, GivesTwinsTheSameChance) {
-  ContestPlan plan;
-  plan.questions = {valley_question()};
-  plan.solvers = {patient("a", 3), patient("b", 3)};
-  plan.instances = 10;
-  plan.budgets = {20};
-  auto standings = hold(plan);
-  std::erase_if(standings, [](const Standing& s) { return s.form.width > 0; });
-  for (const Rating& rating : rate(plan, standings, {0}, 0)) {
+TEST_F(RatedCampaign, GivesEqualsTheSameChance) {
+  for (const Rating& rating : rated({patient("a", 3), patient("b", 3)}, "20", 10)) {
     EXPECT_NEAR(rating.probability_of_being_best, 0.5, 0.05);
     EXPECT_EQ(rating.rank, 1.5);
   }
 }
 
 }  // namespace
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

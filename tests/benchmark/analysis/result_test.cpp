@@ -1,22 +1,22 @@
-#include "src/contest/result.h"
+#include "src/benchmark/analysis/result.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 namespace {
 
 /// A run that solved after so many evaluations of 100, or not at all.
-Outcome run_of(std::optional<std::int64_t> solved, double regret) {
+Outcome run_of(std::optional<std::int64_t> solved, double optimality_gap) {
   Outcome outcome;
   outcome.evaluations = 100;
   outcome.verdict.solved = solved.has_value();
   outcome.verdict.evaluations_to_solve = solved;
-  outcome.verdict.regret = regret;
-  outcome.steps = {{solved.value_or(50), 0.1, regret}};
-  outcome.exits = {"done", "done", "lost"};
+  outcome.verdict.optimality_gap = optimality_gap;
+  outcome.steps = {{solved.value_or(50), 0.1, optimality_gap}};
+  outcome.terminations = {"done", "done", "lost"};
   return outcome;
 }
 
@@ -32,7 +32,7 @@ TEST(Result, SumsUpTheRuns) {
   EXPECT_LT(result.running_time->interval.lower, 120);
   EXPECT_GT(result.running_time->interval.upper, 120);
   EXPECT_EQ(result.gap.value, 1);
-  EXPECT_EQ(result.exits.at("done"), 8);
+  EXPECT_EQ(result.terminations.at("done"), 8);
 }
 
 TEST(Result, CountsRepeatsOnce) {
@@ -44,7 +44,7 @@ TEST(Result, CountsRepeatsOnce) {
 
 TEST(Result, SaysNeverWhereNoRunSolved) {
   Outcome nothing = run_of({}, 0);
-  nothing.verdict.regret.reset();
+  nothing.verdict.optimality_gap.reset();
   nothing.steps.clear();
   nothing.failure = "broken";
   const Result result = result_of({nothing});
@@ -57,4 +57,4 @@ TEST(Result, SaysNeverWhereNoRunSolved) {
 }
 
 }  // namespace
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

@@ -4,14 +4,15 @@
 #include <string>
 #include <utility>
 
-#include "src/core/question.h"
+#include "src/core/problem.h"
 #include "src/core/solver.h"
+#include "tests/core/best_point_of.h"
 
-namespace ricochet::contest {
+namespace ricochet::comparison {
 
-/// |x - 0.5| on [0, 1]; at a smoothing width its best point is moved up by the width, and it has
-/// derivatives.
-inline Problem valley(double width) {
+/// |x - 0.5| on [0, 1]; at a smoothing parameter its best point is moved up by the smoothing
+/// parameter, and it has derivatives.
+inline Problem valley(double smoothing) {
   Problem problem;
   problem.name = "valley";
   problem.lower = Vector::Zero(1);
@@ -19,11 +20,13 @@ inline Problem valley(double width) {
   problem.start = Vector::Zero(1);
   problem.best_known = 0.0;
   problem.best_point = Vector::Constant(1, 0.5);
-  problem.evaluate = [width](const Vector& x) { return Values{std::abs(x[0] - 0.5 - width), {}}; };
-  problem.truth = [](const Vector& x) { return Truth{std::abs(x[0] - 0.5), 0}; };
-  if (width > 0) {
-    problem.differentiate = [evaluate = problem.evaluate, width](const Vector& x) {
-      return Derivatives{evaluate(x), Vector::Constant(1, x[0] > 0.5 + width ? 1 : -1),
+  problem.evaluate = [smoothing](const Vector& x) {
+    return Values{std::abs(x[0] - 0.5 - smoothing), {}};
+  };
+  problem.true_values = [](const Vector& x) { return TrueValues{std::abs(x[0] - 0.5), 0}; };
+  if (smoothing > 0) {
+    problem.differentiate = [evaluate = problem.evaluate, smoothing](const Vector& x) {
+      return Derivatives{evaluate(x), Vector::Constant(1, x[0] > 0.5 + smoothing ? 1 : -1),
                          Matrix(0, 1)};
     };
   }
@@ -31,24 +34,25 @@ inline Problem valley(double width) {
   return problem;
 }
 
-inline Question valley_question() {
-  return {.stated = valley(0), .width = 0.25, .tolerance = 1e-9, .scan_step = 1e-3};
+inline Problem valley_problem() {
+  Problem problem = valley(0);
+  problem.smoothing = 0.25;
+  problem.tolerance = 1e-9;
+  problem.scan_step = 1e-3;
+  return problem;
 }
 
 /// Asks for `wasted` points at the lower end, then for the best point, and hands over the end.
 inline Solver patient(std::string name, int wasted, bool needs_derivatives = false) {
   Solver solver;
   solver.name = std::move(name);
-  solver.accepts = [needs_derivatives](const Problem& problem) {
-    return !needs_derivatives || problem.differentiate;
-  };
+  if (needs_derivatives) solver.capabilities.derivatives = Capabilities::Order::gradient;
   solver.solve = [wasted](Evaluator& evaluator, const Vector&, Random&) {
-    const Problem& problem = evaluator.problem();
-    for (int i = 0; i < wasted; ++i) evaluator.objective(problem.lower);
-    evaluator.objective(*problem.best_point);
-    return SolverExit{"done", problem.lower};
+    for (int i = 0; i < wasted; ++i) evaluator.objective(evaluator.lower());
+    evaluator.objective(best_point_of(valley(0), evaluator));
+    return SolverTermination{"done", evaluator.lower()};
   };
   return solver;
 }
 
-}  // namespace ricochet::contest
+}  // namespace ricochet::comparison

@@ -1,18 +1,18 @@
-#include "src/studies/contest/break_even_data.h"
+#include "src/benchmark/comparison/break_even_data.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/campaign/made_up_catalogue.h"
-#include "tests/studies/contest/made_up_standings.h"
+#include "tests/benchmark/comparison/made_up_results.h"
+#include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
-/// A run that solved its question with the last of what it asked for, or not at all.
+/// A run that solved its problem with the last of what it asked for, or not at all.
 Outcome run_of(std::int64_t values, std::int64_t derivatives, double seconds, bool solved = true) {
   Outcome outcome;
   outcome.evaluations = values + derivatives;
@@ -27,23 +27,23 @@ Outcome run_of(std::int64_t values, std::int64_t derivatives, double seconds, bo
   return outcome;
 }
 
-/// On questions of one and of two variables chance-a has `a` as its only run, chance-b `b`; luck
+/// On problems of one and of two variables chance-a has `a` as its only run, chance-b `b`; luck
 /// never solves anything.
 Json rows_of(const Outcome& a, const Outcome& b) {
   const Campaign campaign(
-      plan_from("name = \"t\"\n[[part]]\nquestions = [\"bowl-1\", \"bowl-2\"]\nsolvers = [\"*\"]\n"
+      plan_from("name = \"t\"\n[[part]]\nproblems = [\"bowl-1\", \"bowl-2\"]\nsolvers = [\"*\"]\n"
                 "budgets = [100]\ninstances = 1\n",
                 "test"),
       made_up_catalogue());
-  const auto standings = made_up_standings(campaign, [&](const PlannedCell& cell) {
+  const auto results = made_up_results(campaign, [&](const PlannedCell& cell) {
     const std::string& solver = cell.cell.solver;
     return std::vector{solver == "luck" ? run_of(100, 0, 0.1, false)
                                         : (solver == "chance-a" ? a : b)};
   });
   const Json data =
-      break_even_data(campaign, fields_of(campaign, standings, reported_parts(campaign)));
+      break_even_data(campaign, entry_sets_of(campaign, results, reported_parts(campaign)));
   EXPECT_EQ(data.size(), 1);
-  // A millisecond an evaluation; one of the second question takes two simulations.
+  // A millisecond an evaluation; one of the second problem takes two simulations.
   EXPECT_NEAR(data[0]["here"][0]["simulation"].get<double>(), 1e-3 / std::sqrt(2.0), 1e-12);
   return data[0]["rows"];
 }
@@ -57,7 +57,7 @@ std::vector<Json> at_price(const Json& rows, const std::string& price) {
 }
 
 // A asks for 100 values, a millisecond each; B for 10, and computes for the rest of a second. For
-// each variable, mean over both questions: 100 against 10 simulations, 0.7425 s of computing.
+// each variable, mean over both problems: 100 against 10 simulations, 0.7425 s of computing.
 TEST(BreakEven, IsWhereComputingLessAndAskingLessTakeAsLong) {
   const Json rows = rows_of(run_of(100, 0, 0.1), run_of(10, 0, 1));
   for (const std::string price : {"0", "measured", "n"}) {
@@ -69,7 +69,7 @@ TEST(BreakEven, IsWhereComputingLessAndAskingLessTakeAsLong) {
     EXPECT_EQ(some[1]["solver"], "chance-b");
     EXPECT_EQ(some[1]["from"], some[0]["until"]);
     EXPECT_TRUE(some[1]["until"].is_null());
-    EXPECT_EQ(some[1]["sure"], 1) << "on both questions the same is ahead";
+    EXPECT_EQ(some[1]["sure"], 1) << "on both problems the same is ahead";
   }
 }
 
@@ -97,4 +97,4 @@ TEST(BreakEven, CountsARunUntilItSolves) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,31 +1,33 @@
-#include "src/studies/contest/change_data.h"
+#include "src/benchmark/comparison/change_data.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "src/campaign/planned_runs.h"
-#include "src/studies/contest/machine_results.h"
-#include "tests/campaign/made_up_catalogue.h"
+#include "src/benchmark/comparison/machine_results.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/benchmark/experiment/campaign/stored_campaign.h"
+#include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
+#include "tests/core/best_point_of.h"
 #include "tests/core/temporary_folder.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
 /// Stays at a point, the further from the best one the higher its number, or, where it does not
 /// rise, the lower.
-Solver walker(int number, bool (*rises)(const Problem&)) {
+Solver walker(int number, bool (*rises)(const std::string& problem)) {
   Solver solver = chance("walker-" + std::to_string(number));
-  solver.accepts = [](const Problem&) { return true; };
   solver.solve = [number, rises](Evaluator& evaluator, const Vector&, Random&) {
-    const int rank = rises(evaluator.problem()) ? number : 9 - number;
-    const Vector x = evaluator.problem().best_point->array() + 0.01 * rank;
+    const int rank = rises(evaluator.name()) ? number : 9 - number;
+    const Problem known = bowl(evaluator.name(), evaluator.dimension());
+    const Vector x = best_point_of(known, evaluator).array() + 0.01 * rank;
     while (evaluator.objective(x)) {
     }
-    return SolverExit{"spent"};
+    return SolverTermination{"spent"};
   };
   return solver;
 }
@@ -34,15 +36,15 @@ class Changes : public TemporaryFolder {
  protected:
   /// What the report says of the runs of this plan.
   Json data_of(const std::string& plan, const Catalogue& catalogue) const {
-    const Campaign campaign(plan_from(plan, "test"), catalogue);
+    const Campaign campaign = searched_campaign(plan_from(plan, "test"), catalogue);
     Store store = Store::create(folder_ / "runs.sqlite", campaign.description());
     make_runs(campaign, {}, store);
-    return change_data(campaign, stored_standings(campaign, store), reported_parts(campaign));
+    return change_data(campaign, cell_results(campaign, store), reported_parts(campaign));
   }
 };
 
 /// Six walkers, in the order of their numbers but where they turn.
-Catalogue catalogue_of(bool (*rises)(const Problem&)) {
+Catalogue catalogue_of(bool (*rises)(const std::string& problem)) {
   Catalogue catalogue = made_up_catalogue();
   catalogue.own_solver = nullptr;
   catalogue.solvers.clear();
@@ -52,55 +54,55 @@ Catalogue catalogue_of(bool (*rises)(const Problem&)) {
 
 TEST_F(Changes, OfTheFidelityTurnTheOrderOver) {
   Catalogue catalogue =
-      catalogue_of([](const Problem& problem) { return !problem.name.ends_with("planar"); });
-  catalogue.families_of = [](const MachineGrid& grid) {
-    Family family{"bowl", {}};
+      catalogue_of([](const std::string& problem) { return !problem.ends_with("planar"); });
+  catalogue.grid_problems = [](const MachineGrid& grid) {
+    std::vector<SearchedProblem> problems;
     for (std::size_t k = 0; k < grid.fidelity.size(); ++k) {
-      Question question = bowl("bowl-" + grid.fidelity[k], 1);
-      question.machine = grid.fidelity[k];
-      question.factors = {{"fidelity", static_cast<double>(k)}, {"restitution", 0.5}};
-      family.questions.push_back(question);
+      Problem problem = bowl("bowl-" + grid.fidelity[k], 1);
+      problem.machine = grid.fidelity[k];
+      problem.factors = {{"fidelity", static_cast<double>(k)}, {"restitution", 0.5}};
+      problems.push_back(searched(problem, nullptr));
     }
-    return std::vector{family};
+    return problems;
   };
   const Json rows = data_of(
-      "[[part]]\nquestions = \"*\"\nsolvers = \"*\"\nbudgets = 20\ninstances = 2\n"
+      "[[part]]\nproblems = \"*\"\nsolvers = \"*\"\nbudgets = 20\ninstances = 2\n"
       "machines = {around = \"C1\", fidelity = [\"impact\", \"compliant\", \"planar\"]}",
       catalogue);
   ASSERT_EQ(rows.size(), 3U) << "the restitution is the same everywhere\n" << rows;
   for (const Json& row : rows) {
     EXPECT_EQ(row["changed"], "fidelity");
     EXPECT_EQ(row["family"], "bowl");
-    EXPECT_EQ(row["competitors"], 6);
+    EXPECT_EQ(row["entries"], 6);
   }
   EXPECT_EQ(rows[0]["setting"], "impact");
-  EXPECT_EQ(rows[0]["leader"], "walker-1, as-stated");
+  EXPECT_EQ(rows[0]["leader"], "walker-1, original");
   EXPECT_TRUE(rows[0]["agreement"].is_null());
   EXPECT_EQ(rows[1]["setting"], "compliant");
   EXPECT_EQ(rows[1]["agreement"]["correlation"], 1);
   EXPECT_EQ(rows[1]["same_leader"], true);
   EXPECT_EQ(rows[2]["setting"], "planar");
   EXPECT_EQ(rows[2]["agreement"]["correlation"], -1);
-  EXPECT_EQ(rows[2]["leader"], "walker-6, as-stated");
+  EXPECT_EQ(rows[2]["leader"], "walker-6, original");
   EXPECT_EQ(rows[2]["same_leader"], false);
   EXPECT_GT(rows[2]["best"], 0.3);
 }
 
 TEST_F(Changes, OfWidthAndPriceAreComparedWithTheUsualOnes) {
   const Json rows = data_of(
-      "[[part]]\nquestions = \"cup-s\"\nsolvers = \"*\"\nbudgets = 20\ninstances = 2\n"
-      "widths = [0.125, 1]\nforms = \"surrogate*\"\ngradient_prices = [0, \"n\"]",
-      catalogue_of([](const Problem&) { return true; }));
+      "[[part]]\nproblems = \"cup-s\"\nsolvers = \"*\"\nbudgets = 20\ninstances = 2\n"
+      "smoothings = [0.125, 1]\nformulations = \"surrogate*\"\ngradient_prices = [0, \"n\"]",
+      catalogue_of([](const std::string&) { return true; }));
   std::vector<std::string> said;
   for (const Json& row : rows) {
     said.push_back(row["changed"].get<std::string>() + " " + row["setting"].get<std::string>());
     EXPECT_EQ(row["same_leader"], true) << row;
   }
   EXPECT_EQ(said,
-            (std::vector<std::string>{"price of a gradient n", "price of a gradient 0",
-                                      "width of the surrogate 0.5", "width of the surrogate 0.125",
-                                      "width of the surrogate 1"}));
-  EXPECT_EQ(rows[3]["competitors"], 6) << "those that are shown this width alone";
+            (std::vector<std::string>{
+                "price of a gradient n", "price of a gradient 0", "smoothing of the surrogate 0.5",
+                "smoothing of the surrogate 0.125", "smoothing of the surrogate 1"}));
+  EXPECT_EQ(rows[3]["entries"], 6) << "those that are shown this smoothing alone";
   EXPECT_EQ(rows[3]["leader"], "walker-1");
   EXPECT_EQ(rows[3]["agreement"]["correlation"], 1);
 }
@@ -111,4 +113,4 @@ TEST(LevelName, IsThatOfTheFidelity) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

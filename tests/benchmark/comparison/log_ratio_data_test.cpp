@@ -1,11 +1,11 @@
-#include "src/studies/contest/log_ratio_data.h"
+#include "src/benchmark/comparison/log_ratio_data.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/campaign/made_up_catalogue.h"
-#include "tests/studies/contest/made_up_standings.h"
+#include "tests/benchmark/comparison/made_up_results.h"
+#include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
@@ -18,21 +18,21 @@ Outcome ended_after(std::optional<std::int64_t> solved) {
   return outcome;
 }
 
-// Of the first question A needs 10 evaluations and B 40, of the second only B solves it.
+// Of the first problem A needs 10 evaluations and B 40, of the second only B solves it.
 TEST(LogRatio, SetsTheBestTwoAgainstEachOther) {
   const Campaign campaign(
-      plan_from("name = \"t\"\n[[part]]\nquestions = [\"bowl-1\", \"bowl-2\"]\nsolvers = "
+      plan_from("name = \"t\"\n[[part]]\nproblems = [\"bowl-1\", \"bowl-2\"]\nsolvers = "
                 "[\"chance-*\"]\nbudgets = [100]\ninstances = 1\n",
                 "test"),
       made_up_catalogue());
-  const auto standings = made_up_standings(campaign, [](const PlannedCell& cell) {
-    const bool first = cell.cell.question == "bowl-1";
+  const auto results = made_up_results(campaign, [](const PlannedCell& cell) {
+    const bool first = cell.cell.problem == "bowl-1";
     const bool is_a = cell.cell.solver == "chance-a";
     return std::vector{first ? ended_after(is_a ? 10 : 40)
                              : ended_after(is_a ? std::nullopt : std::optional<std::int64_t>(40))};
   });
   const Json data =
-      log_ratio_data(campaign, fields_of(campaign, standings, reported_parts(campaign)));
+      log_ratio_data(campaign, entry_sets_of(campaign, results, reported_parts(campaign)));
   ASSERT_EQ(data.size(), 1);
   // PAR10 puts B first: it always solves.
   EXPECT_EQ(data[0]["a"], "chance-b");
@@ -41,7 +41,7 @@ TEST(LogRatio, SetsTheBestTwoAgainstEachOther) {
   ASSERT_EQ(data[0]["kinds"].size(), 2);
   const Json& both = data[0]["kinds"][0];
   EXPECT_EQ(both["solved_by"], "both solve it");
-  EXPECT_EQ(both["bars"][0]["question"], "bowl-1");
+  EXPECT_EQ(both["bars"][0]["problem"], "bowl-1");
   EXPECT_DOUBLE_EQ(both["bars"][0]["log2_ratio"], 2);
   EXPECT_EQ(both["bars"][0]["place"], 2);
   const Json& only = data[0]["kinds"][1];
@@ -51,4 +51,4 @@ TEST(LogRatio, SetsTheBestTwoAgainstEachOther) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

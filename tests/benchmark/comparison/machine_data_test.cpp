@@ -1,16 +1,17 @@
-#include "src/studies/contest/machine_data.h"
+#include "src/benchmark/comparison/machine_data.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "src/studies/contest/atlas_data.h"
-#include "src/studies/contest/factor_data.h"
-#include "tests/campaign/made_up_catalogue.h"
-#include "tests/studies/contest/made_up_standings.h"
+#include "src/benchmark/comparison/atlas_data.h"
+#include "src/benchmark/comparison/factor_data.h"
+#include "src/benchmark/experiment/campaign/stored_campaign.h"
+#include "tests/benchmark/comparison/made_up_results.h"
+#include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
@@ -19,25 +20,25 @@ using report::Json;
 /// is the product of the first two.
 Campaign campaign_of(const std::vector<double>& disturbances) {
   Catalogue catalogue = made_up_catalogue();
-  catalogue.families_of = [=](const MachineGrid&) {
-    Family family{"bowl", {}};
+  catalogue.grid_problems = [=](const MachineGrid&) {
+    std::vector<SearchedProblem> problems;
     for (const double restitution : {0.1, 0.9}) {
       for (const double friction : {0.0, 1.0}) {
         for (const double disturbance : disturbances) {
-          const std::string machine = "M" + std::to_string(family.questions.size());
-          Question question = bowl("bowl-" + machine, 1);
-          question.machine = machine;
-          question.factors = {
+          const std::string machine = "M" + std::to_string(problems.size());
+          Problem problem = bowl("bowl-" + machine, 1);
+          problem.machine = machine;
+          problem.factors = {
               {"restitution", restitution}, {"friction", friction}, {"disturbance", disturbance}};
-          question.stated.best_known = restitution * friction;
-          family.questions.push_back(question);
+          problem.best_known = restitution * friction;
+          problems.push_back(searched(problem, nullptr));
         }
       }
     }
-    return std::vector{family};
+    return problems;
   };
-  return Campaign(
-      plan_from("name = \"t\"\n[[part]]\nquestions = \"*\"\nsolvers = [\"chance-*\"]\n"
+  return searched_campaign(
+      plan_from("name = \"t\"\n[[part]]\nproblems = \"*\"\nsolvers = [\"chance-*\"]\n"
                 "budgets = [100]\ninstances = 1\n"
                 "machines = {around = \"C1\", restitution = [0.1, 0.9], friction = [0, 1]}\n",
                 "test"),
@@ -45,13 +46,13 @@ Campaign campaign_of(const std::vector<double>& disturbances) {
 }
 
 /// chance-a solves at the high friction only; the others never solve, and throw.
-std::vector<StoredStanding> machine_standings(const Campaign& campaign) {
-  return made_up_standings(campaign, [&](const PlannedCell& cell) {
-    const Question& question = campaign.questions()[cell.question];
+std::vector<CellResult> made_up_machine_results(const Campaign& campaign) {
+  return made_up_results(campaign, [&](const PlannedCell& cell) {
+    const Problem& problem = campaign.problems()[cell.problem];
     Outcome outcome;
     outcome.evaluations = cell.budget.evaluations;
     outcome.verdict.feasible = true;
-    outcome.verdict.solved = cell.cell.solver == "chance-a" && question.factors.at("friction") == 1;
+    outcome.verdict.solved = cell.cell.solver == "chance-a" && problem.factors.at("friction") == 1;
     if (cell.cell.solver != "chance-a") outcome.failure = "threw: no";
     return std::vector{outcome};
   });
@@ -60,46 +61,46 @@ std::vector<StoredStanding> machine_standings(const Campaign& campaign) {
 class Machines : public testing::Test {
  protected:
   const Campaign campaign_ = campaign_of({0});
-  const std::vector<StoredStanding> standings_ = machine_standings(campaign_);
+  const std::vector<CellResult> results_ = made_up_machine_results(campaign_);
 };
 
 TEST_F(Machines, HaveMapsOverTheirConstants) {
-  const Json data = machine_data(campaign_, standings_, reported_parts(campaign_));
+  const Json data = machine_data(campaign_, results_, reported_parts(campaign_));
   ASSERT_EQ(data["machines"].size(), 1U);
   const Json& known = data["machines"][0];
   EXPECT_EQ(known["column"], "friction");
   EXPECT_EQ(known["columns"], (Json{{{"level", "0"}}, {{"level", "1"}}}));
-  EXPECT_EQ(known["first"], "chance-a, as-stated");
+  EXPECT_EQ(known["first"], "chance-a, original");
   EXPECT_EQ(known["first_share"], 0.5);
   ASSERT_EQ(known["known"].size(), 2U);
   EXPECT_EQ(known["known"][0]["machine"], "restitution 0.1");
   EXPECT_EQ(known["known"][0]["cells"], (Json{0.0, 0.1}));
   EXPECT_EQ(known["known"][1]["cells"], (Json{0.0, 0.9}));
   ASSERT_EQ(data["machine_maps"].size(), 2U);
-  EXPECT_EQ(data["machine_maps"][0]["competitor"], "chance-a, as-stated");
+  EXPECT_EQ(data["machine_maps"][0]["entry"], "chance-a, original");
   EXPECT_EQ(data["machine_maps"][0]["rows"][1]["cells"], (Json{0.0, 1.0}));
   EXPECT_EQ(data["machine_maps"][1]["rows"][1]["cells"], (Json{0.0, 0.0}));
 }
 
 TEST_F(Machines, HaveALandscapeEach) {
-  const Json data = machine_data(campaign_, standings_, reported_parts(campaign_));
+  const Json data = machine_data(campaign_, results_, reported_parts(campaign_));
   ASSERT_EQ(data["landscapes"].size(), 1U);
   const Json& landscape = data["landscapes"][0];
-  const Problem& stated = campaign_.questions().front().stated;
+  const Problem& stated = campaign_.problems().front();
   EXPECT_EQ(landscape["columns"].front()["at"], fmt::format("{:.3g}", stated.lower[0]));
   EXPECT_EQ(landscape["columns"].back()["at"], fmt::format("{:.3g}", stated.upper[0]));
   ASSERT_EQ(landscape["rows"].size(), 4U);
   const Json& row = landscape["rows"][2];
   EXPECT_EQ(row["machine"], "friction 0, restitution 0.9");
   ASSERT_EQ(row["cells"].size(), landscape["columns"].size());
-  EXPECT_EQ(row["cells"].front(), truth_at(stated, stated.lower).objective);
-  EXPECT_EQ(row["cells"].back(), truth_at(stated, stated.upper).objective);
+  EXPECT_EQ(row["cells"].front(), true_values_at(stated, stated.lower).objective);
+  EXPECT_EQ(row["cells"].back(), true_values_at(stated, stated.upper).objective);
 }
 
 TEST_F(Machines, HaveMainEffectsInTheOrderOfTheirLevels) {
   const Campaign campaign = campaign_of({0, 1});
-  const auto standings = machine_standings(campaign);
-  const Json data = factor_data(campaign, standings, reported_parts(campaign));
+  const auto results = made_up_machine_results(campaign);
+  const Json data = factor_data(campaign, results, reported_parts(campaign));
   ASSERT_EQ(data["main_effects"].size(), 1U);
   const Json& effects = data["main_effects"][0];
   EXPECT_EQ(effects["levels"], (Json{{{"level", "disturbance 0"}},
@@ -108,8 +109,8 @@ TEST_F(Machines, HaveMainEffectsInTheOrderOfTheirLevels) {
                                      {{"level", "friction 1"}},
                                      {{"level", "restitution 0.1"}},
                                      {{"level", "restitution 0.9"}}}));
-  const Json& first = effects["competitors"][0];
-  EXPECT_EQ(first["competitor"], "chance-a, as-stated");
+  const Json& first = effects["entries"][0];
+  EXPECT_EQ(first["entry"], "chance-a, original");
   ASSERT_EQ(first["effects"].size(), 6U);
   EXPECT_DOUBLE_EQ(first["effects"][2]["effect"], -0.5);
   EXPECT_DOUBLE_EQ(first["effects"][3]["effect"], 0.5);
@@ -117,7 +118,7 @@ TEST_F(Machines, HaveMainEffectsInTheOrderOfTheirLevels) {
 }
 
 TEST_F(Machines, HaveAnAtlasOfHowRunsEnded) {
-  const Json data = atlas_data(campaign_, standings_);
+  const Json data = atlas_data(campaign_, results_);
   ASSERT_EQ(data["atlas_maps"].size(), 3U);
   EXPECT_EQ(data["atlas_maps"][0]["kind"], "solved");
   const Json& rows = data["atlas_maps"][0]["rows"];
@@ -137,4 +138,4 @@ TEST_F(Machines, HaveAnAtlasOfHowRunsEnded) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,17 +1,17 @@
-#include "src/studies/contest/pages.h"
+#include "src/benchmark/comparison/pages.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
 
 Json group(const std::string& family) {
   return {{"family", family},
-          {"questions", {{{"question", family + "-1"}}}},
+          {"problems", {{{"problem", family + "-1"}}}},
           {"budgets",
            {{{"budget", 10}, {"leader", {{"solver", "early"}}}},
             {{"budget", 50}, {"leader", {{"solver", "late"}}}}}}};
@@ -25,7 +25,7 @@ Json fast(const std::string& family, const std::string& solver, double share, Js
           {"largest", true}};
 }
 
-/// What a contest of two families finds; nothing of machines, nothing disturbed.
+/// What a comparison of two families finds; nothing of machines, nothing disturbed.
 Json found() {
   Json all = {
       {"groups", {group("count"), group("hs")}},
@@ -36,12 +36,12 @@ Json found() {
       {"leaders", {1, 2}},
       {"unsure_effects", 0}};
   for (const char* key : {"profile_families", "pair_families", "log_ratio_families",
-                          "break_even_families", "forms", "ceilings"}) {
+                          "break_even_families", "formulations", "ceilings"}) {
     all[key] = {{{"family", "hs"}, {"of", key}}};
   }
   for (const char* key :
-       {"machines", "machine_maps", "landscapes", "turns", "effects", "main_effects", "features",
-        "feature_names", "feature_rows", "atlas", "atlas_maps"}) {
+       {"machines", "machine_maps", "landscapes", "turns", "effects", "main_effects",
+        "perturbations", "perturbation_names", "perturbation_rows", "atlas", "atlas_maps"}) {
     all[key] = Json::array();
   }
   return all;
@@ -51,14 +51,14 @@ TEST(Pages, AreOneForEachFamilyWithItsRows) {
   const Json data = in_pages(found());
   ASSERT_EQ(data["pages"].size(), 2U);
   EXPECT_EQ(data["pages"][0]["folder"], "count");
-  EXPECT_EQ(data["pages"][0]["data"]["report"], "contest_family");
-  EXPECT_TRUE(data["pages"][0]["data"]["forms"].empty());
+  EXPECT_EQ(data["pages"][0]["data"]["report"], "comparison_family");
+  EXPECT_TRUE(data["pages"][0]["data"]["formulations"].empty());
   const Json& hs = data["pages"][1]["data"];
-  EXPECT_EQ(hs["forms"][0]["of"], "forms");
+  EXPECT_EQ(hs["formulations"][0]["of"], "formulations");
   EXPECT_EQ(hs["break_even_families"][0]["of"], "break_even_families");
   EXPECT_EQ(hs["speed_accuracy_charts"].size(), 1U);
   EXPECT_FALSE(data.contains("groups"));
-  EXPECT_FALSE(data.contains("forms"));
+  EXPECT_FALSE(data.contains("formulations"));
   EXPECT_FALSE(data.contains("atlas"));
   EXPECT_EQ(data["leaders"].size(), 2U);
   EXPECT_EQ(data["families"][0]["leader"]["solver"], "late") << "with the largest budget";
@@ -83,7 +83,7 @@ TEST(Pages, ShowOneChartOfAllWhereFamiliesAreJoined) {
 TEST(Pages, AreOfMachinesAndOfFailuresWhereThereAreAny) {
   Json all = found();
   all["turns"] = {{{"factor", "friction"}}};
-  all["features"] = {{{"feature", "nan"}}};
+  all["perturbations"] = {{{"perturbation", "nan"}}};
   all["atlas"] = {{{"machine", "C1"}}};
   const Json data = in_pages(all);
   ASSERT_EQ(data["pages"].size(), 4U);
@@ -94,4 +94,4 @@ TEST(Pages, AreOfMachinesAndOfFailuresWhereThereAreAny) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,16 +1,16 @@
-#include "src/studies/contest/speed_accuracy_data.h"
+#include "src/benchmark/comparison/speed_accuracy_data.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "src/studies/contest/pair_data.h"
-#include "src/studies/contest/profile_data.h"
-#include "tests/campaign/made_up_catalogue.h"
-#include "tests/studies/contest/made_up_standings.h"
+#include "src/benchmark/comparison/pair_data.h"
+#include "src/benchmark/comparison/profile_data.h"
+#include "tests/benchmark/comparison/made_up_results.h"
+#include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
-namespace ricochet::studies::contest {
+namespace ricochet::studies::comparison {
 namespace {
 
 using report::Json;
@@ -23,34 +23,34 @@ Outcome run_solved_after(std::optional<std::int64_t> solved) {
   outcome.verdict.solved = solved.has_value();
   outcome.verdict.evaluations_to_solve = solved;
   if (solved) outcome.verdict.seconds_to_solve = 0.01 * static_cast<double>(*solved);
-  outcome.verdict.regret = solved ? 0.0 : 3.0;
-  outcome.steps = {{solved.value_or(50), 0.1, *outcome.verdict.regret}};
+  outcome.verdict.optimality_gap = solved ? 0.0 : 3.0;
+  outcome.steps = {{solved.value_or(50), 0.1, *outcome.verdict.optimality_gap}};
   return outcome;
 }
 
-Campaign campaign_of(const std::string& questions, const std::string& solvers) {
-  return Campaign(plan_from("name = \"t\"\n[[part]]\nquestions = [" + questions + "]\nsolvers = [" +
+Campaign campaign_of(const std::string& problems, const std::string& solvers) {
+  return Campaign(plan_from("name = \"t\"\n[[part]]\nproblems = [" + problems + "]\nsolvers = [" +
                                 solvers + "]\nbudgets = [100]\ninstances = 2\n",
                             "test"),
                   made_up_catalogue());
 }
 
-/// All cells with two runs each: chance-a solves one of the first question after 10 evaluations,
+/// All cells with two runs each: chance-a solves one of the first problem after 10 evaluations,
 /// and both of others after 40; chance-b all after 50; luck none.
-std::vector<StoredStanding> standings_of(const Campaign& campaign) {
-  return made_up_standings(campaign, [](const PlannedCell& cell) {
+std::vector<CellResult> standings_of(const Campaign& campaign) {
+  return made_up_results(campaign, [](const PlannedCell& cell) {
     if (cell.cell.solver == "luck") return std::vector{run_solved_after({}), run_solved_after({})};
     if (cell.cell.solver == "chance-b") {
       return std::vector{run_solved_after(50), run_solved_after(50)};
     }
-    return cell.cell.question == "bowl-1" ? std::vector{run_solved_after(10), run_solved_after({})}
-                                          : std::vector{run_solved_after(40), run_solved_after(40)};
+    return cell.cell.problem == "bowl-1" ? std::vector{run_solved_after(10), run_solved_after({})}
+                                         : std::vector{run_solved_after(40), run_solved_after(40)};
   });
 }
 
-std::vector<Field> fields_of(const Campaign& campaign,
-                             const std::vector<StoredStanding>& standings) {
-  return contest::fields_of(campaign, standings, reported_parts(campaign));
+std::vector<EntrySet> entry_sets_of(const Campaign& campaign,
+                                    const std::vector<CellResult>& results) {
+  return comparison::entry_sets_of(campaign, results, reported_parts(campaign));
 }
 
 Json row_of(const Json& rows, const std::string& solver) {
@@ -62,8 +62,8 @@ Json row_of(const Json& rows, const std::string& solver) {
 
 TEST(SpeedAccuracy, IsWhatTheRunsCountUpTo) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"bowl-2\"", "\"*\"");
-  const auto standings = standings_of(campaign);
-  const Json data = speed_accuracy_data(campaign, fields_of(campaign, standings));
+  const auto results = standings_of(campaign);
+  const Json data = speed_accuracy_data(campaign, entry_sets_of(campaign, results));
   ASSERT_EQ(data["speed_accuracy"].size(), 3);
   const Json a = row_of(data["speed_accuracy"], "chance-a");
   // 10 and 100 of one variable; 40 and 40 of two.
@@ -72,8 +72,8 @@ TEST(SpeedAccuracy, IsWhatTheRunsCountUpTo) {
   EXPECT_EQ(a["share"], 0.75);
   EXPECT_LT(a["share_lower"].get<double>(), 0.75);
   EXPECT_GT(a["share_upper"].get<double>(), 0.75);
-  EXPECT_EQ(a["regret"], 0.75);  // the median of 1.5 and 0
-  EXPECT_TRUE(a["regret_lower"].is_null());
+  EXPECT_EQ(a["optimality_gap"], 0.75);  // the median of 1.5 and 0
+  EXPECT_TRUE(a["optimality_gap_lower"].is_null());
   EXPECT_EQ(a["runs"], 4);
   EXPECT_EQ(a["part"], 1);
   EXPECT_TRUE(a["complete"].get<bool>());
@@ -90,11 +90,12 @@ TEST(SpeedAccuracy, IsWhatTheRunsCountUpTo) {
 
 TEST(SpeedAccuracy, LeavesWhoTakesSomeOnlyOffTheFront) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"bowl-2\"", "\"*\"");
-  auto standings = standings_of(campaign);
-  std::erase_if(standings, [](const StoredStanding& s) {
-    return s.cell->cell.solver == "chance-a" && s.cell->cell.question == "bowl-1";
+  auto results = standings_of(campaign);
+  std::erase_if(results, [](const CellResult& s) {
+    return s.cell->cell.solver == "chance-a" && s.cell->cell.problem == "bowl-1";
   });
-  const Json rows = speed_accuracy_data(campaign, fields_of(campaign, standings))["speed_accuracy"];
+  const Json rows =
+      speed_accuracy_data(campaign, entry_sets_of(campaign, results))["speed_accuracy"];
   EXPECT_FALSE(row_of(rows, "chance-a")["complete"].get<bool>());
   EXPECT_FALSE(row_of(rows, "chance-a")["on_front"].get<bool>());
   EXPECT_TRUE(row_of(rows, "chance-b")["on_front"].get<bool>());
@@ -102,8 +103,8 @@ TEST(SpeedAccuracy, LeavesWhoTakesSomeOnlyOffTheFront) {
 
 TEST(SpeedAccuracy, JoinsFamiliesOfWhichEachSolverTakesAll) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"cup-s\"", "\"*\"");
-  const auto standings = standings_of(campaign);
-  const Json data = speed_accuracy_data(campaign, fields_of(campaign, standings));
+  const auto results = standings_of(campaign);
+  const Json data = speed_accuracy_data(campaign, entry_sets_of(campaign, results));
   const Json& all = data["speed_accuracy"][0];
   EXPECT_EQ(all["family"], "all");
   EXPECT_TRUE(all["budget"].is_null());
@@ -115,19 +116,19 @@ TEST(SpeedAccuracy, OfNothingOrOneIsNothingOrOne) {
   const Campaign campaign = campaign_of("\"bowl-1\"", "\"luck\"");
   const Json none = speed_accuracy_data(campaign, {});
   EXPECT_TRUE(none["speed_accuracy"].empty());
-  const auto standings = standings_of(campaign);
-  const auto fields = fields_of(campaign, standings);
-  const Json one = speed_accuracy_data(campaign, fields);
+  const auto results = standings_of(campaign);
+  const auto sets = entry_sets_of(campaign, results);
+  const Json one = speed_accuracy_data(campaign, sets);
   EXPECT_EQ(one["speed_accuracy"].size(), 1);
   EXPECT_EQ(one["speed_accuracy"][0]["share"], 0);
-  EXPECT_TRUE(profile_data(campaign, fields).empty());
-  EXPECT_TRUE(pair_data(campaign, fields).empty());
+  EXPECT_TRUE(profile_data(campaign, sets).empty());
+  EXPECT_TRUE(pair_data(campaign, sets).empty());
 }
 
 TEST(Profiles, AreOfTheRatiosToTheLeast) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"bowl-2\"", "\"*\"");
-  const auto standings = standings_of(campaign);
-  const Json data = profile_data(campaign, fields_of(campaign, standings));
+  const auto results = standings_of(campaign);
+  const Json data = profile_data(campaign, entry_sets_of(campaign, results));
   ASSERT_EQ(data.size(), 1);
   // Expected running times: 110 and 20 of chance-a, 50 and 25 of chance-b.
   const Json a = row_of(data[0]["rows"], "chance-a");
@@ -147,8 +148,8 @@ TEST(Profiles, AreOfTheRatiosToTheLeast) {
 
 TEST(Pairs, SayWhoIsBetterAndWhere) {
   const Campaign campaign = campaign_of("\"bowl-*\"", "\"chance-b\", \"luck\"");
-  const auto standings = standings_of(campaign);
-  const Json data = pair_data(campaign, fields_of(campaign, standings));
+  const auto results = standings_of(campaign);
+  const Json data = pair_data(campaign, entry_sets_of(campaign, results));
   ASSERT_EQ(data.size(), 1);
   ASSERT_EQ(data[0]["pairs"].size(), 1);
   const Json& pair = data[0]["pairs"][0];
@@ -158,11 +159,12 @@ TEST(Pairs, SayWhoIsBetterAndWhere) {
       pair["better"].get<double>() + pair["equivalent"].get<double>() + pair["worse"].get<double>(),
       1, 1e-9);
   EXPECT_EQ(pair["a_faster"], 0);  // two runs on each side say nothing
-  // At a regret of one tolerance: all runs of one, none of the other, from 50 evaluations on.
+  // At an optimality gap of one tolerance: all runs of one, none of the other, from 50 evaluations
+  // on.
   const Json& cells = data[0]["map"]["rows"][0]["cells"];
   EXPECT_EQ(cells.front(), 0);
   EXPECT_EQ(cells.back(), 1);
 }
 
 }  // namespace
-}  // namespace ricochet::studies::contest
+}  // namespace ricochet::studies::comparison

@@ -1,4 +1,4 @@
-#include "src/export/best_so_far.h"
+#include "src/benchmark/export/best_so_far.h"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,16 @@
 namespace ricochet::exports {
 namespace {
 
-/// Evaluations and regrets of the rows.
-std::vector<std::pair<std::int64_t, double>> rows(const std::vector<contest::Step>& steps,
+/// Evaluations and optimality gaps of the rows.
+std::vector<std::pair<std::int64_t, double>> rows(const std::vector<comparison::Step>& steps,
                                                   std::int64_t evaluations) {
-  contest::Outcome outcome;
+  comparison::Outcome outcome;
   outcome.steps = steps;
   outcome.evaluations = evaluations;
   outcome.seconds = 7;
   std::vector<std::pair<std::int64_t, double>> all;
-  for (const auto& row : best_so_far(outcome)) all.emplace_back(row.evaluations, row.regret);
+  for (const auto& row : best_so_far(outcome))
+    all.emplace_back(row.evaluations, row.optimality_gap);
   return all;
 }
 
@@ -33,7 +34,7 @@ TEST(BestSoFar, IsOneRowOfARunOfOneEvaluationOrNone) {
   EXPECT_EQ(rows({}, 0), (Rows{{1, 1e30}}));
 }
 
-TEST(BestSoFar, HasNoRegretTwiceAndNoneThatIsNoNumber) {
+TEST(BestSoFar, HasNoOptimalityGapTwiceAndNoneThatIsNoNumber) {
   EXPECT_EQ(rows({{2, 0, 3}, {3, 0, 3}, {3, 0, 2}, {3, 0, 1}}, 3),
             (Rows{{1, 1e30}, {2, 3}, {3, 1}}));
   EXPECT_EQ(rows({{2, 0, infinity}, {3, 0, -infinity}, {4, 0, std::nan("")}, {5, 0, 1e31}}, 6),

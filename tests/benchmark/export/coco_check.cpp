@@ -1,11 +1,11 @@
-#include "tests/export/coco_check.h"
+#include "tests/benchmark/export/coco_check.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <set>
 
-#include "tests/export/exported_store.h"
+#include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {
 namespace {
@@ -33,7 +33,8 @@ void check_rows(const Block& block, Complaints& complaints) {
     if (block.rows[k].evaluations <= block.rows[k - 1].evaluations) {
       complaints.push_back("evaluations do not rise");
     }
-    if (block.rows[k].regret > block.rows[k - 1].regret) complaints.push_back("regret rises");
+    if (block.rows[k].optimality_gap > block.rows[k - 1].optimality_gap)
+      complaints.push_back("optimality gap rises");
   }
 }
 
@@ -99,14 +100,15 @@ void read_runs(const fs::path& root, const std::string& line, CocoCase& read,
       break;
     }
     const auto evaluations = std::atoll((*it)[2].str().c_str());
-    const double regret = std::strtod((*it)[3].str().c_str(), nullptr);
+    const double optimality_gap = std::strtod((*it)[3].str().c_str(), nullptr);
     for (const Block* block : {&improvements[k], &counts[k]}) {
       if (block->rows.empty()) continue;
       if (block->rows.back().evaluations != evaluations) {
         complaints.push_back("rows do not end at the last evaluation");
       }
-      const double last = block->rows.back().regret;
-      if (std::abs(last - regret) > 0.06 * std::abs(last)) complaints.push_back("another regret");
+      const double last = block->rows.back().optimality_gap;
+      if (std::abs(last - optimality_gap) > 0.06 * std::abs(last))
+        complaints.push_back("another optimality gap");
     }
     read.runs.push_back({std::atoi((*it)[1].str().c_str()), improvements[k].fopt,
                          improvements[k].rows, counts[k].rows});

@@ -9,7 +9,7 @@ namespace ricochet::exports {
 
 struct CocoRow {
   std::int64_t evaluations;
-  double regret, measured;
+  double optimality_gap, measured;
   std::vector<double> x;  ///< of no number where it is not known
 };
 

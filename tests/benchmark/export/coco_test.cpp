@@ -1,12 +1,12 @@
-#include "src/export/coco.h"
+#include "src/benchmark/export/coco.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "tests/export/coco_check.h"
-#include "tests/export/exported_store.h"
+#include "tests/benchmark/export/coco_check.h"
+#include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {
 namespace {
@@ -42,28 +42,28 @@ TEST_F(Coco, OpensEveryAlgorithmWithAllOfItsRuns) {
 TEST_F(Coco, RowsAreWhatTheRecordsSay) {
   write_coco(store, out);
   std::vector<std::string> complaints;
-  const auto cases = read_coco(out / "nlopt-cobyla_as-stated_noisy_price-n_budget-30", complaints);
+  const auto cases = read_coco(out / "nlopt-cobyla_original_noisy_price-n_budget-30", complaints);
   ASSERT_EQ(cases.size(), 4U);
   for (const CocoCase& read : cases) {
     ASSERT_EQ(read.runs.size(), 6U);
-    const auto& asked = *std::find_if(description.questions.begin(), description.questions.end(),
+    const auto& asked = *std::find_if(description.problems.begin(), description.problems.end(),
                                       [&](const auto& q) { return q.variables == read.dimension; });
     for (int k = 0; k < 6; ++k) {
       const CocoRun& run = read.runs[static_cast<std::size_t>(k)];
       const RunKey key{
-          {asked.name, "as-stated", "noisy", "nlopt-cobyla", 30, "n"}, 1 + k / 2, k % 2};
+          {asked.name, "original", "noisy", "nlopt-cobyla", 30, "n"}, 1 + k / 2, k % 2};
       const RunRecord& record = records.at(key);
       EXPECT_EQ(run.instance, key.instance);
       EXPECT_EQ(run.fopt, asked.best_known);
       for (const auto* rows : {&run.improvements, &run.counts}) {
         EXPECT_EQ(rows->back().evaluations, std::max<std::int64_t>(record.ledger.charged, 1));
         for (const CocoRow& row : *rows) {
-          EXPECT_EQ(row.regret, regret_after(key, row.evaluations)) << name_of(key);
-          if (row.regret == 1e30) continue;
-          EXPECT_EQ(row.measured, row.regret + asked.best_known);
+          EXPECT_EQ(row.optimality_gap, optimality_gap_after(key, row.evaluations)) << name_of(key);
+          if (row.optimality_gap == 1e30) continue;
+          EXPECT_EQ(row.measured, row.optimality_gap + asked.best_known);
         }
       }
-      if (run.counts.back().regret < 1e30) {
+      if (run.counts.back().optimality_gap < 1e30) {
         const Vector& x = record.trace.back().x;
         EXPECT_EQ(run.counts.back().x, std::vector<double>(x.begin(), x.end()));
       } else {
@@ -77,7 +77,7 @@ TEST_F(Coco, HasRowsAtRoundNumbersOfEvaluations) {
   write_coco(store, out);
   std::vector<std::string> complaints;
   for (const CocoCase& read :
-       read_coco(out / "nlopt-cobyla_as-stated_noisy_price-n_budget-30", complaints)) {
+       read_coco(out / "nlopt-cobyla_original_noisy_price-n_budget-30", complaints)) {
     for (const CocoRun& run : read.runs) {
       const std::vector<std::int64_t> round = {1, 2, 5, 10, 20, 50, 100, 200};
       for (std::size_t k = 0; k + 1 < run.counts.size(); ++k) {
@@ -122,8 +122,8 @@ TEST_F(Coco, IsCheckedForEveryRule) {
       {"+5.0e+01", "inf", "no row"},
       {"1 0 ", "2 0 ", "first row is not"},
       {"200 0", "1 0", "do not rise"},
-      {"+0.0e+00", "+9.0e+01", "regret rises"},
-      {"+0.0e+00", "+1.0e+01", "another regret"},
+      {"+0.0e+00", "+9.0e+01", "optimality gap rises"},
+      {"+0.0e+00", "+1.0e+01", "another optimality gap"},
       {"200 0", "199 0", "do not end at the last"}};
   for (const auto& broken : in_rows) {
     const std::string text = replaced(rows, broken[0], broken[1]);

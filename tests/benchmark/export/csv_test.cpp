@@ -1,4 +1,4 @@
-#include "src/export/csv.h"
+#include "src/benchmark/export/csv.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "src/export/csv_row.h"
-#include "tests/export/exported_store.h"
+#include "src/benchmark/export/csv_row.h"
+#include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {
 namespace {
@@ -84,8 +84,8 @@ TEST_F(Csv, HasEveryRunWithItsVerdict) {
   auto expected = records.begin();  // a store hands them over in the order of their keys
   for (const auto& run : runs) {
     const auto& [key, record] = *expected++;
-    EXPECT_EQ(run.at("question"), key.cell.question);
-    EXPECT_EQ(run.at("feature"), key.cell.feature);
+    EXPECT_EQ(run.at("problem"), key.cell.problem);
+    EXPECT_EQ(run.at("perturbation"), key.cell.perturbation);
     EXPECT_EQ(run.at("solver"), key.cell.solver);
     EXPECT_EQ(run.at("budget_per_variable"), std::to_string(key.cell.budget));
     EXPECT_EQ(run.at("instance"), std::to_string(key.instance));
@@ -96,24 +96,25 @@ TEST_F(Csv, HasEveryRunWithItsVerdict) {
     EXPECT_EQ(run.at("seconds_allowed"), "inf");
     EXPECT_EQ(run.at("failure"),
               record.failure.empty() ? "" : "thrown, with \"quotes\"\\x0ain two lines");
-    EXPECT_EQ(run.at("exits"), "tolerance reached (x2); said, \"enough\" (x1)");
-    const double regret = regret_after(key, std::numeric_limits<std::int64_t>::max());
-    EXPECT_EQ(run.at("feasible"), regret < 1e30 ? "1" : "0");
-    EXPECT_EQ(run.at("solved"), regret <= question(key.cell.question).tolerance ? "1" : "0");
-    if (regret < 1e30) {
-      EXPECT_EQ(read(run.at("regret")), regret);
+    EXPECT_EQ(run.at("terminations"), "tolerance reached (x2); said, \"enough\" (x1)");
+    const double optimality_gap =
+        optimality_gap_after(key, std::numeric_limits<std::int64_t>::max());
+    EXPECT_EQ(run.at("feasible"), optimality_gap < 1e30 ? "1" : "0");
+    EXPECT_EQ(run.at("solved"), optimality_gap <= problem(key.cell.problem).tolerance ? "1" : "0");
+    if (optimality_gap < 1e30) {
+      EXPECT_EQ(read(run.at("optimality_gap")), optimality_gap);
     } else {
-      EXPECT_EQ(run.at("regret"), "");
+      EXPECT_EQ(run.at("optimality_gap"), "");
     }
     std::string reached;
     for (const Improvement& step : record.trace) {
       if (reached.empty() &&
-          regret_after(key, step.evaluations) <= question(key.cell.question).tolerance) {
+          optimality_gap_after(key, step.evaluations) <= problem(key.cell.problem).tolerance) {
         reached = std::to_string(step.evaluations);
       }
     }
     EXPECT_EQ(run.at("evaluations_to_solve"), reached);
-    EXPECT_EQ(run.at("handed_over_violation").empty(), !record.handed_over);
+    EXPECT_EQ(run.at("returned_violation").empty(), !record.returned);
   }
 }
 
@@ -127,19 +128,19 @@ TEST_F(Csv, HasEveryImprovement) {
     const Improvement& step = records.at(key).trace.at(seen[key]++);
     EXPECT_EQ(row.at("evaluations"), std::to_string(step.evaluations));
     EXPECT_EQ(read(row.at("seconds")), step.seconds);
-    EXPECT_EQ(read(row.at("objective")), step.truth.objective);
-    EXPECT_EQ(read(row.at("violation")), step.truth.violation);
+    EXPECT_EQ(read(row.at("objective")), step.true_values.objective);
+    EXPECT_EQ(read(row.at("violation")), step.true_values.violation);
   }
   for (const auto& [key, record] : records) EXPECT_EQ(seen[key], record.trace.size());
 }
 
-TEST_F(Csv, HasTheQuestionsWithTheirFactors) {
+TEST_F(Csv, HasTheProblemsWithTheirFactors) {
   write_csv(store, out);
-  const Table questions = table_in(text_of(out / "questions.csv"));
-  ASSERT_EQ(questions.size(), 4U);
-  EXPECT_EQ(questions[0].at("best_known"), "-8.25");
-  EXPECT_EQ(questions[0].at("friction"), "0.25");
-  EXPECT_EQ(questions[2].at("friction"), "") << "asked of no machine";
+  const Table problems = table_in(text_of(out / "problems.csv"));
+  ASSERT_EQ(problems.size(), 4U);
+  EXPECT_EQ(problems[0].at("best_known"), "-8.25");
+  EXPECT_EQ(problems[0].at("friction"), "0.25");
+  EXPECT_EQ(problems[2].at("friction"), "") << "asked of no machine";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet::exports {
@@ -26,22 +26,22 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Questions of 1, 5, 6 and 12 variables, and names that every format has trouble with.
+/// Problems of 1, 5, 6 and 12 variables, and names that every format has trouble with.
 inline CampaignDescription hard_description() {
   CampaignDescription description;
   description.plan = "name = \"mine\"\n";
-  description.questions = {{"top-speed C1",
-                            "speed",
-                            "C1",
-                            1,
-                            1,
-                            0,
-                            0.01,
-                            -8.25,
-                            {{"restitution", 0.1}, {"friction", 0.25}, {"disturbance", 1.0 / 3}}},
-                           {"profile_6", "count", "C4", 6, 0, 0, 0.5, 3, {{"restitution", 0.9}}},
-                           {"wide", "classic", "", 12, 2, 1, 1e-6, 0, {}},
-                           {"profile/5", "count", "", 5, 0, 0, 0.5, 1e-3, {}}};
+  description.problems = {{"top-speed C1",
+                           "speed",
+                           "C1",
+                           1,
+                           1,
+                           0,
+                           0.01,
+                           -8.25,
+                           {{"restitution", 0.1}, {"friction", 0.25}, {"disturbance", 1.0 / 3}}},
+                          {"profile_6", "count", "C4", 6, 0, 0, 0.5, 3, {{"restitution", 0.9}}},
+                          {"wide", "classic", "", 12, 2, 1, 1e-6, 0, {}},
+                          {"profile/5", "count", "", 5, 0, 0, 0.5, 1e-3, {}}};
   description.solvers = {{"nlopt-cobyla", "NLopt 2.7.1"},
                          {"python3 'my, \"own\"'.py", ""},
                          {"a|b_c%d{e}\\f#g$h&i~j^k--l", "*[3]"}};
@@ -51,13 +51,13 @@ inline CampaignDescription hard_description() {
 
 /// A run as one may end: usual, failed before anything was charged, with one evaluation only,
 /// without a feasible point, or after improvements of one evaluation.
-inline RunRecord any_run(const StoredQuestion& question, std::int64_t budget,
+inline RunRecord any_run(const StoredProblem& problem, std::int64_t budget,
                          std::mt19937_64& random) {
   const auto uniform = [&] { return std::uniform_real_distribution<>(0, 1)(random); };
   RunRecord record;
-  record.problem = question.name;
+  record.problem = problem.name;
   record.seed = random();
-  record.budget.evaluations = budget * question.variables;
+  record.budget.evaluations = budget * problem.variables;
   const auto kind = random() % 6;
   const auto allowed = record.budget.evaluations;
   record.ledger.charged = kind == 0   ? 0
@@ -67,31 +67,31 @@ inline RunRecord any_run(const StoredQuestion& question, std::int64_t budget,
   record.ledger.values = record.ledger.charged;
   record.ledger.derivatives = static_cast<std::int64_t>(random() % 4);
   record.ledger.seconds = uniform();
-  record.exits = {{"tolerance reached"}, {"tolerance reached"}, {"said, \"enough\""}};
+  record.terminations = {{"tolerance reached"}, {"tolerance reached"}, {"said, \"enough\""}};
   if (kind == 0 || kind == 2) record.failure = "thrown, with \"quotes\"\nin two lines";
-  double objective = question.best_known + 10;
+  double objective = problem.best_known + 10;
   double violation = 2;
   std::int64_t evaluations = 1 + static_cast<std::int64_t>(random() % 3);
   double seconds = 0;
   while (evaluations <= record.ledger.charged && random() % 8 != 0) {
-    Vector x(question.variables);
+    Vector x(problem.variables);
     for (double& coordinate : x) coordinate = uniform();
     if (violation > 0 && kind != 3) violation = random() % 2 == 0 ? 0 : violation / 2;
     if (kind == 3) violation /= 2;
-    if (violation == 0) objective = question.best_known + (objective - question.best_known) / 3;
-    if (random() % 40 == 0) objective = question.best_known;  // nothing is better
+    if (violation == 0) objective = problem.best_known + (objective - problem.best_known) / 3;
+    if (random() % 40 == 0) objective = problem.best_known;  // nothing is better
     seconds += uniform() / 100;
     record.trace.push_back({evaluations, seconds, {objective, violation}, x});
-    if (objective == question.best_known) break;
+    if (objective == problem.best_known) break;
     evaluations += static_cast<std::int64_t>(random() % 5) + (kind == 4 ? 0 : 1);
   }
   if (!record.trace.empty() && random() % 2 == 0) {
-    record.handed_over = HandedOver{record.trace.back().x, record.trace.back().truth};
+    record.returned = ReturnedPoint{record.trace.back().x, record.trace.back().true_values};
   }
   return record;
 }
 
-/// A store of 288 runs: every solver on every question, plain and noisy, with 2 budgets, on 3
+/// A store of 288 runs: every solver on every problem, plain and noisy, with 2 budgets, on 3
 /// instances twice.
 class ExportedStore : public TemporaryFolder {
  protected:
@@ -103,13 +103,13 @@ class ExportedStore : public TemporaryFolder {
   void SetUp() override {
     std::filesystem::create_directories(out);
     std::mt19937_64 random(7);
-    for (const StoredQuestion& question : description.questions) {
+    for (const StoredProblem& problem : description.problems) {
       for (const StoredSolver& solver : description.solvers) {
-        for (const char* feature : {"plain", "noisy"}) {
+        for (const char* perturbation : {"plain", "noisy"}) {
           for (const std::int64_t budget : {2, 30}) {
-            const Cell cell{question.name, "as-stated", feature, solver.name, budget, "n"};
+            const Cell cell{problem.name, "original", perturbation, solver.name, budget, "n"};
             for (int k = 0; k < 6; ++k) {
-              add({cell, 1 + k / 2, k % 2}, any_run(question, budget, random));
+              add({cell, 1 + k / 2, k % 2}, any_run(problem, budget, random));
             }
           }
         }
@@ -127,20 +127,20 @@ class ExportedStore : public TemporaryFolder {
     records[key] = record;
   }
 
-  const StoredQuestion& question(const std::string& name) const {
-    for (const StoredQuestion& each : description.questions) {
+  const StoredProblem& problem(const std::string& name) const {
+    for (const StoredProblem& each : description.problems) {
       if (each.name == name) return each;
     }
     throw std::logic_error(name);
   }
 
-  /// Best regret among feasible points up to a number of evaluations, straight from the record;
-  /// 1e30 where there is none.
-  double regret_after(const RunKey& key, std::int64_t evaluations) const {
+  /// Best optimality gap among feasible points up to a number of evaluations, straight from the
+  /// record; 1e30 where there is none.
+  double optimality_gap_after(const RunKey& key, std::int64_t evaluations) const {
     double best = 1e30;
     for (const Improvement& step : records.at(key).trace) {
-      if (step.truth.violation > 0 || step.evaluations > evaluations) continue;
-      best = std::min(best, step.truth.objective - question(key.cell.question).best_known);
+      if (step.true_values.violation > 0 || step.evaluations > evaluations) continue;
+      best = std::min(best, step.true_values.objective - problem(key.cell.problem).best_known);
     }
     return best;
   }

@@ -1,4 +1,4 @@
-#include "tests/export/iohanalyzer_check.h"
+#include "tests/benchmark/export/iohanalyzer_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "tests/export/exported_store.h"
+#include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/export/iohanalyzer.h"
+#include "src/benchmark/export/iohanalyzer.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/export/exported_store.h"
-#include "tests/export/iohanalyzer_check.h"
+#include "tests/benchmark/export/exported_store.h"
+#include "tests/benchmark/export/iohanalyzer_check.h"
 
 namespace ricochet::exports {
 namespace {
@@ -33,7 +33,7 @@ TEST_F(IohAnalyzer, OpensEveryAlgorithmWithAllOfItsRuns) {
     }
   }
   EXPECT_THAT(complaints, IsEmpty());
-  EXPECT_EQ(algorithms, 12) << "3 solvers, 2 features, 2 budgets";
+  EXPECT_EQ(algorithms, 12) << "3 solvers, 2 perturbations, 2 budgets";
   EXPECT_EQ(runs, records.size());
   EXPECT_THAT(text_of(out / "README.txt"), HasSubstr("450 where 310 was true"));
 }
@@ -42,21 +42,21 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
   write_iohanalyzer(store, out);
   std::vector<std::string> complaints;
   const auto cases =
-      read_iohanalyzer(out / "nlopt-cobyla_as-stated_noisy_price-n_budget-30", complaints);
+      read_iohanalyzer(out / "nlopt-cobyla_original_noisy_price-n_budget-30", complaints);
   ASSERT_EQ(cases.size(), 4U);
   for (const ReadCase& read : cases) {
     ASSERT_EQ(read.runs.size(), 6U);
-    const auto& asked = *std::find_if(description.questions.begin(), description.questions.end(),
+    const auto& asked = *std::find_if(description.problems.begin(), description.problems.end(),
                                       [&](const auto& q) { return q.variables == read.dimension; });
     for (int k = 0; k < 6; ++k) {
       const ReadRun& run = read.runs[static_cast<std::size_t>(k)];
       const RunKey key{
-          {asked.name, "as-stated", "noisy", "nlopt-cobyla", 30, "n"}, 1 + k / 2, k % 2};
+          {asked.name, "original", "noisy", "nlopt-cobyla", 30, "n"}, 1 + k / 2, k % 2};
       const RunRecord& record = records.at(key);
       EXPECT_EQ(run.instance, key.instance);
       EXPECT_EQ(run.rows.back().evaluations, std::max<std::int64_t>(record.ledger.charged, 1));
       for (const ReadRow& row : run.rows) {
-        EXPECT_EQ(row.raw_y, regret_after(key, row.evaluations)) << name_of(key);
+        EXPECT_EQ(row.raw_y, optimality_gap_after(key, row.evaluations)) << name_of(key);
         EXPECT_EQ(row.gevals, static_cast<double>(record.ledger.derivatives));
       }
     }
@@ -66,7 +66,7 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
 TEST_F(IohAnalyzer, KnowsTheMachine) {
   write_iohanalyzer(store, out);
   const auto data = nlohmann::json::parse(text_of(
-      out / "nlopt-cobyla_as-stated_plain_price-n_budget-2/IOHprofiler_f3_top-speed_C1.json"));
+      out / "nlopt-cobyla_original_plain_price-n_budget-2/IOHprofiler_f3_top-speed_C1.json"));
   EXPECT_THAT(data["experiment_attributes"].dump(),
               HasSubstr(R"({"disturbance":"0.3333333333333333"},{"friction":"0.25"})"));
 }
@@ -74,7 +74,7 @@ TEST_F(IohAnalyzer, KnowsTheMachine) {
 /// Every rule of the check is broken once: it would see it.
 TEST_F(IohAnalyzer, IsCheckedForEveryRule) {
   write_iohanalyzer(store, out);
-  const fs::path root = out / "nlopt-cobyla_as-stated_plain_price-n_budget-30";
+  const fs::path root = out / "nlopt-cobyla_original_plain_price-n_budget-30";
   const fs::path head = root / "IOHprofiler_f3_top-speed_C1.json";
   const fs::path rows = root / "data_f3_top-speed_C1/IOHprofiler_f3_DIM1.dat";
   // Known rows of one run, whatever the store has.

@@ -1,9 +1,9 @@
-#include "src/export/latex.h"
+#include "src/benchmark/export/latex.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/export/exported_store.h"
+#include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {
 namespace {
@@ -30,7 +30,7 @@ TEST_F(Latex, ShowsNamesAsTheyAre) {
   write_latex(store, out);
   EXPECT_THAT(text_of(out / "table.tex"),
               HasSubstr("a\\textbar{}b\\_c\\%d\\{e\\}\\textbackslash{}f\\#g\\$h\\&i"
-                        "\\textasciitilde{}j\\textasciicircum{}k-{}-l & as-stated"));
+                        "\\textasciitilde{}j\\textasciicircum{}k-{}-l & original"));
 }
 
 /// 2 of 4 runs solve it, after 3 and 5 evaluations, the others are charged 10 each: 28 / 2.

@@ -1,9 +1,9 @@
-#include "src/export/markdown.h"
+#include "src/benchmark/export/markdown.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/export/exported_store.h"
+#include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {
 namespace {

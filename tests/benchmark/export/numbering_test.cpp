@@ -1,4 +1,4 @@
-#include "src/export/numbering.h"
+#include "src/benchmark/export/numbering.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 namespace ricochet::exports {
 namespace {
 
-CampaignDescription of(std::vector<StoredQuestion> questions) {
+CampaignDescription of(std::vector<StoredProblem> problems) {
   CampaignDescription description;
-  description.questions = std::move(questions);
+  description.problems = std::move(problems);
   return description;
 }
 
-TEST(Numbering, BeginsWithTheQuestionsThatCocoOpens) {
+TEST(Numbering, BeginsWithTheProblemsThatCocoOpens) {
   const Numbering numbering(of({{"a", "", "", 1, 0, 0, 0, 0, {}},
                                 {"b", "", "", 6, 0, 0, 0, 0, {}},
                                 {"c", "", "", 10, 0, 0, 0, 0, {}},
@@ -30,12 +30,13 @@ TEST(Numbering, HasAnotherNameForEveryAlgorithmThatAnyFileMayHave) {
   std::set<std::string> names;
   int algorithms = 0;
   for (const char* solver : {"a b", "a_b", "a/b", "", ".a", "-a", "../..", "ä", "a\n\"b\"'"}) {
-    for (const std::string& form : {std::string("count"), std::string(300, 'f')}) {
+    for (const std::string& formulation : {std::string("count"), std::string(300, 'f')}) {
       for (const std::int64_t budget : {1, 10}) {
-        const std::string name = numbering.algorithm({"q", form, "plain", solver, budget, "n"});
+        const std::string name =
+            numbering.algorithm({"q", formulation, "plain", solver, budget, "n"});
         EXPECT_TRUE(std::regex_match(name, std::regex("[A-Za-z0-9_+][-A-Za-z0-9._+]{0,99}")))
             << name;
-        EXPECT_EQ(numbering.algorithm({"other", form, "plain", solver, budget, "n"}), name);
+        EXPECT_EQ(numbering.algorithm({"other", formulation, "plain", solver, budget, "n"}), name);
         names.insert(name);
         ++algorithms;
       }

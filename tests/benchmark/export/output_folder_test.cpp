@@ -1,11 +1,11 @@
-#include "src/export/output_folder.h"
+#include "src/benchmark/export/output_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "src/benchmark/export/output_file.h"
 #include "src/core/error.h"
-#include "src/export/output_file.h"
-#include "tests/export/exported_store.h"
+#include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {
 namespace {

@@ -1,15 +1,16 @@
-#include "src/studies/problems/family_data.h"
+#include "src/benchmark/problem_pages/family_data.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/families.h"
 #include "problems/families.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "src/research/suite/families.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::studies::problems {
 namespace {
@@ -46,16 +47,17 @@ TEST(FamilyData, ChartsNeedFewPointsAndShowAll) {
     if (family.name != "count" && family.name != "top-speed") continue;
     const report::Json data = family_data(family);
     const report::Json& chart = data["charts"].at(0);
-    const Question& question = family.questions.front();
+    const Problem& problem = family.problems.front();
     for (const bool smooth : {false, true}) {
-      const report::Json& points = chart[smooth ? "smoothed" : "truth"]["points"];
+      const report::Json& points = chart[smooth ? "smoothed" : "true_values"]["points"];
       EXPECT_LT(points.size(), 300U) << family.name;
-      const Problem problem = question.problem({smooth ? question.width : 0});
+      const Problem formulated = problem.formulated({smooth ? problem.smoothing : 0});
       for (int k = 0; k <= 720; k += 7) {
         const Vector x = problem.lower + (problem.upper - problem.lower) * k / 720.0;
-        const Values values = problem.evaluate(x);
-        const double truth = problem.constraints > 0 ? values.constraints[0] : values.objective;
-        EXPECT_NEAR(value_on(points, x[0], !smooth), truth, smooth ? 0.05 : 0)
+        const Values values = formulated.evaluate(x);
+        const double true_values =
+            formulated.constraints > 0 ? values.constraints[0] : values.objective;
+        EXPECT_NEAR(value_on(points, x[0], !smooth), true_values, smooth ? 0.05 : 0)
             << family.name << " at " << x[0];
       }
     }
@@ -64,28 +66,29 @@ TEST(FamilyData, ChartsNeedFewPointsAndShowAll) {
 
 /// What is said agrees with what there is.
 TEST(FamilyData, SayWhatEveryFamilyAsks) {
-  for (const Family& whole : all_families()) {
+  for (const Family& whole : suite_families()) {
     // A chart of a family takes long, and is not asked for with more than one variable.
     if (whole.name.rfind("robust-", 0) == 0) continue;
     const report::Json data = family_data(whole);
     for (const char* text : {"title", "asks", "formula", "instances", "users"}) {
       EXPECT_GT(data[text].get<std::string>().size(), 10U) << whole.name << ' ' << text;
     }
-    const auto any_form = [&whole](const auto& of) {
-      return std::any_of(whole.questions.begin(), whole.questions.end(), [&](const Question& q) {
-        const auto forms = q.forms();
-        return std::any_of(forms.begin(), forms.end(),
-                           [&](const Form& form) { return of(q.problem(form)); });
+    const auto any_formulation = [&whole](const auto& of) {
+      return std::any_of(whole.problems.begin(), whole.problems.end(), [&](const Problem& q) {
+        const auto formulations = q.formulations();
+        return std::any_of(
+            formulations.begin(), formulations.end(),
+            [&](const Formulation& formulation) { return of(q.formulated(formulation)); });
       });
     };
     EXPECT_EQ(data["constraints"].get<std::string>().empty(),
-              !any_form([](const Problem& p) { return p.constraints > 0; }))
+              !any_formulation([](const Problem& p) { return p.constraints > 0; }))
         << whole.name;
     EXPECT_EQ(data["surrogate"].get<std::string>().empty(),
-              !any_form([](const Problem& p) { return static_cast<bool>(p.smoothed); }))
+              !any_formulation([](const Problem& p) { return static_cast<bool>(p.smoothed); }))
         << whole.name;
     EXPECT_EQ(data["derivatives"].get<std::string>().empty(),
-              !any_form([](const Problem& p) { return p.differentiate || p.residuals; }))
+              !any_formulation([](const Problem& p) { return p.differentiate || p.residuals; }))
         << whole.name;
   }
 }
@@ -106,7 +109,7 @@ TEST(FamilyData, SayNothingOfAFamilyThatNobodyDescribed) {
 }
 
 TEST(FamilyData, MakeARowOfTheTableOfAllFamilies) {
-  report::Json data = {{"scene", "mine.toml"}, {"questions", 7}, {"kinds", 3}};
+  report::Json data = {{"scene", "mine.toml"}, {"problems", 7}, {"kinds", 3}};
   for (const Family& family : families()) data["families"].push_back(family_row(family));
   const report::DrawnPage drawing = report::drawn(report::page_template("problems"), data);
   const Table& table = drawing.page.sections.at(0).tables.at(0);
@@ -129,7 +132,7 @@ TEST(FamilyData, DrawAFamilyOfOneVariable) {
   EXPECT_EQ(drawn, 2);  // count and top speed
 }
 
-TEST(FamilyData, HaveARowForEveryFormWithItsDerivatives) {
+TEST(FamilyData, HaveARowForEveryFormulationWithItsDerivatives) {
   const report::Section facts = facts_of(families()[1]);
   const auto& rows = facts.tables[1].rows;
   const std::vector<std::array<std::string, 3>> expected = {{"count", "1", "no"},
@@ -142,9 +145,9 @@ TEST(FamilyData, HaveARowForEveryFormWithItsDerivatives) {
   }
 }
 
-TEST(FamilyData, TellTheStartAndTheBestOfEveryQuestion) {
+TEST(FamilyData, TellTheStartAndTheBestOfEveryProblem) {
   Family family = families()[0];
-  Problem& problem = family.questions[0].stated;
+  Problem& problem = family.problems[0];
   problem.best_known = 4;
   problem.best_point = Vector::Constant(1, 2.5);
   problem.provenance = "by hand";
@@ -160,27 +163,27 @@ TEST(FamilyData, TellTheStartAndTheBestOfEveryQuestion) {
 TEST(FamilyData, ShowWhatIsToBeLargeAsItIsMeant) {
   Family family = families()[1];
   ASSERT_EQ(family.name, "top-speed");
-  family.questions[0].stated.best_known = -8.25;
+  family.problems[0].best_known = -8.25;
   const report::Section facts = facts_of(family);
   EXPECT_EQ(facts.tables[2].columns[2].title, "best known speed [rad/s]");
   EXPECT_EQ(facts.tables[2].rows.at(0)[2].text, "8.25");
-  EXPECT_GT(family_data(family)["questions"][0]["start"], 0);
+  EXPECT_GT(family_data(family)["problems"][0]["start"], 0);
 }
 
 TEST(FamilyData, ShortenLongPoints) {
   Family family = families()[2];
   ASSERT_EQ(family.name, "profile-count");
-  Problem& problem = family.questions.back().stated;
+  Problem& problem = family.problems.back();
   problem.best_point = problem.start;
   problem.best_known = 0;
   const report::Section facts = facts_of(family);
   EXPECT_EQ(facts.tables[2].rows.back()[3].text, "1, 1, 1, 1, 1, …");
-  EXPECT_EQ(family_data(family)["questions"].back()["point"].size(), 64U);
+  EXPECT_EQ(family_data(family)["problems"].back()["point"].size(), 64U);
 }
 
 TEST(FamilyData, SayThatNothingIsKnown) {
   Family family = families()[0];
-  Problem& problem = family.questions[0].stated;
+  Problem& problem = family.problems[0];
   problem.best_known.reset();
   problem.best_point.reset();
   problem.provenance.clear();

@@ -1,12 +1,12 @@
-#include "src/statistics/attainment_function.h"
+#include "src/benchmark/statistics/attainment_function.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "src/benchmark/statistics/mean_share.h"
 #include "src/core/random.h"
-#include "src/statistics/mean_share.h"
 
 namespace ricochet {
 namespace {

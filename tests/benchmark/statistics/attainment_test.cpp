@@ -1,4 +1,4 @@
-#include "src/statistics/attainment.h"
+#include "src/benchmark/statistics/attainment.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "src/benchmark/statistics/empirical_distribution.h"
 #include "src/core/random.h"
-#include "src/statistics/empirical_distribution.h"
 
 namespace ricochet {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/statistics/bayesian_signed_rank.h"
+#include "src/benchmark/statistics/bayesian_signed_rank.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(BayesianSignedRank, HasTheChancesPublishedOfAnotherPairOfClassifiers) {
 }
 
 /// The prior's weight w is of Beta(1/2, 1), and w^2 of the pairs are of the prior with itself.
-TEST(BayesianSignedRank, HasTheChancesOfOneDifferenceInClosedForm) {
+TEST(BayesianSignedRank, HasTheChancesOfOneDifferenceInClosedFormulation) {
   const double root = std::sqrt(0.5);
   const double w_below_root = std::sqrt(root);
   const double w_below_rest = std::sqrt(1 - root);

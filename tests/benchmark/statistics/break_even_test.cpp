@@ -1,4 +1,4 @@
-#include "src/statistics/break_even.h"
+#include "src/benchmark/statistics/break_even.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/statistics/costs.h"
+#include "src/benchmark/statistics/costs.h"
 
 #include <gtest/gtest.h>
 

@@ -8,30 +8,30 @@
 #include <string>
 #include <vector>
 
+#include "src/benchmark/statistics/attainment_function.h"
+#include "src/benchmark/statistics/expected_running_time.h"
+#include "src/benchmark/statistics/factorial_effects.h"
+#include "src/benchmark/statistics/mean_share.h"
+#include "src/benchmark/statistics/order_statistic_interval.h"
+#include "src/benchmark/statistics/plackett_luce.h"
+#include "src/benchmark/statistics/rank_correlation.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 #include "src/core/random.h"
-#include "src/statistics/attainment_function.h"
-#include "src/statistics/expected_running_time.h"
-#include "src/statistics/factorial_effects.h"
-#include "src/statistics/mean_share.h"
-#include "src/statistics/order_statistic_interval.h"
-#include "src/statistics/plackett_luce.h"
-#include "src/statistics/rank_correlation.h"
-#include "src/statistics/wilson_interval.h"
 
-/// How often each interval of 95 % holds the truth, where the truth is known. The figures are
-/// printed.
+/// How often each interval of 95 % holds the true objective, where the true objective is known. The
+/// figures are printed.
 namespace ricochet {
 namespace {
 
-bool holds(const Interval& interval, double truth) {
-  return interval.lower <= truth && truth <= interval.upper;
+bool holds(const Interval& interval, double true_values) {
+  return interval.lower <= true_values && true_values <= interval.upper;
 }
 
-/// The share of `trials` draws of an interval that hold the truth.
+/// The share of `trials` draws of an interval that hold the true objective.
 template <class Draw>
-double coverage(int trials, double truth, const Draw& draw) {
+double coverage(int trials, double true_values, const Draw& draw) {
   int held = 0;
-  for (int i = 0; i < trials; ++i) held += holds(draw(), truth) ? 1 : 0;
+  for (int i = 0; i < trials; ++i) held += holds(draw(), true_values) ? 1 : 0;
   return static_cast<double>(held) / trials;
 }
 
@@ -97,11 +97,11 @@ TEST(Coverage, OfAMedianIsNeverLess) {
   }
 }
 
-/// Runs of one solver on one question.
+/// Runs of one solver on one problem.
 struct Situation {
   std::string name;
   Effort (*run)(double success, Random& random);
-  double (*truth)(double success);  ///< expected running time
+  double (*true_values)(double success);  ///< expected running time
 };
 
 const std::vector<Situation> situations = {
@@ -143,7 +143,7 @@ TEST(Coverage, OfAnExpectedRunningTimeIsAboutRight) {
     for (const Situation& situation : situations) {
       Coverages coverages;
       for (const double success : {0.2, 0.35, 0.5, 0.65, 0.8, 1.0}) {
-        coverages.all.push_back(coverage(500, situation.truth(success), [&] {
+        coverages.all.push_back(coverage(500, situation.true_values(success), [&] {
           std::vector<Effort> runs;
           for (int i = 0; i < size; ++i) runs.push_back(situation.run(success, random));
           return expected_running_time_interval(runs);
@@ -162,7 +162,7 @@ TEST(Coverage, OfAMeanOfSharesIsAboutRight) {
   for (const int size : {12, 30, 60}) {
     Coverages coverages;
     for (const double mean : {0.1, 0.3, 0.5, 0.9}) {
-      for (const double spread : {0.2, 0.6, 1.0}) {  // of questions; at 1 each share is 0 or 1
+      for (const double spread : {0.2, 0.6, 1.0}) {  // of problems; at 1 each share is 0 or 1
         coverages.all.push_back(coverage(500, mean, [&] {
           std::vector<double> shares;
           for (int i = 0; i < size; ++i) {
@@ -183,10 +183,10 @@ TEST(Coverage, OfKendallsCorrelationIsAboutRight) {
   Random random(4);
   for (const int size : {12, 30}) {
     Coverages coverages;
-    for (const double truth : {0.0, 0.3, 0.6, 0.8}) {
+    for (const double true_values : {0.0, 0.3, 0.6, 0.8}) {
       const double pearson =
-          std::sin(std::acos(-1.0) / 2 * truth);  // of normal pairs (Greiner 1909)
-      coverages.all.push_back(coverage(1000, truth, [&] {
+          std::sin(std::acos(-1.0) / 2 * true_values);  // of normal pairs (Greiner 1909)
+      coverages.all.push_back(coverage(1000, true_values, [&] {
         std::vector<double> a;
         std::vector<double> b;
         for (int i = 0; i < size; ++i) {
@@ -272,14 +272,14 @@ TEST(Coverage, OfFactorialEffectsIsAboutRight) {
       for (const bool solved : {false, true}) {
         const double scale = solved ? 0.1 : 1;
         // The mean, the first factor's last level, and that together with the second's first.
-        const std::vector<double> truths = {solved ? 0.5 : 5, 2 * scale, scale};
-        std::vector<int> held(truths.size());
+        const std::vector<double> true_values = {solved ? 0.5 : 5, 2 * scale, scale};
+        std::vector<int> held(true_values.size());
         constexpr int trials = 400;
         for (int n = 0; n < trials; ++n) {
           const auto effects = factorial_effects(drawn_grid(units, grid, solved, random), {3, 2});
           const std::vector<std::size_t> places = {0, 3, 1 + 3 + 2 + 4};
-          for (std::size_t k = 0; k < truths.size(); ++k) {
-            held[k] += holds(effects[places[k]].interval, truths[k]) ? 1 : 0;
+          for (std::size_t k = 0; k < true_values.size(); ++k) {
+            held[k] += holds(effects[places[k]].interval, true_values[k]) ? 1 : 0;
           }
         }
         for (const int n : held) coverages.all.push_back(static_cast<double>(n) / trials);

@@ -1,4 +1,4 @@
-#include "src/statistics/empirical_distribution.h"
+#include "src/benchmark/statistics/empirical_distribution.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TEST(EmpiricalDistribution, IsTheShareOfPairsReached) {
   EXPECT_DOUBLE_EQ(empirical_distribution(times, infinity).mean, 5.0 / 6) << "never is never";
 }
 
-TEST(EmpiricalDistribution, WeighsQuestionsAlike) {
+TEST(EmpiricalDistribution, WeighsProblemsAlike) {
   EXPECT_DOUBLE_EQ(empirical_distribution({{1, 1, 1, 1}, {2}}, 1).mean, 0.5);
 }
 

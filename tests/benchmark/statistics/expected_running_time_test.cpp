@@ -1,11 +1,11 @@
-#include "src/statistics/expected_running_time.h"
+#include "src/benchmark/statistics/expected_running_time.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

@@ -1,4 +1,4 @@
-#include "src/statistics/exponential.h"
+#include "src/benchmark/statistics/exponential.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/statistics/factorial_effects.h"
+#include "src/benchmark/statistics/factorial_effects.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/statistics/fisher_exact_test.h"
+#include "src/benchmark/statistics/fisher_exact_test.h"
 
 #include <gtest/gtest.h>
 

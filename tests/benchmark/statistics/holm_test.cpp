@@ -1,4 +1,4 @@
-#include "src/statistics/holm.h"
+#include "src/benchmark/statistics/holm.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "src/statistics/log_ratio_profile.h"
+#include "src/benchmark/statistics/log_ratio_profile.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 namespace ricochet {
 namespace {
 
-void expect_bar(const LogRatio& bar, std::size_t question, double log2_ratio, SolvedBy solved_by) {
-  EXPECT_EQ(bar.question, question);
+void expect_bar(const LogRatio& bar, std::size_t problem, double log2_ratio, SolvedBy solved_by) {
+  EXPECT_EQ(bar.problem, problem);
   EXPECT_DOUBLE_EQ(bar.log2_ratio, log2_ratio);
   EXPECT_EQ(bar.solved_by, solved_by);
 }
@@ -37,7 +37,7 @@ TEST(LogRatioProfile, OfTheOtherIsItsMirror) {
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t k = 0; k < one.size(); ++k) {
     EXPECT_DOUBLE_EQ(one[k].log2_ratio, -other[other.size() - 1 - k].log2_ratio);
-    EXPECT_EQ(one[k].question, other[other.size() - 1 - k].question);
+    EXPECT_EQ(one[k].problem, other[other.size() - 1 - k].problem);
   }
 }
 

@@ -1,12 +1,12 @@
-#include "src/statistics/mean_share.h"
+#include "src/benchmark/statistics/mean_share.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "src/benchmark/statistics/wilson_interval.h"
 #include "src/core/random.h"
-#include "src/statistics/wilson_interval.h"
 
 namespace ricochet {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/statistics/order_statistic_interval.h"
+#include "src/benchmark/statistics/order_statistic_interval.h"
 
 #include <gtest/gtest.h>
 

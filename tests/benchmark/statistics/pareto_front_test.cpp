@@ -1,4 +1,4 @@
-#include "src/statistics/pareto_front.h"
+#include "src/benchmark/statistics/pareto_front.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/statistics/performance_profile.h"
+#include "src/benchmark/statistics/performance_profile.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(PerformanceProfile, OfTwoMayBeReversedByAThird) {
   EXPECT_LT(performance_profile(without, 0, 2).mean, performance_profile(without, 1, 2).mean);
 }
 
-TEST(PerformanceProfile, RisesFromWinsToSolvedQuestionsAndIsTheExtendedOneFrom1On) {
+TEST(PerformanceProfile, RisesFromWinsToSolvedProblemsAndIsTheExtendedOneFrom1On) {
   Random random(11);
   for (int i = 0; i < 30; ++i) {
     Costs drawn(20, std::vector<double>(4));

@@ -1,4 +1,4 @@
-#include "src/statistics/plackett_luce.h"
+#include "src/benchmark/statistics/plackett_luce.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,4 +1,4 @@
-#include "src/statistics/rank_correlation.h"
+#include "src/benchmark/statistics/rank_correlation.h"
 
 #include <gtest/gtest.h>
 

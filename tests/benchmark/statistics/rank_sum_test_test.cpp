@@ -1,4 +1,4 @@
-#include "src/statistics/rank_sum_test.h"
+#include "src/benchmark/statistics/rank_sum_test.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/statistics/signed_rank_test.h"
+#include "src/benchmark/statistics/signed_rank_test.h"
 
 #include <gtest/gtest.h>
 

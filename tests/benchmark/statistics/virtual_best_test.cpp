@@ -1,4 +1,4 @@
-#include "src/statistics/virtual_best.h"
+#include "src/benchmark/statistics/virtual_best.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace ricochet {
 namespace {
 
-TEST(VirtualBest, IsTheLeastOfEachQuestion) {
+TEST(VirtualBest, IsTheLeastOfEachProblem) {
   EXPECT_EQ(virtual_best({{3, 2}, {infinity, 7}, {infinity, infinity}}),
             (std::vector<double>{2, 7, infinity}));
 }

@@ -1,4 +1,4 @@
-#include "src/statistics/wilson_interval.h"
+#include "src/benchmark/statistics/wilson_interval.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/studies/stress/study.h"
+#include "src/benchmark/stress/study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,10 +6,10 @@
 
 #include <csignal>
 
+#include "src/benchmark/stress/pathological_problems.h"
 #include "src/core/instance.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/studies/stress/ill_problems.h"
 
 namespace ricochet::studies {
 namespace {
@@ -19,16 +19,19 @@ using testing::StartsWith;
 Solver named(const char* name) {
   Solver solver;
   solver.name = name;
-  solver.accepts = [](const Problem& problem) { return problem.constraints == 0; };
   return solver;
 }
 
 /// Looks at the best point, where there is one, and then at others until it is stopped.
 Solver lucky() {
   Solver solver = named("lucky");
-  solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) -> SolverExit {
-    Vector x = evaluator.problem().best_point.value_or(start);
-    while (evaluator.objective(x)) x = uniform_point(evaluator.problem(), random);
+  solver.solve = [](Evaluator& evaluator, const Vector& start,
+                    Random& random) -> SolverTermination {
+    Vector x = start;
+    for (const stress::PathologicalProblem& ill : stress::pathological_problems()) {
+      if (ill.problem.name == evaluator.name()) x = ill.problem.best_point.value_or(start);
+    }
+    while (evaluator.objective(x)) x = uniform_point(evaluator.lower(), evaluator.upper(), random);
     return {"stopped"};
   };
   return solver;
@@ -36,7 +39,7 @@ Solver lucky() {
 
 Solver crashing() {
   Solver solver = named("crashing");
-  solver.solve = [](Evaluator&, const Vector&, Random&) -> SolverExit {
+  solver.solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
     kill(getpid(), SIGKILL);
     return {};
   };
@@ -45,7 +48,7 @@ Solver crashing() {
 
 Solver lazy() {
   Solver solver = named("lazy");
-  solver.solve = [](Evaluator&, const Vector&, Random&) { return SolverExit{"no"}; };
+  solver.solve = [](Evaluator&, const Vector&, Random&) { return SolverTermination{"no"}; };
   return solver;
 }
 
@@ -61,8 +64,9 @@ report::Json ending(const report::Json& data, std::size_t solver, const std::str
 TEST(StressStudy, KeepsARecordOfEveryRunWhateverHappens) {
   const auto data = stress_study({lucky(), crashing(), lazy()}).compute(false);
   const std::size_t problems = data["problems"].size();
-  EXPECT_EQ(data["counts"]["runs"], 3 * (problems - 1)) << "none takes constraints";
-  EXPECT_EQ(data["counts"]["crashed"], problems - 1);
+  const std::size_t taken = problems - 2;
+  EXPECT_EQ(data["counts"]["runs"], 3 * taken) << "none takes constraints or a box of one point";
+  EXPECT_EQ(data["counts"]["crashed"], taken);
   int counted = 0;
   for (const char* kind : {"solved", "spent", "ended", "threw", "killed", "crashed"}) {
     counted += data["counts"][kind].get<int>();
@@ -78,6 +82,7 @@ TEST(StressStudy, KeepsARecordOfEveryRunWhateverHappens) {
   EXPECT_EQ(ending(data, 0, "budget-1")["kind"], "solved");
   EXPECT_EQ(ending(data, 0, "budget-0")["ending"], "spent 0");
   EXPECT_TRUE(ending(data, 0, "infeasible")["ending"].is_null());
+  EXPECT_TRUE(ending(data, 0, "one-point")["ending"].is_null());
   EXPECT_THAT(ending(data, 1, "cliff")["ending"], StartsWith("crashed"));
   EXPECT_EQ(ending(data, 2, "cliff")["ending"], "ended at 0");
 }
@@ -92,12 +97,12 @@ TEST(StressStudy, FillsItsPage) {
   EXPECT_EQ(table.rows[0][1].text, "solved at 1");
 }
 
-TEST(IllProblems, AreAsTheySay) {
-  for (const auto& [what, problem, budget, limits] : stress::ill_problems()) {
+TEST(PathologicalProblems, AreAsTheySay) {
+  for (const auto& [what, problem, budget, limits] : stress::pathological_problems()) {
     EXPECT_TRUE((problem.start.array() >= problem.lower.array()).all()) << problem.name;
     if (problem.name == "sleeps") continue;
     if (!problem.best_known || problem.name == "throws") continue;
-    EXPECT_EQ(truth_at(problem, *problem.best_point).objective, *problem.best_known)
+    EXPECT_EQ(true_values_at(problem, *problem.best_point).objective, *problem.best_known)
         << problem.name;
   }
 }

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::studies::advice {
 
 /// A machine of the paper, as the suite reads it.
 inline carrier_track::Scene case_scene(const char* id) {
-  return scene_of(carrier_track::find_case(id), carrier_track::default_reading().scene);
+  return scene_of(carrier_track::find_case(id), carrier_track::default_machine());
 }
 
 }  // namespace ricochet::studies::advice

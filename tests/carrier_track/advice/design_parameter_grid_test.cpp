@@ -1,8 +1,8 @@
-#include "src/studies/advice/knob_grid.h"
+#include "problems/carrier_track/advice/design_parameter_grid.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/studies/advice/case_scene.h"
+#include "tests/carrier_track/advice/case_scene.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -41,17 +41,17 @@ TEST(QuietRange, SaysWhereEverySpeedIsOfOneKind) {
   EXPECT_FALSE(loud.to_the_end);
 }
 
-TEST(KnobGrid, HasEveryCombinationInTheOrderOfItsKnobs) {
+TEST(DesignParameterGrid, HasEveryCombinationInTheOrderOfItsDesignParameters) {
   const Scene scene = case_scene("C1");
   const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 7}, 1e-2, 18});
-  const auto grid = knob_grid(scene, answer);
+  const auto grid = design_parameter_grid(scene, answer);
   ASSERT_TRUE(grid);
-  ASSERT_EQ(grid->knobs.size(), 4U);
+  ASSERT_EQ(grid->design_parameters.size(), 4U);
   EXPECT_EQ(grid->combinations.size(), 5U * 5 * 3 * 3);
   EXPECT_NEAR(*grid->own.quiet, *answer.fastest_quiet, 0.02);
   // The second last level of friction, the last of the clearance, all else its own.
-  Scene other = grid->knobs[1].turned(scene, grid->levels[1][3]);
-  other = grid->knobs[2].turned(other, grid->levels[2][2]);
+  Scene other = grid->design_parameters[1].turned(scene, grid->levels[1][3]);
+  other = grid->design_parameters[2].turned(other, grid->levels[2][2]);
   const QuietRange expected = quiet_range(other, *answer.limit, grid->scan);
   const std::size_t place = ((2 * 5 + 3) * 3 + 2) * 3 + 0;
   EXPECT_EQ(grid->combinations[place].quiet, expected.quiet);
@@ -59,9 +59,9 @@ TEST(KnobGrid, HasEveryCombinationInTheOrderOfItsKnobs) {
   EXPECT_NE(expected.quiet, grid->own.quiet);
 }
 
-TEST(KnobGrid, SaysFirstWhatBuysMost) {
+TEST(DesignParameterGrid, SaysFirstWhatBuysMost) {
   const Scene scene = case_scene("C4");
-  const auto grid = knob_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}));
+  const auto grid = design_parameter_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}));
   const report::Json data = json_of(grid);
   double before = 1e9;
   for (const report::Json& line : data["lines"]) {
@@ -72,12 +72,13 @@ TEST(KnobGrid, SaysFirstWhatBuysMost) {
     EXPECT_NEAR(line["best"]["change"].get<double>(), best / data["own"]["quiet"].get<double>() - 1,
                 1e-4);
   }
-  EXPECT_EQ(data["lines"][0]["knob"], "friction");
+  EXPECT_EQ(data["lines"][0]["design_parameter"], "friction");
 }
 
-TEST(KnobGrid, IsMissingWhereNothingSaysWhatIsQuiet) {
+TEST(DesignParameterGrid, IsMissingWhereNothingSaysWhatIsQuiet) {
   const Scene scene = case_scene("C2");
-  EXPECT_TRUE(json_of(knob_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18}))).is_null());
+  EXPECT_TRUE(json_of(design_parameter_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18})))
+                  .is_null());
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "src/studies/advice/model_choice.h"
+#include "problems/carrier_track/advice/model_choice.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -19,7 +19,7 @@ Json choice_for(const Scene& scene) {
 
 /// A machine whose carrier starts off its track in the middle of a clearance across.
 Scene machine_with_room_across() {
-  Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  Scene scene = scene_of(find_case("C1"), default_machine());
   scene.contact_friction = false;
   scene.across.emplace();
   scene.across->wall_upper = 1e-3;
@@ -28,7 +28,7 @@ Scene machine_with_room_across() {
 }
 
 TEST(ModelChoice, IsAlongTheTrackWhereThereIsNoRoomAcross) {
-  const Json choice = choice_for(scene_of(find_case("C1"), default_reading().scene));
+  const Json choice = choice_for(scene_of(find_case("C1"), default_machine()));
   EXPECT_FALSE(choice["across"]);
   EXPECT_FALSE(choice["needed"]);
   EXPECT_TRUE(choice["planar"].is_null());

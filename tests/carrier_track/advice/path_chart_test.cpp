@@ -1,4 +1,4 @@
-#include "src/studies/path_chart.h"
+#include "problems/carrier_track/advice/path_chart.h"
 
 #include <gtest/gtest.h>
 

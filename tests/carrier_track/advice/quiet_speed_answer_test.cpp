@@ -1,10 +1,10 @@
-#include "src/studies/advice/quiet_speed_answer.h"
+#include "problems/carrier_track/advice/quiet_speed_answer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -14,8 +14,7 @@ using testing::HasSubstr;
 
 QuietSpeedAnswer answer_for(const char* id, const QuietSpeedOptions& options,
                             double tolerance = 0) {
-  return answer_quiet_speed("mine", scene_of(find_case(id), default_reading().scene), options,
-                            tolerance);
+  return answer_quiet_speed("mine", scene_of(find_case(id), default_machine()), options, tolerance);
 }
 
 TEST(QuietSpeedAnswer, SaysBothUnits) {

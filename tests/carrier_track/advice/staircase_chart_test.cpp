@@ -1,9 +1,9 @@
-#include "src/studies/advice/staircase_chart.h"
+#include "problems/carrier_track/advice/staircase_chart.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using namespace carrier_track;
 
 TEST(StaircaseChart, ShowsEveryCountAndMarksSpeedsWithinTheRange) {
-  const Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  const Scene scene = scene_of(find_case("C1"), default_machine());
   const QuietSpeed answer = quiet_speed(scene, {std::nullopt, 1e-2, 9});
   const report::Chart chart =
       staircase_chart(answer, "C1", {{8.5, "a"}, {std::nullopt, "b"}, {9.5, "c"}});

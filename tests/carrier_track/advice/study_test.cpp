@@ -1,10 +1,10 @@
-#include "src/studies/advice/study.h"
+#include "problems/carrier_track/advice/study.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 
@@ -20,7 +20,7 @@ report::Json data_for(const Scene& scene, const QuietSpeedOptions& options) {
 }
 
 Scene case_scene(const char* id) {
-  return scene_of(find_case(id), default_reading().scene);
+  return scene_of(find_case(id), default_machine());
 }
 
 TEST(AdviceStudy, DrawsTheStaircaseWhereItIs) {

@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {
@@ -56,7 +56,7 @@ struct Ball {
     scene.start_position = 0;
     scene.start_velocity = speed;
     scene.window = Seconds{2.2};  // ends after the impact of k = 4
-    scene.slowest = 1.0;
+    scene.counting_limit = 1.0;
     return scene;
   }
 };
@@ -80,7 +80,7 @@ TEST(Certainty, DoubtsAnImpactAtTheSlowestSpeed) {
   for (int k = 0; k < 5; ++k) {
     for (const double off : {1e-12, -1e-12}) {
       Scene scene = ball.scene();
-      scene.slowest = ball.impact_speed(k) * (1 + off);
+      scene.counting_limit = ball.impact_speed(k) * (1 + off);
       const Certainty close = certainty(scene);
       EXPECT_FALSE(close.certain);
       EXPECT_EQ(close.doubt, Doubt::margin) << close.reason;
@@ -89,7 +89,7 @@ TEST(Certainty, DoubtsAnImpactAtTheSlowestSpeed) {
                   HasSubstr(fmt::format("an impact at {:.6g} s is within ", ball.impact_time(k))));
     }
     Scene scene = ball.scene();
-    scene.slowest = ball.impact_speed(k) * (1 + 1e-7);
+    scene.counting_limit = ball.impact_speed(k) * (1 + 1e-7);
     EXPECT_TRUE(certainty(scene).certain);
   }
 }
@@ -118,7 +118,7 @@ TEST(Certainty, DoubtsAnImpactAtTheEndOfTheWindow) {
   for (int k = 0; k < 5; ++k) {
     for (const double off : {1e-12, -1e-12, 1e-15, -1e-15, 0.0}) {
       Scene scene = ball.scene();
-      scene.slowest = 0.1;
+      scene.counting_limit = 0.1;
       scene.window = Seconds{ball.impact_time(k) * (1 + off)};
       const Certainty close = certainty(scene);
       EXPECT_EQ(close.doubt, Doubt::window) << close.reason;
@@ -156,7 +156,7 @@ TEST(Certainty, DoubtsAWallThatIsJustMissedWhereTouchesCount) {
   const Ball ball;
   for (const double miss : {3e-12, -3e-12, 0.0}) {
     Scene scene = ball.scene();
-    scene.slowest = 1e-6;
+    scene.counting_limit = 1e-6;
     scene.window = Seconds{1.0};
     scene.wall_upper = ball.summit() + miss;
     const Certainty close = certainty(scene);
@@ -187,7 +187,7 @@ Scene chaotic_gap() {
   scene.disturbance_frequency = 40.0;
   scene.start_position = 0.7e-3;
   scene.start_velocity = 0.03;
-  scene.slowest = 0.05;
+  scene.counting_limit = 0.05;
   return scene;
 }
 
@@ -207,7 +207,7 @@ TEST(Certainty, GrowsAsTheDerivativesDo) {
     // The change of ln(speed), where all constants work together.
     double bound = 0;
     for (const auto& hit : watch(dual).hits) {
-      if (hit.speed.a < scene.slowest) continue;
+      if (hit.speed.a < scene.counting_limit) continue;
       bound = std::max(bound, hit.speed.v.lpNorm<1>() / hit.speed.a);
     }
     const Certainty gap = certainty(scene);
@@ -278,7 +278,7 @@ TEST(Certainty, SpeaksOfCompliantWallsToo) {
   const Certainty plain = certainty(scene);
   EXPECT_TRUE(plain.certain) << plain.reason;
   EXPECT_NEAR(plain.graze->distance, 1e-5, 1e-12);
-  scene.slowest = ball.speed * (1 + 1e-12);  // of the first return
+  scene.counting_limit = ball.speed * (1 + 1e-12);  // of the first return
   EXPECT_EQ(certainty(scene).doubt, Doubt::margin);
 }
 
@@ -287,9 +287,9 @@ TEST(Certainty, OfFewConstantsIsNotBlind) {
   Scene scene;
   scene.start_velocity = 0.5;
   scene.window = Seconds{3.2};
-  scene.slowest = 0.5 * (1 - 1e-12);
+  scene.counting_limit = 0.5 * (1 - 1e-12);
   EXPECT_EQ(certainty(scene).doubt, Doubt::margin);
-  scene.slowest = 0.1;
+  scene.counting_limit = 0.1;
   EXPECT_TRUE(certainty(scene).certain);
   scene.window = Seconds{3.0};  // the second impact is at 3 s
   EXPECT_EQ(certainty(scene).doubt, Doubt::window);
@@ -307,7 +307,7 @@ std::vector<std::function<void(Scene&, double)>> single_changes() {
        {&Scene::mass, &Scene::friction, &Scene::normal_force, &Scene::pull,
         &Scene::centrifugal_mass_radius, &Scene::slider_mass_radius, &Scene::phase,
         &Scene::disturbance, &Scene::disturbance_frequency, &Scene::start_velocity, &Scene::omega,
-        &Scene::slowest, &Scene::peak_high, &Scene::peak_low}) {
+        &Scene::counting_limit, &Scene::peak_high, &Scene::peak_low}) {
     changes.push_back([x](Scene& scene, double factor) { scene.*x *= factor; });
   }
   for (double Scene::*const x : {&Scene::restitution_lower, &Scene::restitution_upper}) {
@@ -351,7 +351,7 @@ TEST(Certainty, SurvivesEveryChangeOfOneConstant) {
       const auto& hit =
           hits[static_cast<std::size_t>(scenes.within(0, 1) * static_cast<double>(hits.size()))];
       const double off = 1 + scenes.within(-1e-12, 1e-12);
-      if (i % 4 == 1 && hit.speed > 1e-6) scene.slowest = hit.speed * off;
+      if (i % 4 == 1 && hit.speed > 1e-6) scene.counting_limit = hit.speed * off;
       if (i % 4 == 3 && hit.time > 1e-3) scene.window = Seconds{hit.time * off};
     }
     const Certainty found = certainty(scene);

@@ -9,11 +9,11 @@
 #include <numbers>
 #include <string>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "src/studies/surrogate/largest_jump.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "src/research/surrogate/largest_jump.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -25,36 +25,37 @@ TEST(Collisions, StepIsTheHeavisideStepAtWidthZero) {
 }
 
 TEST(Collisions, StepIsALogisticAtAnyOtherWidth) {
-  for (const double width : {1e-3, 0.25, 2.0}) {
-    EXPECT_EQ(step(0.0, width), 0.5);
+  for (const double smoothing : {1e-3, 0.25, 2.0}) {
+    EXPECT_EQ(step(0.0, smoothing), 0.5);
     double last = 0;
     for (double z = -3; z <= 3; z += 0.01) {
-      const double weight = step(z, width);
-      EXPECT_NEAR(weight, 0.5 * (1 + std::tanh(z / width / 2)), 1e-15);
-      EXPECT_NEAR(weight + step(-z, width), 1.0, 1e-15);
+      const double weight = step(z, smoothing);
+      EXPECT_NEAR(weight, 0.5 * (1 + std::tanh(z / smoothing / 2)), 1e-15);
+      EXPECT_NEAR(weight + step(-z, smoothing), 1.0, 1e-15);
       EXPECT_GE(weight, last);
       last = weight;
     }
-    EXPECT_EQ(step(1e6, width), 1.0);
-    EXPECT_EQ(step(-1e6, width), 0.0);
-    EXPECT_EQ(step(-std::numeric_limits<double>::infinity(), width), 0.0);
+    EXPECT_EQ(step(1e6, smoothing), 1.0);
+    EXPECT_EQ(step(-1e6, smoothing), 0.0);
+    EXPECT_EQ(step(-std::numeric_limits<double>::infinity(), smoothing), 0.0);
   }
 }
 
 TEST(Collisions, FadesToTheEndOfTheWindowWithoutACorner) {
   EXPECT_EQ(fading(0.0, 0.0), 1.0);
-  for (const double width : {0.01, 0.25, 1.0}) {
-    EXPECT_EQ(fading(0.0, width), 0.0);
-    EXPECT_NEAR(fading(0.1 * width, width), 1 - 1 / std::numbers::e, 1e-15);
-    EXPECT_EQ(fading(0.65 * width, width), 1.0);
-    EXPECT_NEAR(fading(std::nextafter(0.65 * width, 0.0), width), 1.0, 1e-15);
-    EXPECT_LT(fading(1e-6 * width, width), 1e-9) << "its slope at the end is 0";
-    EXPECT_EQ(weight(0.7, 0.1 * width, width), step(0.7, width) * fading(0.1 * width, width));
+  for (const double smoothing : {0.01, 0.25, 1.0}) {
+    EXPECT_EQ(fading(0.0, smoothing), 0.0);
+    EXPECT_NEAR(fading(0.1 * smoothing, smoothing), 1 - 1 / std::numbers::e, 1e-15);
+    EXPECT_EQ(fading(0.65 * smoothing, smoothing), 1.0);
+    EXPECT_NEAR(fading(std::nextafter(0.65 * smoothing, 0.0), smoothing), 1.0, 1e-15);
+    EXPECT_LT(fading(1e-6 * smoothing, smoothing), 1e-9) << "its slope at the end is 0";
+    EXPECT_EQ(weight(0.7, 0.1 * smoothing, smoothing),
+              step(0.7, smoothing) * fading(0.1 * smoothing, smoothing));
   }
 }
 
 TEST(Collisions, CountsWhatTheExploratoryStudyCounted) {
-  // paper.md, section 6, starting reading.
+  // paper.md, section 6, starting interpretation.
   constexpr std::array<double, 7> speeds = {1, 2, 3, 5, 9, 13, 17};
   struct Row {
     std::string id;
@@ -79,7 +80,7 @@ Scene thrown_ball() {
   scene.pull = 2.0;
   scene.restitution_lower = 0.5;
   scene.window = Seconds{30.0};
-  scene.slowest = 3.0;
+  scene.counting_limit = 3.0;
   scene.rule = CountRule::peaks;
   scene.peak_high = 3.0;
   scene.peak_low = 1e-9;
@@ -90,9 +91,9 @@ TEST(Collisions, CountsTheImpactsFasterThanTheLimit) {
   Scene scene = thrown_ball();  // impacts at 8, 4, 2, 1, ... m/s
   scene.rule = CountRule::impacts;
   EXPECT_EQ(objective(scene, 0.0), 2.0);
-  scene.slowest = 0.9;
+  scene.counting_limit = 0.9;
   EXPECT_EQ(objective(scene, 0.0), 4.0);
-  // Weights 1 / (1 + (limit / v)^4) at width 1/4.
+  // Weights 1 / (1 + (limit / v)^4) at smoothing parameter 1/4.
   double sum = 0;
   for (double v = 8; v > 1e-6; v /= 2) sum += 1 / (1 + std::pow(0.9 / v, 4));
   EXPECT_NEAR(objective(scene, 0.25), sum, 1e-12);
@@ -181,11 +182,11 @@ TEST(Collisions, SurrogateTendsToTheCountAsItsWidthShrinks) {
       Features<double, decltype(margin)> features(scene, margin);
       const auto hits = watch(scene).hits;
       for (const auto& hit : hits) features.impact(hit.time, hit.wall, hit.speed);
-      // Every weight is off by less than exp(-nearest / width).
+      // Every weight is off by less than exp(-nearest / smoothing parameter).
       for (const double share : {5.0, 20.0, 40.0}) {
-        const double width = std::min(nearest / share, last / 0.65);
-        const double bound = static_cast<double>(hits.size()) * std::exp(-nearest / width);
-        EXPECT_NEAR(objective(scene, width), objective(scene, 0.0), bound + 1e-12);
+        const double smoothing = std::min(nearest / share, last / 0.65);
+        const double bound = static_cast<double>(hits.size()) * std::exp(-nearest / smoothing);
+        EXPECT_NEAR(objective(scene, smoothing), objective(scene, 0.0), bound + 1e-12);
       }
     }
   }
@@ -229,13 +230,13 @@ TEST(Collisions, SurrogateIsContinuousAlongRandomSegmentsWhereTheCountJumps) {
     const double rougher = draws.within(-0.02, 0.02);
     const double livelier = draws.within(-0.05, 0.05);
     const double wider = draws.within(-0.05, 0.05) * start.wall_upper;
-    const auto value_at = [&](double t, double width) {
+    const auto value_at = [&](double t, double smoothing) {
       Scene scene = start;
       scene.omega += t * faster;
       scene.friction += t * rougher;
       scene.restitution_lower += t * livelier;
       scene.wall_upper += t * wider;
-      return objective(scene, width);
+      return objective(scene, smoothing);
     };
     jumps += studies::surrogate::largest_jump([&](double t) { return value_at(t, 0.0); }) >= 1;
     worst = std::max(worst,

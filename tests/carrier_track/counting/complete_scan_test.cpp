@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -59,7 +59,7 @@ void expect_whole(const CompleteScan& scan, double resolution) {
 class CompleteScanOfCase : public testing::TestWithParam<const char*> {};
 
 TEST_P(CompleteScanOfCase, HoldsAtEverySpeedLookedAt) {
-  const Scene scene = scene_of(find_case(GetParam()), default_reading().scene);
+  const Scene scene = scene_of(find_case(GetParam()), default_machine());
   const auto scan = scan_completely(scene, lowest, highest);
   ASSERT_TRUE(scan);
   EXPECT_LT(scan->simulations, 2500);
@@ -91,14 +91,14 @@ TEST(CompleteScan, HoldsAtEverySpeedLookedAtInRandomScenes) {
 
 TEST(CompleteScan, SeesThatAStepOfTwoIsTwoStepsOfOne) {
   // The steps of this machine are 1.3e-4 rad/s apart: an even scan has one of them.
-  Scene scene = scene_of(find_case("C5"), default_reading().scene);
+  Scene scene = scene_of(find_case("C5"), default_machine());
   scene.mass = 1.2;
   scene.centrifugal_mass_radius = 0.66744559497536;
   scene.wall_upper = 0.00035396882483792406;
   scene.start_position = scene.wall_upper / 2;
   scene.start_velocity = 0.3579417139531069;
   scene.window = Revolutions{1.3526119703735053};
-  scene.slowest = 0.004505110470351442;
+  scene.counting_limit = 0.004505110470351442;
   const auto scan = scan_completely(scene, 8.2, 8.3);
   ASSERT_TRUE(scan);
   const auto narrow = std::count_if(scan->pieces.begin(), scan->pieces.end(), [](const auto& p) {
@@ -108,7 +108,7 @@ TEST(CompleteScan, SeesThatAStepOfTwoIsTwoStepsOfOne) {
 }
 
 TEST(CompleteScan, FindsTheFirstSpeedAboveALimit) {
-  const Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  const Scene scene = scene_of(find_case("C1"), default_machine());
   const auto scan = scan_completely(scene, lowest, highest);
   ASSERT_TRUE(scan);
   const double first = scan->first_above(7.5).value().from;
@@ -118,14 +118,14 @@ TEST(CompleteScan, FindsTheFirstSpeedAboveALimit) {
 }
 
 TEST(CompleteScan, GivesUpWhereItIsNoCheaper) {
-  const Scene scene = scene_of(find_case("C2"), default_reading().scene);
+  const Scene scene = scene_of(find_case("C2"), default_machine());
   CompleteScanOptions options;
   options.most = 10;
   EXPECT_FALSE(scan_completely(scene, lowest, highest, options));
 }
 
 TEST(CompleteScan, RefusesOtherRulesAndModels) {
-  Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  Scene scene = scene_of(find_case("C1"), default_machine());
   scene.rule = CountRule::peaks;
   EXPECT_THROW(scan_completely(scene, lowest, highest), std::invalid_argument);
 }

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -40,13 +40,14 @@ TEST(Counts, AreThoseOfSingleSimulationsUnderOtherRulesAndModels) {
 TEST(Counts, AskWhetherAnImpactIsFasterThanTheSlowestAsTheLogarithmDoes) {
   // An elastic body keeps its speed: at the limit, and an ulp beside it.
   for (const double speed : {0.1, 0.7, 1.9, std::nextafter(2.0, 0.0)}) {
-    for (const double slowest : {std::nextafter(speed, 0.0), speed, std::nextafter(speed, 9.0)}) {
+    for (const double counting_limit :
+         {std::nextafter(speed, 0.0), speed, std::nextafter(speed, 9.0)}) {
       Scene scene;
       scene.start_velocity = speed;
-      scene.slowest = slowest;
+      scene.counting_limit = counting_limit;
       scene.window = Seconds{10};
       const std::vector<double> one{1.0};
-      EXPECT_EQ(counts_at(scene, one), one_by_one(scene, one)) << speed << ' ' << slowest;
+      EXPECT_EQ(counts_at(scene, one), one_by_one(scene, one)) << speed << ' ' << counting_limit;
     }
   }
 }

@@ -24,7 +24,7 @@ Scene slowing_body() {
   scene.start_velocity = 0.5;
   scene.restitution_lower = scene.restitution_upper = 0.5;
   scene.window = Seconds{10.0};
-  scene.slowest = 0.4;
+  scene.counting_limit = 0.4;
   return scene;
 }
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {
@@ -20,7 +20,7 @@ Scene ball(double excess) {
   scene.pull = 9.8;
   scene.start_position = 1;
   scene.window = Seconds{1.2};
-  scene.slowest = 0.5 * std::sqrt(2 * 9.8) * (1 - excess);
+  scene.counting_limit = 0.5 * std::sqrt(2 * 9.8) * (1 - excess);
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = 1e8;
   scene.fidelity = Fidelity::automatic;
@@ -29,21 +29,21 @@ Scene ball(double excess) {
 
 TEST(Level, IsImpactWhereItsCountIsCertain) {
   EXPECT_EQ(needed_fidelity(ball(1e-3)), Fidelity::impact);
-  EXPECT_EQ(record(ball(1e-3), default_width, 0).fidelity, Fidelity::impact);
-  EXPECT_EQ(record(ball(1e-3), default_width, 0).count, 2);
+  EXPECT_EQ(record(ball(1e-3), default_smoothing, 0).fidelity, Fidelity::impact);
+  EXPECT_EQ(record(ball(1e-3), default_smoothing, 0).count, 2);
 }
 
 TEST(Level, IsCompliantWhereHardWallsLeaveTheCountOpenAndItSettlesIt) {
   Scene hard = ball(1e-13);
   hard.fidelity = Fidelity::impact;
-  ASSERT_FALSE(record(hard, default_width, 0).certainty.certain);
-  const Recording recording = record(ball(1e-13), default_width, 0);
+  ASSERT_FALSE(record(hard, default_smoothing, 0).certainty.certain);
+  const Recording recording = record(ball(1e-13), default_smoothing, 0);
   EXPECT_EQ(recording.fidelity, Fidelity::compliant);
   EXPECT_TRUE(recording.certainty.certain);
   // Pressed by its weight, the ball loses in a wall that gives way a little more or less.
   Scene soft = ball(1e-13);
   soft.fidelity = Fidelity::compliant;
-  EXPECT_EQ(recording.count, record(soft, default_width, 0).count);
+  EXPECT_EQ(recording.count, record(soft, default_smoothing, 0).count);
   EXPECT_EQ(objective(ball(1e-13), 0.0), recording.count);
 }
 
@@ -62,7 +62,7 @@ TEST(Level, IsImpactWhereNoLevelIsCertain) {
   scene.stiffness = 1e12;
   EXPECT_EQ(needed_fidelity(scene), Fidelity::impact);
   scene.fidelity = Fidelity::automatic;
-  EXPECT_FALSE(record(scene, default_width, 0).certainty.certain);
+  EXPECT_FALSE(record(scene, default_smoothing, 0).certainty.certain);
 }
 
 TEST(Level, IsPlanarWhereTheSecondDirectionActs) {
@@ -76,7 +76,7 @@ TEST(Level, IsPlanarWhereTheSecondDirectionActs) {
   scene.across->pull = 0.3;
   EXPECT_TRUE(couples(scene));
   EXPECT_EQ(needed_fidelity(scene), Fidelity::planar);
-  EXPECT_EQ(record(scene, default_width, 0).fidelity, Fidelity::planar);
+  EXPECT_EQ(record(scene, default_smoothing, 0).fidelity, Fidelity::planar);
   scene.friction = 0;
   EXPECT_FALSE(couples(scene)) << "without friction nothing is handed on";
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 Scene case_scene(const char* id) {
-  return scene_of(find_case(id), default_reading().scene);
+  return scene_of(find_case(id), default_machine());
 }
 
 /// The first scanned speed whose count is above the limit, by looking at every one.

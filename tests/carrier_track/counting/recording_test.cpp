@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -57,7 +57,7 @@ TEST(Recording, IsCertainAwayFromEveryLimitAndUncertainAtOne) {
   EXPECT_TRUE(plain.certainty.certain);
   EXPECT_GT(*plain.certainty.margin, 1e-3);
   // An impact exactly at the limit counts or not with the last digit.
-  scene.slowest = plain.impacts.front().speed;
+  scene.counting_limit = plain.impacts.front().speed;
   const Recording close = record(scene, 0.25, 0);
   EXPECT_FALSE(close.certainty.certain);
   EXPECT_LT(*close.certainty.margin, 1e-9);
@@ -112,7 +112,7 @@ TEST(Recording, ShowsWhereMostMaximaHappenWhereTheseCount) {
 TEST(Recording, ShowsWhereMostHappens) {
   Scene scene;
   scene.window = Seconds{10};
-  scene.slowest = 0.1;
+  scene.counting_limit = 0.1;
   Recording recording;
   for (const double time : {1.0, 4.0, 4.1, 4.2, 9.0}) {
     recording.impacts.push_back({time, Wall::upper, 1});

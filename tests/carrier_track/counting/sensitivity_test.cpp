@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "tests/carrier_track/counting/held_scene.h"
 
 namespace ricochet::carrier_track {
@@ -65,7 +65,7 @@ TEST(Sensitivity, IsThatOfTheClosedForm) {
 
 TEST(Sensitivity, AddsUpToNothingOverAllThatHasAMassInItsUnit) {
   // Mass and forces of twice the size move the same way.
-  const Scene scene = scene_of(find_case("C1"), default_reading().scene);
+  const Scene scene = scene_of(find_case("C1"), default_machine());
   const auto all = sensitivities(scene, {Measure::collisions, 6}, 8.27);
   double sum = 0;
   bool large = false;

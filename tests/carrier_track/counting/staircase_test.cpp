@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "problems/carrier_track/counting/sensitivity.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/random.h"
 
 namespace ricochet::carrier_track {
@@ -123,7 +123,7 @@ std::vector<Scene> many_machines() {
   Random random(7);
   std::vector<Scene> machines;
   for (const Case& a_case : all_cases()) {
-    machines.push_back(scene_of(a_case, default_reading().scene));
+    machines.push_back(scene_of(a_case, default_machine()));
   }
   for (std::size_t drawn = 0; machines.size() < 200; ++drawn) {
     Scene machine = machines[drawn % all_cases().size()];

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

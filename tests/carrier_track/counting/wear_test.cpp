@@ -36,7 +36,7 @@ TEST(Wear, FadesToTheEndOfTheWindow) {
   const double whole = 1e3 * 0.5 * 2.0 * 9.0 * (1 - 0.25);
   scene.window = Seconds{time * (1 + 1e-9)};
   EXPECT_LT(wear(scene), 1e-9 * whole);
-  scene.window = Seconds{time / (1 - 0.1 * wear_width)};
+  scene.window = Seconds{time / (1 - 0.1 * wear_smoothing)};
   EXPECT_NEAR(wear(scene), whole * (1 - std::exp(-1.0)), 1e-9 * whole);
 }
 

@@ -23,21 +23,21 @@ Event next_event_of(Flight<double> flight, int direction, double ahead, double h
 /// Holds for an event of `flight` that is real, and before which nothing happens.
 void expect_first_event(const Flight<double>& flight, int direction, double ahead, double horizon,
                         const Event& event) {
-  const Truth truth{flight, direction};
+  const TrueValues true_values{flight, direction};
   ASSERT_GE(event.time, 0.0);
   ASSERT_LE(event.time, horizon);
   EXPECT_EQ(event.direction, direction);
   // What double precision can resolve of a distance and a speed at the time of the event.
-  const auto travelled = static_cast<double>(truth.distance(event.time));
+  const auto travelled = static_cast<double>(true_values.distance(event.time));
   const double speed_noise = 1e-14 * (1 + std::abs(flight.velocity) + 4 * event.time);
   switch (event.kind) {
     case EventKind::wall:
       EXPECT_NEAR(travelled, ahead, 1e-15 * (1 + 4 * event.time * event.time));
-      EXPECT_GE(truth.speed(event.time), -speed_noise);
+      EXPECT_GE(true_values.speed(event.time), -speed_noise);
       break;
     case EventKind::turn:
-      EXPECT_NEAR(static_cast<double>(truth.speed(event.time)), 0.0, speed_noise);
-      EXPECT_LE(truth.push(event.time), 1e-9);
+      EXPECT_NEAR(static_cast<double>(true_values.speed(event.time)), 0.0, speed_noise);
+      EXPECT_LE(true_values.push(event.time), 1e-9);
       break;
     default:
       EXPECT_EQ(event.kind, EventKind::horizon);
@@ -46,8 +46,8 @@ void expect_first_event(const Flight<double>& flight, int direction, double ahea
   constexpr int samples = 1000;
   for (int i = 1; i < samples; ++i) {
     const long double t = static_cast<long double>(event.time) * i / samples;
-    ASSERT_LE(truth.distance(t), ahead + 1e-14) << "a wall is skipped";
-    ASSERT_GE(truth.speed(t), -speed_noise) << "a turn is skipped";
+    ASSERT_LE(true_values.distance(t), ahead + 1e-14) << "a wall is skipped";
+    ASSERT_GE(true_values.speed(t), -speed_noise) << "a turn is skipped";
   }
 }
 
@@ -79,7 +79,7 @@ TEST_F(EventTest, TellsAWallJustWithinReachFromOneJustBeyond) {
     flight.velocity = direction * log_within(1e-3, 3);
     const Event turn = next_event_of(flight, direction, infinity, 50.0, evaluations_);
     if (turn.kind != EventKind::turn) continue;
-    const auto reach = static_cast<double>(Truth{flight, direction}.distance(turn.time));
+    const auto reach = static_cast<double>(TrueValues{flight, direction}.distance(turn.time));
     // A flight of length T knows its place to about 1e-16 (1 + T^2).
     const double least = 1e-14 * (1 + turn.time * turn.time);
     for (const double clearance : {least, 1e3 * least, 1e6 * least}) {
@@ -139,7 +139,7 @@ TEST_F(EventTest, LetsABodyAtRestSetOutUnderAForceThatOnlyGrows) {
     flight.harmonic[0] = {0.0, -1.0, 5.0};  // x'' = sin(5 t)
     const Event event = next_event_of(flight, 1, 1e-3, 1.0, evaluations_);
     EXPECT_EQ(event.kind, EventKind::wall);
-    EXPECT_NEAR(static_cast<double>(Truth{flight, 1}.distance(event.time)), 1e-3, 1e-16);
+    EXPECT_NEAR(static_cast<double>(TrueValues{flight, 1}.distance(event.time)), 1e-3, 1e-16);
   }
 }
 

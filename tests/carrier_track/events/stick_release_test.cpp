@@ -20,7 +20,7 @@ TEST_F(DepartureTest, IsTheFirstThatDenseSamplingFinds) {
     const Flight<double> applied = random_flight();
     const bool may_rise = trial % 3 != 0;
     const bool may_fall = trial % 3 != 1;
-    const double push = static_cast<double>(Truth{applied, 1}.push(0));
+    const double push = static_cast<double>(TrueValues{applied, 1}.push(0));
     // At rest to begin with: friction holds, or a wall takes the way.
     double friction = within(0, 2);
     if ((push > 0 && may_rise) || (push < 0 && may_fall)) friction += std::abs(push);
@@ -28,17 +28,17 @@ TEST_F(DepartureTest, IsTheFirstThatDenseSamplingFinds) {
     const double noise = 1e-14 * (5 + friction);
     if (event.kind == EventKind::release) {
       ++departures;
-      const Truth truth{applied, event.direction};
+      const TrueValues true_values{applied, event.direction};
       EXPECT_TRUE(event.direction > 0 ? may_rise : may_fall);
-      EXPECT_NEAR(static_cast<double>(truth.push(event.time)), friction, noise);
-      EXPECT_GT(truth.push(event.time + 1e-6), friction) << trial;
+      EXPECT_NEAR(static_cast<double>(true_values.push(event.time)), friction, noise);
+      EXPECT_GT(true_values.push(event.time + 1e-6), friction) << trial;
     } else {
       EXPECT_EQ(event.kind, EventKind::horizon);
       EXPECT_EQ(event.time, 5.0);
     }
     for (int i = 1; i < 1000; ++i) {
       const long double t = static_cast<long double>(event.time) * i / 1000;
-      const long double a = Truth{applied, 1}.push(t);
+      const long double a = TrueValues{applied, 1}.push(t);
       ASSERT_LE(a, may_rise ? friction + noise : infinity) << trial;
       ASSERT_GE(a, may_fall ? -friction - noise : -infinity) << trial;
     }

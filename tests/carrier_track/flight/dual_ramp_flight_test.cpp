@@ -3,7 +3,7 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "tests/carrier_track/flight/random_ramp_forces.h"
 
 namespace ricochet::carrier_track {

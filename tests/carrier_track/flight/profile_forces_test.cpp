@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {

@@ -11,7 +11,7 @@
 namespace ricochet::carrier_track {
 
 /// A flight seen in its direction, in long double and by the plain integrals of its forces.
-struct Truth {
+struct TrueValues {
   const Flight<double>& flight;
   int direction;
 

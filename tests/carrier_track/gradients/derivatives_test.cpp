@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 #include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -232,7 +232,7 @@ std::vector<Scalar*> constants_of(BasicScene<Scalar>& scene) {
                                  &scene.disturbance_phase,
                                  &scene.start_position,
                                  &scene.start_velocity,
-                                 &scene.slowest,
+                                 &scene.counting_limit,
                                  &scene.omega};
   for (auto& knot : scene.profile) result.push_back(&knot.omega);
   return result;

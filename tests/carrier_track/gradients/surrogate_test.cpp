@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 #include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -33,12 +33,12 @@ TEST(Surrogate, HasTheSlopeOfDifferencesAtAThousandRandomSpeeds) {
   for (std::size_t i = 0; i < 1000; ++i) {
     Scene scene = scene_of(cases[i % cases.size()], exploratory_scene());
     scene.omega = draws.within(0.5, 18.0);
-    const Slope exact = surrogate_slope(scene, default_width);
-    EXPECT_NEAR(exact.value, objective(scene, default_width), 1e-9 * exact.value);
+    const Slope exact = surrogate_slope(scene, default_smoothing);
+    EXPECT_NEAR(exact.value, objective(scene, default_smoothing), 1e-9 * exact.value);
     const auto value_at = [&](double omega) {
       Scene near = scene;
       near.omega = omega;
-      return objective(near, default_width);
+      return objective(near, default_smoothing);
     };
     const Difference slope = difference(value_at, scene.omega, 1e-3 * scene.omega);
     errors.push_back(std::abs(exact.slope - slope.slope) / std::abs(slope.slope));
@@ -79,7 +79,7 @@ TEST(Surrogate, HasTheSlopeOfDifferencesWithRespectToEveryConstant) {
         {"start_position", &Scene::start_position, &Dual::start_position},
         {"start_velocity", &Scene::start_velocity, &Dual::start_velocity},
         {"omega", &Scene::omega, &Dual::omega},
-        {"slowest", &Scene::slowest, &Dual::slowest}}) {
+        {"counting_limit", &Scene::counting_limit, &Dual::counting_limit}}) {
     for (const char* id : {"C5", "C10", "C11"}) {
       Scene scene = scene_of(find_case(id), exploratory_scene());
       scene.restitution_upper *= 0.9;
@@ -91,11 +91,11 @@ TEST(Surrogate, HasTheSlopeOfDifferencesWithRespectToEveryConstant) {
       scene.omega = 4.3;
       Dual dual = lifted<Jet>(scene);
       (dual.*field.dual).v[0] = 1.0;
-      const double exact = objective(dual, default_width).v[0];
+      const double exact = objective(dual, default_smoothing).v[0];
       const auto value_at = [&](double x) {
         Scene near = scene;
         near.*field.plain = x;
-        return objective(near, default_width);
+        return objective(near, default_smoothing);
       };
       const double x = scene.*field.plain;
       const Difference slope = difference(value_at, x, 1e-4 * std::abs(x));
@@ -114,11 +114,11 @@ TEST(Surrogate, HasTheSlopeOfDifferencesUnderTheRuleOfPeaks) {
     scene.peak_low = 0.2e-3;
     scene.window = Seconds{0.3};
     scene.omega = draws.within(1.0, 18.0);
-    const Slope exact = surrogate_slope(scene, default_width);
+    const Slope exact = surrogate_slope(scene, default_smoothing);
     const auto value_at = [&](double omega) {
       Scene near = scene;
       near.omega = omega;
-      return objective(near, default_width);
+      return objective(near, default_smoothing);
     };
     const Difference slope = difference(value_at, scene.omega, 1e-5 * scene.omega);
     errors.push_back(std::abs(exact.slope - slope.slope) / std::abs(slope.slope));
@@ -135,14 +135,14 @@ TEST(Surrogate, HasTheSecondDerivativeOfDifferencesThroughDualsOfDuals) {
     auto dual = lifted<Second>(scene);
     dual.omega.a.v[0] = 1.0;
     dual.omega.v[0].a = 1.0;
-    const Second result = objective(dual, default_width);
-    const Slope slope = surrogate_slope(scene, default_width);
+    const Second result = objective(dual, default_smoothing);
+    const Slope slope = surrogate_slope(scene, default_smoothing);
     EXPECT_NEAR(result.a.a, slope.value, 1e-9 * slope.value);
     EXPECT_NEAR(result.v[0].a / slope.slope, 1.0, 1e-9);
     const auto slope_at = [&](double omega) {
       Scene near = scene;
       near.omega = omega;
-      return surrogate_slope(near, default_width).slope;
+      return surrogate_slope(near, default_smoothing).slope;
     };
     const Difference second = difference(slope_at, scene.omega, 1e-4 * scene.omega);
     EXPECT_NEAR(result.v[0].v[0] / second.slope, 1.0, 1e-6) << id;
@@ -181,11 +181,11 @@ TEST(Surrogate, HasASlopeForABodyThatStartsAtRestAtAWall) {
       scene.omega = 7.0;
       scene.start_position = upper ? scene.wall_upper : scene.wall_lower;
       scene.start_velocity = 0.0;
-      const Slope exact = surrogate_slope(scene, default_width);
+      const Slope exact = surrogate_slope(scene, default_smoothing);
       const auto value_at = [&](double omega) {
         Scene near = scene;
         near.omega = omega;
-        return objective(near, default_width);
+        return objective(near, default_smoothing);
       };
       const Difference slope = difference(value_at, 7.0, 1e-3);
       EXPECT_NEAR(exact.slope / slope.slope, 1.0, 1e-7) << a_case.id;
@@ -207,7 +207,8 @@ TEST(Surrogate, HasASlopeWhereAnImpactOnlyTouches) {
       scene.window = Seconds{5.0};
       auto dual = lifted<Jet>(scene);
       dual.start_velocity.v[0] = 1.0;
-      EXPECT_TRUE(std::isfinite(objective(dual, default_width).v[0])) << velocity << " " << gravity;
+      EXPECT_TRUE(std::isfinite(objective(dual, default_smoothing).v[0]))
+          << velocity << " " << gravity;
       for (const auto& hit : watch(scene).hits) touches += hit.speed < 1e-9;
     }
   }

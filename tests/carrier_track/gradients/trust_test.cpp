@@ -7,11 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -26,10 +26,10 @@ struct Throw {
     scene.start_velocity = x[0];
     scene.pull = constant<Scalar>(8.0);
     scene.restitution_upper = constant<Scalar>(0.5);
-    scene.slowest = constant<Scalar>(0.1);
+    scene.counting_limit = constant<Scalar>(0.1);
     scene.window = Seconds{0.6};
     auto watcher = watch.of(scene);
-    return objective(scene, default_width, watcher);
+    return objective(scene, default_smoothing, watcher);
   }
 };
 
@@ -71,11 +71,11 @@ TEST(Trust, CallsAGradientSensitiveWhereItsDigitsAreLost) {
   scene.centrifugal_mass_radius = 1.0;
   scene.omega = 3.0;
   scene.start_velocity = 0.3;
-  scene.slowest = 1.0;
+  scene.counting_limit = 1.0;
   scene.window = Seconds{3.0};
-  EXPECT_EQ(surrogate_slope(scene, default_width, 10.0).trust.doubt, GradientDoubt::none);
+  EXPECT_EQ(surrogate_slope(scene, default_smoothing, 10.0).trust.doubt, GradientDoubt::none);
   scene.window = Seconds{200.0};
-  EXPECT_EQ(surrogate_slope(scene, default_width, 10.0).trust.doubt, GradientDoubt::sensitive);
+  EXPECT_EQ(surrogate_slope(scene, default_smoothing, 10.0).trust.doubt, GradientDoubt::sensitive);
 }
 
 /// The same throw at the sum of four variables.
@@ -122,7 +122,7 @@ TEST(Trust, ReachesToWhereTheMotionChanges) {
   for (int i = 0; i < 8000; ++i) {
     Scene scene = scene_of(cases[static_cast<std::size_t>(i) % cases.size()], exploratory_scene());
     scene.omega = draws.within(1.0, 17.0);
-    const double reach = surrogate_slope(scene, default_width, 1.0).trust.reach;
+    const double reach = surrogate_slope(scene, default_smoothing, 1.0).trust.reach;
     if (reach > 5e-3) continue;
     ++short_reaches;
     const auto at = [&](double step) {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/comparison.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/comparison.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -67,7 +67,7 @@ void compare(const Scene& scene, double step, Agreement& agreement) {
   agreement.listed += reference.size();
   if (!model.certainty.certain) return;
   ++agreement.certain;
-  EXPECT_EQ(model.count, std::ssize(faster(fine.impacts, scene.slowest)));
+  EXPECT_EQ(model.count, std::ssize(faster(fine.impacts, scene.counting_limit)));
 }
 
 void record_property(Agreement& agreement) {

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {
@@ -452,8 +452,9 @@ TEST(CompliantModel, CountsAsTheImpactModelWhereWallsAreVeryStiff) {
       const Recording hard = record(scene, 0.25, 0);
       if (!hard.certainty.certain || hard.certainty.margin.value_or(1.0) < 0.01) continue;
       const Pressed soft = press(scene);
-      const auto count = std::count_if(soft.hits.begin(), soft.hits.end(),
-                                       [&](const auto& hit) { return hit.speed > scene.slowest; });
+      const auto count = std::count_if(soft.hits.begin(), soft.hits.end(), [&](const auto& hit) {
+        return hit.speed > scene.counting_limit;
+      });
       EXPECT_EQ(count, hard.count) << a_case.id << " at " << scene.omega;
       EXPECT_LT(soft.samples.size(), 6000U) << a_case.id << " at " << scene.omega;
       ++compared;

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "problems/carrier_track/oracle/hostile_scenes.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/hostile_scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -72,7 +72,7 @@ TEST(ImpactModel, BouncingBallIsListedUntilItRests) {
 TEST(ImpactModel, BouncingBallIsFollowedAsFarAsItsImpactsCount) {
   Scene scene = bouncing_ball();
   for (const double slowest : {1e-3, 1e-9, 3e-12, 1e-15}) {
-    scene.slowest = slowest;
+    scene.counting_limit = slowest;
     const double speed = std::sqrt(2 * 9.8 * 50);
     std::size_t expected = 0;
     while (speed * std::pow(0.8, static_cast<double>(expected)) > slowest) ++expected;

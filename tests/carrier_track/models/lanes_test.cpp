@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/models/lane_flight.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

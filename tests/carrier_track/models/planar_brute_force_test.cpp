@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/comparison.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/comparison.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double slowest = 1e-6;  // [m/s]; see brute_force_test.cpp
+constexpr double counting_limit = 1e-6;  // [m/s]; see brute_force_test.cpp
 
 TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
   RandomScenes scenes(41);
@@ -29,9 +29,10 @@ TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
     const Recording model = record(scene, 0.25, 0);
     // The difference of two steps is by theory fifteen times the error of the finer one: the bar.
     const BruteForce fine = planar_brute_force(scene, 1e-5);
-    const std::vector<Impact> reference = faster(fine.impacts, slowest);
-    const std::vector<Impact> coarse = faster(planar_brute_force(scene, 4e-5).impacts, slowest);
-    const std::vector<Impact> actual = faster(model.impacts, slowest);
+    const std::vector<Impact> reference = faster(fine.impacts, counting_limit);
+    const std::vector<Impact> coarse =
+        faster(planar_brute_force(scene, 4e-5).impacts, counting_limit);
+    const std::vector<Impact> actual = faster(model.impacts, counting_limit);
     double time_bar = 1e-8;
     double speed_bar = 1e-8;
     std::size_t k = 0;
@@ -54,7 +55,7 @@ TEST(PlanarBruteForce, BruteForceFindsTheImpactsOfRandomScenes) {
     compared += k;
     if (!model.certainty.certain) continue;
     ++certain;
-    EXPECT_EQ(model.count, std::ssize(faster(fine.impacts, scene.slowest)));
+    EXPECT_EQ(model.count, std::ssize(faster(fine.impacts, scene.counting_limit)));
   }
   std::sort(errors.begin(), errors.end());
   RecordProperty("impacts", std::to_string(listed));

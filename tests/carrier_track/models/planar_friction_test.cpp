@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "tests/carrier_track/models/planar_brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/core/infinity.h"

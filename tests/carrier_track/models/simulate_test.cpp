@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/hostile_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/gradients/surrogate.h"
-#include "problems/carrier_track/oracle/hostile_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/models/simulate.h"
 
 namespace ricochet::carrier_track {
@@ -44,10 +45,17 @@ struct Watched : Observer {
   End<Scalar> end{};
 };
 
+/// Dual numbers run in a model of their own, because simulate() does not report their stretches.
 template <class Scalar>
 Watched<Scalar> watch(const BasicScene<Scalar>& scene) {
   Watched<Scalar> watched;
-  watched.end = simulate(scene, watched);
+  if constexpr (Dual<Scalar>) {
+    watched.end = scene.profile.empty()
+                      ? ImpactModel<Scalar, AppliedForces<Scalar>>(scene).run(watched)
+                      : ImpactModel<Scalar, ProfileForces<Scalar>>(scene).run(watched);
+  } else {
+    watched.end = simulate(scene, watched);
+  }
   return watched;
 }
 

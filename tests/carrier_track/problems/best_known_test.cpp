@@ -1,11 +1,14 @@
-#include "problems/carrier_track/questions/best_known.h"
+#include "problems/carrier_track/problems/best_known.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/error.h"
+#include "src/core/suite_version.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -18,12 +21,12 @@ Problem named(const std::string& name) {
 
 TEST(BestKnown, IsReadAsItWasWritten) {
   const double infinite = std::numeric_limits<double>::infinity();
-  const BestValues values{"a-reading",
+  const BestValues values{"0123456789abcdef",
                           {{"count-C1", {3.0, Vector::Constant(1, 0.1), "a scan"}},
                            {"design-C2", {-1.0 / 3, Vector::LinSpaced(5, 0, 1e-7), "a solver"}},
                            {"robust-C3", {infinite, Vector(), "none"}}}};
   const BestValues read = parse_best_values(write_best_values(values), "text");
-  EXPECT_EQ(read.reading, values.reading);
+  EXPECT_EQ(read.machine, values.machine);
   ASSERT_EQ(read.of.size(), values.of.size());
   for (const auto& [name, best] : values.of) {
     EXPECT_EQ(read.of.at(name).value, best.value) << name;
@@ -34,29 +37,44 @@ TEST(BestKnown, IsReadAsItWasWritten) {
 
 TEST(BestKnown, RefusesWhatIsNoSuchText) {
   for (const char* text :
-       {"", "reading = 3", "reading = \"r\"\ncount-C1 = 3",
-        "reading = \"r\"\n[count-C1]\nvalue = 1",
-        "reading = \"r\"\n[count-C1]\nvalue = 1\nprovenance = \"p\"\npoint = [\"x\"]"}) {
-    EXPECT_THROW(parse_best_values(text, "text"), InputError) << text;
+       {"", "machine = 3", "machine = \"m\"\ncount-C1 = 3",
+        "machine = \"m\"\n[count-C1]\nvalue = 1",
+        "machine = \"m\"\n[count-C1]\nvalue = 1\nprovenance = \"p\"\npoint = [\"x\"]"}) {
+    EXPECT_THROW(parse_best_values(fmt::format("suite = {}\n{}", suite_version, text), "text"),
+                 InputError)
+        << text;
   }
 }
 
-TEST(BestKnown, IsToldToTheProblemsOfItsReadingAlone) {
+TEST(BestKnown, RefusesBestValuesOfAnotherVersionOfTheSuite) {
+  for (const char* text : {"interpretation = \"r\"", "suite = 1\nmachine = \"m\""}) {
+    try {
+      parse_best_values(text, "best_known.toml");
+      FAIL() << text;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith("best_known.toml: best values of version 1"));
+    }
+  }
+  EXPECT_NO_THROW(
+      parse_best_values(fmt::format("suite = {}\nmachine = \"m\"", suite_version), "text"));
+}
+
+TEST(BestKnown, IsToldToTheProblemsOfItsMachineAlone) {
   const auto& [name, best] = *best_values().of.begin();
   Problem of_this = named(name);
-  know_best(of_this, best_values().reading);
+  know_best(of_this, best_values().machine);
   EXPECT_EQ(of_this.best_known, best.value);
   EXPECT_EQ(*of_this.best_point, best.point);
   EXPECT_EQ(of_this.provenance, best.provenance);
-  for (const char* other : {"", "another-reading"}) {
+  for (const char* other : {"", "0123456789abcdef"}) {
     Problem of_other = named(name);
     know_best(of_other, other);
     EXPECT_FALSE(of_other.best_known);
   }
 }
 
-TEST(BestKnown, IsOfTheDefaultReading) {
-  EXPECT_EQ(best_values().reading, default_reading().name);
+TEST(BestKnown, IsOfTheDefaultMachine) {
+  EXPECT_EQ(best_values().machine, default_machine_hash());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "src/core/error.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -64,16 +64,16 @@ TEST(Cases, AreFoundByTheirId) {
   }
 }
 
-TEST(Cases, PutTheirConstantsIntoAReading) {
-  const Scene reading = exploratory_scene();
-  const Scene scene = scene_of(find_case("C8"), reading);
+TEST(Cases, PutTheirConstantsIntoAInterpretation) {
+  const Scene interpretation = exploratory_scene();
+  const Scene scene = scene_of(find_case("C8"), interpretation);
   EXPECT_EQ(scene.restitution_lower, 0.9);
   EXPECT_EQ(scene.restitution_upper, 0.9);
   EXPECT_EQ(scene.friction, 0.4);
   EXPECT_EQ(scene.disturbance, 0.1);
-  EXPECT_EQ(scene.pull, reading.pull);
-  EXPECT_EQ(scene.slowest, reading.slowest);
-  EXPECT_EQ(scene.wall_upper, reading.wall_upper);
+  EXPECT_EQ(scene.pull, interpretation.pull);
+  EXPECT_EQ(scene.counting_limit, interpretation.counting_limit);
+  EXPECT_EQ(scene.wall_upper, interpretation.wall_upper);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/design.h"
+#include "problems/carrier_track/problems/design.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/families.h"
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -43,7 +43,7 @@ TEST(Design, CostsNoTensionAtTheNominalPullAndNoDampingWithoutAny) {
 
 TEST(Design, OfTheMachineAsItIsHasItsCount) {
   const Machine m = c1_machine();
-  const Problem problem = design_count_question(m).stated;
+  const Problem problem = design_count_problem(m);
   Vector x = problem.start;
   x[design_speed] = 9.0;
   const double count = problem.evaluate(x).constraints[0] + m.quiet_limit;
@@ -63,25 +63,25 @@ TEST(Design, BuildsTheSceneOfItsVariables) {
 }
 
 TEST(Design, HasDerivativesToEveryVariable) {
-  const Problem problem = design_count_question(c1_machine()).problem({0.25});
+  const Problem problem = design_count_problem(c1_machine()).formulated({0.25});
   const Vector x = problem.lower + 0.37 * (problem.upper - problem.lower);
   expect_derivatives_of_values(problem, x, 1e-8, 1e-4);
 }
 
 TEST(Design, IsJudgedByTheTrueCount) {
-  const Problem smooth = design_count_question(c1_machine()).problem({0.25});
-  const Problem exact = design_count_question(c1_machine()).stated;
+  const Problem smooth = design_count_problem(c1_machine()).formulated({0.25});
+  const Problem exact = design_count_problem(c1_machine());
   const Vector x = smooth.lower + 0.9 * (smooth.upper - smooth.lower);
-  const Truth truth = smooth.truth(x);
-  EXPECT_GT(truth.violation, 0);
-  EXPECT_EQ(truth.violation, exact.evaluate(x).constraints[0]);
-  EXPECT_EQ(truth.objective, exact.evaluate(x).objective);
+  const TrueValues true_values = smooth.true_values(x);
+  EXPECT_GT(true_values.violation, 0);
+  EXPECT_EQ(true_values.violation, exact.evaluate(x).constraints[0]);
+  EXPECT_EQ(true_values.objective, exact.evaluate(x).objective);
 }
 
 TEST(Design, IsNotAskedOfAMachineWithOneWall) {
   Machine m = c1_machine();
   m.scene.wall_upper = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(families_of({c1_machine(), m})[4].questions.size(), 1U);
+  EXPECT_EQ(families_of({c1_machine(), m})[4].problems.size(), 1U);
 }
 
 }  // namespace

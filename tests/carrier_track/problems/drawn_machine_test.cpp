@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/drawn_machine.h"
+#include "problems/carrier_track/problems/drawn_machine.h"
 
 #include <gtest/gtest.h>
 
@@ -7,17 +7,17 @@
 #include <stdexcept>
 #include <variant>
 
-#include "problems/carrier_track/questions/count.h"
+#include "problems/carrier_track/problems/count.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_file.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
 Machine c9() {
   Machine machine = machine_of(find_case("C9"), exploratory_scene());
-  machine.reading = "some-reading";
+  machine.default_hash = "some hash";
   return machine;
 }
 
@@ -54,7 +54,7 @@ TEST(DrawnMachine, HasEveryConstantWithinFivePerCent) {
     expect_near(scene.disturbance, nominal.disturbance);
     expect_near(scene.disturbance_frequency, nominal.disturbance_frequency);
     expect_near(scene.start_velocity, nominal.start_velocity);
-    EXPECT_EQ(scene.slowest, nominal.slowest);
+    EXPECT_EQ(scene.counting_limit, nominal.counting_limit);
     EXPECT_EQ(std::get<Revolutions>(scene.window).count, 1.314);
     EXPECT_NO_THROW(check(scene, "drawn"));
   }
@@ -70,19 +70,19 @@ TEST(DrawnMachine, KeepsAPerfectRestitutionPossible) {
   }
 }
 
-TEST(DrawnMachine, KeepsLimitAndThresholdAndForgetsTheReading) {
+TEST(DrawnMachine, KeepsLimitAndThresholdAndForgetsTheHash) {
   const Machine drawn = drawn_machine(c9(), 3);
   EXPECT_EQ(drawn.id, "C9~3");
   EXPECT_EQ(drawn.quiet_limit, c9().quiet_limit);
   EXPECT_EQ(drawn.threshold, 7.3);
-  EXPECT_EQ(drawn.reading, "");
-  EXPECT_EQ(count_question(drawn).name(), "count-C9~3");
+  EXPECT_EQ(drawn.default_hash, "");
+  EXPECT_EQ(count_problem(drawn).name, "count-C9~3");
 }
 
 TEST(DrawnMachine, OfNumberZeroIsTheMachineItself) {
   const Machine machine = drawn_machine(c9(), 0);
   EXPECT_EQ(machine.id, "C9");
-  EXPECT_EQ(machine.reading, "some-reading");
+  EXPECT_EQ(machine.default_hash, "some hash");
   EXPECT_EQ(write_scene(machine.scene), write_scene(c9().scene));
 }
 

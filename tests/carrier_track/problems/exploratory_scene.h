@@ -5,7 +5,8 @@
 namespace ricochet::carrier_track {
 
 /// The constants that an exploratory study fitted to the paper (paper.md, section 6, "starting
-/// reading"): a lively scene that stays the same when the default reading is fitted anew.
+/// interpretation"): a lively scene that stays the same when the default interpretation is fitted
+/// again.
 inline Scene exploratory_scene() {
   Scene scene;
   scene.mass = 1.2;
@@ -18,7 +19,7 @@ inline Scene exploratory_scene() {
   scene.start_velocity = -0.090;
   scene.omega = 3.0;
   scene.window = Revolutions{1.314};
-  scene.slowest = 9.65e-3;
+  scene.counting_limit = 9.65e-3;
   return scene;
 }
 

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/hard_machines.h"
+#include "problems/carrier_track/problems/hard_machines.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/problems/speed_problem.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/core/error.h"
 #include "src/core/verdict.h"
@@ -18,8 +18,7 @@ TEST(HardMachines, AreReadAsTheyWereWritten) {
   const std::vector<HardMachine>& all = hard_machines();
   const HardMachines found =
       parse_hard_machines(write_hard_machines(found_hard_machines()), "text");
-  EXPECT_EQ(write_fitted_reading(found.reading),
-            write_fitted_reading(found_hard_machines().reading));
+  EXPECT_EQ(write_scene(found.constants), write_scene(found_hard_machines().constants));
   const std::vector<HardMachine>& read = found.machines;
   ASSERT_EQ(read.size(), all.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -36,15 +35,15 @@ TEST(HardMachines, AreReadAsTheyWereWritten) {
 }
 
 TEST(HardMachines, RefuseWhatIsNoSuchText) {
-  const FittedReading& reading = found_hard_machines().reading;
-  const std::string empty = write_hard_machines({reading, {}});
+  const Scene& constants = found_hard_machines().constants;
+  const std::string empty = write_hard_machines({constants, {}});
   EXPECT_TRUE(parse_hard_machines(empty, "text").machines.empty());
   for (const char* text : {"01 = 3", "[01]\naround = \"C1\"", "[01]\naround = 1"}) {
     EXPECT_THROW(parse_hard_machines(empty + text, "text"), InputError) << text;
   }
-  EXPECT_THROW(parse_hard_machines("# no reading", "text"), InputError);
-  std::string text = write_hard_machines({reading, {hard_machines()[0]}});
-  text.replace(text.find("mass = "), 7, "mass = -");
+  EXPECT_THROW(parse_hard_machines("# no constants", "text"), InputError);
+  std::string text = write_hard_machines({constants, {hard_machines()[0]}});
+  text.replace(text.rfind("\nmass = "), 8, "\nmass = -");
   EXPECT_THROW(parse_hard_machines(text, "text"), InputError);
 }
 
@@ -54,10 +53,10 @@ TEST(HardMachines, AreFifteenTheHardestFirstNoMoreThanFiveAroundACase) {
   std::map<std::string, int> around;
   for (std::size_t k = 0; k < all.size(); ++k) {
     EXPECT_LE(++around[all[k].around], 5);
-    EXPECT_GE(pocket_share(all[k]), 1e-3);
-    EXPECT_LE(pocket_share(all[k]), 1e-2);
-    EXPECT_LE(pocket_share(all[k == 0 ? 0 : k - 1]), pocket_share(all[k]));
-    EXPECT_GE(all[k].hardness.pockets, 2);
+    EXPECT_GE(quiet_interval_share(all[k]), 1e-3);
+    EXPECT_LE(quiet_interval_share(all[k]), 1e-2);
+    EXPECT_LE(quiet_interval_share(all[k == 0 ? 0 : k - 1]), quiet_interval_share(all[k]));
+    EXPECT_GE(all[k].hardness.quiet_intervals, 2);
     EXPECT_GT(all[k].hardness.bisection_gap, speed_tolerance);
   }
 }
@@ -73,19 +72,19 @@ TEST(HardMachines, AskForASpeedWhoseCountAndThoseNextToItAreCertain) {
   }
 }
 
-TEST(HardMachines, AreAskedInEveryFormOfATopSpeed) {
+TEST(HardMachines, AreAskedInEveryFormulationOfATopSpeed) {
   const Family family = hard_family();
-  ASSERT_EQ(family.questions.size(), hard_machines().size());
-  EXPECT_EQ(family.questions[0].name(), "hard-top-speed-01");
-  EXPECT_EQ(family.questions[0].machine, "hard-01");
-  for (std::size_t k = 0; k < family.questions.size(); ++k) {
-    const Question& question = family.questions[k];
-    ASSERT_EQ(question.forms().size(), 4U);
-    for (const Form& form : question.forms()) {
-      const Problem problem = question.problem(form);
-      const Truth truth = truth_at(problem, problem.best_point.value());
-      EXPECT_EQ(truth.violation, 0) << question.name();
-      EXPECT_EQ(truth.objective, problem.best_known) << question.name();
+  ASSERT_EQ(family.problems.size(), hard_machines().size());
+  EXPECT_EQ(family.problems[0].name, "hard-top-speed-01");
+  EXPECT_EQ(family.problems[0].machine, "hard-01");
+  for (std::size_t k = 0; k < family.problems.size(); ++k) {
+    const Problem& problem = family.problems[k];
+    ASSERT_EQ(problem.formulations().size(), 4U);
+    for (const Formulation& formulation : problem.formulations()) {
+      const Problem formulated = problem.formulated(formulation);
+      const TrueValues true_values = true_values_at(formulated, formulated.best_point.value());
+      EXPECT_EQ(true_values.violation, 0) << problem.name;
+      EXPECT_EQ(true_values.objective, formulated.best_known) << problem.name;
     }
   }
 }

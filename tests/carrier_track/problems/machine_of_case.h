@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/machine.h"
 #include "src/core/problem.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 

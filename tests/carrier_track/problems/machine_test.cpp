@@ -1,11 +1,11 @@
-#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/problems/machine.h"
 
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/error.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -18,7 +18,7 @@ TEST(Machine, OfACaseHasItsSceneAndTheLimitOfItsClaim) {
   EXPECT_EQ(machine.threshold, 9.0);
   const Score scored = score(machine.scene, a_case.claim, ScanOptions{1e-2, 1, 18.0});
   EXPECT_EQ(machine.quiet_limit, 1.5 * scored.quiet_count);
-  EXPECT_EQ(machine.reading, "");
+  EXPECT_EQ(machine.default_hash, "");
 }
 
 TEST(Machine, OfASceneHasTheLimitAndTheThresholdThatAreFoundWithoutAClaim) {
@@ -36,10 +36,10 @@ TEST(Machine, OfASpeedProfileIsRefused) {
   EXPECT_THROW(machine_of(scene, "a scene"), InputError);
 }
 
-TEST(Machine, TheCasesAreInTheDefaultReading) {
+TEST(Machine, TheCasesAreOfTheDefaultMachine) {
   const std::vector<Machine> machines = all_machines();
   ASSERT_EQ(machines.size(), 12U);
-  for (const Machine& machine : machines) EXPECT_EQ(machine.reading, default_reading().name);
+  for (const Machine& machine : machines) EXPECT_EQ(machine.default_hash, default_machine_hash());
   EXPECT_EQ(machines[10].threshold, std::nullopt);  // the paper claims none
 }
 

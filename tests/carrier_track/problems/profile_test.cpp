@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/profile.h"
+#include "problems/carrier_track/problems/profile.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "src/core/instance.h"
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
-#include "tests/carrier_track/questions/machine_of_case.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/problems/machine_of_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -33,7 +33,7 @@ TEST(Profile, KeepsItsMeanSpeedWhateverTheShape) {
   const ProfileFrame frame = profile_frame(c1);
   EXPECT_EQ(frame.mean, 1.25 * 9.0);
   for (const std::size_t n : profile_sizes) {
-    const Vector x = some_shape(profile_count_question(c1, n).stated);
+    const Vector x = some_shape(profile_count_problem(c1, n));
     const Scene scene = with_profile(
         c1.scene, frame, std::span<const double>(x.data(), static_cast<std::size_t>(x.size())));
     ASSERT_EQ(scene.profile.size(), n);
@@ -49,7 +49,7 @@ TEST(Profile, KeepsItsMeanSpeedWhateverTheShape) {
 TEST(Profile, OfNoShapeIsTheSteadySpeed) {
   for (const char* id : {"C1", "C2", "C9"}) {
     const Machine m = machine(id);
-    const Problem problem = profile_count_question(m, 8).stated;
+    const Problem problem = profile_count_problem(m, 8);
     EXPECT_EQ(problem.evaluate(problem.start).objective, count_at(m.scene, loud_speed(m))) << id;
     EXPECT_EQ(problem.evaluate(2 * problem.start).objective,
               problem.evaluate(problem.start).objective);
@@ -64,20 +64,20 @@ TEST(Profile, TakesAWindowInSecondsAsItIs) {
 
 TEST(Profile, HasDerivativesToEveryKnot) {
   for (const std::size_t n : {2U, 8U}) {
-    const Problem problem = profile_count_question(machine("C1"), n).problem({0.25});
+    const Problem problem = profile_count_problem(machine("C1"), n).formulated({0.25});
     EXPECT_EQ(problem.dimension(), static_cast<Eigen::Index>(n));
     expect_derivatives_of_values(problem, some_shape(problem), 1e-8, 1e-4);
-    const Problem wear = profile_wear_question(machine("C1"), n).stated;
+    const Problem wear = profile_wear_problem(machine("C1"), n);
     expect_derivatives_of_values(wear, some_shape(wear), 1e-8, 1e-4);
   }
 }
 
 TEST(Profile, IsJudgedByTheTrueCount) {
-  const Problem smooth = profile_count_question(machine("C1"), 4).problem({0.25});
-  const Problem exact = profile_count_question(machine("C1"), 4).stated;
+  const Problem smooth = profile_count_problem(machine("C1"), 4).formulated({0.25});
+  const Problem exact = profile_count_problem(machine("C1"), 4);
   const Vector x = some_shape(exact);
-  EXPECT_EQ(smooth.truth(x).objective, exact.evaluate(x).objective);
-  EXPECT_EQ(smooth.smoothed(0.1).truth(x).objective, exact.evaluate(x).objective);
+  EXPECT_EQ(smooth.true_values(x).objective, exact.evaluate(x).objective);
+  EXPECT_EQ(smooth.smoothed(0.1).true_values(x).objective, exact.evaluate(x).objective);
   EXPECT_NE(smooth.smoothed(0.1).evaluate(x).objective, smooth.evaluate(x).objective);
 }
 

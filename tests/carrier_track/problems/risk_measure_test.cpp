@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/risk_measure.h"
+#include "problems/carrier_track/problems/risk_measure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/robust.h"
+#include "problems/carrier_track/problems/robust.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
-#include "tests/carrier_track/questions/machine_of_case.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/problems/machine_of_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -84,20 +84,20 @@ TEST(Robust, ConstrainsTheRiskOfTheCounts) {
     double sum = 0;
     for (const double c : counts) sum += c;
     const auto constraint = [&](RiskMeasure risk) {
-      return robust_question(c2, risk).stated.evaluate(at(omega)).constraints[0];
+      return robust_problem(c2, risk).evaluate(at(omega)).constraints[0];
     };
     EXPECT_NEAR(constraint(RiskMeasure::mean), sum / 32 - c2.quiet_limit, 1e-12);
     EXPECT_EQ(constraint(RiskMeasure::worst),
               *std::max_element(counts.begin(), counts.end()) - c2.quiet_limit);
     EXPECT_LE(constraint(RiskMeasure::mean), constraint(RiskMeasure::cvar));
     EXPECT_LE(constraint(RiskMeasure::cvar), constraint(RiskMeasure::worst));
-    EXPECT_EQ(robust_question(c2, RiskMeasure::mean).stated.evaluate(at(omega)).objective, -omega);
+    EXPECT_EQ(robust_problem(c2, RiskMeasure::mean).evaluate(at(omega)).objective, -omega);
   }
 }
 
 TEST(Robust, HasSurrogatesWithDerivatives) {
   for (const RiskMeasure risk : risks) {
-    expect_derivatives_of_values(robust_question(machine("C1"), risk).problem({0.25}), at(4.321),
+    expect_derivatives_of_values(robust_problem(machine("C1"), risk).formulated({0.25}), at(4.321),
                                  1e-8, 1e-4);
   }
 }
@@ -106,11 +106,11 @@ TEST(Robust, HasSurrogatesWithDerivatives) {
 TEST(Robust, HasSurrogatesThatPassTheirLevelWhereTheCountsLeaveTheLimit) {
   const Machine c2 = machine("C2");
   for (const RiskMeasure risk : risks) {
-    const Problem sharp = robust_question(c2, risk).problem({1e-4});
+    const Problem sharp = robust_problem(c2, risk).formulated({1e-4});
     int loud = 0;
     for (double omega = 1; omega < 4; omega += 0.1) {
       const double shown = sharp.evaluate(at(omega)).constraints[0];
-      const bool quiet = sharp.truth(at(omega)).violation == 0;
+      const bool quiet = sharp.true_values(at(omega)).violation == 0;
       if (std::abs(shown) > 1e-3) {
         EXPECT_EQ(shown < 0, quiet) << name_of(risk) << omega;
       }

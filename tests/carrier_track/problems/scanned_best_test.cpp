@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/scanned_best.h"
+#include "problems/carrier_track/problems/scanned_best.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "problems/carrier_track/questions/count.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/problems/count.h"
+#include "problems/carrier_track/problems/top_speed.h"
 #include "src/core/verdict.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
-#include "tests/studies/best_values/some_questions.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/research/best_values/some_problems.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -21,11 +21,15 @@ using studies::best_values::stairs;
 
 constexpr double step = 0.01;
 
-/// A question of C4, to be scanned by that step.
-Question of_c4(Question (*ask)(const Machine&)) {
-  Question question = ask(machine_of(find_case("C4"), exploratory_scene()));
-  question.scan_step = step;
-  return question;
+/// A problem of C4, to be scanned by that step.
+Problem scanned(const Problem& problem) {
+  return with_scanned_best(problem, scanned_best(problem));
+}
+
+Problem of_c4(Problem (*ask)(const Machine&)) {
+  Problem problem = ask(machine_of(find_case("C4"), exploratory_scene()));
+  problem.scan_step = step;
+  return problem;
 }
 
 TEST(ScannedBest, IsTheFirstOfTheLowest) {
@@ -58,43 +62,43 @@ TEST(ScannedBest, IsInfiniteWhereNothingIsFeasible) {
   const BestKnown best = scan_for_best(problem, 0.01);
   EXPECT_TRUE(std::isinf(best.value));
   EXPECT_EQ(best.point.size(), 0);
-  EXPECT_FALSE(with_scanned_best({problem}).stated.best_known);
+  EXPECT_TRUE(scanned_best({problem}).empty());
 }
 
 TEST(ScannedBest, OfACountIsThatOfALoopOverAllSpeeds) {
-  const Question question = with_scanned_best(of_c4(count_question));
+  const Problem problem = scanned(of_c4(count_problem));
   double least = 1e9;
   for (int k = 1; k <= 1800; ++k) {
-    least = std::min(least, question.stated.evaluate(Vector::Constant(1, k * step)).objective);
+    least = std::min(least, problem.evaluate(Vector::Constant(1, k * step)).objective);
   }
-  EXPECT_EQ(question.stated.best_known, least);
-  EXPECT_EQ(truth_at(question.stated, *question.stated.best_point).objective, least);
-  EXPECT_EQ(question.stated.provenance, "exhaustive scan, step 0.01, then bisection");
+  EXPECT_EQ(problem.best_known, least);
+  EXPECT_EQ(true_values_at(problem, *problem.best_point).objective, least);
+  EXPECT_EQ(problem.provenance, "exhaustive scan, step 0.01, then bisection");
 }
 
 TEST(ScannedBest, OfATopSpeedIsWithinAStepOfThatOfALoop) {
-  const Question question = with_scanned_best(of_c4(top_speed_question));
+  const Problem problem = scanned(of_c4(top_speed_problem));
   double fastest = 0;
   for (int k = 1; k <= 1800; ++k) {
-    const Truth truth = truth_at(question.stated, Vector::Constant(1, k * step));
-    if (truth.violation == 0) fastest = k * step;
+    const TrueValues true_values = true_values_at(problem, Vector::Constant(1, k * step));
+    if (true_values.violation == 0) fastest = k * step;
   }
   ASSERT_GT(fastest, 0);
-  EXPECT_LE(*question.stated.best_known, -fastest);
-  EXPECT_GT(*question.stated.best_known, -fastest - step);
+  EXPECT_LE(*problem.best_known, -fastest);
+  EXPECT_GT(*problem.best_known, -fastest - step);
 }
 
-TEST(ScannedBest, IsKnownInEveryForm) {
-  const Question question = with_scanned_best(of_c4(count_question));
-  for (const double width : {0.25, 0.1}) {
-    const Problem shown = question.problem({width});
-    EXPECT_EQ(shown.best_known, question.stated.best_known);
-    EXPECT_EQ(shown.smoothed(0.3).best_known, question.stated.best_known);
+TEST(ScannedBest, IsKnownInEveryFormulation) {
+  const Problem problem = scanned(of_c4(count_problem));
+  for (const double smoothing : {0.25, 0.1}) {
+    const Problem shown = problem.formulated({smoothing});
+    EXPECT_EQ(shown.best_known, problem.best_known);
+    EXPECT_EQ(shown.smoothed(0.3).best_known, problem.best_known);
   }
 }
 
 TEST(ScannedBest, IsOfOneVariable) {
-  EXPECT_THROW(with_scanned_best({cut_bowl()}), std::invalid_argument);
+  EXPECT_THROW(scanned_best({cut_bowl()}), std::invalid_argument);
 }
 
 }  // namespace

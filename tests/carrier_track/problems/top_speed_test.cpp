@@ -1,13 +1,13 @@
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/problems/top_speed.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/problems/speed_problem.h"
 #include "tests/carrier_track/gradients/differences.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
-#include "tests/carrier_track/questions/machine_of_case.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
+#include "tests/carrier_track/problems/machine_of_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -20,7 +20,7 @@ Machine limited_machine() {
 }
 
 TEST(TopSpeed, IsConstrainedByTheLimit) {
-  const Problem problem = top_speed_question(limited_machine()).stated;
+  const Problem problem = top_speed_problem(limited_machine());
   const Values quiet = problem.evaluate(at(9.0));
   EXPECT_EQ(quiet.objective, -9.0);
   EXPECT_LE(quiet.constraints[0], 0.0);
@@ -28,14 +28,14 @@ TEST(TopSpeed, IsConstrainedByTheLimit) {
 }
 
 TEST(TopSpeed, JudgesTheSurrogateByTheTrueCount) {
-  const Problem problem = top_speed_question(limited_machine()).problem({0.25});
-  EXPECT_EQ(problem.truth(at(9.0)).violation, 0.0);
-  EXPECT_EQ(problem.truth(at(15.0)).violation, 1.0);
-  EXPECT_EQ(problem.truth(at(15.0)).objective, -15.0);
+  const Problem problem = top_speed_problem(limited_machine()).formulated({0.25});
+  EXPECT_EQ(problem.true_values(at(9.0)).violation, 0.0);
+  EXPECT_EQ(problem.true_values(at(15.0)).violation, 1.0);
+  EXPECT_EQ(problem.true_values(at(15.0)).objective, -15.0);
 }
 
 TEST(TopSpeed, HasASurrogateWithDerivatives) {
-  expect_derivatives_of_values(top_speed_question(limited_machine()).problem({0.25}), at(4.321),
+  expect_derivatives_of_values(top_speed_problem(limited_machine()).formulated({0.25}), at(4.321),
                                1e-7, 1e-6);
 }
 
@@ -45,8 +45,8 @@ TEST(TopSpeed, HasASurrogateThatPassesItsLevelWhereTheCountLeavesTheLimit) {
   Machine c1 = limited_machine();
   for (const double limit : {6.0, 6.5}) {
     c1.quiet_limit = limit;
-    const Problem count = top_speed_question(c1).stated;
-    const Problem sharp = top_speed_question(c1).problem({1e-5});
+    const Problem count = top_speed_problem(c1);
+    const Problem sharp = top_speed_problem(c1).formulated({1e-5});
     int crossings = 0;
     for (double omega = 9; omega < 15; omega += 0.01) {
       const bool quiet = count.evaluate(at(omega)).constraints[0] <= 0;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/scene/scene_check.h"
 
 namespace ricochet::carrier_track {
@@ -104,7 +104,7 @@ TEST(Perturbation, DrawsItsChangesInAFixedOrder) {
 TEST(Perturbation, KeepsWhatTheCountIsJudgedBy) {
   const Scene scene = full_scene();
   const Scene near = perturbed(scene, golden, 1.0);
-  EXPECT_EQ(near.slowest, scene.slowest);
+  EXPECT_EQ(near.counting_limit, scene.counting_limit);
   EXPECT_EQ(near.peak_high, scene.peak_high);
   EXPECT_EQ(near.peak_low, scene.peak_low);
   EXPECT_EQ(near.contact_exponent, scene.contact_exponent);

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/error.h"
 #include "tests/core/infinity.h"
 
@@ -29,9 +29,9 @@ std::string complaint_about(const Scene& scene) {
   return "accepted";
 }
 
-TEST(SceneCheck, AcceptsTheDefaultsTheReadingsAndRandomScenes) {
+TEST(SceneCheck, AcceptsTheDefaultsTheDefaultMachineAndRandomScenes) {
   EXPECT_NO_THROW(check(Scene{}, "machine"));
-  EXPECT_NO_THROW(check(default_reading().scene, default_reading().name));
+  EXPECT_NO_THROW(check(default_machine(), "default machine"));
   RandomScenes scenes(31);
   for (int i = 0; i < 1000; ++i) EXPECT_NO_THROW(check(scenes.next(), "machine"));
   for (int i = 0; i < 1000; ++i) EXPECT_NO_THROW(check(scenes.next_planar(), "machine"));
@@ -46,7 +46,7 @@ TEST(SceneCheck, AcceptsTheEdgesOfEveryRange) {
   scene.disturbance_frequency = 0;
   scene.pull = -1e15;
   scene.disturbance = 1e15;
-  scene.mass = scene.slowest = 1e-15;
+  scene.mass = scene.counting_limit = 1e-15;
   EXPECT_EQ(complaint_about(scene), "accepted");
   scene.wall_upper = scene.start_position = 1;
   EXPECT_EQ(complaint_about(scene), "accepted");
@@ -101,7 +101,7 @@ TEST(SceneCheck, NamesEveryFieldOutOfItsRange) {
            Wrong{&Scene::start_position, "scene.start_position", "0..1", {-tiny, 1.01, nan}},
            Wrong{&Scene::start_velocity, "scene.start_velocity", "finite", {infinity, nan}},
            Wrong{&Scene::omega, "scene.omega", ">= 0", {-tiny, infinity, nan}},
-           Wrong{&Scene::slowest, "count.slowest", "> 0", {0, -1, infinity, nan}},
+           Wrong{&Scene::counting_limit, "count.counting_limit", "> 0", {0, -1, infinity, nan}},
            Wrong{&Scene::peak_high, "count.peak_high", "> 0", {0, -1, infinity, nan}},
            Wrong{&Scene::peak_low, "count.peak_low", "> 0", {0, -1, infinity, nan}},
            Wrong{&Scene::stiffness, "model.stiffness", "> 0", {0, -1, infinity, nan}},
@@ -228,7 +228,7 @@ TEST(SceneCheck, RefusesNumbersFarBeyondAnyMachine) {
                                &Scene::disturbance_phase,
                                &Scene::start_velocity,
                                &Scene::omega,
-                               &Scene::slowest,
+                               &Scene::counting_limit,
                                &Scene::peak_high,
                                &Scene::peak_low,
                                &Scene::stiffness,
@@ -237,7 +237,7 @@ TEST(SceneCheck, RefusesNumbersFarBeyondAnyMachine) {
     scene.*field = 1e16;
     EXPECT_THAT(complaint_about(scene), HasSubstr("1e+16: must be"));
   }
-  for (double Scene::*field : {&Scene::mass, &Scene::slowest, &Scene::stiffness}) {
+  for (double Scene::*field : {&Scene::mass, &Scene::counting_limit, &Scene::stiffness}) {
     Scene scene;
     scene.*field = 0.9e-15;
     EXPECT_THAT(complaint_about(scene), HasSubstr("within 1e-15..1e15"));

@@ -7,8 +7,8 @@
 #include <functional>
 #include <limits>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -18,14 +18,13 @@ using testing::HasSubstr;
 
 TEST(SceneDoubts, AreNoneOfThePapersCases) {
   for (const Case& a_case : all_cases()) {
-    EXPECT_THAT(doubts_about(scene_of(a_case, default_reading().scene)), testing::IsEmpty())
-        << a_case.id;
+    EXPECT_THAT(doubts_about(scene_of(a_case, default_machine())), testing::IsEmpty()) << a_case.id;
   }
 }
 
 TEST(SceneDoubts, NameEverySlip) {
-  const Scene good = scene_of(find_case("C9"), default_reading().scene);
-  const std::string weight = fmt::format("the weight is {:.4g} N", good.mass * gravity);
+  const Scene good = scene_of(find_case("C9"), default_machine());
+  const std::string weight = fmt::format("the weight is {:.4g} N", good.mass * 9.81);
   const auto expect_one = [&](const std::function<void(Scene&)>& slip, const std::string& said) {
     Scene scene = good;
     slip(scene);
@@ -47,7 +46,7 @@ TEST(SceneDoubts, NameEverySlip) {
   expect_one([](Scene& s) { s.restitution_upper = 1; }, "scene.restitution = [0.1, 1]");
   expect_one([](Scene& s) { s.start_velocity = -9; }, "scene.start_velocity = -9 m/s");
   expect_one([](Scene& s) { s.disturbance_frequency = 0; }, "never changes");
-  expect_one([](Scene& s) { s.slowest = 2; }, "count.slowest = 2 m/s");
+  expect_one([](Scene& s) { s.counting_limit = 2; }, "count.counting_limit = 2 m/s");
   expect_one([](Scene& s) { s.omega = 300; }, "2865 turns a minute");
   expect_one([](Scene& s) { s.window = Seconds{0.5}; }, "0.239 turns");
   Scene open = good;

@@ -211,8 +211,8 @@ std::pair<std::string, double> out_of_range(const Field& field) {
 
 /// Refuses NaN and what is out of range in each number of a table in turn.
 template <class Visit>
-int expect_refusals(const std::string& table, const Visit& visit) {
-  int refusals = 0;
+int expect_termination_reasons(const std::string& table, const Visit& visit) {
+  int termination_reasons = 0;
   const std::size_t numbers = [&] {
     std::size_t n = 0;
     Scene scene = unusual_scene();
@@ -238,28 +238,29 @@ int expect_refusals(const std::string& table, const Visit& visit) {
       } catch (const InputError& error) {
         EXPECT_THAT(error.what(), StartsWith(start));
         EXPECT_THAT(error.what(), HasSubstr(allowed));
-        ++refusals;
+        ++termination_reasons;
       }
     }
   }
-  return refusals;
+  return termination_reasons;
 }
 
 TEST(SceneFields, AreChecked) {
   EXPECT_NO_THROW(check(unusual_scene(), "machine.toml"));
   EXPECT_NO_THROW(check(flagged_scene(), "machine.toml"));
+  EXPECT_GT(expect_termination_reasons(
+                "scene", [](const auto& v, Scene& scene) { visit_scene_fields(v, scene); }),
+            30);
   EXPECT_GT(
-      expect_refusals("scene", [](const auto& v, Scene& scene) { visit_scene_fields(v, scene); }),
-      30);
-  EXPECT_GT(expect_refusals("across", [](const auto& v,
-                                         Scene& scene) { visit_across_fields(v, *scene.across); }),
-            10);
-  EXPECT_GT(
-      expect_refusals("count", [](const auto& v, Scene& scene) { visit_count_fields(v, scene); }),
-      5);
-  EXPECT_GT(
-      expect_refusals("model", [](const auto& v, Scene& scene) { visit_model_fields(v, scene); }),
-      5);
+      expect_termination_reasons(
+          "across", [](const auto& v, Scene& scene) { visit_across_fields(v, *scene.across); }),
+      10);
+  EXPECT_GT(expect_termination_reasons(
+                "count", [](const auto& v, Scene& scene) { visit_count_fields(v, scene); }),
+            5);
+  EXPECT_GT(expect_termination_reasons(
+                "model", [](const auto& v, Scene& scene) { visit_model_fields(v, scene); }),
+            5);
 }
 
 /// The numbers of a scene and of its second direction, in the order of the list.

@@ -12,9 +12,9 @@
 #include <system_error>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
+#include "problems/carrier_track/problems/cases.h"
 #include "src/core/error.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -49,7 +49,7 @@ const std::vector<std::string>& lines() {
                                                 "revolutions = 1.22",
                                                 "[count]",
                                                 "rule = \"impacts\"",
-                                                "slowest = 3.6e-3",
+                                                "counting_limit = 3.6e-3",
                                                 "peak_high = 3e-3",
                                                 "peak_low = 1e-3",
                                                 "[model]",
@@ -131,7 +131,7 @@ TEST(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(scene.start_position, 1e-3);
   EXPECT_EQ(scene.omega, 3.0);
   EXPECT_EQ(std::get<Revolutions>(scene.window).count, 1.22);
-  EXPECT_EQ(scene.slowest, 3.6e-3);
+  EXPECT_EQ(scene.counting_limit, 3.6e-3);
   EXPECT_EQ(scene.contact_law, ContactLaw::flores);
   EXPECT_EQ(scene.stiffness, 2e7);
   EXPECT_EQ(scene.contact_exponent, 1.3);
@@ -266,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"revolutions", "", "window", "one of"},
         Wrong{"revolutions", "turns = 1", "window.turns", "allowed: revolutions, seconds"},
         Wrong{"rule", "rule = \"noise\"", "noise", "\"impacts\" or \"peaks\""},
-        Wrong{"slowest", "slowest = 0", "count.slowest = 0", "> 0"},
+        Wrong{"counting_limit", "counting_limit = 0", "count.counting_limit = 0", "> 0"},
         Wrong{"peak_high", "peak_high = -1", "count.peak_high = -1", "> 0"},
         Wrong{"peak_low", "peak_low = nan", "count.peak_low = nan", "> 0"},
         Wrong{"fidelity", "fidelity = \"perfect\"", "perfect", "\"impact\""},

@@ -46,7 +46,7 @@ const open = async (name, {width = 1440, scheme = "light", script = true} = {}) 
   page.on("pageerror", (error) => check(false, `${name}: ${error}`));
   page.on("request", (request) => check(/^(file|data|blob):/.test(request.url()), `${name}: asks for ${request.url()}`));
   await page.setViewport({width, height: 900});
-  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: scheme}]);
+  await page.emulateMediaPerturbations([{name: "prefers-color-scheme", value: scheme}]);
   await page.setJavaScriptEnabled(script);
   await page.goto(pathToFileURL(path.join(folder, name)).href);
   return page;
@@ -92,7 +92,7 @@ const lookAt = async (name) => {
   await shorten(page);
   await page.evaluate(axe);
   await audit(page, name);
-  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: "dark"}]);
+  await page.emulateMediaPerturbations([{name: "prefers-color-scheme", value: "dark"}]);
   await audit(page, `${name}, dark`, ["color-contrast"]);
   await page.close();
 };
@@ -187,8 +187,8 @@ await unmoved.close();
 // ---- the front page ----
 
 const front = "index.html";
-const data = JSON.parse(fs.readFileSync(path.join(folder, "data.json"), "utf8"));
-const rows = data.contest.rows.map((values) => Object.fromEntries(data.contest.columns.map((name, i) => [name, values[i]])));
+const data = unpacked(JSON.parse(fs.readFileSync(path.join(folder, "data.json"), "utf8")));
+const rows = data.comparison.entries;
 check(fs.statSync(path.join(folder, front)).size <= 600_000, "the front page has more than 600 kB");
 
 const page = await open(front);
@@ -230,7 +230,7 @@ const overlapping = (id) => page.evaluate((canvas) => {
 const timed = rows.some((row) => row.evaluations !== null);
 for (const id of [...(timed ? ["accuracy-chart"] : []), "motion-chart"]) check(await inked(id), `${id} is blank`);
 const families = await page.$$eval("#family option", (all) => all.map((option) => option.value));
-check(families.length === data.contest.families.length, "not every family can be chosen");
+check(families.length === data.comparison.families.length, "not every family can be chosen");
 for (const family of families) {
   await page.select("#family", family);
   for (const budget of await page.$$eval("#budget option", (all) => all.map((option) => option.value))) {
@@ -251,13 +251,13 @@ await page.select("#speed", "evaluations");
 
 // Filters.
 await page.select("#shown", "surrogate");
-check((await board()).every((line) => line[1].includes("surrogate")), "the form does not filter");
+check((await board()).every((line) => line[1].includes("surrogate")), "the formulation does not filter");
 await page.select("#shown", "");
 await page.select("#by-variables", "several");
-const several = data.contest.families.filter((family) => family.variables.most > 1).length;
+const several = data.comparison.families.filter((family) => family.variables.most > 1).length;
 check((await page.$$("#family option")).length === several, "the variables do not filter");
 await page.select("#by-variables", "");
-const rated = data.contest.families.findIndex((family) => family.name !== "all");
+const rated = data.comparison.families.findIndex((family) => family.name !== "all");
 await page.select("#family", String(rated));
 
 // Sorting, by every column and both ways.
@@ -268,7 +268,7 @@ for (const column of await page.$$eval("#board thead button", (all) => all.map((
     const shown = (await board()).map((line) => line[1]);
     const {family, budget} = await selected();
     const values = shown.map((name) => {
-      const row = rows.find((r) => r.family === family && r.budget === budget && `${r.solver}, ${r.form}` === name);
+      const row = rows.find((r) => r.family === family && r.budget === budget && `${r.solver}, ${r.formulation}` === name);
       return column === "solver" ? name : row[column];
     }).filter((value) => value !== null);
     const ordered = values.every((value, i) => i === 0 || (direction === "ascending" ? values[i - 1] <= value : values[i - 1] >= value));
@@ -281,8 +281,8 @@ const offered = (id) => page.$eval(`#${id}`, (link) => decodeURIComponent(link.h
 const json = JSON.parse(await offered("board-json")), csv = (await offered("board-csv")).trim().split("\n");
 check(json.length === (await inView()).length && csv.length === json.length + 1, "the downloads have not every row");
 for (const row of await inView()) {
-  const same = json.find((r) => r.solver === row.solver && r.form === row.form);
-  check(same && data.contest.columns.every((name) => name === "family" || same[name] === row[name]), `the download says otherwise of ${row.solver}`);
+  const same = json.find((r) => r.solver === row.solver && r.formulation === row.formulation);
+  check(same && Object.keys(row).every((name) => name === "family" || same[name] === row[name]), `the download says otherwise of ${row.solver}`);
 }
 
 // Beside the chart the leaderboard or the curves.
@@ -294,7 +294,7 @@ check(await seen("reached") && !(await seen("leaderboard")), "beside the chart t
 // The legend picks curves.
 const curves = (await points("curve-chart")).length;
 const {family, budget} = await selected();
-const expected = data.contest.curves.filter((curve) => curve.family === family && curve.budget === budget).flatMap((curve) => curve.points).length;
+const expected = data.comparison.curves.filter((curve) => curve.family === family && curve.budget === budget).flatMap((curve) => curve.points).length;
 check(curves > 0 && curves === expected && await inked("curve-chart"), `the curves have ${curves} points in place of ${expected}`);
 await page.click("#curve-picks input");
 check((await points("curve-chart")).length < curves, "a curve that is not picked is drawn");
@@ -302,11 +302,10 @@ await page.click("#curve-picks input");
 check((await points("curve-chart")).length === curves, "a curve that is picked again is not drawn");
 
 // Every scene of the motion.
-for (const [index, view] of data.motion.views.entries()) {
+for (const [index, view] of data.motion.charts.entries()) {
   await page.select("#scene", String(index));
   const drawn = await points("motion-chart");
-  check(drawn.length === view.series.flatMap((series) => series.points).filter(([x, y]) => x !== null && y !== null).length,
-        `${view.id}: ${drawn.length} dots`);
+  check(drawn.length === view.series.flatMap(({samples}) => samples).length, `${view.name}: ${drawn.length} dots`);
 }
 
 // Solver and simulation: a dot for every pair, where its data say; what is picked; the files.
@@ -339,9 +338,9 @@ const lastSolver = pairs.solvers.at(-1);
 await page.select("#pair-solver", lastSolver.solver);
 await expectPairs([lastSolver], pairs.simulations, false, "one solver");
 await page.select("#pair-solver", "");
-const unpicked = pairs.simulations[0].name;
+const unpicked = pairs.simulations[0].simulation;
 await page.click("#pair-picks input");
-await expectPairs(pairs.solvers, pairs.simulations.filter(({name}) => name !== unpicked), false, "without a simulation");
+await expectPairs(pairs.solvers, pairs.simulations.filter(({simulation}) => simulation !== unpicked), false, "without a simulation");
 await page.click("#pair-picks input");
 await expectPairs(pairs.solvers, pairs.simulations, false, "pairs again");
 
@@ -369,12 +368,12 @@ const hoverAndClick = async (id, report) => {
   check(there, `${id}: a click leads to ${page.url()}`);
   await page.goBack();
 };
-if (timed) await hoverAndClick("accuracy-chart", data.contest.folder);
+if (timed) await hoverAndClick("accuracy-chart", data.comparison.folder);
 await hoverAndClick("motion-chart", data.motion.folder);
 await hoverAndClick("pairs-chart", data.pairs.folder);
 await page.close();
 
-// What a stranger asks: a click on the question, and at most two screens below where it leads the answer.
+// What a stranger asks: a click on the problem, and at most two screens below where it leads the answer.
 const walks = [];
 const answersTo = {
   "How fast may C3 run?": ["#thresholds tbody th", /^C3$/],
@@ -383,12 +382,12 @@ const answersTo = {
   "Where does Ipopt fail?": ["#map svg text", /^ipopt$/],
   "Is the planar model needed for my machine?": ["#levels p", /Both directions are needed only where/],
 };
-for (const [question, [selector, words]] of Object.entries(answersTo)) {
+for (const [problem, [selector, words]] of Object.entries(answersTo)) {
   const walk = await open(front);
   await walk.setViewport({width: 1280, height: 800});
-  await walk.emulateMediaFeatures([{name: "prefers-reduced-motion", value: "reduce"}]);
-  const link = await walk.evaluateHandle((text) => [...document.querySelectorAll("a")].find((a) => a.textContent === text), question);
-  if (!link.asElement()) { check(false, `nobody asks: ${question}`); await walk.close(); continue; }
+  await walk.emulateMediaPerturbations([{name: "prefers-reduced-motion", value: "reduce"}]);
+  const link = await walk.evaluateHandle((text) => [...document.querySelectorAll("a")].find((a) => a.textContent === text), problem);
+  if (!link.asElement()) { check(false, `nobody asks: ${problem}`); await walk.close(); continue; }
   const before = await link.evaluate((a) => a.getBoundingClientRect().bottom / innerHeight);
   await Promise.all([walk.waitForNavigation(), link.click()]);
   await new Promise((resolve) => setTimeout(resolve, 200));
@@ -396,9 +395,9 @@ for (const [question, [selector, words]] of Object.entries(answersTo)) {
     const words = new RegExp(source);
     return parts.filter((part) => words.test(part.textContent.trim())).map((part) => part.getBoundingClientRect().bottom / innerHeight)[0] ?? null;
   }, words.source);
-  check(after !== null, `${question} is not answered on ${walk.url()}`);
-  check(before <= 2 && after <= 2, `${question}: ${before.toFixed(1)} screens to the click, ${after?.toFixed(1)} after it`);
-  walks.push(`${question} 1 click; screens: ${before.toFixed(1)} to it, ${after?.toFixed(1)} to the answer`);
+  check(after !== null, `${problem} is not answered on ${walk.url()}`);
+  check(before <= 2 && after <= 2, `${problem}: ${before.toFixed(1)} screens to the click, ${after?.toFixed(1)} after it`);
+  walks.push(`${problem} 1 click; screens: ${before.toFixed(1)} to it, ${after?.toFixed(1)} to the answer`);
   await walk.close();
 }
 

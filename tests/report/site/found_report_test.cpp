@@ -1,8 +1,8 @@
-#include "src/site/found_report.h"
+#include "src/report/site/found_report.h"
 
 #include <gmock/gmock.h>
 
-#include "tests/site/made_up_reports.h"
+#include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {
 namespace {
@@ -31,17 +31,31 @@ TEST_F(FoundReports, OfAFolderThatIsNoneAreNone) {
   EXPECT_TRUE(found_reports("/nowhere").empty());
 }
 
-TEST_F(FoundReports, HaveTheFamiliesOfAContest) {
-  keep(folder_, "contest", {{"report", "contest"}, {"pages", {"count", "hs", "failure-atlas"}}});
-  keep(folder_, "contest/count", {{"report", "contest_family"}, {"family", "count"}});
-  keep(folder_, "contest/hs", {{"report", "contest_family"}, {"family", "hs"}});
-  keep(folder_, "contest/failure-atlas", {{"report", "contest_failures"}});
+TEST_F(FoundReports, HaveTheirPagesAndWhatTheseSayOfThemselves) {
+  report::Headline headline;
+  headline.version = report::headline_version;
+  headline.holds = {"family"};
+  keep(folder_, "comparison", {{"report", "comparison"}, {"pages", {"count", "gone"}}});
+  keep(folder_, "comparison/count",
+       {{"report", "comparison_family"}, {"family", "count"}, {"headline", headline}});
   const auto reports = found_reports(folder_);
   ASSERT_EQ(reports.size(), 1U);
-  const Json& groups = reports[0].data["groups"];
-  ASSERT_EQ(groups.size(), 2U);
-  EXPECT_EQ(groups[0]["family"], "count");
-  EXPECT_EQ(groups[1]["family"], "hs");
+  ASSERT_EQ(reports[0].pages.size(), 2U);
+  EXPECT_EQ(reports[0].pages[0].folder, "count");
+  EXPECT_TRUE(holds(reports[0].pages[0].headline, "family"));
+  EXPECT_FALSE(holds(reports[0].pages[0].headline, "entries"));
+  EXPECT_FALSE(reports[0].pages[1].headline);
+}
+
+TEST_F(FoundReports, OfAnotherVersionHaveNoHeadline) {
+  report::Headline headline;
+  headline.version = report::headline_version + 1;
+  keep(folder_, "stress", {{"report", "stress"}, {"headline", headline}});
+  keep(folder_, "verification", {{"report", "verification"}, {"headline", "Found: all"}});
+  headline.version = report::headline_version;
+  keep(folder_, "limits", {{"report", "limits"}, {"headline", headline}});  // and nothing else
+  EXPECT_EQ(found_reports(folder_).size(), 3U);
+  for (const FoundReport& report : found_reports(folder_)) EXPECT_FALSE(report.headline);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include "src/site/navigation.h"
+#include "src/report/site/navigation.h"
 
 #include <gmock/gmock.h>
 
 #include <iterator>
 
-#include "tests/site/made_up_reports.h"
+#include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {
 namespace {

@@ -1,11 +1,11 @@
-#include "src/site/site.h"
+#include "src/report/site/site.h"
 
 #include <gmock/gmock.h>
 
 #include <iterator>
 
 #include "src/report/data_text.h"
-#include "tests/site/made_up_reports.h"
+#include "tests/report/site/made_up_reports.h"
 
 namespace ricochet::site {
 namespace {
@@ -14,14 +14,14 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string read(const fs::path& file) {
+std::string page_text(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 Json verification_data() {
   return report::data_in(
-      read(fs::path(RICOCHET_SOURCE) / "reports/reference/verification/data.json"));
+      page_text(fs::path(RICOCHET_SOURCE) / "reports/reference/verification/data.json"));
 }
 
 class Site : public TemporaryFolder {};
@@ -42,21 +42,21 @@ TEST_F(Site, IsWrittenAboveAReportOnlyWhereThereIsToBeOne) {
     write_site_above(folder_ / above / "verification");
   }
   EXPECT_FALSE(fs::exists(folder_ / "mine" / "index.html"));
-  const std::string page = read(folder_ / "reports" / "index.html");
+  const std::string page = page_text(folder_ / "reports" / "index.html");
   EXPECT_THAT(page, HasSubstr("No count called certain is wrong."));
   EXPECT_THAT(page, HasSubstr("./ricochet reproduce"));
-  EXPECT_THAT(page, HasSubstr("\"contest\":null"));
+  EXPECT_THAT(page, HasSubstr("\"comparison\":null"));
 }
 
 TEST_F(Site, IsDrawnAgainWithAllItsReportsAndTheirLinks) {
   keep(folder_ / "from", "verification", verification_data());
   ASSERT_TRUE(redraw_site(folder_ / "from", folder_ / "to"));
-  EXPECT_THAT(read(folder_ / "to/verification/index.html"),
+  EXPECT_THAT(page_text(folder_ / "to/verification/index.html"),
               HasSubstr("<a href=\"../index.html\">Overview</a>"));
   EXPECT_FALSE(fs::exists(folder_ / "from/index.html"));
-  const std::string first = read(folder_ / "to/index.html");
+  const std::string first = page_text(folder_ / "to/index.html");
   ASSERT_TRUE(redraw_site(folder_ / "to", folder_ / "again"));
-  EXPECT_EQ(read(folder_ / "again/index.html"), first);
+  EXPECT_EQ(page_text(folder_ / "again/index.html"), first);
 }
 
 TEST_F(Site, IsNotWhatIsOneReportOrNone) {
@@ -67,16 +67,29 @@ TEST_F(Site, IsNotWhatIsOneReportOrNone) {
 }
 
 TEST_F(Site, ShowsTextsOfItsReportsAsTexts) {
-  Json data = small_contest();
-  data["report"] = "contest";
-  data["groups"][0]["budgets"][1]["ratings"][0]["solver"] = "</script><b>";
-  data["leaders"][0]["solver"] = "<i>";
-  keep(folder_, "contest", data);
+  FoundReport comparison = found_comparison();
+  Json family = small_family();
+  family["budgets"][1]["ratings"][0]["solver"] = "</script><b>";
+  comparison.data["answers"] = {{{"problem", "<i>"}, {"answer", ""}, {"links", Json::array()}}};
+  comparison.data["headline"] = *comparison.headline;
+  comparison.data["pages"] = {"count"};
+  family["report"] = "comparison_family";
+  family["headline"] = *comparison.headline;
+  family["headline"]["holds"] = {"family"};
+  keep(folder_, "comparison", comparison.data);
+  keep(folder_, "comparison/count", family);
   write_site(folder_);
-  const std::string page = read(folder_ / "index.html");
+  const std::string page = page_text(folder_ / "index.html");
   EXPECT_THAT(page, HasSubstr("&lt;i&gt;"));
+  EXPECT_THAT(page, HasSubstr("\\u003c/script>"));
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
   EXPECT_THAT(page, Not(HasSubstr("<i>")));
+}
+
+TEST_F(Site, ShowsThatDataAreOfAnotherVersion) {
+  keep(folder_ / "from", "verification", {{"report", "verification"}});
+  ASSERT_TRUE(redraw_site(folder_ / "from", folder_ / "to"));
+  EXPECT_THAT(page_text(folder_ / "to/index.html"), HasSubstr("another version"));
 }
 
 }  // namespace

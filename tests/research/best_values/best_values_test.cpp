@@ -1,14 +1,14 @@
-#include "src/studies/best_values/best_values.h"
+#include "src/research/best_values/best_values.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
-#include "tests/studies/best_values/some_questions.h"
+#include "tests/research/best_values/some_problems.h"
 
 namespace ricochet::studies::best_values {
 namespace {
@@ -29,7 +29,7 @@ BestValues read(const std::filesystem::path& file) {
   return carrier_track::parse_best_values({std::istreambuf_iterator<char>(stream), {}}, "file");
 }
 
-std::vector<Question> questions() {
+std::vector<Problem> problems() {
   return {{stairs()}, {speeds()}};
 }
 
@@ -43,25 +43,25 @@ TEST(BestValues, MatchesByPartsAndByPatterns) {
 
 TEST(BestValues, WritesTheBestValuesAndLeavesNothingElse) {
   const auto file = fresh_file();
-  const Outcome outcome = find_best_values(questions(), {}, file);
+  const Outcome outcome = find_best_values(problems(), {}, file);
   EXPECT_EQ(outcome.wanted, 2U);
   EXPECT_EQ(outcome.finished, 2U);
   EXPECT_EQ(outcome.improved, 2U);
   const BestValues values = read(file);
   EXPECT_EQ(values.of.at("stairs").value, -3);
-  EXPECT_EQ(values.reading, carrier_track::default_reading().name);
+  EXPECT_EQ(values.machine, carrier_track::default_machine_hash());
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
 }
 
 TEST(BestValues, GoesOnWhereItWasStopped) {
   const auto file = fresh_file();
   Plan plan;
-  plan.questions = "stairs";
-  find_best_values(questions(), plan, file);
+  plan.problems = "stairs";
+  find_best_values(problems(), plan, file);
   std::filesystem::rename(file, file.string() + ".part");  // as if it had been stopped then
-  std::vector<Question> all = questions();
+  std::vector<Problem> all = problems();
   int evaluations = 0;
-  all[0].stated.evaluate = [&, evaluate = all[0].stated.evaluate](const Vector& x) {
+  all[0].evaluate = [&, evaluate = all[0].evaluate](const Vector& x) {
     ++evaluations;
     return evaluate(x);
   };
@@ -75,38 +75,38 @@ TEST(BestValues, KeepsWhatACallForOthersHasFinished) {
   const auto file = fresh_file();
   const std::filesystem::path part = file.string() + ".part";
   Plan plan;
-  plan.questions = "stairs";
-  find_best_values(questions(), plan, file);
+  plan.problems = "stairs";
+  find_best_values(problems(), plan, file);
   std::filesystem::rename(file, part);
-  plan.questions = "speeds";
-  find_best_values(questions(), plan, file);
+  plan.problems = "speeds";
+  find_best_values(problems(), plan, file);
   EXPECT_EQ(read(part).of.count("stairs"), 1U);
   EXPECT_EQ(read(part).of.count("speeds"), 0U);
 }
 
 TEST(BestValues, LooksAgainForWhatWasChanged) {
   const auto file = fresh_file();
-  find_best_values(questions(), {}, file);
+  find_best_values(problems(), {}, file);
   const std::string whole = write_best_values(read(file));
   std::string changed = whole;
   changed.replace(changed.find("value = -3.0"), 12, "value = -99.0");
   std::filesystem::remove(file);
   write_text_file(file.string() + ".part", changed);
-  find_best_values(questions(), {}, file);
+  find_best_values(problems(), {}, file);
   EXPECT_EQ(write_best_values(read(file)), whole);
 }
 
-TEST(BestValues, RefusesWhatIsOfAnotherReading) {
+TEST(BestValues, RefusesWhatIsOfAnotherMachine) {
   const auto file = fresh_file();
   write_text_file(file.string() + ".part", carrier_track::write_best_values({"sideways", {}}));
-  EXPECT_THROW(find_best_values(questions(), {}, file), InputError);
+  EXPECT_THROW(find_best_values(problems(), {}, file), InputError);
 }
 
 TEST(BestValues, BeginsNothingWithoutTime) {
   const auto file = fresh_file();
   Plan plan;
   plan.seconds = -1;
-  const Outcome outcome = find_best_values(questions(), plan, file);
+  const Outcome outcome = find_best_values(problems(), plan, file);
   EXPECT_EQ(outcome.finished, 0U);
   EXPECT_FALSE(std::filesystem::exists(file));
 }
@@ -114,26 +114,26 @@ TEST(BestValues, BeginsNothingWithoutTime) {
 TEST(BestValues, NeverReplacesABetterValueByAWorseOne) {
   const auto file = fresh_file();
   Plan plan;
-  std::vector<Question> known = questions();
+  std::vector<Problem> known = problems();
   known[0].scan_step = 0.3;  // misses the best stair
-  known[0].stated.best_point = Vector::Constant(1, 2.003);
-  known[0].stated.best_known = -3;
-  known[0].stated.provenance = "by hand";
+  known[0].best_point = Vector::Constant(1, 2.003);
+  known[0].best_known = -3;
+  known[0].provenance = "by hand";
   const Outcome outcome = find_best_values(known, plan, file);
   EXPECT_EQ(outcome.improved, 1U);
   EXPECT_EQ(read(file).of.at("stairs").provenance, "by hand");
   // And once more from the file.
-  find_best_values(questions(), plan, file);
+  find_best_values(problems(), plan, file);
   EXPECT_EQ(read(file).of.at("stairs").provenance, "by hand");
 }
 
 /// A value is worth what it is worth today.
 TEST(BestValues, ForgetsAValueThatDoesNotComeOutAgain) {
   const auto file = fresh_file();
-  std::vector<Question> known = questions();
-  known[0].stated.best_point = Vector::Constant(1, 3.0);
-  known[0].stated.best_known = -100;
-  known[0].stated.provenance = "of another reading";
+  std::vector<Problem> known = problems();
+  known[0].best_point = Vector::Constant(1, 3.0);
+  known[0].best_known = -100;
+  known[0].provenance = "of another interpretation";
   find_best_values(known, {}, file);
   EXPECT_EQ(read(file).of.at("stairs").value, -3);
 }
@@ -141,10 +141,10 @@ TEST(BestValues, ForgetsAValueThatDoesNotComeOutAgain) {
 TEST(BestValues, RefusesAPatternThatNothingMatchesAndAFileThatIsNone) {
   const auto file = fresh_file();
   Plan plan;
-  plan.questions = "nothing";
-  EXPECT_THROW(find_best_values(questions(), plan, file), InputError);
+  plan.problems = "nothing";
+  EXPECT_THROW(find_best_values(problems(), plan, file), InputError);
   write_text_file(file, "no values");
-  EXPECT_THROW(find_best_values(questions(), {}, file), InputError);
+  EXPECT_THROW(find_best_values(problems(), {}, file), InputError);
 }
 
 }  // namespace

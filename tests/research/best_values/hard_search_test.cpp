@@ -1,11 +1,12 @@
-#include "src/studies/best_values/hard_search.h"
+#include "src/research/best_values/hard_search.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/questions/speed_problem.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/problems/speed_problem.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "solvers/bisection.h"
@@ -36,20 +37,19 @@ Found look_everywhere(const Machine& machine, double step) {
 }
 
 TEST(HardSearch, DrawsTheSameMachineAgain) {
-  const Machine machine = random_machine(default_reading().scene, "C9", 7);
+  const Machine machine = random_machine(default_machine(), "C9", 7);
   EXPECT_NO_THROW(check(machine.scene, "random"));
   EXPECT_EQ(write_scene(machine.scene),
-            write_scene(random_machine(default_reading().scene, "C9", 7).scene));
+            write_scene(random_machine(default_machine(), "C9", 7).scene));
   EXPECT_NE(write_scene(machine.scene),
-            write_scene(random_machine(default_reading().scene, "C9", 8).scene));
+            write_scene(random_machine(default_machine(), "C9", 8).scene));
   EXPECT_EQ(machine.quiet_limit, machine_of(machine.scene, "random").quiet_limit);
 }
 
 /// The file is of these draws; std::pow may round its last digit otherwise elsewhere.
 TEST(HardSearch, DrewTheMachinesOfTheFile) {
   for (const HardMachine& hard : hard_machines()) {
-    const Machine drawn =
-        random_machine(found_hard_machines().reading.scene, hard.around, hard.draw);
+    const Machine drawn = random_machine(found_hard_machines().constants, hard.around, hard.draw);
     const Scene& scene = hard.machine.scene;
     EXPECT_EQ(drawn.quiet_limit, hard.machine.quiet_limit) << hard.machine.id;
     EXPECT_NEAR(drawn.scene.mass, scene.mass, 1e-12 * scene.mass) << hard.machine.id;
@@ -72,14 +72,13 @@ TEST(HardSearch, KeepsWhatBisectionMissesFromBothEndsAndTheMiddle) {
   // Sixteen halvings, to less than a thirtieth of the tolerance, and no second start.
   const Budget budget{18};
   for (const HardMachine& hard : hard_machines()) {
-    const Question question = hard_top_speed_question(hard);
-    Problem problem = question.stated;
+    Problem problem = hard_top_speed_problem(hard);
     for (const double share : {0.0, 0.5, 1.0}) {
       problem.start = problem.lower + share * (problem.upper - problem.lower);
       const RunRecord record = run(problem, bisection(), budget, 0);
       ASSERT_TRUE(record.failure.empty()) << record.failure;
-      EXPECT_FALSE(judge(record, problem, question.tolerance).solved)
-          << question.name() << " from " << share;
+      EXPECT_FALSE(judge(record, problem, problem.tolerance).solved)
+          << problem.name << " from " << share;
     }
   }
 }
@@ -88,7 +87,7 @@ TEST(HardSearch, LeavesOutTheMachinesOfThePaper) {
   EXPECT_FALSE(judged_hard(all_machines()[0]));
 }
 
-/// Every truth anew, on a grid as fine as that of the search.
+/// Every true objective anew, on a grid as fine as that of the search.
 /// Of three of them: to judge one takes ten seconds.
 TEST(HardSearch, JudgesMachinesAsTheirFileSays) {
   for (std::size_t k = 0; k < hard_machines().size(); k += 5) {

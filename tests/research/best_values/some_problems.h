@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/core/question.h"
+#include "src/core/problem.h"
 
 namespace ricochet::studies::best_values {
 

@@ -1,11 +1,11 @@
-#include "src/studies/calibration/appraisal.h"
+#include "src/research/calibration/appraisal.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 using namespace carrier_track;
 
 TEST(Appraisal, IsTheScoreOfEveryCase) {
-  const FittedReading& fitted = default_reading();
-  const Fit fit{fitted.reading, fitted.freed, fitted.constants, 0, ""};
+  const FittedInterpretation& fitted = default_interpretation();
+  const Fit fit{fitted.interpretation, fitted.free, fitted.constants, 0, ""};
   const Appraisal a = appraise(fit, 0.05);
   ASSERT_EQ(a.cases.size(), 12U);
   double squares = 0;
@@ -39,11 +39,11 @@ TEST(Appraisal, IsTheScoreOfEveryCase) {
 TEST(Appraisal, ScansWhatItCountsOneByOne) {
   for (const char* name :
        {"projected-constant-revolutions", "projected-constant-revolutions-crossing"}) {
-    const Reading reading = find_reading(name);
-    const Constants& constants = default_reading().constants;
+    const Interpretation interpretation = find_interpretation(name);
+    const Constants& constants = default_interpretation().constants;
     const Case c = find_case("C9");
-    const SpeedScan scan = scan_of(c, reading, constants, 0.5);
-    const CountAt count = counts_of(c, reading, constants);
+    const SpeedScan scan = scan_of(c, interpretation, constants, 0.5);
+    const CountAt count = counts_of(c, interpretation, constants);
     ASSERT_EQ(scan.counts.size(), 36U);
     for (std::size_t k = 0; k < scan.counts.size(); ++k) {
       EXPECT_EQ(scan.counts[k], count(scan.omega(k))) << name << " at " << scan.omega(k);

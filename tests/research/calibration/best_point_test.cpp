@@ -1,4 +1,4 @@
-#include "src/studies/calibration/best_point.h"
+#include "src/research/calibration/best_point.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ Solver asks_for(double x) {
   solver.name = "asks";
   solver.solve = [x](Evaluator& evaluator, const Vector&, Random&) {
     evaluator.values(Vector::Constant(1, x));
-    return SolverExit{"asked"};
+    return SolverTermination{"asked"};
   };
   return solver;
 }
@@ -30,14 +30,14 @@ Solver asks_for(double x) {
 TEST(BestPoint, IsWhatIsBetterThanTheStart) {
   Problem problem = parabola_of_two();
   BestPoint best = start_of(problem);
-  EXPECT_EQ(best.misfit, 9);
+  EXPECT_EQ(best.loss, 9);
   improve(problem, asks_for(9), 1, best);
   EXPECT_EQ(best.x[0], 5);
   improve(problem, asks_for(3), 1, best);
   EXPECT_EQ(best.x[0], 3);
-  EXPECT_EQ(best.misfit, 1);
+  EXPECT_EQ(best.loss, 1);
   improve(problem, asks_for(4), 1, best);
-  EXPECT_EQ(best.misfit, 1);
+  EXPECT_EQ(best.loss, 1);
   EXPECT_EQ(problem.start[0], 3);  // from the best on
 }
 

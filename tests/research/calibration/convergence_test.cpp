@@ -1,12 +1,12 @@
-#include "src/studies/calibration/convergence.h"
+#include "src/research/calibration/convergence.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 
-#include "problems/carrier_track/questions/misfit.h"
-#include "tests/studies/calibration/some_search.h"
+#include "src/research/paper/loss.h"
+#include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -14,13 +14,13 @@ namespace {
 using namespace carrier_track;
 
 /// What searches ended with that nobody made: three looks each.
-Convergence told_convergence(const std::vector<std::vector<double>>& misfits) {
+Convergence told_convergence(const std::vector<std::vector<double>>& losses) {
   Convergence one;
-  for (const auto& looks : misfits) {
+  for (const auto& looks : losses) {
     LongSearch& search = one.searches.emplace_back();
     search.solver = "told";
-    for (const double misfit : looks) {
-      search.fits.push_back({Reading{}, {}, natural_constants(), misfit, ""});
+    for (const double loss : looks) {
+      search.fits.push_back({Interpretation{}, {}, natural_constants(), loss, ""});
     }
   }
   return one;
@@ -28,7 +28,7 @@ Convergence told_convergence(const std::vector<std::vector<double>>& misfits) {
 
 TEST(Convergence, IsWhereTheWorstSearchIsNearTheBest) {
   const Convergence one = told_convergence({{30, 20.1, 20}, {50, 20.1, 20.1}});
-  EXPECT_EQ(one.best().misfit, 20);
+  EXPECT_EQ(one.best().loss, 20);
   EXPECT_DOUBLE_EQ(one.spread(0), 1.5);
   EXPECT_DOUBLE_EQ(one.spread(1), 20.1 / 20 - 1);
   EXPECT_EQ(one.agreed_from(), 0.5);
@@ -52,10 +52,10 @@ TEST(Convergence, SearchesFromEverySeedAndGoesOnFromTheStore) {
                     ("convergence_" + std::to_string(getpid()) + ".toml");
   std::filesystem::remove(file);
   FitStore store(file);
-  Freedom freedom = some_freedom();
-  freedom.held[static_cast<std::size_t>(Open::slowest)] = 0.1;
+  Parameterisation parameterisation = some_parameterisation();
+  parameterisation.held[static_cast<std::size_t>(Unknown::counting_limit)] = 0.1;
   const ConvergencePlan plan{{some_search(1).global}, {1, 2}, 24};
-  const auto all = converge({freedom}, plan, store);
+  const auto all = converge({parameterisation}, plan, store);
   ASSERT_EQ(all.size(), 1U);
   ASSERT_EQ(all[0].searches.size(), 2U);
   for (const LongSearch& search : all[0].searches) {
@@ -63,27 +63,27 @@ TEST(Convergence, SearchesFromEverySeedAndGoesOnFromTheStore) {
     ASSERT_EQ(search.fits.size(), std::size(looked_at));
     for (std::size_t k = 0; k < search.fits.size(); ++k) {
       const Fit& fit = search.fits[k];
-      EXPECT_DOUBLE_EQ(fit.misfit, misfit(fit.reading, fit.constants));
+      EXPECT_DOUBLE_EQ(fit.loss, loss(fit.interpretation, fit.constants));
       if (k > 0) {
-        EXPECT_LE(fit.misfit, search.fits[k - 1].misfit);
+        EXPECT_LE(fit.loss, search.fits[k - 1].loss);
       }
     }
-    EXPECT_LT(search.last().misfit, misfit(freedom.reading, freedom.held));
+    EXPECT_LT(search.last().loss, loss(parameterisation.interpretation, parameterisation.held));
   }
   EXPECT_NE(all[0].searches[0].last().constants, all[0].searches[1].last().constants);
 
   // A look is what a search of so many evaluations ends with.
   ConvergencePlan half = plan;
   half.evaluations = 12;
-  const auto shorter = converge({freedom}, half, store);
+  const auto shorter = converge({parameterisation}, half, store);
   for (std::size_t s = 0; s < 2; ++s) {
     EXPECT_EQ(all[0].searches[s].fits[1].constants, shorter[0].searches[s].last().constants);
-    EXPECT_EQ(all[0].searches[s].fits[1].misfit, shorter[0].searches[s].last().misfit);
+    EXPECT_EQ(all[0].searches[s].fits[1].loss, shorter[0].searches[s].last().loss);
   }
 
   const auto written = std::filesystem::last_write_time(file);
   FitStore again(file);
-  const auto resumed = converge({freedom}, plan, again);
+  const auto resumed = converge({parameterisation}, plan, again);
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
   for (std::size_t s = 0; s < 2; ++s) {
     EXPECT_EQ(resumed[0].searches[s].last().constants, all[0].searches[s].last().constants);

@@ -5,17 +5,17 @@
 
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/studies/calibration/results.h"
-#include "tests/studies/calibration/some_search.h"
+#include "src/research/calibration/results.h"
+#include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {
 namespace {
 
 using namespace carrier_track;
 
-RankedFit ranked(const Reading& reading, std::vector<Open> freed, double misfit) {
-  Fit fit{reading, std::move(freed), natural_constants(), misfit, ""};
-  fit.constants[static_cast<std::size_t>(Open::pull)] = 1;
+RankedFit ranked(const Interpretation& interpretation, std::vector<Unknown> free, double loss) {
+  Fit fit{interpretation, std::move(free), natural_constants(), loss, ""};
+  fit.constants[static_cast<std::size_t>(Unknown::pull)] = 1;
   Appraisal appraisal = appraise(fit, 1.0);
   return {std::move(fit), std::move(appraisal)};
 }
@@ -24,28 +24,63 @@ RankedFit ranked(const Reading& reading, std::vector<Open> freed, double misfit)
 Results some_results() {
   Results results;
   results.plan.search = some_search(1);
-  Reading other;
+  Interpretation other;
   other.tension = Tension::rotating;
-  results.readings = {ranked(Reading{}, open_of(Reading{}), 20), ranked(other, open_of(other), 30)};
-  results.frontier = {ranked(Reading{}, {Open::pull, Open::slowest, Open::phase}, 20),
-                      ranked(Reading{}, {Open::pull, Open::slowest}, 21)};
+  results.interpretations = {ranked(Interpretation{}, unknowns_of(Interpretation{}), 20),
+                             ranked(other, unknowns_of(other), 30)};
+  results.frontier = {
+      ranked(Interpretation{}, {Unknown::pull, Unknown::counting_limit, Unknown::phase}, 20),
+      ranked(Interpretation{}, {Unknown::pull, Unknown::counting_limit}, 21)};
   results.chosen = 1;
-  results.rankings = {{some_search(2), {Reading{}}, {22.5}, 0.75}};
-  results.usual = ranked(default_reading().reading, default_reading().freed, 29);
+  results.rankings = {{some_search(2), {Interpretation{}}, {22.5}, 0.75}};
+  results.usual =
+      ranked(default_interpretation().interpretation, default_interpretation().free, 29);
   results.plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 800, 400, 2};
-  for (const RankedFit& r : {results.frontier[1], results.readings[0]}) {
+  for (const RankedFit& r : {results.frontier[1], results.interpretations[0]}) {
     Convergence& one = results.convergence.emplace_back();
     Fit far = r.fit;
-    far.misfit *= 1.5;
+    far.loss *= 1.5;
     one.evaluations = 800;
-    one.freedom.reading = r.fit.reading;
+    one.parameterisation.interpretation = r.fit.interpretation;
     one.searches = {{"nlopt-crs2", 1, {far, r.fit, r.fit}}, {"nlopt-crs2", 2, {far, far, r.fit}}};
     results.converged.push_back({r});
   }
   results.predictions = {{"C1", 9, 8.5}, {"C2", 2, std::nullopt}};
   results.sensitivities = {{"C1", {0.5, std::nullopt}}, {"C2", {-1, 2}}};
-  results.profiles = {{Open::pull, 1, 0.5, 2, false, true, {{0.5, 22}, {1, 21}, {2, 21.5}}},
-                      {Open::slowest, 0.01, 0.009, 0.02, false, false, {{0.009, 22}, {0.01, 21}}}};
+  results.profiles = {
+      {Unknown::pull, 1, 0.5, 2, false, true, {{0.5, 22}, {1, 21}, {2, 21.5}}},
+      {Unknown::counting_limit, 0.01, 0.009, 0.02, false, false, {{0.009, 22}, {0.01, 21}}}};
+  return results;
+}
+
+/// Of a model variant.
+JudgedVariant judged_variant(const std::string& name, bool brief, double loss) {
+  JudgedVariant judged{
+      {}, brief ? 3 : 12, {}, appraise(ranked(Interpretation{}, {}, loss).fit, 1.0)};
+  judged.variant.name = name;
+  judged.variant.description = "Something is changed.";
+  judged.variant.brief = brief;
+  judged.variant.own = {{"stiffness", "N/m", 1, 9, false, 5, "why"}};
+  judged.fits = {{Interpretation{}, {}, natural_constants(), loss, "", {4}},
+                 {Interpretation{}, {}, natural_constants(), loss + 1, "", {5}}};
+  return judged;
+}
+
+VariantResults some_variants() {
+  VariantResults results;
+  results.plan = {some_search(12), 3, {1, 2}, 1.0, 1.0, {1, 2}};
+  results.baselines = {judged_variant("nothing", false, 30),
+                       judged_variant("nothing-brief", true, 25)};
+  results.variants = {judged_variant("random-disturbance", false, 20),
+                      judged_variant("ode45-default", true, 25.5),
+                      judged_variant("ode45-tight", true, 40)};
+  results.drawn = "random-disturbance";
+  results.draws = {{1, 20, {7.0, 6.0, std::nullopt, 5.0, 4.0, 3.0}},
+                   {2, 28.25, {7.7, 6.0, std::nullopt, 5.0, 4.0, 3.0}}};
+  const std::vector<CaseAppraisal>& cases = results.baselines[0].appraisal.cases;
+  results.integrations = {{"ode45-default", 4, cases, cases, cases},
+                          {"ode45-tight", 4, cases, cases, cases}};
+  results.integrations[0].usual[0].scan.counts[0] += 1;
   return results;
 }
 
@@ -89,21 +124,21 @@ TEST(ResultsData, FillTablesAndChartsThatHoldTogether) {
     }
   }
   EXPECT_EQ(ids_of(page),
-            (std::set<std::string>{"readings", "answers", "rankings", "convergence", "frontier",
-                                   "predictions", "constants", "origin"}));
-  EXPECT_EQ(charts, (std::set<std::string>{"error-against-freedom", "sensitivity", "profile-pull",
-                                           "profile-slowest"}));
+            (std::set<std::string>{"interpretations", "answers", "rankings", "convergence",
+                                   "frontier", "predictions", "constants", "origin"}));
+  EXPECT_EQ(charts, (std::set<std::string>{"error-against-parameterisation", "sensitivity",
+                                           "profile-pull", "profile-counting-limit"}));
 }
 
 TEST(ResultsData, ShowTheNumbersOfTheResults) {
   const Results results = some_results();
   const report::Page page = drawing_of(results).page;
-  const Appraisal& a = results.readings[1].appraisal;
-  const auto& reading = rows_of(page, "readings").at(1);
-  EXPECT_EQ(reading[0].text, name_of(results.readings[1].fit.reading));
-  EXPECT_NEAR(std::stod(reading[3].text), 100 * a.threshold_error, 0.05);
-  EXPECT_NEAR(std::stod(reading[8].text), a.loudness, 0.005);
-  EXPECT_EQ(reading[9].text, std::to_string(a.right_examples) + " of 20");
+  const Appraisal& a = results.interpretations[1].appraisal;
+  const auto& interpretation = rows_of(page, "interpretations").at(1);
+  EXPECT_EQ(interpretation[0].text, name_of(results.interpretations[1].fit.interpretation));
+  EXPECT_NEAR(std::stod(interpretation[3].text), 100 * a.threshold_error, 0.05);
+  EXPECT_NEAR(std::stod(interpretation[8].text), a.loudness, 0.005);
+  EXPECT_EQ(interpretation[9].text, std::to_string(a.right_examples) + " of 20");
   const auto& interval = rows_of(page, "constants").at(0);
   EXPECT_EQ(interval[2].text, "0.5");
   EXPECT_EQ(interval[3].text, "open, 2");
@@ -132,11 +167,11 @@ TEST(ResultsData, ShowTheRanksByEverySearch) {
 
 TEST(ResultsData, ShowWhereSearchesEndAlike) {
   Results results = some_results();
-  results.convergence[1].searches[1].fits.back().misfit = 24;
+  results.convergence[1].searches[1].fits.back().loss = 24;
   EXPECT_EQ(data_from(results)["convergence"]["ties"].size(), 1U);
   const auto rows = rows_of(drawing_of(results).page, "convergence");
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0][2].text, "20.00");  // by rising misfit
+  EXPECT_EQ(rows[0][2].text, "20.00");  // by rising loss
   EXPECT_EQ(rows[0][3].text, "24.00");
   EXPECT_EQ(rows[0][6].text, "–");
   EXPECT_EQ(rows[0][6].state, report::State::bad);
@@ -156,9 +191,9 @@ TEST(ResultsData, SayWithWhatOtherCommandsCompute) {
     }
     return std::string();
   };
-  EXPECT_NE(
-      paragraph().find(name_of(default_reading().reading) + " with 5 constants: misfit 29.00"),
-      std::string::npos)
+  EXPECT_NE(paragraph().find(name_of(default_interpretation().interpretation) +
+                             " with 5 constants: loss 29.00"),
+            std::string::npos)
       << paragraph();
   results.usual = results.choice();
   EXPECT_NE(paragraph().find("it is what every other command computes with"), std::string::npos);
@@ -181,17 +216,60 @@ TEST(ResultsData, ChooseOfTheConvergedRowsTheOneWithTheLowestCriterion) {
   EXPECT_EQ(&results.choice(), &results.frontier[1]);
 }
 
-TEST(ResultsData, EndTheCommandWithTheRankedTable) {
-  const std::string epilogue = drawing_of(some_results()).epilogue;
-  const std::string name = name_of(Reading{});
-  EXPECT_NE(epilogue.find("\n" + name + std::string(59 - name.size(), ' ')), std::string::npos)
-      << epilogue;
-  EXPECT_NE(epilogue.find("\n\nThe best reading, with fewer"), std::string::npos) << epilogue;
+TEST(ResultsData, SetModelVariantsBesideTheirBaselines) {
+  Results results = some_results();
+  results.variants = some_variants();
+  const report::Page page = drawing_of(results).page;
+  const auto rows = rows_of(page, "variants");
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[0][5].text, "–");
+  EXPECT_EQ(rows[2][0].text, "random-disturbance");
+  EXPECT_EQ(rows[2][3].text, "20.0, 21.0");
+  EXPECT_EQ(rows[2][4].text, "nothing");
+  EXPECT_EQ(rows[2][5].text, "+10.0");
+  EXPECT_EQ(rows[2][5].state, report::State::good);
+  EXPECT_EQ(rows[3][5].state, report::State::bad);
+  for (const report::Section& section : page.sections) {
+    for (const report::Figure& figure : section.figures) {
+      EXPECT_NO_THROW(report::check(figure.chart)) << figure.chart.name;
+    }
+    if (section.id != "variants") continue;
+    EXPECT_EQ(section.paragraphs[0].substr(0, 46),
+              "1 of 3 model variants come nearer to the paper");
+    EXPECT_NE(
+        section.paragraphs[0].find("Statistically tied with what they change: ode45-default."),
+        std::string::npos)
+        << section.paragraphs[0];
+  }
+  const auto integration = rows_of(page, "integration");
+  EXPECT_EQ(integration[0][5].text, "5.6") << "1 of 18 speeds";
+  EXPECT_EQ(integration[0][6].text, "0.0");
+  const auto draws = rows_of(page, "draws");
+  ASSERT_EQ(draws.size(), 6U);
+  EXPECT_EQ(draws[0][3].text, "7.7");
+  EXPECT_EQ(draws[0][4].text, "9.5");  // 100 ln(7.7 / 7)
+  EXPECT_EQ(draws[2][4].text, "–");
 }
 
-TEST(ResultsData, LeaveOutWhatOneReadingDoesNotHave) {
+TEST(ResultsData, EndTheCommandWithTheRankedTable) {
+  const std::string epilogue = drawing_of(some_results()).epilogue;
+  const std::string name = name_of(Interpretation{});
+  EXPECT_NE(epilogue.find("\n" + name + std::string(59 - name.size(), ' ')), std::string::npos)
+      << epilogue;
+  EXPECT_NE(epilogue.find("\n\nThe best interpretation, with fewer"), std::string::npos)
+      << epilogue;
+  EXPECT_EQ(epilogue.find("model variant"), std::string::npos) << epilogue;
+  Results more = some_results();
+  more.variants = some_variants();
+  const std::string longer = drawing_of(more).epilogue;
+  EXPECT_NE(longer.find("\n\nmodel variant  "), std::string::npos) << longer;
+  EXPECT_NE(longer.find("\n1 of 3 come nearer than what they change"), std::string::npos) << longer;
+  EXPECT_NE(longer.find("from every seed\n\nThresholds that"), std::string::npos) << longer;
+}
+
+TEST(ResultsData, LeaveOutWhatOneInterpretationDoesNotHave) {
   Results results = some_results();
-  results.readings.pop_back();
+  results.interpretations.pop_back();
   results.rankings.clear();
   results.convergence.clear();
   EXPECT_EQ(ids_of(drawing_of(results).page),

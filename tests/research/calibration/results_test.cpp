@@ -1,4 +1,4 @@
-#include "src/studies/calibration/results.h"
+#include "src/research/calibration/results.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "tests/studies/calibration/tiny_plan.h"
+#include "tests/research/calibration/tiny_plan.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -19,38 +19,40 @@ std::filesystem::path fresh_file(const char* name) {
   return file;
 }
 
-TEST(Results, RanksReadingsHoldsConstantsAndPredicts) {
+TEST(Results, RanksInterpretationsHoldsConstantsAndPredicts) {
   const auto file = fresh_file("a.toml");
   FitStore store(file);
   const Results results = calibrate(tiny_plan(), store);
-  ASSERT_GE(results.readings.size(), 2U + 11 + 5);
-  for (std::size_t i = 1; i < results.readings.size(); ++i) {
-    EXPECT_GE(results.readings[i].fit.misfit, results.readings[i - 1].fit.misfit);
+  ASSERT_GE(results.interpretations.size(), 2U + 11 + 5);
+  for (std::size_t i = 1; i < results.interpretations.size(); ++i) {
+    EXPECT_GE(results.interpretations[i].fit.loss, results.interpretations[i - 1].fit.loss);
   }
   ASSERT_EQ(results.rankings.size(), 1U);
-  EXPECT_GT(results.rankings[0].misfits.size(), 10U);
-  EXPECT_EQ(results.rankings[0].misfits.size(), results.rankings[0].readings.size());
+  EXPECT_GT(results.rankings[0].losses.size(), 10U);
+  EXPECT_EQ(results.rankings[0].losses.size(), results.rankings[0].interpretations.size());
   for (std::size_t i = 1; i < results.frontier.size(); ++i) {
-    EXPECT_EQ(results.frontier[i].fit.freed.size(), results.frontier[i - 1].fit.freed.size() - 1);
+    EXPECT_EQ(results.frontier[i].fit.free.size(), results.frontier[i - 1].fit.free.size() - 1);
   }
   for (const RankedFit& r : results.frontier) {
     EXPECT_GE(r.appraisal.criterion, results.frontier[results.chosen].appraisal.criterion);
   }
-  // The choice, the default reading, the best one, and those as free as the default one.
+  // The choice, the default interpretation, the best one, and those as free as the default one.
   ASSERT_GE(results.convergence.size(), 3U + 2);
   ASSERT_LE(results.convergence.size(), 3U + 3);
   ASSERT_EQ(results.converged.size(), results.convergence.size());
   for (std::size_t i = 3; i < results.convergence.size(); ++i) {
     const Convergence& one = results.convergence[i];
     EXPECT_EQ(one.evaluations, one.evaluations == 3 && one.agreed_from() ? 3 : 4);
-    EXPECT_NE(one.freedom.reading, results.convergence[1].freedom.reading);
+    EXPECT_NE(one.parameterisation.interpretation,
+              results.convergence[1].parameterisation.interpretation);
   }
-  EXPECT_EQ(results.convergence[1].freedom.freed, carrier_track::default_reading().freed);
+  EXPECT_EQ(results.convergence[1].parameterisation.free,
+            carrier_track::default_interpretation().free);
   for (std::size_t i = 0; i < results.convergence.size(); ++i) {
     ASSERT_FALSE(results.converged[i].empty());
     EXPECT_EQ(results.converged[i].size(), results.convergence[i].as_good().size());
     for (const RankedFit& r : results.converged[i]) {
-      EXPECT_LE(r.fit.misfit, 1.01 * results.convergence[i].best().misfit);
+      EXPECT_LE(r.fit.loss, 1.01 * results.convergence[i].best().loss);
       EXPECT_GE(r.appraisal.criterion, results.converged[i].front().appraisal.criterion);
     }
     EXPECT_GE(results.converged[i].front().appraisal.criterion,
@@ -58,7 +60,7 @@ TEST(Results, RanksReadingsHoldsConstantsAndPredicts) {
   }
   EXPECT_EQ(results.predictions.size(), 10U);
   EXPECT_EQ(results.sensitivities.size(), 10U);
-  EXPECT_EQ(results.profiles.size(), results.choice().fit.freed.size());
+  EXPECT_EQ(results.profiles.size(), results.choice().fit.free.size());
 
   // Goes on from the file, on one thread, to the same.
   const auto written = std::filesystem::last_write_time(file);
@@ -67,7 +69,7 @@ TEST(Results, RanksReadingsHoldsConstantsAndPredicts) {
   const Results resumed = calibrate(tiny_plan(), again);
   EXPECT_EQ(std::filesystem::last_write_time(file), written);
   EXPECT_EQ(resumed.choice().fit.constants, results.choice().fit.constants);
-  EXPECT_EQ(resumed.rankings[0].misfits, results.rankings[0].misfits);
+  EXPECT_EQ(resumed.rankings[0].losses, results.rankings[0].losses);
   EXPECT_EQ(resumed.predictions[3].predicted, results.predictions[3].predicted);
 }
 

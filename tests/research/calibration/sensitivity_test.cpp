@@ -1,8 +1,8 @@
-#include "src/studies/calibration/sensitivity.h"
+#include "src/research/calibration/sensitivity.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/studies/calibration/some_search.h"
+#include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -12,14 +12,14 @@ using namespace carrier_track;
 TEST(Sensitivity, HasTheSlopesThatScalingDemands) {
   // Without disturbance all forces may grow as one, and with them clearance and speeds of start
   // and limit in the same measure: the thresholds stay. So their logarithmic slopes add up to none.
-  const FittedReading& fitted = default_reading();
-  Fit fit{fitted.reading,
-          {Open::pull, Open::normal_force, Open::centrifugal_mass_radius, Open::clearance,
-           Open::slowest},
+  const FittedInterpretation& fitted = default_interpretation();
+  Fit fit{fitted.interpretation,
+          {Unknown::pull, Unknown::normal_force, Unknown::centrifugal_mass_radius,
+           Unknown::clearance, Unknown::counting_limit},
           fitted.constants,
           0,
           ""};
-  fit.constants[static_cast<std::size_t>(Open::start_velocity)] = 0;
+  fit.constants[static_cast<std::size_t>(Unknown::start_velocity)] = 0;
   for (const CaseSensitivity& row : sensitivities(fit, 0.05)) {
     ASSERT_EQ(row.slopes.size(), 5U);
     if (row.case_id != "C1" && row.case_id != "C3") continue;
@@ -30,10 +30,11 @@ TEST(Sensitivity, HasTheSlopesThatScalingDemands) {
 }
 
 TEST(Sensitivity, ProfilesAroundTheFit) {
-  Fit fit{some_freedom().reading, some_freedom().freed, some_freedom().held, 0, ""};
-  fit.misfit = calibration_problem(some_freedom())
-                   .evaluate(calibration_problem(some_freedom()).start)
-                   .objective;
+  Fit fit{some_parameterisation().interpretation, some_parameterisation().free,
+          some_parameterisation().held, 0, ""};
+  fit.loss = calibration_problem(some_parameterisation())
+                 .evaluate(calibration_problem(some_parameterisation()).start)
+                 .objective;
   const auto found = profiles(fit, some_search(2));
   ASSERT_EQ(found.size(), 2U);
   for (const Profile& p : found) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "src/studies/calibration/results.h"
-#include "tests/studies/calibration/some_search.h"
+#include "src/research/calibration/results.h"
+#include "tests/research/calibration/some_search.h"
 
 namespace ricochet::studies::calibration {
 
-/// Two readings and nothing that converges.
+/// Two interpretations and nothing that converges.
 inline Plan tiny_plan() {
   Plan plan;
   plan.search = some_search(1);
@@ -13,8 +13,8 @@ inline Plan tiny_plan() {
   plan.left_out_evaluations = plan.profile_evaluations = 1;
   plan.fewest_constants = 8;
   plan.step = 0.2;
-  plan.readings = {carrier_track::find_reading("projected-constant-revolutions"),
-                   carrier_track::find_reading("inward-rotating-seconds")};
+  plan.interpretations = {carrier_track::find_interpretation("projected-constant-revolutions"),
+                          carrier_track::find_interpretation("inward-rotating-seconds")};
   Search other = some_search(1);
   other.seed = 2;
   plan.checks = {other};

@@ -1,18 +1,19 @@
-#include "src/studies/dynamics/levels.h"
+#include "src/research/dynamics/levels.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/default_machine.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
 
 TEST(Levels, AddUpAndNeedTheSecondDirectionWhereFrictionCannotHold) {
-  // In the default reading friction on the weight, 11.8 N, holds 1.2 N with the coefficient 0.1 of
-  // C1 and 4.7 N with 0.4 of C3. The yarn pulls across with these shares of its pull along x.
-  const double pull = carrier_track::default_reading().scene.pull;
+  // In the default interpretation friction on the weight, 11.8 N, holds 1.2 N with the coefficient
+  // 0.1 of C1 and 4.7 N with 0.4 of C3. The yarn pulls across with these shares of its pull along
+  // x.
+  const double pull = carrier_track::default_machine().pull;
   const LevelStudy study = study_levels({2, {0, 3 / pull, 6 / pull}, 1.5e10, 3});
   ASSERT_EQ(study.rows.size(), 12U);
   for (const LevelRow& row : study.rows) {

@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/lyapunov.h"
+#include "src/research/dynamics/lyapunov.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <limits>
 #include <numbers>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/models/simulate.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "src/studies/dynamics/work.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

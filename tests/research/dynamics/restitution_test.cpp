@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/restitution.h"
+#include "src/research/dynamics/restitution.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/stability.h"
+#include "src/research/dynamics/stability.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "problems/carrier_track/scene/contact_law.h"
-#include "src/studies/dynamics/work.h"
+#include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -28,19 +28,19 @@ TEST(Stability, OfARunIsJudgedByTheWorstThatHappened) {
     for (int i = 0; i < impacts; ++i) outcome.impacts.push_back({0.1 * i, Wall::lower, 1.0});
     return outcome;
   };
-  const Outcome truth = seen(3);
-  EXPECT_EQ(behaviour_of(scene, seen(3), truth), Behaviour::right_count);
-  EXPECT_EQ(behaviour_of(scene, seen(4), truth), Behaviour::too_many);
-  EXPECT_EQ(behaviour_of(scene, seen(2), truth), Behaviour::too_few);
+  const Outcome true_values = seen(3);
+  EXPECT_EQ(behaviour_of(scene, seen(3), true_values), Behaviour::right_count);
+  EXPECT_EQ(behaviour_of(scene, seen(4), true_values), Behaviour::too_many);
+  EXPECT_EQ(behaviour_of(scene, seen(2), true_values), Behaviour::too_few);
   Outcome outcome = seen(2);
   outcome.gained = -0.1;
-  EXPECT_EQ(behaviour_of(scene, outcome, truth), Behaviour::too_few);
+  EXPECT_EQ(behaviour_of(scene, outcome, true_values), Behaviour::too_few);
   outcome.gained = 0.1;
-  EXPECT_EQ(behaviour_of(scene, outcome, truth), Behaviour::gains_energy);
+  EXPECT_EQ(behaviour_of(scene, outcome, true_values), Behaviour::gains_energy);
   outcome.finished = false;
-  EXPECT_EQ(behaviour_of(scene, outcome, truth), Behaviour::gives_up);
+  EXPECT_EQ(behaviour_of(scene, outcome, true_values), Behaviour::gives_up);
   outcome.deepest = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(behaviour_of(scene, outcome, truth), Behaviour::leaves_the_walls);
+  EXPECT_EQ(behaviour_of(scene, outcome, true_values), Behaviour::leaves_the_walls);
 }
 
 TEST(Stability, OfTheFrequencyAtThePeakIsThatOfALinearSpring) {

@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/study.h"
+#include "src/research/dynamics/study.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -118,6 +118,7 @@ TEST(DynamicsStudy, BeginsEverySectionWithWhatItFound) {
   ASSERT_EQ(drawing().page.sections.size(), 16U);
   for (const Section& section : drawing().page.sections) {
     if (section.id == "origin") continue;
+    if (section.paragraphs.at(0).starts_with(drawing().headline.finding)) continue;
     EXPECT_EQ(section.paragraphs.at(0).rfind("Found: ", 0), 0U) << section.id;
   }
 }
@@ -148,9 +149,11 @@ TEST(DynamicsStudy, CountsEveryCaseByHardAndCompliantWalls) {
 TEST(DynamicsStudy, IsDrawnAgainFromItsData) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "ricochet-dynamics-study";
   std::filesystem::remove_all(folder);
-  EXPECT_EQ(report::write_report(data(), folder / "one"),
+  const report::WrittenReport written = report::write_report(data(), folder / "one");
+  EXPECT_EQ(written.epilogue,
             "8 contact laws, 8 methods in 5 scenes, 12 cases by hard and compliant walls; 1.0 s");
-  report::redraw_report(folder / "one", folder / "two");
+  EXPECT_EQ(written.failures, std::vector<std::string>());
+  EXPECT_EQ(report::redraw_report(folder / "one", folder / "two").epilogue, written.epilogue);
   const auto text = [](const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(stream), {});

@@ -1,13 +1,13 @@
-#include "src/studies/dynamics/thresholds.h"
+#include "src/research/dynamics/thresholds.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "problems/carrier_track/questions/machine.h"
-#include "problems/carrier_track/questions/speed_problem.h"
-#include "problems/carrier_track/questions/top_speed.h"
+#include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/problems/speed_problem.h"
+#include "problems/carrier_track/problems/top_speed.h"
 
 namespace ricochet::studies::dynamics {
 namespace {
@@ -35,17 +35,17 @@ report::Json row_named(const report::Json& data, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-TEST(Thresholds, OfHardWallsAreThoseThatTheQuestionsOfTopSpeedKnow) {
+TEST(Thresholds, OfHardWallsAreThoseThatTheProblemsOfTopSpeedKnow) {
   const ThresholdStudy study =
       study_thresholds({{"C1", "C2", "C3", "C4"}, 0.25, 18, {}, {}, {}}, {});
   std::size_t known = 0;
   for (const carrier_track::Machine& machine : carrier_track::all_machines()) {
-    const Question question = carrier_track::top_speed_question(machine);
+    const Problem problem = carrier_track::top_speed_problem(machine);
     for (std::size_t c = 0; c < study.plan.cases.size(); ++c) {
-      if (question.stated.name != "top-speed-" + study.plan.cases[c]) continue;
+      if (problem.name != "top-speed-" + study.plan.cases[c]) continue;
       const auto& speed = study.simulations.front().cases[c].speed;
-      ASSERT_TRUE(speed && question.stated.best_known);
-      EXPECT_NEAR(*speed, -*question.stated.best_known, 1e-6) << question.stated.name;
+      ASSERT_TRUE(speed && problem.best_known);
+      EXPECT_NEAR(*speed, -*problem.best_known, 1e-6) << problem.name;
       ++known;
     }
   }

@@ -1,4 +1,4 @@
-#include "src/studies/dynamics/work.h"
+#include "src/research/dynamics/work.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "src/studies/fireworks/benchmark_functions.h"
+#include "src/research/fireworks/benchmark_functions.h"
 
 #include <gtest/gtest.h>
 

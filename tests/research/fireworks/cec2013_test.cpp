@@ -1,4 +1,4 @@
-#include "src/studies/fireworks/cec2013.h"
+#include "src/research/fireworks/cec2013.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TEST(Cec2013, FunctionsComeNearZero) {
     double best = 1e9;
     for (int run_number = 1; run_number <= 10; ++run_number) {
       const RunRecord record = run(cec2013(number, 2), solver, {20'000}, run_number);
-      best = std::min(best, record.trace.back().truth.objective);
+      best = std::min(best, record.trace.back().true_values.objective);
     }
     EXPECT_GE(best, -1e-9) << number;
     EXPECT_LT(best, 1e-6) << number;

@@ -1,4 +1,4 @@
-#include "src/studies/fireworks/errors.h"
+#include "src/research/fireworks/errors.h"
 
 #include <gtest/gtest.h>
 
@@ -6,22 +6,22 @@
 #include <stdexcept>
 
 #include "solvers/random_search.h"
-#include "src/studies/fireworks/benchmark_functions.h"
+#include "src/research/fireworks/benchmark_functions.h"
 
 namespace ricochet::studies::fireworks {
 namespace {
 
 TEST(Moments, HaveStudentsInterval) {
-  const report::Json moments = moments_of({1, 2, 3, 4, 5});
-  EXPECT_DOUBLE_EQ(moments["mean"], 3);
-  EXPECT_DOUBLE_EQ(moments["deviation"], std::sqrt(2.5));
+  const Moments moments = moments_of({1, 2, 3, 4, 5});
+  EXPECT_DOUBLE_EQ(moments.mean, 3);
+  EXPECT_DOUBLE_EQ(moments.deviation, std::sqrt(2.5));
   const double reach = 2.7764451 * std::sqrt(2.5 / 5);  // t of 4 degrees, from tables
-  EXPECT_NEAR(moments["lower"], 3 - reach, 1e-6);
-  EXPECT_NEAR(moments["upper"], 3 + reach, 1e-6);
+  EXPECT_NEAR(moments.lower, 3 - reach, 1e-6);
+  EXPECT_NEAR(moments.upper, 3 + reach, 1e-6);
 }
 
 TEST(Moments, AgreeWithWhatChanceWouldBring) {
-  const report::Json moments = moments_of({1, 2, 3, 4, 5});
+  const Moments moments = moments_of({1, 2, 3, 4, 5});
   const double reach = 2.7764451 * std::sqrt(2.5 * (1.0 / 5 + 1.0 / 10));
   EXPECT_TRUE(agrees(moments, {3 + 0.999 * reach, 10}));
   EXPECT_FALSE(agrees(moments, {3 + 1.001 * reach, 10}));
@@ -42,7 +42,7 @@ TEST(Errors, AreThoseOfTheRunsNumberedFromOne) {
   for (int number = 1; number <= 3; ++number) {
     const RunRecord record = run(problem, random_search(), {50}, number);
     EXPECT_EQ(errors[0].at(static_cast<std::size_t>(number - 1)),
-              record.trace.back().truth.objective);
+              record.trace.back().true_values.objective);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "src/studies/fireworks/plateau.h"
+#include "src/research/fireworks/plateau.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "src/studies/fireworks/study.h"
+#include "src/research/fireworks/study.h"
 
 #include <gtest/gtest.h>
 
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/studies/fireworks/competition.h"
-#include "src/studies/fireworks/plateau.h"
-#include "src/studies/fireworks/shift.h"
-#include "src/studies/fireworks/table_3.h"
+#include "src/research/fireworks/competition.h"
+#include "src/research/fireworks/plateau.h"
+#include "src/research/fireworks/shift.h"
+#include "src/research/fireworks/table_3.h"
 
 namespace ricochet::studies {
 namespace {
@@ -39,8 +39,8 @@ TEST(FireworksStudy, FillsItsPage) {
 
 TEST(FireworksStudy, ReproducesTheSevenZerosOf2010) {
   EXPECT_EQ(results()["table_3"]["zeros"], 7);
-  for (const Json& reading : results()["table_3"]["readings"]) {
-    EXPECT_EQ(reading["zeros"], 7) << reading["name"];
+  for (const Json& interpretation : results()["table_3"]["interpretations"]) {
+    EXPECT_EQ(interpretation["zeros"], 7) << interpretation["name"];
   }
   for (const Json& row : results()["table_3"]["rows"]) {
     for (const Json& cell : row["successors"]) EXPECT_GT(cell["mean"], 1e-3) << row["function"];

@@ -1,10 +1,10 @@
-#include "src/studies/limits/claims.h"
+#include "src/research/limits/claims.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "tests/studies/limits/usual_fit.h"
+#include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -12,17 +12,17 @@ namespace {
 using namespace carrier_track;
 
 CoarseJudgement usual_judgement() {
-  return judged_coarsely(usual_fit().reading, usual_fit().constants);
+  return judged_coarsely(usual_fit().interpretation, usual_fit().constants);
 }
 
-TEST(Claims, AddUpToTheMisfitButForItsShapes) {
+TEST(Claims, AddUpToTheLossButForItsShapes) {
   const CoarseJudgement judgement = usual_judgement();
   double shapes = 0, whole = 4 * judgement.quiet_share;
   for (const CoarseCase& c : judgement.cases) {
     shapes += 3 * c.score.shape;
-    whole += misfit_of(c.score, c.the_case.claim);
+    whole += loss_of(c.score, c.the_case.claim);
   }
-  EXPECT_NEAR(misfit_without(judgement, {}), whole - shapes, 1e-9);
+  EXPECT_NEAR(loss_without(judgement, {}), whole - shapes, 1e-9);
 }
 
 TEST(Claims, AreSixOfACaseAndOneOfC11) {
@@ -38,14 +38,14 @@ TEST(Claims, AreSixOfACaseAndOneOfC11) {
 
 TEST(Claims, AreAskedForOrNot) {
   const CoarseJudgement judgement = usual_judgement();
-  const double all = misfit_without(judgement, {});
+  const double all = loss_without(judgement, {});
   for (const auto& groups : {dropped_groups(), asked_groups()}) {
     for (const ClaimGroup& group : groups) {
-      EXPECT_NEAR(misfit_of_only(judgement, group) + misfit_without(judgement, group), all, 1e-9)
+      EXPECT_NEAR(loss_of_only(judgement, group) + loss_without(judgement, group), all, 1e-9)
           << group.name;
     }
   }
-  EXPECT_NEAR(misfit_of_only(judgement, asked_groups().back()), all, 1e-9);
+  EXPECT_NEAR(loss_of_only(judgement, asked_groups().back()), all, 1e-9);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "src/studies/limits/coarse_judgement.h"
+#include "src/research/limits/coarse_judgement.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/studies/calibration/appraisal.h"
-#include "tests/studies/limits/usual_fit.h"
+#include "src/research/calibration/appraisal.h"
+#include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -50,7 +50,7 @@ TEST(GoalValues, CountWhatIsMissed) {
 
 TEST(CoarseJudgement, TellsErrorsOfAPercentApart) {
   const Fit fit = usual_fit();
-  const GoalValues goals = goals_of(judged_coarsely(fit.reading, fit.constants));
+  const GoalValues goals = goals_of(judged_coarsely(fit.interpretation, fit.constants));
   const calibration::Appraisal fine = calibration::appraise(fit, 0.01);
   EXPECT_NEAR(goals.threshold_error, fine.threshold_error, 0.005);
   EXPECT_NEAR(goals.worst_threshold, fine.worst_threshold, 0.01);
@@ -59,8 +59,8 @@ TEST(CoarseJudgement, TellsErrorsOfAPercentApart) {
 
 TEST(CoarseJudgement, OfThresholdsIsTheSameButForC11) {
   const Fit fit = usual_fit();
-  const CoarseJudgement all = judged_coarsely(fit.reading, fit.constants);
-  const CoarseJudgement some = judged_by_thresholds(fit.reading, fit.constants);
+  const CoarseJudgement all = judged_coarsely(fit.interpretation, fit.constants);
+  const CoarseJudgement some = judged_by_thresholds(fit.interpretation, fit.constants);
   ASSERT_EQ(all.cases.size(), 10U);
   for (std::size_t i = 0; i < 10; ++i) {
     EXPECT_EQ(all.cases[i].score.threshold, some.cases[i].score.threshold);

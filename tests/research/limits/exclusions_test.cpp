@@ -1,10 +1,11 @@
-#include "src/studies/limits/exclusions.h"
+#include "src/research/limits/exclusions.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "tests/studies/limits/usual_fit.h"
+#include "solvers/solvers.h"
+#include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -14,8 +15,8 @@ using namespace carrier_track;
 TEST(Exclusions, SetEachClaimBesideAControlThatDropsNone) {
   FitStore store(no_file_yet());
   const Exclusions all = exclusions({usual_fit()}, {solver_named("nlopt-sbplx"), 8, {1, 2}}, store);
-  const CoarseJudgement start = judged_coarsely(usual_fit().reading, usual_fit().constants);
-  EXPECT_DOUBLE_EQ(all.start, misfit_without(start, {}));
+  const CoarseJudgement start = judged_coarsely(usual_fit().interpretation, usual_fit().constants);
+  EXPECT_DOUBLE_EQ(all.start, loss_without(start, {}));
   ASSERT_EQ(all.controls.size(), 2U);
   EXPECT_EQ(all.all.size(), dropped_groups().size());
   for (const double control : all.controls) EXPECT_LE(control, all.start);
@@ -24,7 +25,7 @@ TEST(Exclusions, SetEachClaimBesideAControlThatDropsNone) {
       [](const Exclusion& a, const Exclusion& b) { return a.relief() > b.relief(); }));
   for (const Exclusion& e : all.all) {
     EXPECT_NEAR(e.its_share + e.rest, all.controls.front(), 1e-9) << e.dropped.name;
-    EXPECT_LE(e.rest_without, misfit_without(start, e.dropped) + 1e-9) << e.dropped.name;
+    EXPECT_LE(e.rest_without, loss_without(start, e.dropped) + 1e-9) << e.dropped.name;
     EXPECT_LE(e.gains.size(), 3U);
     for (const Exclusion::Gain& gain : e.gains) {
       EXPECT_GT(gain.gain, 0);

@@ -1,8 +1,8 @@
-#include "src/studies/limits/front_search.h"
+#include "src/research/limits/front_search.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/studies/limits/usual_fit.h"
+#include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -10,23 +10,24 @@ namespace {
 using namespace carrier_track;
 
 FrontChain short_chain(int seed) {
-  const std::vector<Open> few = {Open::slowest, Open::start_velocity};
-  const std::vector<Open> more = {Open::slowest, Open::start_velocity, Open::phase};
-  return {usual_fit().reading, {few, more}, seed, 12, 3};
+  const std::vector<Unknown> few = {Unknown::counting_limit, Unknown::start_velocity};
+  const std::vector<Unknown> more = {Unknown::counting_limit, Unknown::start_velocity,
+                                     Unknown::phase};
+  return {usual_fit().interpretation, {few, more}, seed, 12, 3};
 }
 
 TEST(FrontSearch, FindsFrontsOfMoreAndMoreConstants) {
   FitStore store(no_file_yet());
   const auto fronts = searched_fronts({short_chain(1), short_chain(2)}, store);
   ASSERT_EQ(fronts.size(), 4U);
-  EXPECT_EQ(fronts[0].freedom.freed.size(), 2U);
-  EXPECT_EQ(fronts[1].freedom.freed.size(), 3U);
+  EXPECT_EQ(fronts[0].parameterisation.free.size(), 2U);
+  EXPECT_EQ(fronts[1].parameterisation.free.size(), 3U);
   EXPECT_EQ(fronts[2].seed, 2);
   for (const ChainedFront& front : fronts) {
     ASSERT_FALSE(front.fits.empty());
     ASSERT_EQ(front.fits.size(), front.goals.size());
     for (std::size_t i = 0; i < front.fits.size(); ++i) {
-      EXPECT_EQ(front.fits[i].misfit, front.goals[i].threshold_error);
+      EXPECT_EQ(front.fits[i].loss, front.goals[i].threshold_error);
       for (const GoalValues& other : front.goals) {
         EXPECT_FALSE(dominates(goal_vector(other), goal_vector(front.goals[i])));
       }

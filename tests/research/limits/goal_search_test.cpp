@@ -1,9 +1,9 @@
-#include "src/studies/limits/goal_search.h"
+#include "src/research/limits/goal_search.h"
 
 #include <gtest/gtest.h>
 
-#include "src/core/error.h"
-#include "tests/studies/limits/usual_fit.h"
+#include "solvers/solvers.h"
+#include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -16,7 +16,7 @@ Target least_error() {
 
 GoalSearch some_goal_search(int seed, bool from_held) {
   const Fit fit = usual_fit();
-  return {{fit.reading, {Open::start_velocity, Open::slowest}, fit.constants},
+  return {{fit.interpretation, {Unknown::start_velocity, Unknown::counting_limit}, fit.constants},
           least_error(),
           solver_named("nlopt-crs2"),
           seed,
@@ -31,10 +31,10 @@ TEST(GoalSearch, EndsWithTheLowestItsTargetHasHad) {
                "test", store);
   ASSERT_EQ(found.size(), 3U);
   for (const GoalFound& f : found) {
-    EXPECT_DOUBLE_EQ(f.whole.misfit, value_of(least_error(), f.whole));
-    EXPECT_DOUBLE_EQ(f.half.misfit, value_of(least_error(), f.half));
-    EXPECT_LE(f.whole.misfit, f.half.misfit);
-    EXPECT_LE(f.half.misfit, value_of(least_error(), usual_fit()));
+    EXPECT_DOUBLE_EQ(f.whole.loss, value_of(least_error(), f.whole));
+    EXPECT_DOUBLE_EQ(f.half.loss, value_of(least_error(), f.half));
+    EXPECT_LE(f.whole.loss, f.half.loss);
+    EXPECT_LE(f.half.loss, value_of(least_error(), usual_fit()));
     EXPECT_EQ(f.whole.constants[0], usual_fit().constants[0]) << "held";
   }
 }
@@ -42,13 +42,13 @@ TEST(GoalSearch, EndsWithTheLowestItsTargetHasHad) {
 TEST(GoalSearch, LooksAtTheBestAfterAHalf) {
   FitStore store(no_file_yet());
   GoalSearch shorter = some_goal_search(1, false);
-  shorter.freedom.held[static_cast<std::size_t>(Open::slowest)] = 0.1;
+  shorter.parameterisation.held[static_cast<std::size_t>(Unknown::counting_limit)] = 0.1;
   GoalSearch longer = shorter;
   longer.evaluations *= 4;
   shorter.evaluations *= 2;
   const auto found = searched({shorter, longer}, "test", store);
   EXPECT_EQ(found[1].half.constants, found[0].whole.constants);
-  EXPECT_LT(found[1].whole.misfit, found[0].half.misfit);
+  EXPECT_LT(found[1].whole.loss, found[0].half.loss);
 }
 
 TEST(GoalSearch, GoesOnFromTheStoreToTheSameBits) {
@@ -66,12 +66,12 @@ TEST(GoalSearch, GoesOnFromTheStoreToTheSameBits) {
   EXPECT_EQ(searched(searches, "test", other)[0].whole.constants, found[0].whole.constants);
 }
 
-TEST(GoalSearch, KnowsItsSolversAndFreedoms) {
-  EXPECT_THROW(solver_named("magic"), InputError);
-  const Freedom freedom =
-      freedom_of(Reading{}, {Open::slowest, Open::contact_speed, Open::pull, Open::seconds});
-  EXPECT_EQ(freedom.freed, (std::vector{Open::pull, Open::slowest}));
-  EXPECT_EQ(freedom.held, natural_constants());
+TEST(GoalSearch, KnowsItsFreedoms) {
+  const Parameterisation parameterisation = parameterisation_of(
+      Interpretation{},
+      {Unknown::counting_limit, Unknown::contact_speed, Unknown::pull, Unknown::seconds});
+  EXPECT_EQ(parameterisation.free, (std::vector{Unknown::pull, Unknown::counting_limit}));
+  EXPECT_EQ(parameterisation.held, natural_constants());
 }
 
 }  // namespace

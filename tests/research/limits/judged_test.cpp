@@ -1,8 +1,8 @@
-#include "src/studies/limits/judged.h"
+#include "src/research/limits/judged.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/studies/limits/usual_fit.h"
+#include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -24,7 +24,7 @@ TEST(Judged, IsWhatTheAppraisalSays) {
 TEST(WorthJudging, IsWhatNothingElseIsAsGoodAs) {
   const auto with_error = [](double error) {
     Fit fit = usual_fit();
-    fit.misfit = error;
+    fit.loss = error;
     return fit;
   };
   ChainedFront one, other;
@@ -41,8 +41,8 @@ TEST(WorthJudging, IsWhatNothingElseIsAsGoodAs) {
   }
   const auto fits = worth_judging({&one, &other}, {1, 0.25});
   ASSERT_EQ(fits.size(), 2U);
-  EXPECT_EQ(fits[0].misfit, 0.1);
-  EXPECT_EQ(fits[1].misfit, 0.2);
+  EXPECT_EQ(fits[0].loss, 0.1);
+  EXPECT_EQ(fits[1].loss, 0.2);
 }
 
 TEST(BestPairs, FallWhereTheFirstRises) {

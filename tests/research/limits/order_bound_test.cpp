@@ -1,4 +1,4 @@
-#include "src/studies/limits/order_bound.h"
+#include "src/research/limits/order_bound.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "solvers/solvers.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
-#include "src/studies/limits/results.h"
-#include "tests/studies/limits/usual_fit.h"
+#include "src/research/limits/results.h"
+#include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {
 namespace {
@@ -38,7 +39,7 @@ TEST(LimitsData, FillTheirPage) {
   const report::DrawnPage drawn = report::drawn(report::page_template("limits"), data);
   EXPECT_EQ(drawn.page.sections.front().id, "together");
   EXPECT_TRUE(drawn.page.intro.front().starts_with(
-      "Found: the paper's ten thresholds cannot be had within 2.6 %"));
+      "The paper's ten thresholds cannot be had within 2.6 %"));
   EXPECT_TRUE(drawn.tables.contains("exclusion.csv"));
 }
 
@@ -66,9 +67,9 @@ TEST(LimitsData, TellWhatTheBoundsAndSearchesSay) {
   EXPECT_EQ(data["main_error"]["lowest"], results.long_searches[0].lowest());
   for (const LongSearches& one : results.long_searches) {
     for (const auto* ends : {&one.found, &one.from_fronts}) {
-      for (const GoalFound& end : *ends) EXPECT_LE(one.lowest(), end.whole.misfit);
+      for (const GoalFound& end : *ends) EXPECT_LE(one.lowest(), end.whole.loss);
     }
-    EXPECT_EQ(one.from_fronts.size(), one.reading == results.plan.main ? 2U : 0U);
+    EXPECT_EQ(one.from_fronts.size(), one.interpretation == results.plan.main ? 2U : 0U);
   }
   double least = results.long_searches[0].best.fine.threshold_error;
   for (const Judged& point : results.points) least = std::min(least, point.fine.threshold_error);

@@ -6,15 +6,15 @@
 #include <string>
 
 #include "gtest/gtest.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/studies/limits/goal_search.h"
+#include "src/research/limits/goal_search.h"
+#include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::studies::limits {
 
-/// The default reading as a fit.
+/// The default interpretation as a fit.
 inline Fit usual_fit() {
-  const carrier_track::FittedReading& fitted = carrier_track::default_reading();
-  return {fitted.reading, fitted.freed, fitted.constants, 0, ""};
+  const carrier_track::FittedInterpretation& fitted = carrier_track::default_interpretation();
+  return {fitted.interpretation, fitted.free, fitted.constants, 0, ""};
 }
 
 /// The file of a store that does not exist yet.

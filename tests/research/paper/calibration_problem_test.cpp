@@ -1,48 +1,48 @@
-#include "problems/carrier_track/questions/calibration.h"
+#include "src/research/paper/calibration_problem.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "problems/carrier_track/questions/misfit.h"
+#include "src/research/paper/fitted_interpretation.h"
+#include "src/research/paper/loss.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-Freedom some_freedom() {
-  return {default_reading().reading,
-          {Open::pull, Open::start_velocity, Open::slowest},
-          default_reading().constants};
+Parameterisation some_parameterisation() {
+  return {default_interpretation().interpretation,
+          {Unknown::pull, Unknown::start_velocity, Unknown::counting_limit},
+          default_interpretation().constants};
 }
 
 TEST(Calibration, PlacesConstantsWithinTheirBoundsAndBack) {
-  const Freedom freedom = some_freedom();
-  const Constants there = constants_at(freedom, Vector::Constant(3, 0.5));
+  const Parameterisation parameterisation = some_parameterisation();
+  const Constants there = constants_at(parameterisation, Vector::Constant(3, 0.5));
   EXPECT_NEAR(there[0], std::sqrt(0.01 * 40), 1e-12);  // the pull's size is unknown
-  EXPECT_NEAR(there[static_cast<std::size_t>(Open::start_velocity)], 0, 1e-12);
-  const Vector back = point_of(freedom, there);
+  EXPECT_NEAR(there[static_cast<std::size_t>(Unknown::start_velocity)], 0, 1e-12);
+  const Vector back = point_of(parameterisation, there);
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(back[i], 0.5, 1e-12);
-  EXPECT_EQ(there[static_cast<std::size_t>(Open::clearance)],
-            freedom.held[static_cast<std::size_t>(Open::clearance)]);
+  EXPECT_EQ(there[static_cast<std::size_t>(Unknown::clearance)],
+            parameterisation.held[static_cast<std::size_t>(Unknown::clearance)]);
 }
 
-TEST(Calibration, MinimisesTheMisfit) {
-  const Freedom freedom = some_freedom();
-  const Problem problem = calibration_problem(freedom);
+TEST(Calibration, MinimisesTheLoss) {
+  const Parameterisation parameterisation = some_parameterisation();
+  const Problem problem = calibration_problem(parameterisation);
   EXPECT_EQ(problem.dimension(), 3);
-  EXPECT_NEAR(problem.evaluate(problem.start).objective, misfit(freedom.reading, freedom.held),
-              1e-6);
+  EXPECT_NEAR(problem.evaluate(problem.start).objective,
+              loss(parameterisation.interpretation, parameterisation.held), 1e-6);
 }
 
-TEST(Calibration, AsksForTheConstantsOfAReadingThatHoldsTheOthers) {
-  const FittedReading& fitted = default_reading();
-  const Problem problem = calibration_question(fitted).stated;
-  EXPECT_NEAR(problem.best_known.value(), misfit(fitted.reading, fitted.constants), 1e-6);
+TEST(Calibration, AsksForTheConstantsOfAInterpretationThatHoldsTheOthers) {
+  const FittedInterpretation& fitted = default_interpretation();
+  const Problem problem = calibration_problem(fitted);
+  EXPECT_NEAR(problem.best_known.value(), loss(fitted.interpretation, fitted.constants), 1e-6);
   EXPECT_LT(*problem.best_known, problem.evaluate(problem.start).objective);
 }
 
 TEST(Calibration, HasResidualsWithSlopesInTheBox) {
-  const Freedom freedom = some_freedom();
-  const Problem problem = calibration_problem(freedom);
+  const Parameterisation parameterisation = some_parameterisation();
+  const Problem problem = calibration_problem(parameterisation);
   const Residuals r = problem.residuals(problem.start);
   ASSERT_EQ(r.jacobian.rows(), r.values.size());
   const double h = 1e-8;

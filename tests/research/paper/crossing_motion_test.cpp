@@ -1,4 +1,4 @@
-#include "problems/carrier_track/paper/crossing_motion.h"
+#include "src/research/paper/crossing_motion.h"
 
 #include <gtest/gtest.h>
 

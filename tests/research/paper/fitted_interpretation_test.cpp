@@ -1,9 +1,11 @@
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/research/paper/fitted_interpretation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/scene_file.h"
 #include "src/core/error.h"
 
 namespace ricochet::carrier_track {
@@ -13,26 +15,26 @@ using testing::HasSubstr;
 
 std::string complaint_about(const std::string& text) {
   try {
-    parse_fitted_reading(text, "some.toml");
+    parse_fitted_interpretation(text, "some.toml");
   } catch (const InputError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(FittedReading, OfTheDefaultIsAValidScene) {
-  const FittedReading& fitted = default_reading();
+TEST(FittedInterpretation, OfTheDefaultIsAValidScene) {
+  const FittedInterpretation& fitted = default_interpretation();
   EXPECT_NO_THROW(check(fitted.scene, fitted.name));
-  EXPECT_TRUE(is_one_scene(fitted.reading));
+  EXPECT_TRUE(is_one_scene(fitted.interpretation));
   EXPECT_FALSE(fitted.provenance.empty());
-  EXPECT_LE(fitted.freed.size(), open_of(fitted.reading).size());
+  EXPECT_LE(fitted.free.size(), unknowns_of(fitted.interpretation).size());
 }
 
-TEST(FittedReading, GivesEveryCaseTheSceneOfItsConstants) {
-  const FittedReading& fitted = default_reading();
+TEST(FittedInterpretation, GivesEveryCaseTheSceneOfItsConstants) {
+  const FittedInterpretation& fitted = default_interpretation();
   for (const Case& c : all_cases()) {
     const Scene a = scene_of(c, fitted.scene);
-    const Scene b = scene_of(c, fitted.reading, fitted.constants);
+    const Scene b = scene_of(c, fitted.interpretation, fitted.constants);
     EXPECT_EQ(a.restitution_lower, b.restitution_lower);
     EXPECT_EQ(a.friction, b.friction);
     EXPECT_EQ(a.disturbance, b.disturbance);
@@ -42,25 +44,26 @@ TEST(FittedReading, GivesEveryCaseTheSceneOfItsConstants) {
   }
 }
 
-TEST(FittedReading, IsWrittenAndReadBackBitForBit) {
-  Reading reading;
-  reading.tension = Tension::phased;
+TEST(FittedInterpretation, IsWrittenAndReadBackBitForBit) {
+  Interpretation interpretation;
+  interpretation.tension = Tension::phased;
   Constants constants = natural_constants();
   constants[0] = 1.0 / 3.0;
-  const auto fitted = fitted_reading(reading, constants, {Open::pull}, "a test", "here");
-  const std::string text = write_fitted_reading(fitted);
-  const FittedReading read = parse_fitted_reading(text, "there");
-  EXPECT_EQ(read.reading, reading);
+  const auto fitted =
+      fitted_interpretation(interpretation, constants, {Unknown::pull}, "a test", "here");
+  const std::string text = write_fitted_interpretation(fitted);
+  const FittedInterpretation read = parse_fitted_interpretation(text, "there");
+  EXPECT_EQ(read.interpretation, interpretation);
   EXPECT_EQ(read.constants[0], 1.0 / 3.0);
-  ASSERT_EQ(read.freed.size(), 1U);
-  EXPECT_EQ(read.freed[0], Open::pull);
-  EXPECT_EQ(write_fitted_reading(read), text);
+  ASSERT_EQ(read.free.size(), 1U);
+  EXPECT_EQ(read.free[0], Unknown::pull);
+  EXPECT_EQ(write_fitted_interpretation(read), text);
 }
 
-TEST(FittedReading, IsRefusedWithTheReason) {
-  const std::string text = write_fitted_reading(default_reading());
-  EXPECT_THAT(complaint_about("reading = 3"), HasSubstr("must be there"));
-  EXPECT_THAT(complaint_about("reading = "), HasSubstr("not valid TOML"));
+TEST(FittedInterpretation, IsRefusedWithTheReason) {
+  const std::string text = write_fitted_interpretation(default_interpretation());
+  EXPECT_THAT(complaint_about("interpretation = 3"), HasSubstr("must be there"));
+  EXPECT_THAT(complaint_about("interpretation = "), HasSubstr("not valid TOML"));
   EXPECT_THAT(complaint_about(text + "\nhope = 1\n"), HasSubstr("hope"));
   std::string missing = text;
   missing.replace(missing.find("clearance ="), 11, "slack =    ");
@@ -70,13 +73,18 @@ TEST(FittedReading, IsRefusedWithTheReason) {
   EXPECT_THAT(complaint_about(outside), HasSubstr("start_share = 7: must be within 0..1"));
 }
 
-TEST(FittedReading, IsRefusedWhereCasesDifferInMore) {
+TEST(FittedInterpretation, IsRefusedWhereCasesDifferInMore) {
   for (const char* name :
        {"projected-constant-revolutions-acceleration", "projected-constant-revolutions-crossing",
         "projected-constant-revolutions-hunt-crossley"}) {
-    EXPECT_THROW(fitted_reading(find_reading(name), natural_constants(), {}, "", "here"),
-                 InputError);
+    EXPECT_THROW(
+        fitted_interpretation(find_interpretation(name), natural_constants(), {}, "", "here"),
+        InputError);
   }
+}
+
+TEST(FittedInterpretation, OfTheDefaultIsTheDefaultMachine) {
+  EXPECT_EQ(write_scene(default_interpretation().scene), write_scene(default_machine()));
 }
 
 }  // namespace

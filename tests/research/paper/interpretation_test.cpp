@@ -1,4 +1,4 @@
-#include "problems/carrier_track/paper/reading.h"
+#include "src/research/paper/interpretation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,37 +12,38 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<Reading> every_reading() {
-  std::vector<Reading> readings;
-  for (const Reading& core : core_readings()) {
-    readings.push_back(core);
-    for (const Reading& varied : variations(core)) readings.push_back(varied);
+std::vector<Interpretation> every_interpretation() {
+  std::vector<Interpretation> interpretations;
+  for (const Interpretation& core : core_interpretations()) {
+    interpretations.push_back(core);
+    for (const Interpretation& varied : variations(core)) interpretations.push_back(varied);
   }
-  return readings;
+  return interpretations;
 }
 
-TEST(Reading, CoversEveryForcingTensionAndWindow) {
+TEST(Interpretation, CoversEveryForcingTensionAndWindow) {
   // 3 x 3 x 2, and one other answer to one of six further questions: 3 + 2 + 1 + 2 + 2 + 1.
-  EXPECT_EQ(core_readings().size(), 18U);
-  EXPECT_EQ(variations(Reading{}).size(), 11U);
+  EXPECT_EQ(core_interpretations().size(), 18U);
+  EXPECT_EQ(variations(Interpretation{}).size(), 11U);
 }
 
-TEST(Reading, HasANameAndADescriptionOfItsOwn) {
+TEST(Interpretation, HasANameAndADescriptionOfItsOwn) {
   std::set<std::string> names, descriptions;
-  for (const Reading& r : every_reading()) {
+  for (const Interpretation& r : every_interpretation()) {
     EXPECT_TRUE(names.insert(name_of(r)).second) << name_of(r);
     EXPECT_TRUE(descriptions.insert(description_of(r)).second) << description_of(r);
   }
-  EXPECT_EQ(name_of(Reading{}), "projected-constant-revolutions");
+  EXPECT_EQ(name_of(Interpretation{}), "projected-constant-revolutions");
 }
 
-TEST(Reading, IsFoundByItsName) {
-  for (const Reading& r : every_reading()) EXPECT_EQ(find_reading(name_of(r)), r);
+TEST(Interpretation, IsFoundByItsName) {
+  for (const Interpretation& r : every_interpretation())
+    EXPECT_EQ(find_interpretation(name_of(r)), r);
 }
 
-TEST(Reading, IsRefusedUnderAnotherNameWithWhatThereIs) {
+TEST(Interpretation, IsRefusedUnderAnotherNameWithWhatThereIs) {
   try {
-    find_reading("projected-constant-hours");
+    find_interpretation("projected-constant-hours");
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("projected-constant-hours"));
@@ -51,17 +52,17 @@ TEST(Reading, IsRefusedUnderAnotherNameWithWhatThereIs) {
   }
 }
 
-TEST(Reading, AnswersNineQuestions) {
-  for (const Reading& r : every_reading()) EXPECT_EQ(answers_of(r).size(), 9U);
-  Reading r;
+TEST(Interpretation, AnswersNineQuestions) {
+  for (const Interpretation& r : every_interpretation()) EXPECT_EQ(answers_of(r).size(), 9U);
+  Interpretation r;
   r.normal_force = NormalForce::weight;
   EXPECT_EQ(answers_of(r)[4].question, "friction multiplies");
   EXPECT_EQ(answers_of(r)[4].answer, "weight");
 }
 
-TEST(Reading, VariesOneAnswerAtATime) {
-  const auto base = answers_of(Reading{});
-  for (const Reading& varied : variations(Reading{})) {
+TEST(Interpretation, VariesOneAnswerAtATime) {
+  const auto base = answers_of(Interpretation{});
+  for (const Interpretation& varied : variations(Interpretation{})) {
     const auto answers = answers_of(varied);
     int different = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {

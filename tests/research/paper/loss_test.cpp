@@ -1,4 +1,4 @@
-#include "problems/carrier_track/questions/misfit.h"
+#include "src/research/paper/loss.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -16,40 +16,40 @@ CoarseScore perfect(const Claim& claim) {
   return {*claim.quiet_count, 1.0, *claim.threshold, 0.0, 2.0, 0, 0.0};
 }
 
-TEST(Misfit, IsZeroForTheClaimItself) {
+TEST(Loss, IsZeroForTheClaimItself) {
   for (const Case& c : all_cases()) {
     if (!c.claim.threshold) continue;
-    EXPECT_EQ(misfit_of(perfect(c.claim), c.claim), 0) << c.id;
+    EXPECT_EQ(loss_of(perfect(c.claim), c.claim), 0) << c.id;
   }
 }
 
-TEST(Misfit, CountsADistanceOfATolerance) {
+TEST(Loss, CountsADistanceOfATolerance) {
   const Claim claim = find_case("C1").claim;
   CoarseScore s = perfect(claim);
   s.threshold *= std::exp(0.05);
-  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
   s = perfect(claim);
   s.purity = 0.75;
-  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
   s = perfect(claim);
   s.misclassified = 0.07;
-  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
   s = perfect(claim);
   s.loudness = 1.5 * std::exp(-0.2);
-  EXPECT_NEAR(misfit_of(s, claim), 1, 1e-12);
+  EXPECT_NEAR(loss_of(s, claim), 1, 1e-12);
   s = perfect(claim);
   s.wrong_examples = 1;
   s.shape = 0.5;
-  EXPECT_NEAR(misfit_of(s, claim), 3.5, 1e-12);
+  EXPECT_NEAR(loss_of(s, claim), 3.5, 1e-12);
   s = perfect(claim);
   s.quiet_count = 6;
-  EXPECT_NEAR(misfit_of(s, claim), std::log(6.3 / 5.3) / 0.15, 1e-12);
+  EXPECT_NEAR(loss_of(s, claim), std::log(6.3 / 5.3) / 0.15, 1e-12);
   s = perfect(claim);
   s.threshold *= std::exp(0.05 * 10);  // far off: 3, and the logarithm of what is more
-  EXPECT_NEAR(misfit_of(s, claim), 3 + std::log(8.0), 1e-12);
+  EXPECT_NEAR(loss_of(s, claim), 3 + std::log(8.0), 1e-12);
 }
 
-TEST(Misfit, LooksAtTheWholeRangeEvenly) {
+TEST(Loss, LooksAtTheWholeRangeEvenly) {
   for (const double threshold : {1.9, 3.1, 9.0, 13.0}) {
     double edge = 0;
     for (const SpeedCell& cell : speed_cells(threshold)) {
@@ -60,13 +60,13 @@ TEST(Misfit, LooksAtTheWholeRangeEvenly) {
   }
 }
 
-TEST(Misfit, SeesWhatAJudgementSees) {
-  const FittedReading& fitted = default_reading();
+TEST(Loss, SeesWhatAJudgementSees) {
+  const FittedInterpretation& fitted = default_interpretation();
   for (const char* id : {"C1", "C2", "C4", "C9"}) {
     const Case c = find_case(id);
-    const Scene scene = scene_of(c, fitted.reading, fitted.constants);
+    const Scene scene = scene_of(c, fitted.interpretation, fitted.constants);
     const Score judged = score(scene, c.claim, ScanOptions{0.01, 1, 18.0});
-    const CoarseScore seen = coarse_score(fitted.reading, fitted.constants, c);
+    const CoarseScore seen = coarse_score(fitted.interpretation, fitted.constants, c);
     EXPECT_NEAR(seen.quiet_count, judged.quiet_count, 1) << id;
     EXPECT_NEAR(seen.threshold / judged.threshold.value_or(18), 1, 0.06) << id;
     EXPECT_NEAR(seen.misclassified, judged.misclassified, 0.03) << id;
@@ -74,16 +74,16 @@ TEST(Misfit, SeesWhatAJudgementSees) {
   }
 }
 
-TEST(Misfit, KnowsAThresholdToAPartOfACellWhereItLooksFiner) {
-  const FittedReading& fitted = default_reading();
+TEST(Loss, KnowsAThresholdToAPartOfACellWhereItLooksFiner) {
+  const FittedInterpretation& fitted = default_interpretation();
   double coarse = 0;
   double fine = 0;
   for (const Case& c : all_cases()) {
     if (!c.claim.threshold) continue;
-    const Scene scene = scene_of(c, fitted.reading, fitted.constants);
+    const Scene scene = scene_of(c, fitted.interpretation, fitted.constants);
     const double judged = score(scene, c.claim, ScanOptions{0.01, 1, 18.0}).threshold.value();
-    const CoarseScore seen = coarse_score(fitted.reading, fitted.constants, c);
-    const CoarseScore closer = coarse_score(fitted.reading, fitted.constants, c, 8);
+    const CoarseScore seen = coarse_score(fitted.interpretation, fitted.constants, c);
+    const CoarseScore closer = coarse_score(fitted.interpretation, fitted.constants, c, 8);
     coarse = std::max(coarse, std::abs(std::log(seen.threshold / judged)));
     fine = std::max(fine, std::abs(std::log(closer.threshold / judged)));
     EXPECT_EQ(closer.quiet_count, seen.quiet_count) << c.id;
@@ -93,45 +93,47 @@ TEST(Misfit, KnowsAThresholdToAPartOfACellWhereItLooksFiner) {
   EXPECT_GT(coarse, 0.01) << "else nothing is gained";
 }
 
-TEST(Misfit, IsTheSumOfItsParts) {
-  const FittedReading& fitted = default_reading();
+TEST(Loss, IsTheSumOfItsParts) {
+  const FittedInterpretation& fitted = default_interpretation();
   const Case c = find_case("C3");
-  const CoarseScore s = coarse_score(fitted.reading, fitted.constants, c);
-  const MisfitParts p = misfit_parts(s, c.claim);
+  const CoarseScore s = coarse_score(fitted.interpretation, fitted.constants, c);
+  const LossParts p = loss_parts(s, c.claim);
   EXPECT_DOUBLE_EQ(p.shape, 3 * s.shape);
   EXPECT_DOUBLE_EQ(
       p.count + p.purity + p.threshold + p.misclassified + p.loudness + p.examples + p.shape,
-      misfit_of(s, c.claim));
+      loss_of(s, c.claim));
 }
 
-TEST(Misfit, OfALeftOutCaseIsTheRest) {
-  const FittedReading& fitted = default_reading();
-  const double all = misfit(fitted.reading, fitted.constants);
+TEST(Loss, OfALeftOutCaseIsTheRest) {
+  const FittedInterpretation& fitted = default_interpretation();
+  const double all = loss(fitted.interpretation, fitted.constants);
   for (const char* id : {"C3", "C4"}) {
     const Case c = find_case(id);
-    const double its = misfit_of(coarse_score(fitted.reading, fitted.constants, c), c.claim);
-    EXPECT_NEAR(misfit(fitted.reading, fitted.constants, id), all - its, 1e-9) << id;
+    const double its = loss_of(coarse_score(fitted.interpretation, fitted.constants, c), c.claim);
+    EXPECT_NEAR(loss(fitted.interpretation, fitted.constants, id), all - its, 1e-9) << id;
   }
 }
 
-TEST(Misfit, HasASmoothStandInWithTheSlopesOfDifferences) {
-  const FittedReading& fitted = default_reading();
-  const std::vector<Open> freed = {Open::pull, Open::clearance, Open::phase, Open::slowest,
-                                   Open::revolutions};
-  const SmoothMisfit at = smooth_misfit(fitted.reading, fitted.constants, freed, default_width);
+TEST(Loss, HasASmoothStandInWithTheSlopesOfDifferences) {
+  const FittedInterpretation& fitted = default_interpretation();
+  const std::vector<Unknown> free = {Unknown::pull, Unknown::clearance, Unknown::phase,
+                                     Unknown::counting_limit, Unknown::revolutions};
+  const SmoothLoss at =
+      smooth_loss(fitted.interpretation, fitted.constants, free, default_smoothing);
   ASSERT_EQ(at.slopes.cols(), 5);
   int compared = 0;
   int close = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto i = static_cast<std::size_t>(freed[k]);
-    const double h = 1e-7 * (freed[k] == Open::phase ? 1.0 : fitted.constants[i]);
+    const auto i = static_cast<std::size_t>(free[k]);
+    const double h = 1e-7 * (free[k] == Unknown::phase ? 1.0 : fitted.constants[i]);
     Constants more = fitted.constants;
     Constants less = fitted.constants;
     more[i] += h;
     less[i] -= h;
-    const Vector slope = (smooth_misfit(fitted.reading, more, {}, default_width).residuals -
-                          smooth_misfit(fitted.reading, less, {}, default_width).residuals) /
-                         (2 * h);
+    const Vector slope =
+        (smooth_loss(fitted.interpretation, more, {}, default_smoothing).residuals -
+         smooth_loss(fitted.interpretation, less, {}, default_smoothing).residuals) /
+        (2 * h);
     for (Eigen::Index r = 0; r < slope.size(); ++r) {
       const double exact = at.slopes(r, static_cast<Eigen::Index>(k));
       ++compared;
@@ -144,20 +146,20 @@ TEST(Misfit, HasASmoothStandInWithTheSlopesOfDifferences) {
   EXPECT_EQ(at.slopes.col(4).norm(), 0);  // the window
 }
 
-TEST(Misfit, IsTheSameOfCountsFromElsewhere) {
-  const FittedReading& fitted = default_reading();
+TEST(Loss, IsTheSameOfCountsFromElsewhere) {
+  const FittedInterpretation& fitted = default_interpretation();
   const CountsOf counts = [&](const Case& a_case, const std::vector<double>& speeds) {
-    const Scene scene = scene_of(a_case, fitted.reading, fitted.constants);
+    const Scene scene = scene_of(a_case, fitted.interpretation, fitted.constants);
     std::vector<int> all;
     for (const double omega : speeds) all.push_back(count_at(scene, omega));
     return all;
   };
-  EXPECT_EQ(misfit(counts), misfit(fitted.reading, fitted.constants));
-  EXPECT_EQ(misfit(counts, "C2"), misfit(fitted.reading, fitted.constants, "C2"));
+  EXPECT_EQ(loss(counts), loss(fitted.interpretation, fitted.constants));
+  EXPECT_EQ(loss(counts, "C2"), loss(fitted.interpretation, fitted.constants, "C2"));
   const CountsOf silence = [](const Case&, const std::vector<double>& speeds) {
     return std::vector<int>(speeds.size(), 0);
   };
-  EXPECT_GT(misfit(silence), 3 * misfit(counts));
+  EXPECT_GT(loss(silence), 3 * loss(counts));
 }
 
 }  // namespace

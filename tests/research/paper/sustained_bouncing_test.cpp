@@ -1,4 +1,4 @@
-#include "problems/carrier_track/paper/sustained_bouncing.h"
+#include "src/research/paper/sustained_bouncing.h"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ bool bounces_once_a_turn(const Scene& scene) {
   return std::count_if(watched.stretches.begin(), watched.stretches.end(), is_late) <= 202;
 }
 
-TEST(SustainedBouncing, NeedsTheClosedFormDriveWithoutFriction) {
+TEST(SustainedBouncing, NeedsTheClosedFormulationDriveWithoutFriction) {
   for (const double e : {0.1, 0.5, 0.9, 0.999}) {
     const auto limit = sustained_bouncing(0.7, 0.0, e);
     ASSERT_TRUE(limit) << e;

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/paper/open_constants.h"
+#include "src/research/paper/unknown_parameters.h"
 
 #include <gtest/gtest.h>
 
@@ -10,25 +10,27 @@
 namespace ricochet::carrier_track {
 namespace {
 
-bool has(const std::vector<Open>& open, Open constant) {
+bool has(const std::vector<Unknown>& open, Unknown constant) {
   return std::find(open.begin(), open.end(), constant) != open.end();
 }
 
-Scene scene_with(const Reading& reading, const char* id = "C11") {
-  return scene_of(find_case(id), reading, natural_constants());
+Scene scene_with(const Interpretation& interpretation, const char* id = "C11") {
+  return scene_of(find_case(id), interpretation, natural_constants());
 }
 
-TEST(OpenConstants, AreAsManyAsTheirNames) {
-  ASSERT_EQ(open_constants().size(), open_size);
-  EXPECT_EQ(open_constants()[static_cast<std::size_t>(Open::clearance)].name, "clearance");
-  EXPECT_EQ(open_constants()[static_cast<std::size_t>(Open::slowest)].name, "slowest");
-  EXPECT_EQ(open_constants()[static_cast<std::size_t>(Open::contact_speed)].name, "contact_speed");
+TEST(UnknownParameters, AreAsManyAsTheirNames) {
+  ASSERT_EQ(unknown_parameters().size(), unknown_size);
+  EXPECT_EQ(unknown_parameters()[static_cast<std::size_t>(Unknown::clearance)].name, "clearance");
+  EXPECT_EQ(unknown_parameters()[static_cast<std::size_t>(Unknown::counting_limit)].name,
+            "counting_limit");
+  EXPECT_EQ(unknown_parameters()[static_cast<std::size_t>(Unknown::contact_speed)].name,
+            "contact_speed");
 }
 
-TEST(OpenConstants, HaveNaturalValuesWithinTheirBounds) {
+TEST(UnknownParameters, HaveNaturalValuesWithinTheirBounds) {
   const Constants natural = natural_constants();
-  for (std::size_t i = 0; i < open_size; ++i) {
-    const OpenConstant& c = open_constants()[i];
+  for (std::size_t i = 0; i < unknown_size; ++i) {
+    const UnknownParameter& c = unknown_parameters()[i];
     EXPECT_LT(c.lower, c.upper) << c.name;
     EXPECT_GE(natural[i], c.lower) << c.name;
     EXPECT_LE(natural[i], c.upper) << c.name;
@@ -36,33 +38,33 @@ TEST(OpenConstants, HaveNaturalValuesWithinTheirBounds) {
   }
 }
 
-TEST(OpenConstants, HaveAPlaceWithinTheirBounds) {
-  const OpenConstant size = {"size", "m", 1e-3, 10, true, {}, ""};
+TEST(UnknownParameters, HaveAPlaceWithinTheirBounds) {
+  const UnknownParameter size = {"size", "m", 1e-3, 10, true, {}, ""};
   EXPECT_DOUBLE_EQ(value_at(size, 0.25), 1e-2);
   EXPECT_DOUBLE_EQ(share_of(size, 1), 0.75);
   EXPECT_EQ(share_of(size, 100), 1);
-  const OpenConstant place = {"place", "m", -1, 3, false, {}, ""};
+  const UnknownParameter place = {"place", "m", -1, 3, false, {}, ""};
   EXPECT_DOUBLE_EQ(value_at(place, 0.25), 0);
   EXPECT_DOUBLE_EQ(share_of(place, 2), 0.75);
   EXPECT_EQ(share_of(place, -2), 0);
 }
 
-TEST(OpenConstants, AreThoseThatTheReadingUses) {
-  Reading r;
-  EXPECT_EQ(open_of(r).size(), 9U);
-  EXPECT_TRUE(has(open_of(r), Open::revolutions));
-  EXPECT_FALSE(has(open_of(r), Open::seconds));
+TEST(UnknownParameters, AreThoseThatTheInterpretationUses) {
+  Interpretation r;
+  EXPECT_EQ(unknowns_of(r).size(), 9U);
+  EXPECT_TRUE(has(unknowns_of(r), Unknown::revolutions));
+  EXPECT_FALSE(has(unknowns_of(r), Unknown::seconds));
   r.window = WindowUnit::seconds;
-  EXPECT_TRUE(has(open_of(r), Open::seconds));
+  EXPECT_TRUE(has(unknowns_of(r), Unknown::seconds));
   r.normal_force = NormalForce::weight;
-  EXPECT_FALSE(has(open_of(r), Open::normal_force));
+  EXPECT_FALSE(has(unknowns_of(r), Unknown::normal_force));
   r.rule = Rule::peaks_1mm;
-  EXPECT_FALSE(has(open_of(r), Open::slowest));
+  EXPECT_FALSE(has(unknowns_of(r), Unknown::counting_limit));
 }
 
-TEST(OpenConstants, MakeValidScenesOfEveryReadingAndCase) {
-  for (const Reading& core : core_readings()) {
-    for (const Reading& r : variations(core)) {
+TEST(UnknownParameters, MakeValidScenesOfEveryInterpretationAndCase) {
+  for (const Interpretation& core : core_interpretations()) {
+    for (const Interpretation& r : variations(core)) {
       for (const Case& c : all_cases()) {
         const Scene scene = scene_of(c, r, natural_constants());
         EXPECT_NO_THROW(check(scene_at(scene, r, natural_constants(), 3.0), name_of(r)));
@@ -71,8 +73,8 @@ TEST(OpenConstants, MakeValidScenesOfEveryReadingAndCase) {
   }
 }
 
-TEST(OpenConstants, PutEveryAnswerIntoTheScene) {
-  Reading r;
+TEST(UnknownParameters, PutEveryAnswerIntoTheScene) {
+  Interpretation r;
   EXPECT_EQ(scene_with(r).mass, 1.2);
   EXPECT_EQ(scene_with(r).restitution_lower, 0.9);
   EXPECT_EQ(scene_with(r).friction, 0.4);
@@ -105,8 +107,8 @@ TEST(OpenConstants, PutEveryAnswerIntoTheScene) {
   EXPECT_EQ(scene_with(r).peak_high, 3e-3);
 }
 
-TEST(OpenConstants, TurnASpeedIntoAProfileWhereThereAreCrossings) {
-  Reading r;
+TEST(UnknownParameters, TurnASpeedIntoAProfileWhereThereAreCrossings) {
+  Interpretation r;
   r.transition = Transition::crossing;
   const Constants constants = natural_constants();
   const Scene scene = scene_at(scene_with(r), r, constants, 5.0);
@@ -114,7 +116,7 @@ TEST(OpenConstants, TurnASpeedIntoAProfileWhereThereAreCrossings) {
   double fastest = 0;
   for (const auto& knot : scene.profile) fastest = std::max(fastest, knot.omega);
   EXPECT_NEAR(fastest, 5.0 / std::pow(std::cos(0.4), 2), 1e-12);
-  EXPECT_TRUE(scene_at(scene, Reading{}, constants, 4.0).profile.empty());
+  EXPECT_TRUE(scene_at(scene, Interpretation{}, constants, 4.0).profile.empty());
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "src/studies/reproduction/conclusions.h"
+#include "src/research/reproduction/conclusions.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -65,11 +65,11 @@ TEST(Conclusions, CountNoChangeForNeitherSide) {
 
 TEST(Conclusions, RestOnTheMeanOfTheCountsOverTheSpeeds) {
   using namespace carrier_track;
-  const Scene reading = exploratory_scene();
-  const CountGrid grid = count_grid(reading, 3.0, true);
+  const Scene interpretation = exploratory_scene();
+  const CountGrid grid = count_grid(interpretation, 3.0, true);
   ASSERT_EQ(grid.means.size(),
             grid.restitutions.size() * grid.frictions.size() * grid.disturbances.size());
-  Scene scene = reading;
+  Scene scene = interpretation;
   scene.restitution_lower = scene.restitution_upper = grid.restitutions[4];
   scene.friction = grid.frictions[1];
   scene.disturbance = grid.disturbances[2];

@@ -1,7 +1,8 @@
-#include "src/studies/reproduction/data.h"
+#include "src/research/reproduction/data.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,9 +10,9 @@
 #include <map>
 #include <set>
 
-#include "src/studies/contest/catalogue.h"
-#include "tests/studies/reproduction/drawn_results.h"
-#include "tests/studies/reproduction/tiny_plan.h"
+#include "src/research/suite/catalogue.h"
+#include "tests/research/reproduction/drawn_results.h"
+#include "tests/research/reproduction/tiny_plan.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -19,13 +20,21 @@ namespace {
 using report::Json;
 
 const Json& tiny_data() {
-  static const Json data = kept_data(results_of(tiny_plan(), whole_catalogue()));
+  static const Json data = [] {
+    const auto folder =
+        std::filesystem::path(testing::TempDir()) / fmt::format("ricochet_tiny_{}", getpid());
+    std::filesystem::create_directories(folder);
+    Json all =
+        kept_data(results_of(tiny_plan(), whole_catalogue(), {folder / "comparison.sqlite", {}}));
+    std::filesystem::remove_all(folder);
+    return all;
+  }();
   return data;
 }
 
 /// As the page shows it: "–" for null.
-std::string shown(const Json& number, const char* form) {
-  return number.is_null() ? "–" : fmt::format(fmt::runtime(form), number.get<double>());
+std::string shown(const Json& number, const char* formulation) {
+  return number.is_null() ? "–" : fmt::format(fmt::runtime(formulation), number.get<double>());
 }
 
 std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
@@ -131,8 +140,9 @@ TEST(ReproductionData, AreEnoughToDrawThePageAgain) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / "ricochet_reproduction_redrawn";
   std::filesystem::remove_all(folder);
-  const std::string epilogue = report::write_report(tiny_data(), folder / "first");
-  EXPECT_EQ(report::redraw_report(folder / "first", folder / "second"), epilogue);
+  const report::WrittenReport written = report::write_report(tiny_data(), folder / "first");
+  EXPECT_EQ(written.failures, std::vector<std::string>());
+  EXPECT_EQ(report::redraw_report(folder / "first", folder / "second").epilogue, written.epilogue);
   const auto first = files_of(folder / "first");
   EXPECT_TRUE(first.contains("index.html"));
   EXPECT_TRUE(first.contains("cases.csv"));

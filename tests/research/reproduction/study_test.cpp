@@ -1,20 +1,33 @@
-#include "src/studies/reproduction/study.h"
+#include "src/research/reproduction/study.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
-#include "src/studies/contest/catalogue.h"
-#include "tests/studies/reproduction/tiny_plan.h"
+#include "src/core/error.h"
+#include "src/research/suite/catalogue.h"
+#include "tests/core/temporary_folder.h"
+#include "tests/research/reproduction/tiny_plan.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
 
 using carrier_track::Example;
 
-TEST(Study, HoldsEveryCaseEveryFigureAndEveryContest) {
-  const Results results = results_of(tiny_plan(), whole_catalogue());
+class ReproductionStudy : public TemporaryFolder {
+ protected:
+  Results results(const std::string& file, const std::string& version = "1") const {
+    return results_of(tiny_plan(), whole_catalogue(),
+                      {folder_ / file, {{{"version", version}}, {}}});
+  }
+};
+
+TEST_F(ReproductionStudy, HasEveryCaseEveryFigureAndEveryRunOfTheComparison) {
+  const Results results = this->results("comparison.sqlite");
   ASSERT_EQ(results.cases.size(), 12U);
   int figures = 0;
   for (const CaseStudy& c : results.cases) {
@@ -28,21 +41,45 @@ TEST(Study, HoldsEveryCaseEveryFigureAndEveryContest) {
     EXPECT_EQ(c.paths->loud.count, c.score.examples[1].count);
   }
   EXPECT_EQ(figures, 10);
-  EXPECT_EQ(results.contest.questions.size(), 3U);
-  EXPECT_GT(results.standings.size(), 3U * 2U * 20U);
-  for (const contest::Standing& standing : results.standings) {
-    ASSERT_EQ(standing.outcomes.size(), 2U);
-    for (const contest::Outcome& o : standing.outcomes) EXPECT_EQ(o.failure, "") << standing.solver;
-  }
+  const auto& [campaign, store] = *results.comparison;
+  EXPECT_EQ(campaign.problems().size(), 3U);
+  EXPECT_GT(campaign.cells().size(), 3U * 2U * 20U);
+  EXPECT_EQ(store.size(), campaign.runs());
+  store.each([](const StoredRun& run) { EXPECT_EQ(run.record.failure, "") << name_of(run.key); });
 }
 
-TEST(Study, IsTheSameOnAnyNumberOfThreads) {
+TEST_F(ReproductionStudy, KeepsTheRunsOfItsComparisonUntilTheProgramIsAnother) {
+  const auto seconds = [&](const std::string& version) {
+    double sum = 0;
+    results("comparison.sqlite", version).comparison->store.each([&](const StoredRun& run) {
+      sum += run.record.ledger.seconds;
+    });
+    return sum;
+  };
+  const double first = seconds("1");
+  EXPECT_EQ(seconds("1"), first) << "no run is made again";
+  Store::open(folder_ / "comparison.sqlite", Store::For::reading);
+}
+
+TEST_F(ReproductionStudy, MakesAStoreOfAnotherPlanAnew) {
+  {
+    const auto other =
+        plan_from("[[part]]\nproblems = \"count-C1\"\nsolvers = \"scan\"\nbudgets = 5", "other");
+    stored_campaign(other, whole_catalogue(), folder_ / "comparison.sqlite", {});
+  }
+  EXPECT_EQ(results("comparison.sqlite").comparison->campaign.problems().size(), 3U);
+  std::ofstream(folder_ / "mine") << "my diary";
+  EXPECT_THROW(results("mine"), InputError);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "mine")) << "no store";
+}
+
+TEST_F(ReproductionStudy, IsTheSameOnAnyNumberOfThreads) {
   Results one;
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-    one = results_of(tiny_plan(), whole_catalogue());
+    one = results("one.sqlite");
   }
-  const Results two = results_of(tiny_plan(), whole_catalogue());
+  const Results two = results("two.sqlite");
   for (std::size_t i = 0; i < one.cases.size(); ++i) {
     EXPECT_EQ(one.cases[i].scan.counts, two.cases[i].scan.counts);
     EXPECT_EQ(one.cases[i].score.threshold, two.cases[i].score.threshold);
@@ -58,10 +95,12 @@ TEST(Study, ComparesByPlansOfOnePartWhichIsUndisturbed) {
     ASSERT_EQ(plan.comparison.parts.size(), 1U);
     const PlanPart& part = plan.comparison.parts.front();
     const PlanPart usual;
-    EXPECT_EQ(part.features, usual.features);
+    EXPECT_EQ(part.perturbations, usual.perturbations);
     EXPECT_EQ(part.gradient_prices, usual.gradient_prices);
     EXPECT_EQ(part.seeds, usual.seeds);
     EXPECT_EQ(part.machines, usual.machines);
+    EXPECT_EQ(part.drawn_machines, 0);
+    EXPECT_FALSE(part.relocated_optimum);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "src/studies/reproduction/theory.h"
+#include "src/research/reproduction/theory.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/paper/sustained_bouncing.h"
-#include "tests/studies/reproduction/drawn_results.h"
-#include "tests/studies/reproduction/tiny_plan.h"
+#include "src/research/paper/sustained_bouncing.h"
+#include "tests/research/reproduction/drawn_results.h"
+#include "tests/research/reproduction/tiny_plan.h"
 
 namespace ricochet::studies::reproduction {
 namespace {
@@ -145,17 +145,17 @@ TEST(Theory, FitsNothingThatThePointsDoNotDetermine) {
 
 /// The paper's cases, with thresholds twice the formula's and a scene of hops higher than its gap.
 std::vector<CaseStudy> made_cases() {
-  Scene reading;
-  reading.mass = 1.0;
-  reading.pull = 1.0;
-  reading.normal_force = 1.0;
-  reading.wall_upper = 1e-3;
-  reading.centrifugal_mass_radius = 0.1;
+  Scene interpretation;
+  interpretation.mass = 1.0;
+  interpretation.pull = 1.0;
+  interpretation.normal_force = 1.0;
+  interpretation.wall_upper = 1e-3;
+  interpretation.centrifugal_mass_radius = 0.1;
   std::vector<CaseStudy> cases;
   for (const auto& it : carrier_track::all_cases()) {
     CaseStudy& c = cases.emplace_back();
     c.the_case = it;
-    c.scene = scene_of(it, reading);
+    c.scene = scene_of(it, interpretation);
     c.scan = {1.0, {1, 2}};
     c.score.threshold = 2 * std::sqrt(loss(it.restitution)) * std::exp(it.friction);
     c.score.examples = {{1.0, false, 1, true}, {2.0, true, 2, true}};
@@ -167,7 +167,7 @@ std::vector<CaseStudy> made_cases() {
 report::Section theory_section(const std::vector<CaseStudy>& cases) {
   Results results;
   results.plan = tiny_plan();
-  results.reading = carrier_track::default_reading();
+  results.interpretation = carrier_track::default_interpretation();
   results.cases = cases;
   results.grid = {{0.1}, {0.1}, {0.0}, {1.0}};
   return section_of(page_of(kept_data(results)), "theory");

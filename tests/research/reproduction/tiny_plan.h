@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/campaign/plan.h"
-#include "src/studies/reproduction/study.h"
+#include "src/benchmark/experiment/campaign/plan.h"
+#include "src/research/reproduction/study.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -10,7 +10,7 @@ inline StudyPlan tiny_plan() {
   return {{0.1, 1, 18.0},
           6.0,
           true,
-          plan_from("[[part]]\nquestions = [\"count-C1\", \"top-speed-C[12]\"]\nsolvers = \"*\"\n"
+          plan_from("[[part]]\nproblems = [\"count-C1\", \"top-speed-C[12]\"]\nsolvers = \"*\"\n"
                     "instances = 2\nbudgets = [5, 20]",
                     "tiny")};
 }

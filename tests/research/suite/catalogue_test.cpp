@@ -1,4 +1,4 @@
-#include "src/studies/contest/catalogue.h"
+#include "src/research/suite/catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 /// Evaluations charged for one value with its gradient, beside the value.
 std::int64_t charged_for_a_gradient(const Campaign& campaign, const PlannedCell& cell) {
-  const Problem problem = campaign.questions()[cell.question].problem(cell.form);
+  const Problem problem = campaign.problems()[cell.problem].formulated(cell.formulation);
   Evaluator evaluator(problem, cell.budget);
   EXPECT_TRUE(evaluator.derivatives(problem.start));
   return evaluator.ledger().charged - 1;
@@ -19,8 +19,8 @@ std::int64_t charged_for_a_gradient(const Campaign& campaign, const PlannedCell&
 
 TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
   const Campaign campaign(
-      plan_from("[[part]]\nquestions = [\"profile-wear-16-C4\", \"top-speed-C1\", \"hs-71\"]\n"
-                "solvers = \"nlopt-slsqp\"\nforms = [\"as-stated\", \"surrogate\"]\n"
+      plan_from("[[part]]\nproblems = [\"profile-wear-16-C4\", \"top-speed-C1\", \"hs-71\"]\n"
+                "solvers = \"nlopt-slsqp\"\nformulations = [\"original\", \"surrogate\"]\n"
                 "gradient_prices = [\"measured\", \"n\"]\nbudgets = 100",
                 "test"),
       whole_catalogue());
@@ -28,9 +28,9 @@ TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
   for (const PlannedCell& cell : campaign.cells()) {
     const std::int64_t charged = charged_for_a_gradient(campaign, cell);
     if (cell.cell.gradient_price == "measured") {
-      measured[cell.cell.question] = charged;
+      measured[cell.cell.problem] = charged;
     } else {
-      EXPECT_EQ(charged, campaign.questions()[cell.question].stated.dimension());
+      EXPECT_EQ(charged, campaign.problems()[cell.problem].dimension());
     }
   }
   EXPECT_EQ(measured, (std::map<std::string, std::int64_t>{

@@ -1,11 +1,11 @@
-#include "src/studies/surrogate/bias.h"
+#include "src/research/surrogate/bias.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/questions/machine.h"
+#include "problems/carrier_track/problems/machine.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -32,8 +32,8 @@ TEST(Bias, ClosesAsTheWidthGoesToZero) {
     const Bias& closed = row.biases[1];
     EXPECT_LT(closed.error, 1e-9) << row.id;
     EXPECT_GT(closed.rank_correlation.value(), 0.999) << row.id;
-    EXPECT_EQ(closed.count_regret, 0) << row.id;
-    EXPECT_EQ(closed.speed_regret, 0.0) << row.id;
+    EXPECT_EQ(closed.count_optimality_gap, 0) << row.id;
+    EXPECT_EQ(closed.speed_optimality_gap, 0.0) << row.id;
     EXPECT_FALSE(closed.loud) << row.id;
   }
 }

@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/continuation_study.h"
+#include "src/research/surrogate/continuation_study.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ Problem misleading() {
   problem.start = problem.lower;
   problem.constraints = 1;
   problem.evaluate = [](const Vector& x) { return Values{-x[0], Vector::Constant(1, x[0] - 7)}; };
-  problem.truth = [](const Vector& x) { return Truth{-x[0], std::max(0.0, x[0] - 6)}; };
+  problem.true_values = [](const Vector& x) { return TrueValues{-x[0], std::max(0.0, x[0] - 6)}; };
   problem.best_known = -6;
   return problem;
 }
@@ -34,7 +34,7 @@ RunRecord run_to(double omega) {
   solver.name = "guess";
   solver.solve = [omega](Evaluator& evaluator, const Vector&, Random&) {
     evaluator.values(Vector::Constant(1, omega));
-    return SolverExit{"guessed " + std::to_string(static_cast<int>(omega))};
+    return SolverTermination{"guessed " + std::to_string(static_cast<int>(omega))};
   };
   return run(misleading(), solver, Budget{5}, 0);
 }
@@ -44,14 +44,14 @@ TEST(ContinuationRuns, AreSolvedWithinAHundredthBelowTheTrueThreshold) {
   EXPECT_EQ(runs.solver, "guess");
   EXPECT_EQ(runs.budget, 5);
   EXPECT_EQ(runs.solved, 1);
-  EXPECT_NEAR(runs.worst_regret, 0.2, 1e-12);
+  EXPECT_NEAR(runs.worst_optimality_gap, 0.2, 1e-12);
   EXPECT_EQ(runs.exit, "guessed 5");
 }
 
 TEST(ContinuationRuns, AreNotSolvedByASpeedThatOnlyLooksQuiet) {
   const ContinuationRuns runs = runs_of("C0", misleading(), {run_to(6.5), run_to(6)});
   EXPECT_EQ(runs.solved, 1);
-  EXPECT_TRUE(std::isinf(runs.worst_regret));
+  EXPECT_TRUE(std::isinf(runs.worst_optimality_gap));
   EXPECT_EQ(runs.exit, "guessed 6");
 }
 

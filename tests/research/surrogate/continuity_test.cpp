@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/continuity.h"
+#include "src/research/surrogate/continuity.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/studies/surrogate/largest_jump.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "src/research/surrogate/largest_jump.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -51,7 +51,7 @@ TEST(Continuity, FindsTheCountsJumpsAndNoneOfTheSurrogate) {
 TEST(Continuity, CallsASegmentOnWhichTheCountJumpsSo) {
   // The count of the ends differs, or that of one of 15 points between.
   const carrier_track::Scene scene =
-      scene_of(carrier_track::find_case("C4"), carrier_track::default_reading().scene);
+      scene_of(carrier_track::find_case("C4"), carrier_track::default_machine());
   Random random(5);
   int jumps = 0;
   for (int i = 0; i < 12; ++i) {

@@ -1,11 +1,11 @@
-#include "src/studies/surrogate/derivative_check.h"
+#include "src/research/surrogate/derivative_check.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/questions/families.h"
+#include "problems/carrier_track/problems/families.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/gradient_doubt.h"
+#include "src/research/surrogate/gradient_doubt.h"
 
 #include <gtest/gtest.h>
 
@@ -26,18 +26,18 @@ TEST(GradientDoubt, CountsEveryPointOnce) {
       EXPECT_LE(v.trending, v.points);
     }
   }
-  EXPECT_EQ(study().by_width[0].points, 12 * 6 * 4);
+  EXPECT_EQ(study().by_smoothing[0].points, 12 * 6 * 4);
 }
 
 TEST(GradientDoubt, FindsTheDerivativesRightWhereTheyAreNotFlat) {
-  const GradientQuality& usual = study().by_width[0];
+  const GradientQuality& usual = study().by_smoothing[0];
   const int flat = usual.doubts[static_cast<std::size_t>(GradientDoubt::flat)];
   EXPECT_GE(usual.agreeing + flat, 0.97 * usual.points);
   EXPECT_LT(flat, 0.2 * usual.points);
 }
 
 TEST(GradientDoubt, FindsNearlyEverythingFlatNextToTheCount) {
-  const GradientQuality& narrow = study().by_width[1];
+  const GradientQuality& narrow = study().by_smoothing[1];
   EXPECT_GT(narrow.doubts[static_cast<std::size_t>(GradientDoubt::flat)], 0.95 * narrow.points);
 }
 

@@ -1,12 +1,12 @@
-#include "src/studies/surrogate/grazes.h"
+#include "src/research/surrogate/grazes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -24,7 +24,7 @@ Scene swing() {
   scene.start_velocity = 0.1;
   scene.wall_upper = 1.6;
   scene.restitution_lower = scene.restitution_upper = 0.5;
-  scene.slowest = 0.01;
+  scene.counting_limit = 0.01;
   scene.window = Revolutions{2};
   return scene;
 }

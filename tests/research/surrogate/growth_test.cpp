@@ -1,12 +1,12 @@
-#include "src/studies/surrogate/growth.h"
+#include "src/research/surrogate/growth.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/studies/surrogate/line_fit.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "src/research/surrogate/line_fit.h"
 
 namespace ricochet::studies::surrogate {
 namespace {
@@ -53,7 +53,7 @@ TEST(Growth, FollowsTheExponentInChaosAndNothingWhereTheBodyRests) {
   EXPECT_EQ(chaotic.trust.doubt, GradientDoubt::sensitive);
   EXPECT_GT(chaotic.error_of(chaotic.within), useless);
   const Scene scene = carrier_track::at_speed(
-      scene_of(carrier_track::find_case("C2"), carrier_track::default_reading().scene), 6.0);
+      scene_of(carrier_track::find_case("C2"), carrier_track::default_machine()), 6.0);
   const GrowthCell calm = growth_of({"C2", scene}, 20);
   EXPECT_FALSE(calm.sensitivity.exponent());
   EXPECT_NEAR(*calm.rate, 0, 0.05);

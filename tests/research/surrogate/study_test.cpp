@@ -1,4 +1,4 @@
-#include "src/studies/surrogate/study.h"
+#include "src/research/surrogate/study.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(SurrogateStudy, FillsEverySectionWithChartsThatCanBeDrawn) {
                                         "agreement", "origin"}));
   EXPECT_EQ(section("gap").figures.size(), 12U);
   EXPECT_EQ(section("validity").figures.size(), 5U);
-  EXPECT_EQ(drawing().epilogue.substr(0, 29), "12 cases at 3 smoothing width");
+  EXPECT_EQ(drawing().epilogue.substr(0, 33), "12 cases at 3 smoothing parameter");
 }
 
 TEST(SurrogateStudy, ShowsTheNumbersOfItsData) {
@@ -58,12 +58,13 @@ TEST(SurrogateStudy, ShowsTheNumbersOfItsData) {
     EXPECT_NEAR(number.get<double>(), std::stod(cell), half_a_digit) << cell;
   };
   const auto& bias = section("gap").tables.at(4).rows.at(1);
-  const Json& width = results()["bias"]["cases"][4]["widths"][1];
-  expect_shown(width["width"], bias[0].text, 0);
-  expect_shown(width["error"], bias[1].text, 0.0005);
-  EXPECT_EQ(bias[3].state, width["count_regret"] == 0.0 ? report::State::good : report::State::bad);
+  const Json& smoothing = results()["bias"]["cases"][4]["smoothings"][1];
+  expect_shown(smoothing["smoothing"], bias[0].text, 0);
+  expect_shown(smoothing["error"], bias[1].text, 0.0005);
+  EXPECT_EQ(bias[3].state,
+            smoothing["count_optimality_gap"] == 0.0 ? report::State::good : report::State::bad);
   const auto& quality = section("validity").tables.at(0).rows.at(0);
-  EXPECT_NEAR(100 * results()["gradient_doubt"]["widths"][0]["agreeing"].get<double>(),
+  EXPECT_NEAR(100 * results()["gradient_doubt"]["smoothings"][0]["agreeing"].get<double>(),
               std::stod(quality[2].text), 0.05);
   const auto& motion = section("growth").tables.at(0).rows.at(12);
   EXPECT_EQ(results()["growth"]["motions"][12]["motion"], motion[0].text);

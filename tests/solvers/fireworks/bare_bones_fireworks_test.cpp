@@ -55,7 +55,7 @@ TEST(BareBonesFireworks, MoveAlongAPlateauOnlyIfSoDecided) {
 TEST(BareBonesFireworks, FindAShiftedOptimum) {
   for (const double centre : {0.0, 30.0, 70.0}) {
     const RunRecord record = run(sphere(3, centre), bare_bones_fireworks("bbfwa"), {60000}, 1);
-    EXPECT_LT(record.trace.back().truth.objective, 1e-6) << centre;
+    EXPECT_LT(record.trace.back().true_values.objective, 1e-6) << centre;
   }
 }
 

@@ -7,17 +7,10 @@
 namespace ricochet::fireworks {
 namespace {
 
-Box box_of(const Vector& lower, const Vector& upper) {
-  Problem problem;
-  problem.lower = lower;
-  problem.upper = upper;
-  return Box(problem);
-}
-
 double brought_back(double x, double lower, double upper) {
   Vector point = Vector::Constant(1, x);
   Random random;
-  box_of(Vector::Constant(1, lower), Vector::Constant(1, upper))
+  Box(Vector::Constant(1, lower), Vector::Constant(1, upper))
       .bring_back(point, Mapping::modulo, random);
   return point[0];
 }
@@ -44,9 +37,9 @@ TEST(Box, HoldsWhateverIsBroughtBack) {
   for (int trial = 0; trial < 2000; ++trial) {
     const double scale = std::exp(40 * uniform(random) - 20);
     const Vector lower = scale * normal(3, random);
-    Vector width = scale * normal(3, random).cwiseAbs();
-    width[1] = 0;
-    const Box box = box_of(lower, lower + width);
+    Vector smoothing = scale * normal(3, random).cwiseAbs();
+    smoothing[1] = 0;
+    const Box box(lower, lower + smoothing);
     const Vector x = lower + 3 * scale * normal(3, random);
     for (const Mapping mapping : {Mapping::modulo, Mapping::redraw}) {
       Vector back = x;
@@ -63,7 +56,7 @@ TEST(Box, HoldsWhateverIsBroughtBack) {
 }
 
 TEST(Box, RedrawsUniformly) {
-  const Box box = box_of(Vector{{2, -1}}, Vector{{6, 1}});
+  const Box box(Vector{{2, -1}}, Vector{{6, 1}});
   Random random(1);
   Vector sum = Vector::Zero(2), squares = Vector::Zero(2);
   constexpr int draws = 20000;
@@ -84,7 +77,7 @@ TEST(Box, RedrawsUniformly) {
 }
 
 TEST(Box, HasFreeCoordinatesWhereItHasWidth) {
-  EXPECT_THAT(box_of(Vector{{0, 1, 2}}, Vector{{1, 1, 3}}).free(), testing::ElementsAre(0, 2));
+  EXPECT_THAT(Box(Vector{{0, 1, 2}}, Vector{{1, 1, 3}}).free(), testing::ElementsAre(0, 2));
 }
 
 }  // namespace

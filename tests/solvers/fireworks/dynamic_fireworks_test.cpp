@@ -64,7 +64,7 @@ TEST(DynamicFireworks, RaiseTheBestAmplitudeAsLongAsSomethingIsBetter) {
 TEST(DynamicFireworks, FindAShiftedOptimum) {
   for (const double centre : {0.0, 30.0, 70.0}) {
     const RunRecord record = run(sphere(10, centre), dynamic_fireworks("dynfwa"), {60000}, 1);
-    EXPECT_LT(record.trace.back().truth.objective, 1e-3) << centre;
+    EXPECT_LT(record.trace.back().true_values.objective, 1e-3) << centre;
   }
 }
 

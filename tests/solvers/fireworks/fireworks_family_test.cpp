@@ -24,7 +24,7 @@ TEST_P(Family, AsksForNothingOnceItIsRefused) {
       const RunRecord record = run(problem, solver(), {budget}, 1);
       EXPECT_EQ(record.ledger.charged, budget) << problem.name;
       EXPECT_EQ(record.ledger.refused, 1) << problem.name;
-      EXPECT_EQ(record.exits.size(), 1U) << problem.name;
+      EXPECT_EQ(record.terminations.size(), 1U) << problem.name;
     }
   }
 }
@@ -34,7 +34,7 @@ TEST_P(Family, SearchesABoxWithoutWidthInACoordinate) {
   problem.lower[1] = problem.upper[1] = problem.start[1] = 5;
   for (const Vector& x : asked_points(problem, solver(), 500)) ASSERT_EQ(x[1], 5);
   const RunRecord record = run(problem, solver(), {3000}, 1);
-  EXPECT_LT(record.trace.back().truth.objective, 25 + 30);
+  EXPECT_LT(record.trace.back().true_values.objective, 25 + 30);
 }
 
 TEST_P(Family, StaysInBoxesOfAnyPlaceAndWidth) {
@@ -60,18 +60,18 @@ TEST_P(Family, PrefersFeasiblePointsToBetterOnes) {
     return Values{-x.sum(), Vector::Constant(1, x.sum() - 2)};
   };
   const RunRecord record = run(problem, solver(), {3000}, 1);
-  EXPECT_EQ(record.trace.back().truth.violation, 0);
-  EXPECT_LT(record.trace.back().truth.objective, -1.9);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0);
+  EXPECT_LT(record.trace.back().true_values.objective, -1.9);
 }
 
 TEST_P(Family, ComesNearAnEquation) {
   const RunRecord record = run(arc(), solver(), {20000}, 1);
-  EXPECT_LT(record.trace.back().truth.violation, 1e-3);
+  EXPECT_LT(record.trace.back().true_values.violation, 1e-3);
 }
 
 TEST_P(Family, GoesOnWhereNothingIsANumberAtFirst) {
   const RunRecord record = run(half_a_number(), solver(), {3000}, 0);
-  EXPECT_LT(record.trace.back().truth.objective, 100);
+  EXPECT_LT(record.trace.back().true_values.objective, 100);
 }
 
 std::string name_of(const testing::TestParamInfo<Solver>& tested) {

@@ -23,7 +23,7 @@ FireworksOptions as_printed() {
 double end_of_sphere(const FireworksOptions& options, double centre, int number) {
   const RunRecord record =
       run(sphere(30, centre), fireworks("fireworks", options), {10000}, number);
-  return record.trace.back().truth.objective;
+  return record.trace.back().true_values.objective;
 }
 
 Problem wide_plateau(Eigen::Index n) {
@@ -45,7 +45,7 @@ TEST(Fireworks, SetsOff40SparksRoundEachFireworkOnAPlateauThenGaussianOnes) {
     EXPECT_NE(offset[0], offset[1]) << "each coordinate has a draw of its own";
   }
   // A Gaussian spark is g times a firework, mapped. One coordinate that was not mapped tells g.
-  const Box box(problem);
+  const Box box(problem.lower, problem.upper);
   Random random;
   const auto multiple = [&](const Vector& spark, const Vector& x) {
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -133,7 +133,7 @@ TEST(Fireworks, CorrectedSpendNoMoreThanTheirSparksOnAPlateauAndNoneTwice) {
   std::set<double> different;
   for (const Vector& x : asked) different.insert(x[0]);
   EXPECT_EQ(different.size(), asked.size());
-  // 50 explosion sparks of the first five fireworks, 10 each, fly 0.2 box widths.
+  // 50 explosion sparks of the first five fireworks, 10 each, fly 0.2 box smoothing parameters.
   for (std::size_t k = 5; k < 55; ++k) {
     const double offset = std::abs(asked[k][0] - asked[(k - 5) / 10][0]);
     const bool redrawn = std::abs(asked[(k - 5) / 10][0]) > 600;

@@ -11,26 +11,26 @@ namespace ricochet::fireworks {
 namespace {
 
 TEST(Fitness, OfFeasiblePointsIsTheirObjective) {
-  const std::vector<Truth> worths = {{3, 0}, {-2, 0}, {7, 0}};
+  const std::vector<TrueValues> worths = {{3, 0}, {-2, 0}, {7, 0}};
   EXPECT_EQ(fitness_of(worths), (Vector{{3, -2, 7}}));
 }
 
 TEST(Fitness, OfInfeasiblePointsIsBehindTheWorstFeasibleOne) {
-  const std::vector<Truth> worths = {{3, 0}, {-100, 0.5}, {7, 0}, {infinity, 2}};
+  const std::vector<TrueValues> worths = {{3, 0}, {-100, 0.5}, {7, 0}, {infinity, 2}};
   EXPECT_EQ(fitness_of(worths), (Vector{{3, 7.5, 7, 9}}));
 }
 
 TEST(Fitness, IsTheViolationWhereNothingIsFeasible) {
-  const std::vector<Truth> worths = {{-100, 0.5}, {-300, 2}};
+  const std::vector<TrueValues> worths = {{-100, 0.5}, {-300, 2}};
   EXPECT_EQ(fitness_of(worths), (Vector{{0.5, 2}}));
 }
 
 TEST(Fitness, OfWhatIsNoNumberIsTheWorstThatIsOne) {
   for (const double bad : {not_a_number, infinity, -infinity, 1e305}) {
-    const Truth worth = worth_of({bad, {}}, 0);
+    const TrueValues worth = worth_of({bad, {}}, 0);
     EXPECT_EQ(worth.objective, infinity);
-    EXPECT_EQ(fitness_of(std::vector<Truth>{{3, 0}, worth, {7, 0}}), (Vector{{3, 7, 7}}));
-    EXPECT_EQ(fitness_of(std::vector<Truth>{worth, worth}), (Vector{{0, 0}}));
+    EXPECT_EQ(fitness_of(std::vector<TrueValues>{{3, 0}, worth, {7, 0}}), (Vector{{3, 7, 7}}));
+    EXPECT_EQ(fitness_of(std::vector<TrueValues>{worth, worth}), (Vector{{0, 0}}));
     if (bad != -infinity) {
       EXPECT_EQ(worth_of({1, Vector::Constant(1, bad)}, 0).violation, infinity);
     }
@@ -46,8 +46,8 @@ TEST(Fitness, TakesEquationsByTheirSize) {
 TEST(Fitness, RanksAsTheRulesOfFeasibilityDo) {
   Random random(1);
   for (int trial = 0; trial < 2000; ++trial) {
-    std::vector<Truth> worths(6);
-    for (Truth& worth : worths) {
+    std::vector<TrueValues> worths(6);
+    for (TrueValues& worth : worths) {
       worth.objective = std::floor(6 * uniform(random)) - 3;
       worth.violation = std::max(0.0, std::floor(6 * uniform(random)) - 2);
       if (uniform(random) < 0.1) worth.objective = infinity;

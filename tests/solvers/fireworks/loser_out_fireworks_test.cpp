@@ -48,7 +48,7 @@ TEST(LoserOutFireworks, GuideTheLastSparkOfEachFirework) {
 TEST(LoserOutFireworks, FindAShiftedOptimum) {
   for (const double centre : {0.0, 30.0, 70.0}) {
     const RunRecord record = run(sphere(10, centre), loser_out_fireworks("lotfwa"), {60000}, 1);
-    EXPECT_LT(record.trace.back().truth.objective, 1e-2) << centre;
+    EXPECT_LT(record.trace.back().true_values.objective, 1e-2) << centre;
   }
 }
 

@@ -19,19 +19,19 @@ std::vector<double> list_of(const Vector& vector) {
 
 TEST(Selection, TakesTheFirstOfTheBest) {
   Random random;
-  const std::vector<Truth> worths = {{5, 0}, {-9, 1}, {2, 0}, {2, 0}};
+  const std::vector<TrueValues> worths = {{5, 0}, {-9, 1}, {2, 0}, {2, 0}};
   EXPECT_EQ(best_of(worths, Ties::first, random), 2);
 }
 
 TEST(Selection, TakesTheLeastViolatedWhereNothingIsFeasible) {
   Random random;
-  const std::vector<Truth> worths = {{5, 2}, {-9, 3}, {7, 2}};
+  const std::vector<TrueValues> worths = {{5, 2}, {-9, 3}, {7, 2}};
   EXPECT_EQ(best_of(worths, Ties::first, random), 0);
 }
 
 TEST(Selection, TakesAnyOfTheBestAlike) {
   Random random(1);
-  const std::vector<Truth> worths = {{2, 0}, {5, 0}, {2, 0}, {2, 1}, {2, 0}};
+  const std::vector<TrueValues> worths = {{2, 0}, {5, 0}, {2, 0}, {2, 1}, {2, 0}};
   std::map<Eigen::Index, double> shares;
   for (int k = 0; k < draws; ++k) shares[best_of(worths, Ties::any, random)] += 1.0 / draws;
   ASSERT_EQ(shares.size(), 3U);
@@ -66,7 +66,7 @@ TEST(DistanceSums, AgreeWithTheirDefinition) {
 class Selected : public testing::Test {
  protected:
   const Matrix points_{{0}, {1}, {3}, {10}};
-  const std::vector<Truth> worths_ = {{5, 0}, {4, 0}, {3, 0}, {4, 0}};
+  const std::vector<TrueValues> worths_ = {{5, 0}, {4, 0}, {3, 0}, {4, 0}};
   Random random_{1};
 
   /// How often each is the one drawn beside the best.
@@ -105,16 +105,16 @@ TEST_F(Selected, MayBeUniform) {
 
 TEST_F(Selected, NeverLoseTheBest) {
   for (int trial = 0; trial < 1000; ++trial) {
-    std::vector<Truth> worths(12);
-    for (Truth& worth : worths) {
+    std::vector<TrueValues> worths(12);
+    for (TrueValues& worth : worths) {
       worth = {std::floor(5 * uniform(random_)), std::floor(2 * uniform(random_))};
     }
     const Matrix points = normal(24, random_).reshaped(12, 2);
     for (const Ties ties : {Ties::first, Ties::any}) {
       const auto chosen = selected(points, worths, 5, {.ties = ties}, random_);
       ASSERT_EQ(chosen.size(), 5U);
-      const Truth& kept = worths[static_cast<std::size_t>(chosen.front())];
-      for (const Truth& worth : worths) ASSERT_FALSE(better(worth, kept));
+      const TrueValues& kept = worths[static_cast<std::size_t>(chosen.front())];
+      for (const TrueValues& worth : worths) ASSERT_FALSE(better(worth, kept));
     }
   }
 }

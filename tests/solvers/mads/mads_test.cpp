@@ -15,12 +15,13 @@ namespace {
 
 /// The best feasible objective after one call of solve.
 double end_of(const Problem& problem, std::uint64_t seed = 1) {
-  Evaluator evaluator(problem, {20'000});
+  Scorer scorer(problem);
+  Evaluator evaluator(problem, {20'000}, &scorer);
   Random random(seed);
-  const SolverExit exit = mads().solve(evaluator, problem.start, random);
+  const SolverTermination exit = mads().solve(evaluator, problem.start, random);
   EXPECT_EQ(exit.reason, "the mesh is fine") << problem.name;
-  EXPECT_EQ(evaluator.best()->truth.violation, 0) << problem.name;
-  return evaluator.best()->truth.objective;
+  EXPECT_EQ(scorer.best()->true_values.violation, 0) << problem.name;
+  return scorer.best()->true_values.objective;
 }
 
 Problem classic_problem(const std::string& name) {
@@ -51,8 +52,8 @@ TEST(Mads, ConvergesOnProblemsOfHockAndSchittkowski) {
 
 TEST(Mads, FindsPointsOnAnArc) {
   const RunRecord record = run(arc(), mads(), {5000}, 0);
-  EXPECT_EQ(record.trace.back().truth.violation, 0);
-  EXPECT_LE(record.trace.back().truth.objective, -1);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0);
+  EXPECT_LE(record.trace.back().true_values.objective, -1);
 }
 
 /// The largest x + y on [0, 10]^2 at which a count, floor(x) + floor(2 y), is at most 7. With a
@@ -69,8 +70,8 @@ Problem steps() {
 
 TEST(Mads, ComesToTheEdgeOfAStepThatIsAConstraint) {
   const RunRecord record = run(steps(), mads(), {2000}, 0);
-  EXPECT_EQ(record.trace.back().truth.violation, 0);
-  EXPECT_NEAR(record.trace.back().truth.objective, -8.5, 0.01);
+  EXPECT_EQ(record.trace.back().true_values.violation, 0);
+  EXPECT_NEAR(record.trace.back().true_values.objective, -8.5, 0.01);
 }
 
 TEST(Mads, StaysInTheBoxWhateverItAsksFor) {
@@ -105,8 +106,8 @@ TEST(Mads, AsksForNoPointTwiceFromOneStart) {
 
 TEST(Mads, EndsOnAPlateauSoonAndIsStartedAgain) {
   const RunRecord record = run(plateau(2), mads(), {1000}, 0);
-  EXPECT_GT(record.exits.size(), 10U);
-  EXPECT_EQ(record.exits.front().reason, "the mesh is fine");
+  EXPECT_GT(record.terminations.size(), 10U);
+  EXPECT_EQ(record.terminations.front().reason, "the mesh is fine");
 }
 
 TEST(Mads, LeavesACoordinateAloneWhoseBoxHasNoWidth) {
@@ -120,7 +121,7 @@ TEST(Mads, SpendsItsBudgetToTheLastEvaluation) {
   for (std::int64_t budget = 0; budget < 60; ++budget) {
     Evaluator evaluator(problem, {budget});
     Random random(1);
-    const SolverExit exit = mads().solve(evaluator, problem.start, random);
+    const SolverTermination exit = mads().solve(evaluator, problem.start, random);
     EXPECT_EQ(exit.reason, "stopped by the evaluator");
     EXPECT_EQ(evaluator.ledger().charged, budget);
   }

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/oracle/comparison.h"
+#include "problems/carrier_track/check/oracle/comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 namespace ricochet::carrier_track::inline oracle {
 
-std::vector<Impact> faster(const std::vector<Impact>& impacts, double slowest) {
+std::vector<Impact> faster(const std::vector<Impact>& impacts, double counting_limit) {
   std::vector<Impact> result;
   std::copy_if(impacts.begin(), impacts.end(), std::back_inserter(result),
-               [slowest](const Impact& impact) { return impact.speed > slowest; });
+               [counting_limit](const Impact& impact) { return impact.speed > counting_limit; });
   return result;
 }
 
@@ -24,7 +24,7 @@ std::vector<Peak> counted(const std::vector<Peak>& maxima, const Scene& scene) {
 
 namespace {
 
-/// Pairs the impacts of the one and of the other.
+/// Pairs the impacts of both lists.
 void match(const std::vector<Impact>& found, const std::vector<Impact>& true_ones,
            Comparison& result) {
   const std::size_t pairs = std::min(found.size(), true_ones.size());
@@ -38,7 +38,7 @@ void match(const std::vector<Impact>& found, const std::vector<Impact>& true_one
   result.spurious = static_cast<int>(found.size()) - result.matched;
 }
 
-/// The same of maxima; how exactly the time of a flat one is known says little.
+/// The same for maxima, without errors: the time of a flat maximum is ill-conditioned.
 void match(const std::vector<Peak>& found, const std::vector<Peak>& true_ones, Comparison& result) {
   result.matched = static_cast<int>(std::min(found.size(), true_ones.size()));
   result.missed = static_cast<int>(true_ones.size()) - result.matched;
@@ -49,20 +49,21 @@ void match(const std::vector<Peak>& found, const std::vector<Peak>& true_ones, C
 
 Comparison compare(const Scene& scene) {
   Comparison result;
-  const OracleRun truth = oracle_run(scene);
-  if (!truth.finished) {
+  const OracleRun true_values = oracle_run(scene);
+  if (!true_values.finished) {
     result.compared = false;
     return result;
   }
   const Recording recording = record(scene, 0.0, 0);
   result.certain = recording.certainty.certain;
   result.count = recording.count;
-  result.truth = truth.count;
-  result.endless = truth.endless;
+  result.true_values = true_values.count;
+  result.endless = true_values.endless;
   if (scene.rule == CountRule::impacts) {
-    match(faster(recording.impacts, scene.slowest), faster(truth.impacts, scene.slowest), result);
+    match(faster(recording.impacts, scene.counting_limit),
+          faster(true_values.impacts, scene.counting_limit), result);
   } else {
-    match(counted(recording.peaks, scene), counted(truth.maxima, scene), result);
+    match(counted(recording.peaks, scene), counted(true_values.maxima, scene), result);
   }
   return result;
 }

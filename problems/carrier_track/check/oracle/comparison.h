@@ -2,37 +2,37 @@
 
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/oracle.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/oracle.h"
 #include "problems/carrier_track/scene/scene.h"
 
 namespace ricochet::carrier_track::inline oracle {
 
-/// What the library and the oracle make of one scene. Fast impacts are those faster than `slowest`;
-/// under the rule of peaks the maxima that count take their place.
+/// The results of the library and the oracle for one scene. Fast impacts are those faster than
+/// `counting_limit`; under the rule of peaks the maxima that count take their place.
 struct Comparison {
-  bool compared = true;    ///< false where the oracle broke off, at its cap
+  bool compared = true;    ///< false if the oracle stopped at its cap
   bool certain = false;    ///< whether the library calls its count certain
   int count = 0;           ///< of the library
-  int truth = 0;           ///< of the oracle
-  bool endless = false;    ///< whether the oracle says that there is no count: it has no end
+  int true_values = 0;     ///< of the oracle
+  bool endless = false;    ///< whether the oracle says that there is no finite count
   int missed = 0;          ///< fast impacts of the oracle without a partner in the library
   int spurious = 0;        ///< fast impacts of the library without a partner in the oracle
   int matched = 0;         ///< pairs of fast impacts
   double time_error = 0;   ///< [s], largest difference over the pairs
   double speed_error = 0;  ///< [m/s], largest difference over the pairs
 
-  bool agrees() const { return !endless && count == truth; }
+  bool agrees() const { return !endless && count == true_values; }
 };
 
-/// Simulates a valid scene of fidelity impact twice. The k-th fast impact of one is the partner of
-/// the k-th of the other if it is on the same wall.
+/// Simulates a valid scene of fidelity impact with both. The k-th fast impacts of both are partners
+/// if they are on the same wall.
 Comparison compare(const Scene& scene);
 
-/// The impacts of a list faster than `slowest` [m/s].
-std::vector<Impact> faster(const std::vector<Impact>& impacts, double slowest);
+/// The impacts of a list that are faster than `counting_limit` [m/s].
+std::vector<Impact> faster(const std::vector<Impact>& impacts, double counting_limit);
 
-/// The maxima of a list that count under the rule of peaks of a scene.
+/// The maxima of a list that count under the scene's rule of peaks.
 std::vector<Peak> counted(const std::vector<Peak>& maxima, const Scene& scene);
 
 }  // namespace ricochet::carrier_track::inline oracle

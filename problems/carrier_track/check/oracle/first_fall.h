@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-/// The first point at which a function of time falls below zero, isolated by bounds that leave no
-/// root out. Slow and plain: what the oracle rests on.
+/// The first point at which a function of time falls below zero, isolated by bounds that exclude
+/// missed roots. Slow and simple: the basis of the oracle.
 namespace ricochet::carrier_track::inline oracle {
 
 /// A function and two derivatives at one time.
@@ -13,27 +13,30 @@ struct Jet {
   long double value, slope, curvature;
 };
 
-/// What holds for a function at all times of a search.
+/// Bounds that hold at all times of a search.
 struct JetBounds {
   long double third;        ///< bound on the magnitude of the third derivative
-  long double slope_noise;  ///< rounding of the slope
+  long double slope_noise;  ///< rounding error of the slope
 };
 
-/// How a search ended. In [lower, upper] the function falls once through zero (falls), or stays
-/// positive while the caller's event passes (passes); or it is positive up to the horizon (never).
+/// The result of a search. In [lower, upper] the function crosses zero once downwards (falls), or
+/// stays positive while the caller's event occurs (passes); or it is positive up to the horizon
+/// (never).
 struct Search {
   enum class End { falls, passes, never } end;
   long double lower, upper;
 };
 
 /// Searches (0, horizon] for the first fall of `jet` below zero. `jet(t)` is a Jet; it is zero or
-/// positive at 0, where it is zero it does not fall by its slope. `noise(t)` bounds its rounding:
-/// what stays within is zero, and zero is no fall. `passed(t)` ends the search early at the end of
-/// a piece that is free of roots. `guess` > 0 is the first piece's length; any will do.
+/// positive at 0, and if it is zero its slope is not negative. `noise(t)` bounds its rounding
+/// error: values within it count as zero, and zero is no fall. `passed(t)` ends the search early at
+/// the end of a piece without roots. `guess` > 0 is the length of the first piece; any value will
+/// do.
 ///
-/// A piece of middle m and half width h is free of roots where the Taylor expansion about m, with
-/// the bound on the third derivative for its remainder, says so of the function, or says that it is
-/// monotone, convex or concave and its ends do. A piece of which nothing is known is halved.
+/// A piece of middle m and half width h has no roots if the Taylor expansion about m, with the
+/// bound on the third derivative as remainder, proves it for the function, or proves that it is
+/// monotone, convex or concave and its ends exclude a root. A piece for which nothing is proved is
+/// halved.
 template <class Function, class Noise, class Passed>
 Search first_fall(const Function& jet, const JetBounds& bounds, const Noise& noise,
                   const Passed& passed, long double horizon, long double guess) {
@@ -76,9 +79,9 @@ Search first_fall(const Function& jet, const JetBounds& bounds, const Noise& noi
   return {Search::End::never, horizon, horizon};
 }
 
-/// The root in [lower, upper] of a function of one sign change there, to the last bits; `lower`
-/// where the sign does not change. `jet(t)` is a Jet. Newton's method within a bracket: a step that
-/// leaves it, or that is more than half the one before, is replaced by a bisection.
+/// The root in [lower, upper] of a function with one sign change there, to the last bits; `lower`
+/// if the sign does not change. `jet(t)` is a Jet. Newton's method within a bracket: a step that
+/// leaves it, or that is more than half the previous one, is replaced by a bisection.
 template <class Function>
 long double root_between(const Function& jet, long double lower, long double upper) {
   constexpr long double last_bit = std::numeric_limits<long double>::epsilon();

@@ -1,18 +1,19 @@
-#include "problems/carrier_track/oracle/hostile_scenes.h"
+#include "problems/carrier_track/check/oracle/hostile_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "problems/carrier_track/oracle/oracle.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/oracle.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "src/core/seed.h"
 
 namespace ricochet::carrier_track::inline oracle {
 namespace {
 
-constexpr int draws = 1000;  // of a scene that has what its hostility needs; far more than it takes
+constexpr int draws =
+    1000;  // attempts at a scene with the required summit or impact; far more than needed
 
 struct Named {
   Hostility hostility;
@@ -46,7 +47,7 @@ double scaled(long double value, double closeness) {
   return static_cast<double>(value * (1 + static_cast<long double>(closeness)));
 }
 
-/// The same forces from a plate of another speed, over the same time.
+/// The same forces with a plate of another speed, over the same time.
 void turn_at(Scene& scene, double omega) {
   const double scale = (scene.omega / omega) * (scene.omega / omega);
   scene.window =
@@ -58,12 +59,12 @@ void turn_at(Scene& scene, double omega) {
   scene.omega = omega;
 }
 
-/// Puts the wall near a summit above all earlier ones, so that the body is free until there.
+/// Puts the wall near a summit above all earlier ones, so that the motion before it is free.
 HostileScene graze(RandomScenes& random) {
   for (int i = 0; i < draws; ++i) {
     HostileScene result{Hostility::graze, closeness(random), random.next()};
     Scene& scene = result.scene;
-    scene.start_position -= scene.wall_lower;  // from 0 on a double holds the closest walls apart
+    scene.start_position -= scene.wall_lower;  // a double resolves the closest walls only from 0
     scene.wall_lower = 0;
     scene.start_position *= random.within(0, 1);
     scene.wall_upper = std::numeric_limits<double>::infinity();
@@ -74,7 +75,7 @@ HostileScene graze(RandomScenes& random) {
     for (const Summit& summit : free.summits) {
       if (summit.height > highest) records.push_back(highest = summit.height);
     }
-    // A wall closer to the other than a micrometre is no clearance.
+    // A clearance below a micrometre is not used.
     if (records.empty() || records.back() < 1e-6L) continue;
     const long double height =
         records[static_cast<std::size_t>(random.below(static_cast<int>(records.size())))];
@@ -95,7 +96,7 @@ HostileScene counting_limit(RandomScenes& random) {
                   impacts.end());
     if (impacts.empty()) continue;
     const auto chosen = static_cast<std::size_t>(random.below(static_cast<int>(impacts.size())));
-    result.scene.slowest = scaled(impacts[chosen].speed, result.closeness);
+    result.scene.counting_limit = scaled(impacts[chosen].speed, result.closeness);
     return result;
   }
   throw std::logic_error("no scene with an impact");
@@ -104,7 +105,7 @@ HostileScene counting_limit(RandomScenes& random) {
 HostileScene friction_limit(RandomScenes& random) {
   HostileScene result{Hostility::friction_limit, closeness(random), random.next()};
   Scene& scene = result.scene;
-  // Only a pull and the disturbance: their sum's largest magnitude is that of the amplitudes.
+  // Only a pull and the disturbance: the largest magnitude of their sum is that of the amplitudes.
   scene.centrifugal_mass_radius = scene.slider_mass_radius = 0;
   scene.pull_rotates = false;
   scene.disturbance = random.within(0.1, 1.0) * (scene.pull > 0 ? -1 : 1);
@@ -128,7 +129,7 @@ void cancel(RandomScenes& random, Scene& scene) {
   if (random.chance(0.5)) scene.friction = 0;
 }
 
-/// What does not need the path of the scene.
+/// Handles the hostilities that do not need the scene's path.
 void make_hostile(Hostility hostility, RandomScenes& random, Scene& scene) {
   const auto restitution = [&] {
     const int which = random.below(3);
@@ -160,7 +161,7 @@ void make_hostile(Hostility hostility, RandomScenes& random, Scene& scene) {
       scene.pull = 0;
       break;
     case Hostility::slow_limit:
-      scene.slowest = random.log_within(1e-15, 1e-9);
+      scene.counting_limit = random.log_within(1e-15, 1e-9);
       break;
     case Hostility::maxima:
       scene.rule = CountRule::peaks;

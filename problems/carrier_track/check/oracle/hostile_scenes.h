@@ -8,21 +8,21 @@
 
 namespace ricochet::carrier_track::inline oracle {
 
-/// What makes a scene hard to get right. 10^-k is its closeness.
+/// What makes a scene hard to simulate correctly. 10^-k is its closeness.
 enum class Hostility {
-  none,            ///< a random scene as it is
+  none,            ///< an unchanged random scene
   graze,           ///< the upper wall lies 10^-k, of the gap, from a summit of the free path
-  counting_limit,  ///< `slowest` lies 10^-k, of itself, from the speed of an impact
+  counting_limit,  ///< counting limit at relative distance 10^-k from the speed of an impact
   restitution,     ///< 0, 1 or 1 - 10^-k at either wall
-  friction_limit,  ///< friction is 10^-k, of itself, from the largest force
+  friction_limit,  ///< friction at relative distance 10^-k from the largest force
   start_on_wall,   ///< starts at rest on a wall
-  cancelling,      ///< two waves nearly of one frequency, nearly opposite
+  cancelling,      ///< two almost opposite waves of almost equal frequency
   slow_plate,      ///< a plate that hardly turns
-  fast_plate,      ///< forces that change many times in a flight
+  fast_plate,      ///< forces that change many times per flight
   open_above,      ///< no upper wall
   no_pull,         ///< no steady force
-  slow_limit,      ///< `slowest` of 1e-15 to 1e-9 m/s, so that hops of all sizes count
-  maxima,          ///< maxima count, in hops that end on a wall too
+  slow_limit,      ///< counting limit of 1e-15 to 1e-9 m/s, so that chattering of all sizes counts
+  maxima,          ///< maxima count, even in flights that end on a wall
 };
 
 const std::vector<Hostility>& all_hostilities();
@@ -30,18 +30,17 @@ std::string_view name_of(Hostility hostility);
 
 struct HostileScene {
   Hostility hostility;
-  /// Signed distance to the exact limit, relative as the hostility says, before it is rounded to a
-  /// double; 0 where there is none. Above 0 a graze misses, an impact is too slow to count, and
-  /// friction holds.
+  /// Signed distance to the exact limit, relative as above, before rounding to a double; 0 if none.
+  /// Above 0 the path misses the wall (graze), the impact is too slow to count, and friction holds.
   double closeness = 0;
   Scene scene;
 };
 
-/// Scene `index` >= 0 of `seed` of a hostility, each computable alone. A hostility that needs a
-/// summit or an impact draws until there is one.
+/// Scene `index` >= 0 of `seed` for a hostility; each can be computed alone. A hostility that needs
+/// a summit or an impact draws until there is one.
 HostileScene hostile_scene(Hostility hostility, int seed, int index);
 
-/// The same where the hostilities take turns.
+/// The same, with the hostilities in turn.
 HostileScene hostile_scene(int seed, int index);
 
 }  // namespace ricochet::carrier_track::inline oracle

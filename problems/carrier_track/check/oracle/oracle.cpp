@@ -1,4 +1,4 @@
-#include "problems/carrier_track/oracle/oracle.h"
+#include "problems/carrier_track/check/oracle/oracle.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
-#include "problems/carrier_track/oracle/first_fall.h"
-#include "problems/carrier_track/oracle/push.h"
+#include "problems/carrier_track/check/oracle/first_fall.h"
+#include "problems/carrier_track/check/oracle/push.h"
 
 namespace ricochet::carrier_track::inline oracle {
 namespace {
@@ -26,7 +26,7 @@ Real window_of(const Scene& scene) {
   return std::get<Seconds>(scene.window).count;
 }
 
-/// Where a body has come to: time [s] and height above the lower wall [m].
+/// The turning point of a rising body: time [s] and height above the lower wall [m].
 struct Top {
   Real time, height;
 };
@@ -48,7 +48,7 @@ class Body {
         below_(static_cast<Real>(scene.start_position) - scene.wall_lower),
         above_(static_cast<Real>(scene.wall_upper) - scene.start_position),
         velocity_(scene.start_velocity) {
-    // Rounding of an acceleration and of a jerk; that of an angle grows with the angle.
+    // Rounding error of an acceleration and of a jerk; that of an angle grows with the angle.
     const Real operations = 16;
     const Real angle = 2 * window_;
     acceleration_noise_ =
@@ -77,8 +77,8 @@ class Body {
   }
 
  private:
-  /// Lets the body rest until the force leaves the friction band towards a side that is free.
-  /// Returns the direction, 0 when the window ends first.
+  /// Lets the body rest until the force leaves the friction band towards a free side. Returns the
+  /// direction, or 0 if the window ends first.
   int rest() {
     const PushFrom push(push_, time_);
     Real first = window_ - time_;
@@ -117,7 +117,7 @@ class Body {
     if (direction > 0 && leg.end != Leg::End::window) top_ = {time_, below_};
   }
 
-  /// A height that the body has risen to is a maximum once it moves down from there.
+  /// A height that the body has reached is a maximum once it moves down from there.
   void set_out(int direction) {
     if (top_ && direction < 0) {
       const Real position = scene_.wall_lower + top_->height;
@@ -127,7 +127,7 @@ class Body {
     top_.reset();
   }
 
-  /// How often a maximum counts: one may be high and low at once.
+  /// How often a maximum counts: twice if it is both high and low.
   int counted(Real position) const {
     return static_cast<int>(position > scene_.peak_high) +
            static_cast<int>(position < scene_.peak_low);
@@ -171,7 +171,7 @@ class Body {
     return leg(Leg::End::wall, root_between(beyond, search.lower, latest));
   }
 
-  /// A guess of how long the flight will last; it decides nothing but the cost.
+  /// Estimated length of the flight; it affects only the cost.
   Real first_piece(Real speed, Real ahead, Real left) const {
     Real guess = std::min(piece_, left);
     if (speed <= 0) return guess;
@@ -184,7 +184,7 @@ class Body {
     const bool upper = direction > 0;
     run_.impacts.push_back({static_cast<double>(time_), upper ? Wall::upper : Wall::lower,
                             static_cast<double>(speed)});
-    if (scene_.rule == CountRule::impacts && speed > scene_.slowest) ++run_.count;
+    if (scene_.rule == CountRule::impacts && speed > scene_.counting_limit) ++run_.count;
     below_ = upper ? gap_ : 0;
     above_ = upper ? 0 : gap_;
     Real restitution = upper ? scene_.restitution_upper : scene_.restitution_lower;
@@ -194,7 +194,7 @@ class Body {
     }
     velocity_ = -direction * restitution * speed;
     if (!comes_to_rest(direction, restitution * speed, restitution)) return;
-    // The maxima left out lie on the upper wall, or as near the lower one as one likes.
+    // The omitted maxima lie on the upper wall, or arbitrarily close to the lower one.
     const Real wall = upper ? scene_.wall_upper : scene_.wall_lower;
     if (scene_.rule == CountRule::peaks && velocity_ != 0 && counted(wall) > 0) {
       run_.endless = true;
@@ -202,14 +202,15 @@ class Body {
     velocity_ = 0;
   }
 
-  /// Whether it is proved that a body that leaves the wall in `wall_side` at `speed` bounces until
-  /// it rests there, never faster. Suppose that the pressing acceleration p stays within slack of
-  /// its value. A hop then rises against at least p - slack + friction, so no higher than h =
-  /// v^2 / (2 (p - slack + friction)), and falls from there by at most p + slack - friction and at
-  /// least p - slack - friction. That bounds the ratio of speeds and the time of all hops; and if
-  /// the force cannot change by more than the slack in that time, the supposition holds.
+  /// Returns true if it is proved that a body that leaves the wall in `wall_side` at `speed`
+  /// bounces until it rests there, never faster. Suppose that the pressing acceleration p stays
+  /// within slack of its value. A rebound then rises against at least p - slack + friction, so no
+  /// higher than h = v^2 / (2 (p - slack + friction)), and falls from there by at most p + slack -
+  /// friction and at least p - slack - friction. That bounds the ratio of speeds and the time of
+  /// all rebounds; and if the force cannot change by more than the slack in that time, the
+  /// supposition holds.
   bool comes_to_rest(int wall_side, Real speed, Real restitution) const {
-    if (speed > 1e-3L * scene_.slowest) return false;
+    if (speed > 1e-3L * scene_.counting_limit) return false;
     const Real press = wall_side * PushFrom(push_, time_).after(0).acceleration;
     const Real reserve = press - friction_;
     if (reserve <= 64 * acceleration_noise_) return false;
@@ -235,9 +236,9 @@ class Body {
   Real piece_ = infinity;  // [s], a quarter of a radian of the fastest wave
 
   Real time_ = 0;
-  Real below_, above_;  // distance [m] to either wall, each with all its digits
+  Real below_, above_;  // distance [m] to each wall, stored apart to keep all digits
   Real velocity_;
-  std::optional<Top> top_;  // where a rising body has stopped, until it sets out
+  std::optional<Top> top_;  // turning point of a rising body, until it moves on
   OracleRun run_;
 };
 

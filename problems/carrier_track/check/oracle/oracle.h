@@ -7,33 +7,33 @@
 
 namespace ricochet::carrier_track::inline oracle {
 
-/// Where a rising body comes to a stop without reaching the upper wall.
+/// A point where a rising body stops without reaching the upper wall.
 struct Summit {
   double time;         ///< [s]
   long double height;  ///< [m] above the lower wall
 };
 
-/// What the oracle makes of a scene.
+/// The oracle's result for a scene.
 struct OracleRun {
-  int count = 0;                ///< of the scene's rule, up to the end or the cap
+  int count = 0;                ///< by the scene's rule, up to the end or the cap
   bool finished = true;         ///< whether the end of the window was reached within the caps
-  std::vector<Impact> impacts;  ///< in the order of time; those of the end of a Zeno sequence apart
+  std::vector<Impact> impacts;  ///< in order of time, without the end of a Zeno sequence
   std::vector<Summit> summits;
-  std::vector<Peak> maxima;  ///< of x, on a wall too; those of the end of a Zeno sequence apart
-  bool endless = false;      ///< whether those apart count, of which there is no end: count is none
+  std::vector<Peak> maxima;  ///< of x, on a wall too, without the end of a Zeno sequence
+  bool endless = false;      ///< the omitted ones count, infinitely many: there is no count
 };
 
-/// A run is broken off at so many impacts: beyond, its window holds no useful count.
+/// A run stops at this number of impacts: beyond, its window holds no useful count.
 inline constexpr std::size_t oracle_impact_cap = 2000;
 
 /// Simulates fidelity `impact` at constant omega, for a valid scene: hard walls, Newton
-/// restitution, set-valued Coulomb friction. Independent of the impact model, of which it shares
-/// neither code nor method: long double of 80 bit, the closed forms of push.h, and roots isolated
-/// by first_fall.h. A grazing is decided by the distance to the wall at the very turning point. The
-/// rest of a Zeno sequence is left out only when it is proved that the body comes to rest on the
-/// wall before the force turns, with no impact faster than a thousandth of `slowest`, and where
-/// maxima count before the window ends. Throws std::invalid_argument for a scene with a speed
-/// profile.
+/// restitution, set-valued Coulomb friction. Independent of the impact model, with which it shares
+/// neither code nor method: 80-bit long double, the closed forms of push.h, and roots isolated by
+/// first_fall.h. A grazing impact is decided by the distance to the wall at the turning point
+/// itself. The rest of a Zeno sequence is omitted only if it is proved that the body comes to rest
+/// on the wall before the force changes direction, with no impact faster than a thousandth of
+/// `counting_limit`, and, if maxima count, before the window ends. Throws std::invalid_argument for
+/// a scene with a speed profile.
 OracleRun oracle_run(const Scene& scene);
 
 }  // namespace ricochet::carrier_track::inline oracle

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/oracle/push.h"
+#include "problems/carrier_track/check/oracle/push.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ long double lag(long double theta) {
   for (const long double r : ratio) {
     term *= -square * r;
     sum += term;
-    if (square < 1e-10L && r == ratio[1]) break;  // the next is below the last bit
+    if (square < 1e-10L && r == ratio[1]) break;  // the next term is below the last bit
   }
   return sum;
 }
@@ -32,7 +32,7 @@ Push::Push(const Scene& scene) {
   const long double mass = scene.mass;
   const long double square = static_cast<long double>(scene.omega) * scene.omega;
   const long double centrifugal = scene.centrifugal_mass_radius * square;
-  // Of the plate: along cos alpha and along sin alpha.
+  // Terms of the plate, along cos alpha and along sin alpha.
   long double cosine = -(scene.slider_mass_radius * square) / mass;
   long double sine = 0;
   if (scene.pull_rotates) {
@@ -68,8 +68,8 @@ long double Push::size(int power) const {
 }
 
 long double Push::bound(int power, long double until) const {
-  // As phasors: with the second seen from the first it turns by the difference of frequencies, so
-  // the sum is no longer than at time 0 but for the chord of that turn.
+  // As phasors: relative to the first, the second turns by the difference of frequencies. So the
+  // sum is at most its length at time 0 plus the chord of that turn.
   const auto& [plate, disturbance] = waves;
   const long double first = plate.amplitude * std::pow(plate.frequency, power);
   const long double second = disturbance.amplitude * std::pow(disturbance.frequency, power);

@@ -6,8 +6,9 @@
 
 namespace ricochet::carrier_track::inline oracle {
 
-/// Equation (31) without contact and friction, over the mass, in long double: a steady acceleration
-/// and two waves, amplitude cos(frequency t + phase), of the driver plate and the disturbance.
+/// Equation (31) without contact and friction, divided by the mass, in long double: a steady
+/// acceleration and two waves, amplitude cos(frequency t + phase), of the driver plate and the
+/// disturbance.
 struct Push {
   struct Wave {
     long double amplitude = 0;  ///< [m/s^2]
@@ -18,18 +19,18 @@ struct Push {
   /// Throws std::invalid_argument for a scene whose speed is a profile.
   explicit Push(const Scene& scene);
 
-  /// Sum of |amplitude| frequency^power [m/s^(2 + power)]: what rounding is relative to.
+  /// Sum of |amplitude| frequency^power [m/s^(2 + power)]: the scale of rounding errors.
   long double size(int power) const;
 
-  /// Bound on that derivative of the waves [m/s^(2 + power)] up to a time [s]. No larger than the
-  /// size; two waves that all but cancel have one that is far smaller.
+  /// Bound on that derivative of the waves [m/s^(2 + power)] up to a time [s]. It never exceeds
+  /// size(power) and is far smaller for two waves that almost cancel.
   long double bound(int power, long double until) const;
 
   long double steady = 0;  ///< [m/s^2]
   std::array<Wave, 2> waves;
 };
 
-/// What has become of a body at rest that only a push acts on, some time after a start.
+/// The state of a body some time after it starts from rest under a push alone.
 struct Pushed {
   long double distance;      ///< [m]
   long double speed;         ///< [m/s]
@@ -38,13 +39,13 @@ struct Pushed {
   long double snap;          ///< [m/s^4]
 };
 
-/// A push from a start on.
+/// A push from a start time on.
 class PushFrom {
  public:
   PushFrom(const Push& push, long double start);
 
   /// In closed form, after `elapsed` >= 0 [s]. Differences of sines and cosines are written as
-  /// products, so that the shortest hop keeps all its digits.
+  /// products, so that the shortest flight keeps all its digits.
   Pushed after(long double elapsed) const;
 
  private:

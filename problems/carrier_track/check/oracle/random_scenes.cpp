@@ -1,4 +1,4 @@
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 
 #include <cmath>
 #include <limits>
@@ -33,7 +33,7 @@ Scene RandomScenes::next() {
     scene.window = Revolutions{within(0.3, 2.0) * scene.omega / 6.28};
   }
   if (chance(0.1)) scene.wall_upper = std::numeric_limits<double>::infinity();
-  scene.slowest = log_within(1e-3, 2e-2);
+  scene.counting_limit = log_within(1e-3, 2e-2);
   const std::uint64_t draw = phases_();
   if (draw % 2 == 0) scene.pull_phase = angle();
   if (draw / 2 % 2 == 0) scene.disturbance_phase = angle();

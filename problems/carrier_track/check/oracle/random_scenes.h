@@ -7,7 +7,7 @@
 
 namespace ricochet::carrier_track::inline oracle {
 
-/// Valid scenes that between them use every term of equation (31), every kind of wall and start,
+/// Valid scenes that together use every term of equation (31) and every kind of wall and start,
 /// with some tens of impacts each. The same seed gives the same scenes everywhere: the draws use
 /// only the generator's bits, whose sequence the standard fixes.
 class RandomScenes {
@@ -16,15 +16,15 @@ class RandomScenes {
 
   Scene next();
 
-  /// One with a second direction, whose forces are of the size of those of the first.
+  /// A scene with a second direction, whose forces have the size of those of the first.
   Scene next_planar();
 
-  /// Evenly in [a, b).
+  /// Uniform in [a, b).
   double within(double a, double b);
-  /// With evenly spread logarithm in [a, b), for 0 < a < b.
+  /// In [a, b) with a uniform logarithm, for 0 < a < b.
   double log_within(double a, double b);
   bool chance(double probability);
-  /// Evenly in 0, 1, ..., limit - 1.
+  /// Uniform in 0, 1, ..., limit - 1.
   int below(int limit);
 
  private:
@@ -33,7 +33,8 @@ class RandomScenes {
   double angle();
 
   std::mt19937_64 random_;
-  std::mt19937_64 phases_;  // apart, so that two scenes that differ in them alone can be compared
+  std::mt19937_64
+      phases_;  // separate, to allow a comparison of scenes that differ only in their phases
 };
 
 }  // namespace ricochet::carrier_track::inline oracle

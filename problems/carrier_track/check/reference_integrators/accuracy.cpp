@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/accuracy.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ std::vector<Impact> faster_than(double speed, const Outcome& outcome) {
 }  // namespace
 
 int collisions(const Scene& scene, const Outcome& outcome) {
-  return static_cast<int>(faster_than(scene.slowest, outcome).size());
+  return static_cast<int>(faster_than(scene.counting_limit, outcome).size());
 }
 
 Accuracy compare(const Scene& scene, const Outcome& outcome, const Outcome& reference) {
@@ -28,8 +28,8 @@ Accuracy compare(const Scene& scene, const Outcome& outcome, const Outcome& refe
   accuracy.count_difference = collisions(scene, outcome) - expected;
   accuracy.end_position_error = std::abs(outcome.end.position - reference.end.position);
   const double window = 0.5 * duration_of(scene) / std::max(expected, 1);
-  const std::vector<Impact> seen = faster_than(0.5 * scene.slowest, outcome);
-  const std::vector<Impact> real = faster_than(0.5 * scene.slowest, reference);
+  const std::vector<Impact> seen = faster_than(0.5 * scene.counting_limit, outcome);
+  const std::vector<Impact> real = faster_than(0.5 * scene.counting_limit, reference);
   auto s = seen.begin();
   auto r = real.begin();
   while (s != seen.end() || r != real.end()) {
@@ -43,9 +43,9 @@ Accuracy compare(const Scene& scene, const Outcome& outcome, const Outcome& refe
       ++s;
       ++r;
     } else if (r == real.end() || (both && s->time < r->time)) {
-      accuracy.spurious += (s++)->speed > scene.slowest;
+      accuracy.spurious += (s++)->speed > scene.counting_limit;
     } else {
-      accuracy.missed += (r++)->speed > scene.slowest;
+      accuracy.missed += (r++)->speed > scene.counting_limit;
     }
   }
   return accuracy;

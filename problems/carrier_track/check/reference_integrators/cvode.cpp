@@ -4,24 +4,24 @@
 #include <stdexcept>
 #include <string>
 
-#include "problems/carrier_track/reference_integrators/cvode_memory.h"
-#include "problems/carrier_track/reference_integrators/located_events.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/cvode_memory.h"
+#include "problems/carrier_track/check/reference_integrators/located_events.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
 
-/// Walls and turns are CVODE's own root functions. It looks for sign changes over its steps: what
-/// starts and ends within one is missed. Turns are watched without friction too, where nothing
-/// happens at them: with the walls alone whole impacts, beyond a wall and back in one step, are
-/// lost.
+/// Walls and velocity zeros are CVODE's own root functions. It looks for sign changes over its
+/// steps and misses an event that starts and ends within one. Velocity zeros are roots without
+/// friction too, where they change nothing: with the walls alone, impacts that go beyond a wall and
+/// back in one step are lost.
 class CvodeFlight : public FlightMethod {
  public:
   CvodeFlight(const FlightSetting& setting, double tolerance, int method)
       : setting_(setting), memory_(method, slope, this, tolerance, tolerance * setting.length) {
     require_cvode_flag(CVodeSetMaxNumSteps(memory_.get(), most_steps));
-    // NOTE: the forces do not depend on the state, so a fixed-point iteration settles at once and
-    // saves the linear algebra of Newton's, for BDF too.
+    // NOTE: the forces do not depend on the state, so a fixed-point iteration converges at once and
+    // saves the linear algebra of Newton's method, for BDF too.
     solver_ = SUNNonlinSol_FixedPoint(memory_.vector(), 0, memory_.context());
     require_cvode(solver_ != nullptr, "no memory for the iteration");
     require_cvode_flag(CVodeSetNonlinearSolver(memory_.get(), solver_));
@@ -36,7 +36,7 @@ class CvodeFlight : public FlightMethod {
   std::int64_t evaluations() const override { return evaluations_; }
 
  private:
-  /// With a first step [s] of that length, or of one that CVODE chooses if it is 0.
+  /// The first step has that length [s]; if it is 0, CVODE chooses it.
   Landing fly(const Leg& leg, double first_step) {
     start_ = leg.start;
     friction_ = leg.direction * setting_.forces.friction;
@@ -46,12 +46,12 @@ class CvodeFlight : public FlightMethod {
     double time = 0;
     for (;;) {
       const int flag = CVode(memory_.get(), leg.longest, memory_.vector(), &time, CV_NORMAL);
-      if (flag == CV_TOO_CLOSE) {  // what is left of the window is lost in rounding
+      if (flag == CV_TOO_CLOSE) {  // the rest of the window is below rounding
         const double position = leg.state.position + leg.longest * leg.state.velocity;
         return {Finish::limit, leg.longest, {position, leg.state.velocity}};
       }
       require_cvode_flag(flag);
-      // NOTE: CVODE's own limit is for one call, and every turn returns.
+      // NOTE: CVODE's own limit is per call, and every velocity zero returns.
       long steps = 0;
       require_cvode_flag(CVodeGetNumSteps(memory_.get(), &steps));
       require_cvode(steps_ + steps <= most_steps, "more than 1000000 steps");
@@ -72,11 +72,12 @@ class CvodeFlight : public FlightMethod {
     }
   }
 
-  /// Whether the forces exceed friction, in the direction of the leg. No turn can be there.
+  /// Returns true if the forces exceed friction in the leg's direction. Velocity cannot be zero
+  /// there.
   //
-  // NOTE: the first step is of first order. Where the excess over friction ends within it, it ends
-  // below zero velocity, and its straight line puts the turn at the very start, where the body
-  // would set out anew, and so for ever. A step that ends before the excess does is right.
+  // NOTE: the first step is of first order. If the excess over friction ends within it, it ends at
+  // a negative velocity. Its linear interpolation puts the velocity zero at the very start, from
+  // where the body would start again, forever. A step that ends before the excess does is correct.
   bool pushes_on(const Leg& leg, double time) const {
     return leg.direction * (setting_.forces.applied(leg.start + time) - friction_) > 0;
   }
@@ -120,7 +121,7 @@ Integrator cvode(const std::string& name, int method) {
             try {
               CvodeFlight flight(flight_setting(scene), tolerance, method);
               outcome = run_with_located_events(scene, flight);
-            } catch (const std::runtime_error& error) {  // of the set-up
+            } catch (const std::runtime_error& error) {  // in the set-up
               outcome.failure = error.what();
             }
             return outcome;

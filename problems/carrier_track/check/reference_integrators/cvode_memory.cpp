@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/cvode_memory.h"
+#include "problems/carrier_track/check/reference_integrators/cvode_memory.h"
 
 #include <cstdlib>
 #include <stdexcept>

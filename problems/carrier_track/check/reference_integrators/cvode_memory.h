@@ -40,14 +40,14 @@ class Owned {
 /// Throws std::runtime_error with `what` unless `done`.
 void require_cvode(bool done, const char* what);
 
-/// Throws std::runtime_error with the name of a return flag below zero.
+/// Throws std::runtime_error with the name of a negative return flag.
 void require_cvode_flag(int flag);
 
-/// CVODE's integrator of a position and a velocity, with a relative and an absolute tolerance for
-/// both. Its nonlinear solver is still to be set. Throws std::runtime_error where CVODE fails.
+/// CVODE's integrator of a position and a velocity, with one relative and one absolute tolerance
+/// for both. Its nonlinear solver must still be set. Throws std::runtime_error if CVODE fails.
 class CvodeMemory {
  public:
-  /// `method` is CV_ADAMS or CV_BDF; `slope` is given `user`.
+  /// `method` is CV_ADAMS or CV_BDF; `user` is passed to `slope`.
   CvodeMemory(int method, CVRhsFn slope, void* user, double tolerance, double absolute);
 
   std::array<double, 2>& state() { return state_; }
@@ -59,7 +59,7 @@ class CvodeMemory {
   static void free_memory(void** memory) { CVodeFree(memory); }
 
   std::array<double, 2> state_{};
-  // NOTE: freed from the last to the first; the context has to outlive the others.
+  // NOTE: freed from the last to the first; the context must outlive the others.
   Owned<SUNContext, SUNContext_Free> context_;
   Owned<N_Vector, N_VDestroy> vector_;
   Owned<void*, free_memory> memory_;

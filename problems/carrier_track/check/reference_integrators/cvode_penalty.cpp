@@ -2,10 +2,10 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "problems/carrier_track/reference_integrators/cvode_memory.h"
-#include "problems/carrier_track/reference_integrators/dense_flight.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
-#include "problems/carrier_track/reference_integrators/penalty.h"
+#include "problems/carrier_track/check/reference_integrators/cvode_memory.h"
+#include "problems/carrier_track/check/reference_integrators/dense_flight.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/penalty.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
@@ -19,7 +19,7 @@ class CvodeSteps : public StepMethod {
     require_cvode_flag(CVodeSetStopTime(memory_.get(), system.window));
   }
 
-  // NOTE: the method keeps its history, so the state given is not asked for but at the start.
+  // NOTE: the method keeps its history, so it uses the given state only at the start.
   void step(double& time, State& state) override {
     if (time == 0) {
       memory_.state() = {state.position, state.velocity};

@@ -4,8 +4,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "problems/carrier_track/reference_integrators/flight_method.h"
-#include "problems/carrier_track/reference_integrators/root.h"
+#include "problems/carrier_track/check/reference_integrators/flight_method.h"
+#include "problems/carrier_track/check/reference_integrators/root.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
@@ -14,10 +14,11 @@ inline double distance_ahead(const Bias& gap, int direction, double position) {
   return direction > 0 ? gap.upper - position : position - gap.lower;
 }
 
-/// The first event of a step from `begin` to `end` [s] of the dense output `path(time)`, of motion
-/// in `direction`, which follows the turns, under the acceleration `pull(time)`. Events show by the
-/// signs of velocity and distance at both ends; in a step whose velocity changes sign, also at the
-/// turn. So what starts and ends between two turns of one step is missed.
+/// The first event of a step from `begin` to `end` [s] of the dense output `path(time)`, for motion
+/// in `direction`, which changes at velocity zeros, under the acceleration `pull(time)`. Events are
+/// detected by the signs of velocity and distance at both ends; in a step whose velocity changes
+/// sign, also at the velocity zero. So an event that starts and ends between two velocity zeros of
+/// one step is missed.
 template <class Path, class Pull>
 std::optional<Landing> first_event(const Bias& gap, bool turn_ends, int& direction, double begin,
                                    double end, const State& at_end, Path path, Pull pull) {
@@ -47,8 +48,8 @@ std::optional<Landing> first_event(const Bias& gap, bool turn_ends, int& directi
 
 /// Flies `leg` with a dense-output stepper of Boost.Odeint, whose state type is `Vector`, under the
 /// acceleration `pull(time)`, time [s] from the start of the leg. `workspace` holds two numbers.
-/// `step` is the first step tried [s] and becomes the one that the stepper proposes last; `steps`
-/// counts.
+/// `step` is the first step tried [s] and becomes the last one that the stepper proposes; `steps`
+/// is incremented.
 template <class Vector, class Stepper, class System, class Pull>
 Landing fly_dense(Stepper& stepper, const System& system, Pull pull, const Bias& gap,
                   bool turn_ends, const Leg& leg, Vector& workspace, double& step,
@@ -77,8 +78,8 @@ Landing fly_dense(Stepper& stepper, const System& system, Pull pull, const Bias&
   }
 }
 
-/// No step spans more than half a period: two turns in one step, which first_event would miss, are
-/// then rare, and the error estimate cannot mistake a whole period for a constant force. [s]
+/// The longest step [s]: half a period. Two velocity zeros in one step, which first_event would
+/// miss, are then rare, and the error estimate cannot mistake a whole period for a constant force.
 inline double longest_step(const Forces& forces, double window) {
   return std::min(window, 0.5 * forces.shortest_period());
 }

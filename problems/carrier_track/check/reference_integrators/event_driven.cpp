@@ -1,7 +1,7 @@
 #include <stdexcept>
 
+#include "problems/carrier_track/check/reference_integrators/methods.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

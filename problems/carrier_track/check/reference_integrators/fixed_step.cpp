@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/fixed_step.h"
+#include "problems/carrier_track/check/reference_integrators/fixed_step.h"
 
 #include "problems/carrier_track/models/impact_model.h"
 

@@ -4,42 +4,42 @@
 #include <cmath>
 #include <cstdint>
 
-#include "problems/carrier_track/reference_integrators/forces.h"
-#include "problems/carrier_track/reference_integrators/integrator.h"
+#include "problems/carrier_track/check/reference_integrators/forces.h"
+#include "problems/carrier_track/check/reference_integrators/integrator.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
 /// A run with more fixed steps than this is not started.
 inline constexpr double most_fixed_steps = 1e8;
 
-/// Equal steps that fill a window, none longer than asked for.
+/// Equal steps that fill a window, none longer than requested.
 struct StepPlan {
   std::int64_t count;
   double length;  ///< [s]
 };
 
-/// False, with the failure told, for more than most_fixed_steps.
+/// Returns false and sets the failure for more than most_fixed_steps.
 bool plan_steps(const Scene& scene, double longest, StepPlan& plan, Outcome& outcome);
 
-/// Where a velocity is after friction has worked on it for a step: towards zero by `change` [m/s],
-/// but not beyond. This is implicit, set-valued friction: a body sticks while the applied force is
-/// no larger.
+/// The velocity after friction has acted for a step: it moves towards zero by `change` [m/s], but
+/// not beyond. This is implicit, set-valued friction: a body sticks while the applied force is no
+/// larger.
 inline double after_friction(double velocity, double change) {
   return std::copysign(std::max(std::abs(velocity) - change, 0.0), velocity);
 }
 
-/// What an explicit fixed-step method does between walls; `direction` is that of motion or, from
-/// rest, of departure.
+/// Simulates a valid scene in the common way, with an explicit fixed-step method between walls:
 /// State step(const Forces&, double time, const State&, int direction, double length);
+/// `direction` is that of motion or, from rest, of departure.
 ///
-/// Simulates a valid scene as is commonly done: a step, and if it ends behind a wall, the body is
-/// put on the wall, with its velocity turned round times the restitution, at the end of the step.
-/// At rest it sticks while friction and wall hold it, checked at the start of every step. It rests
-/// on a wall, unless the force leads away, once the rebound is at most slowest_rebound or what the
-/// force changes in a step, so that its hop would be lost within two steps.
-/// NOTE: a step that ends behind the wall makes the approach faster, by about half of what the
-/// force changes in a step. With e near 1 the Zeno sequences of an explicit method can therefore
-/// chatter for ever. That is how this common way fails, and no rule here hides it.
+/// If a step ends behind a wall, the body is put on the wall at the end of the step, and its
+/// velocity is reversed and multiplied by the restitution. At rest the body sticks while friction
+/// and wall hold it, checked at the start of every step. It rests on a wall, unless the force leads
+/// away, once the rebound is at most slowest_rebound or the change of velocity by the force in a
+/// step, so that its flight would end within two steps.
+/// NOTE: a step that ends behind the wall makes the approach faster, by about half of that change
+/// of velocity. With e near 1 the Zeno sequences of an explicit method can therefore chatter
+/// forever. This is a known failure of the common way, and no rule here hides it.
 template <class Step>
 Outcome run_with_reflection(const Scene& scene, double longest, std::int64_t evaluations_a_step,
                             Step step) {
@@ -67,7 +67,7 @@ Outcome run_with_reflection(const Scene& scene, double longest, std::int64_t eva
     if (behind == 0) continue;
     state.position = behind > 0 ? scene.wall_upper : scene.wall_lower;
     const double speed = behind * state.velocity;
-    if (speed < 0) continue;  // it came back within the step
+    if (speed < 0) continue;  // it was back within the step
     if (outcome.impacts.size() == most_impacts) {
       outcome.failure = "more than 1000000 impacts";
       break;

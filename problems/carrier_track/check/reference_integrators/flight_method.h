@@ -2,16 +2,16 @@
 
 #include <cstdint>
 
-#include "problems/carrier_track/reference_integrators/forces.h"
+#include "problems/carrier_track/check/reference_integrators/forces.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// The walls a flight may end at [m]; the upper one may be infinitely far.
+/// The walls that end a flight [m]; the upper one may be at infinity.
 struct Bias {
   double lower, upper;
 };
 
-/// What a flight method needs of a scene.
+/// What a flight method needs to know of a scene.
 struct FlightSetting {
   Forces forces;
   Bias gap;
@@ -19,12 +19,12 @@ struct FlightSetting {
   double length;  ///< [m]; absolute tolerances are the relative one times this (and [m/s] alike)
 };
 
-/// `length` is the width of the gap; with an infinite one the start's height above the lower wall,
-/// and 1 m for a start on it.
+/// `length` is the width of the gap; if it is infinite, the start's height above the lower wall, or
+/// 1 m for a start on that wall.
 FlightSetting flight_setting(const BasicScene<double>& scene);
 
-/// A stretch of motion without impact, which starts at rest or moves in `direction`. With friction
-/// it has to end when the velocity comes down to zero; without, it may turn and go on.
+/// A flight without impact, which starts at rest or moves in `direction`. With friction it must end
+/// at zero velocity; without, the body may turn and continue.
 struct Leg {
   double start;    ///< [s] from the start of the window
   State state;     ///< within the gap
@@ -37,23 +37,23 @@ enum class Finish { lower_wall, upper_wall, turn, limit };
 struct Landing {
   Finish finish;
   double duration;  ///< [s] from the start of the leg
-  State state;      ///< as integrated, so a little off the wall or off zero velocity
+  State state;      ///< as integrated, so slightly off the wall or off zero velocity
 };
 
-/// An integrator with event location, for smooth motion between impacts. A method object serves all
-/// legs of one run, so that what it allocates and learns is kept.
+/// An integrator with event location, for smooth motion between impacts. One object serves all legs
+/// of a run, so that it keeps its memory and history.
 class FlightMethod {
  public:
   virtual ~FlightMethod() = default;
 
-  /// Throws std::runtime_error where the method fails or needs more than most_steps in all.
+  /// Throws std::runtime_error if the method fails or needs more than most_steps in all.
   virtual Landing fly(const Leg& leg) = 0;
 
   /// Evaluations of the forces so far.
   virtual std::int64_t evaluations() const = 0;
 };
 
-/// A method that takes more steps than this in a run has run away.
+/// A method that takes more steps than this in a run is stopped.
 inline constexpr std::int64_t most_steps = 1'000'000;
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/forces.h"
+#include "problems/carrier_track/check/reference_integrators/forces.h"
 
 #include <algorithm>
 #include <numbers>

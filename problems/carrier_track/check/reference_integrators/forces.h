@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-// NOTE: plain C++17, as are flight_method.h and dense_flight.h: Boost.Odeint's rosenbrock4 does not
+// NOTE: plain C++17, like flight_method.h and dense_flight.h: Boost.Odeint's rosenbrock4 does not
 // compile as C++20, and scene.h needs concepts.
 namespace ricochet::carrier_track::inline scene {
 
@@ -19,7 +19,7 @@ struct State {
   double velocity;  ///< [m/s]
 };
 
-/// The forces of the driver plate with a speed profile, and where it is from knot to knot.
+/// The forces of the driver plate with a speed profile, and the plate's angle from knot to knot.
 struct ProfilePlate {
   struct Knot {
     double time, alpha, omega;
@@ -53,9 +53,9 @@ struct Forces {
   double disturbance_frequency = 0;  ///< [rad/s]
   double disturbance_phase = 0;      ///< [rad]
   double friction = 0;               ///< >= 0, set-valued at rest
-  ProfilePlate profile;              ///< in place of steady and turning where it has knots
+  ProfilePlate profile;              ///< replaces steady and turning if it has knots
 
-  /// All but contact and friction, at `time` [s].
+  /// All forces except contact and friction, at `time` [s].
   double applied(double time) const {
     double sum = profile.knots.empty() ? steady : profile.applied(time);
     if (turning != 0) sum += turning * std::cos(omega * time + phase);
@@ -75,7 +75,7 @@ struct Forces {
   /// Bound on the magnitude of applied() [m/s^2].
   double strongest() const;
 
-  /// [s]; of the forces that act and vary, infinite if there is none.
+  /// [s]; of the time-dependent forces, infinite if there are none.
   double shortest_period() const;
 };
 

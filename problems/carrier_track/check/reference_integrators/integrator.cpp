@@ -1,6 +1,6 @@
-#include "problems/carrier_track/reference_integrators/integrator.h"
+#include "problems/carrier_track/check/reference_integrators/integrator.h"
 
-#include "problems/carrier_track/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 

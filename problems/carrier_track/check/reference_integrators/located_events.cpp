@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/located_events.h"
+#include "problems/carrier_track/check/reference_integrators/located_events.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "problems/carrier_track/check/reference_integrators/root.h"
 #include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/reference_integrators/root.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
 
-/// [m/s]; slowest_rebound, or more where its hop v^2 / (2 a) under the largest force would be lost
-/// in the rounding of the position: impacts would go on there for ever.
+/// [m/s]; slowest_rebound, or more if the height v^2 / (2 a) under the largest force would be lost
+/// in the rounding of the position: impacts would then go on forever.
 double slowest_resolved(const Scene& scene, const Forces& forces) {
   const double force = forces.strongest() + forces.friction;
   const double farthest =
@@ -57,7 +57,7 @@ class HybridMotion {
     return forces_.applied(time);
   }
 
-  /// By how much the applied force exceeds friction where no wall is behind it [m/s^2].
+  /// Excess of the applied force over friction towards a side without a wall [m/s^2].
   double excess(double push) const {
     const double up = wall_ == Wall::upper ? -std::numeric_limits<double>::infinity() : push;
     const double down = wall_ == Wall::lower ? -std::numeric_limits<double>::infinity() : -push;

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "problems/carrier_track/reference_integrators/fixed_step.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/fixed_step.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 ///   x' = x + h (v + u) / 2.
 /// Friction acts along the gap, as the contact does, so both are solved in closed form: first u as
 /// if there were no wall, then the larger of that and -restitution v. Rest on a wall and in the gap
-/// need no case of their own, and Zeno sequences of e < 1 pass through; only the geometric tail of
-/// their rebounds is cut, at slowest_rebound. An impact is given the time at the end of its step.
+/// need no separate case, and Zeno sequences of e < 1 pass through; only the geometric tail of
+/// their rebounds is cut, at slowest_rebound. The time of an impact is the end of its step.
 class MoreauJean {
  public:
   MoreauJean(const Scene& scene, double length)
@@ -26,7 +26,7 @@ class MoreauJean {
         state_{scene.start_position, scene.start_velocity},
         push_(forces_.applied(0.0)) {}
 
-  /// One step to `time`, which adds to `impacts`.
+  /// Takes one step to `time`; appends to `impacts`.
   void step(double time, std::vector<Impact>& impacts) {
     const double push = forces_.applied(time);
     const double pushed = state_.velocity + 0.5 * length_ * (push_ + push);

@@ -4,11 +4,11 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/version.hpp>
 
-#include "problems/carrier_track/reference_integrators/dense_flight.h"
-#include "problems/carrier_track/reference_integrators/located_events.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
-#include "problems/carrier_track/reference_integrators/penalty.h"
-#include "problems/carrier_track/reference_integrators/take_step.h"
+#include "problems/carrier_track/check/reference_integrators/dense_flight.h"
+#include "problems/carrier_track/check/reference_integrators/located_events.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/penalty.h"
+#include "problems/carrier_track/check/reference_integrators/take_step.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
@@ -66,8 +66,8 @@ class Dopri5Steps : public StepMethod {
       dxdt = {x[1], system_.acceleration(t, {x[0], x[1]})};
     };
     Vector x = {state.position, state.velocity};
-    // NOTE: the stepper keeps the last slope for the next step, as the first of it; but for the
-    // damping's scale, which acts inside the walls alone, it is the same one.
+    // NOTE: the stepper reuses the last slope as the first of the next step. It is the same one,
+    // except for the damping's scale, which acts only inside the walls.
     take_step(stepper_, slope, x, time, step_, system_.window);
     state = {x[0], x[1]};
   }

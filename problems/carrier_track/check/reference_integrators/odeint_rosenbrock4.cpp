@@ -1,10 +1,10 @@
 #include <boost/version.hpp>
 
-#include "problems/carrier_track/reference_integrators/located_events.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
-#include "problems/carrier_track/reference_integrators/penalty.h"
-#include "problems/carrier_track/reference_integrators/rosenbrock_flight.h"
-#include "problems/carrier_track/reference_integrators/rosenbrock_steps.h"
+#include "problems/carrier_track/check/reference_integrators/located_events.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/penalty.h"
+#include "problems/carrier_track/check/reference_integrators/rosenbrock_flight.h"
+#include "problems/carrier_track/check/reference_integrators/rosenbrock_steps.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/penalty.h"
+#include "problems/carrier_track/check/reference_integrators/penalty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "problems/carrier_track/check/reference_integrators/fixed_step.h"
+#include "problems/carrier_track/check/reference_integrators/flight_method.h"
 #include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/reference_integrators/fixed_step.h"
-#include "problems/carrier_track/reference_integrators/flight_method.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
@@ -99,14 +99,14 @@ class PenaltyRun {
 
   PenaltySystem system_;
   bool scale_speed_;
-  double strongest_ = 0;  // [m/s^2], bound on what the applied forces can sum to
+  double strongest_ = 0;  // [m/s^2], bound on the sum of the applied forces
   double time_ = 0;       // [s]
   State state_{};
   std::optional<Entry> entry_;  // while in a wall
   Outcome outcome_;
 };
 
-std::string refusal(const Scene& scene) {
+std::string termination_reason(const Scene& scene) {
   if (scene.fidelity != Fidelity::compliant) return "penalty methods need compliant walls";
   if (scene.friction * scene.normal_force > 0) return "penalty methods here have no friction";
   return {};
@@ -121,7 +121,7 @@ Integrator penalty_integrator(std::string name, std::string version, std::string
           [method = std::move(method), fixed](const Scene& scene, double value) {
             Outcome outcome;
             outcome.end = {0.0, scene.start_position, scene.start_velocity};
-            outcome.failure = refusal(scene);
+            outcome.failure = termination_reason(scene);
             return outcome.failure.empty() ? PenaltyRun(scene).run(method, value, fixed) : outcome;
           }};
 }

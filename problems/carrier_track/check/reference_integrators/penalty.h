@@ -5,32 +5,33 @@
 #include <string>
 #include <utility>
 
-#include "problems/carrier_track/reference_integrators/integrator.h"
-#include "problems/carrier_track/reference_integrators/step_method.h"
+#include "problems/carrier_track/check/reference_integrators/integrator.h"
+#include "problems/carrier_track/check/reference_integrators/step_method.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// Makes a method for a system that outlives it.
+/// Makes a method for a system, which must outlive it.
 using MakeStepMethod =
     std::function<std::unique_ptr<StepMethod>(const PenaltySystem&, double control)>;
 
-/// A penalty method: integrates straight through the contacts, whose edges it does not locate.
-/// - A contact is seen where a step ends behind a wall, and over where one ends before it. One that
-///   begins and ends within a step is never seen.
+/// A penalty method: integrates straight through the contacts and does not locate their ends.
+/// - A contact begins at a step that ends behind a wall and is over at one that ends before it. A
+///   contact that begins and ends within a step is missed.
 /// - With contact_speed "each", the damping of a contact is scaled with the speed at the beginning
 ///   of the step that enters it, at least resting_speed.
-/// - The time and the speed told of an impact are those at which the state before that step, under
-///   the force of that moment, reaches the wall: wrong by the cube of the step for the time.
-/// - A body further behind a wall than the gap is wide has left the scene: the run ends there.
+/// - The reported time and speed of an impact are those at which the state before that step, under
+///   the force of that moment, reaches the wall: the error of the time is of the order of the step
+///   cubed.
+/// - A body further behind a wall than the gap is wide ends the run.
 Integrator penalty_integrator(std::string name, std::string version, std::string control,
                               MakeStepMethod method);
 
-/// The length of equal steps for a penalty method that takes such [s], none longer than asked for.
-/// Throws std::runtime_error for more than most_fixed_steps.
+/// The length of equal steps [s] of a penalty method, none longer than requested. Throws
+/// std::runtime_error for more than most_fixed_steps.
 double equal_steps(double window, double longest);
 
-/// Equal steps by `rule(system, time, state, length)`, which returns the state after one and costs
-/// `evaluations` accelerations.
+/// Equal steps by `rule(system, time, state, length)`, which returns the state after one step and
+/// costs `evaluations` accelerations.
 template <class Rule>
 class EqualSteps : public StepMethod {
  public:
@@ -43,7 +44,7 @@ class EqualSteps : public StepMethod {
   void step(double& time, State& state) override {
     state = rule_(system_, time, state, length_);
     time = static_cast<double>(++steps_) * length_;
-    // The last step ends where rounding may leave it just before the window's end.
+    // Rounding may leave the last step just before the window's end.
     if (system_.window - time < 0.5 * length_) time = system_.window;
   }
 

@@ -7,8 +7,9 @@
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// Where f, not positive at `lower` and positive at `upper`, becomes so: at most a few roundings of
-/// `upper` behind a sign change. For several sign changes it is any of them. f(result) may be 0.
+/// The point where f, not positive at `lower` and positive at `upper`, becomes positive: at most a
+/// few roundings of `upper` behind a sign change. If there are several sign changes, it is any of
+/// them. f(result) may be 0.
 template <class Function>
 double rise(Function f, double lower, double upper) {
   const double at_lower = f(lower);
@@ -25,12 +26,12 @@ struct Slope {
   double value, slope;
 };
 
-/// Where f, positive at `lower` or right behind it, and not at `upper`, has come down to zero, to a
-/// few roundings of `upper`. f(time) returns a Slope. A function that is nowhere positive has come
-/// down at `lower`. Newton's iteration in a bracket, from the root of a parabola through both ends.
+/// The point where f, positive at `lower` or right behind it, and not at `upper`, has fallen to
+/// zero, to a few roundings of `upper`; `lower` if f is nowhere positive. f(time) returns a Slope.
+/// Newton's iteration in a bracket, from the root of a parabola through both ends.
 ///
-/// NOTE: most of the time of an integration with event location is spent here; for these
-/// smooth, nearly parabolic functions this needs half the time of toms748_solve.
+/// NOTE: an integration with event location spends most of its time here; for these smooth, nearly
+/// parabolic functions this needs half the time of toms748_solve.
 template <class Function>
 double fall(Function f, double lower, double upper) {
   const double width = 4 * std::numeric_limits<double>::epsilon() * upper;

@@ -1,10 +1,10 @@
-#include "problems/carrier_track/reference_integrators/rosenbrock_flight.h"
+#include "problems/carrier_track/check/reference_integrators/rosenbrock_flight.h"
 
 #include <boost/numeric/odeint/stepper/rosenbrock4_dense_output.hpp>
 #include <utility>
 
-#include "problems/carrier_track/reference_integrators/dense_flight.h"
-#include "problems/carrier_track/reference_integrators/rosenbrock.h"
+#include "problems/carrier_track/check/reference_integrators/dense_flight.h"
+#include "problems/carrier_track/check/reference_integrators/rosenbrock.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
@@ -39,8 +39,8 @@ class RosenbrockFlight : public FlightMethod {
       dfdt[0] = 0;
       dfdt[1] = setting_.forces.applied_rate(leg.start + time);
     };
-    // NOTE: the dense output is only as good as the tolerance, and a hop much shorter than the step
-    // is lost in it: without this limit a Zeno sequence goes on for ever as noise.
+    // NOTE: the dense output is only as good as the tolerance, and a rebound much shorter than the
+    // step is lost in it: without this limit a Zeno sequence goes on forever as noise.
     step_ = std::min(step_, longest_);
     const Landing landing = fly_dense(stepper_, std::make_pair(slope, jacobian), pull, setting_.gap,
                                       setting_.forces.friction > 0, leg, workspace_, step_, steps_);

@@ -2,12 +2,12 @@
 
 #include <memory>
 
-#include "problems/carrier_track/reference_integrators/flight_method.h"
+#include "problems/carrier_track/check/reference_integrators/flight_method.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// Flights by Boost.Odeint's rosenbrock4. Apart from odeint_rosenbrock4.cpp, because its source has
-/// to be C++17.
+/// Flights by Boost.Odeint's rosenbrock4. Separate from odeint_rosenbrock4.cpp, because its source
+/// must be C++17.
 std::unique_ptr<FlightMethod> rosenbrock_flight(const FlightSetting& setting, double tolerance);
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

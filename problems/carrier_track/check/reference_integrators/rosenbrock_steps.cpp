@@ -1,10 +1,10 @@
-#include "problems/carrier_track/reference_integrators/rosenbrock_steps.h"
+#include "problems/carrier_track/check/reference_integrators/rosenbrock_steps.h"
 
 #include <utility>
 
-#include "problems/carrier_track/reference_integrators/dense_flight.h"
-#include "problems/carrier_track/reference_integrators/rosenbrock.h"
-#include "problems/carrier_track/reference_integrators/take_step.h"
+#include "problems/carrier_track/check/reference_integrators/dense_flight.h"
+#include "problems/carrier_track/check/reference_integrators/rosenbrock.h"
+#include "problems/carrier_track/check/reference_integrators/take_step.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

@@ -1,13 +1,14 @@
-#include "problems/carrier_track/reference_integrators/fixed_step.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
-#include "problems/carrier_track/reference_integrators/penalty.h"
+#include "problems/carrier_track/check/reference_integrators/fixed_step.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/penalty.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {
 
-/// Classical Runge-Kutta; its two middle stages need one evaluation, since the forces depend on
-/// time alone. Friction keeps the sign it has at the start of the step. A body under friction that
-/// has turned by the end is at rest there: with the wrong sign it would gain energy.
+/// Classical Runge-Kutta; its two middle stages need one evaluation, since the forces depend only
+/// on time. Friction keeps the sign that it has at the start of the step. A body under friction
+/// whose velocity has changed sign by the end is at rest there: with the wrong sign it would gain
+/// energy.
 State step(const Forces& forces, double time, const State& state, int direction, double length) {
   const double friction = direction * forces.friction;
   const double a1 = forces.applied(time) - friction;
@@ -23,7 +24,7 @@ State step(const Forces& forces, double time, const State& state, int direction,
   return next;
 }
 
-/// The same with a force that depends on the state, too: four evaluations.
+/// The same for a force that also depends on the state: four evaluations.
 State penalty_step(const PenaltySystem& system, double time, const State& state, double length) {
   const double half = 0.5 * length;
   const double v1 = state.velocity;

@@ -1,6 +1,6 @@
-#include "problems/carrier_track/reference_integrators/fixed_step.h"
-#include "problems/carrier_track/reference_integrators/methods.h"
-#include "problems/carrier_track/reference_integrators/penalty.h"
+#include "problems/carrier_track/check/reference_integrators/fixed_step.h"
+#include "problems/carrier_track/check/reference_integrators/methods.h"
+#include "problems/carrier_track/check/reference_integrators/penalty.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <cstdint>
 
-#include "problems/carrier_track/reference_integrators/wall_force.h"
+#include "problems/carrier_track/check/reference_integrators/wall_force.h"
 
-// NOTE: plain C++17, as forces.h.
+// NOTE: plain C++17, like forces.h.
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// A scene as one smooth, if stiff, equation of motion: what a penalty method integrates.
+/// A scene as one smooth, possibly stiff, equation of motion: what a penalty method integrates.
 struct PenaltySystem {
   Forces forces;  ///< without friction
   WallForce wall;
@@ -24,9 +24,9 @@ class StepMethod {
  public:
   virtual ~StepMethod() = default;
 
-  /// One accepted step, which moves `time` [s] and `state` on. They are those that the last step
-  /// left, or the start. The last step ends at the window's end or beyond. Throws
-  /// std::runtime_error where the method fails.
+  /// Takes one accepted step, which advances `time` [s] and `state`. They must be the result of the
+  /// last step, or the start. The last step ends at the window's end or beyond. Throws
+  /// std::runtime_error if the method fails.
   virtual void step(double& time, State& state) = 0;
 
   /// Evaluations of the acceleration so far.

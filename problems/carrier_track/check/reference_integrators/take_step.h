@@ -4,11 +4,11 @@
 #include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
 #include <stdexcept>
 
-// NOTE: plain C++17, as forces.h.
+// NOTE: plain C++17, like forces.h.
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// One accepted step of a controlled stepper of Boost.Odeint, from `time` to at most `end` [s].
-/// `step` [s] is what it proposed last. Throws std::runtime_error where no step is small enough.
+/// Takes one accepted step of a controlled stepper of Boost.Odeint, from `time` to at most `end`
+/// [s]. `step` [s] is its last proposal. Throws std::runtime_error if no step is small enough.
 template <class Stepper, class System, class Vector>
 void take_step(Stepper& stepper, const System& system, Vector& state, double& time, double& step,
                double end) {

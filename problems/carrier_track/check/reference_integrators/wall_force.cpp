@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/wall_force.h"
+#include "problems/carrier_track/check/reference_integrators/wall_force.h"
 
 #include "problems/carrier_track/scene/scene.h"
 

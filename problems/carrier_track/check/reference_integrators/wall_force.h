@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/reference_integrators/forces.h"
+#include "problems/carrier_track/check/reference_integrators/forces.h"
 
-// NOTE: plain C++17, as forces.h.
+// NOTE: plain C++17, like forces.h.
 namespace ricochet::carrier_track::inline reference_integrators {
 
-/// The force of two compliant walls over the mass [m/s^2], as a function of the state: what
-/// contact_law.h has, without events.
+/// The force of two compliant walls divided by the mass [m/s^2], as a function of the state: the
+/// laws of contact_law.h, without events.
 struct WallForce {
   struct Slopes {
     double by_position;  ///< [1/s^2]
@@ -23,7 +23,7 @@ struct WallForce {
   double lower_damping = 0, upper_damping = 0;  ///< D, or C/m [1/s] if viscous
   double speed = 1;                             ///< [m/s], v0 of the law
 
-  /// [m], <= 0 between the walls.
+  /// Penetration [m], <= 0 between the walls.
   double depth(double position) const { return std::max(lower - position, position - upper); }
 
   double operator()(const State& state) const {
@@ -57,7 +57,7 @@ struct WallForce {
   }
 };
 
-/// The walls of a valid scene with compliant ones; `speed` is its contact_speed, or 1 m/s.
+/// The walls of a valid scene with compliant walls; `speed` is its contact_speed, or 1 m/s.
 WallForce wall_force_of(const BasicScene<double>& scene);
 
 }  // namespace ricochet::carrier_track::inline reference_integrators

@@ -1,34 +1,57 @@
-#include "src/studies/verification/study.h"
+#include "problems/carrier_track/check/verification/study.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/hostile_scenes.h"
+#include "problems/carrier_track/check/verification/scene_tally.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
-#include "problems/carrier_track/oracle/hostile_scenes.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
-#include "src/campaign/progress.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
 #include "src/core/error.h"
-#include "src/studies/verification/scene_tally.h"
+#include "src/core/progress.h"
 
 namespace ricochet::studies {
 namespace {
 
 using namespace carrier_track;
-using report::Json;
 using verification::SceneTally;
+
+/// The quiet speeds of a case: 0.01, 0.02, ... rad/s below its threshold.
+struct QuietSpeeds {
+  std::string case_;
+  std::optional<double> threshold;  ///< [rad/s]
+  int speeds;
+  double certain;  ///< share
+  int compared, wrong_certain, wrong_uncertain;
+  std::vector<double> wrong_at;  ///< [rad/s], where a certain count is wrong
+};
+RICOCHET_WRITTEN_AS_JSON(QuietSpeeds, case_, threshold, speeds, certain, compared, wrong_certain,
+                         wrong_uncertain, wrong_at);
+
+struct Verification {
+  int seed;
+  std::vector<SceneTally> scenes;      ///< one for each hostility, then all
+  std::vector<std::size_t> wrong;      ///< numbers of the scenes whose certain count is wrong
+  std::vector<std::size_t> unmatched;  ///< called certain, with an unmatched impact
+  std::vector<QuietSpeeds> quiet_speeds;
+  bool failed;
+};
+RICOCHET_WRITTEN_AS_JSON(Verification, seed, scenes, wrong, unmatched, quiet_speeds, failed);
 
 bool is_wrong(const Comparison& c) {
   return c.compared && c.certain && !c.agrees();
 }
 
-/// One row a hostility, then their sum; the indices of the scenes whose certain count is wrong, and
-/// of those called certain with an impact without a partner.
-Json compare_scenes(const VerificationOptions& options) {
+Verification compare_scenes(const VerificationOptions& options) {
   std::vector<Comparison> comparisons(static_cast<std::size_t>(options.scenes));
   {
     Progress progress("setting scenes against the oracle", options.scenes);
@@ -37,72 +60,63 @@ Json compare_scenes(const VerificationOptions& options) {
       progress.advance(1);
     });
   }
-  std::vector<SceneTally> tallies;
-  for (const Hostility h : all_hostilities()) tallies.emplace_back(std::string(name_of(h)));
-  const std::size_t kinds = tallies.size();
-  tallies.emplace_back("all");
-  Json wrong = Json::array();
-  Json unmatched = Json::array();
+  Verification data{options.seed, {}, {}, {}, {}, false};
+  for (const Hostility h : all_hostilities()) data.scenes.push_back({std::string(name_of(h))});
+  const std::size_t kinds = data.scenes.size();
+  data.scenes.push_back({"all"});
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const Comparison& c = comparisons[i];
-    tallies[i % kinds].add(c);
-    tallies.back().add(c);
-    if (is_wrong(c)) wrong.push_back(i);
-    if (c.compared && c.certain && c.missed + c.spurious > 0) unmatched.push_back(i);
+    data.scenes[i % kinds].add(c);
+    data.scenes.back().add(c);
+    if (is_wrong(c)) data.wrong.push_back(i);
+    if (c.compared && c.certain && c.missed + c.spurious > 0) data.unmatched.push_back(i);
   }
-  Json rows = Json::array();
-  for (const SceneTally& tally : tallies) rows.push_back(tally.data());
-  return {{"seed", options.seed}, {"scenes", rows}, {"wrong", wrong}, {"unmatched", unmatched}};
+  return data;
 }
 
-/// The speeds 0.01, 0.02, ... rad/s below the threshold of a case; every tenth of them is set
-/// against the oracle.
-Json compare_quiet_speeds(const Case& a_case, const Scene& in_reading) {
+/// Compares every tenth of the speeds with the oracle.
+QuietSpeeds compare_quiet_speeds(const Case& a_case, const Scene& in_interpretation) {
   constexpr double step = 0.01;
   constexpr int stride = 10;
-  const auto threshold = score(in_reading, a_case.claim, ScanOptions{}).threshold;
+  const auto threshold = score(in_interpretation, a_case.claim, ScanOptions{}).threshold;
   int speeds = 0;
   while ((speeds + 1) * step < threshold.value_or(0.0)) ++speeds;
   const auto size = static_cast<std::size_t>(speeds);
   std::vector<char> certain(size);
   std::vector<Comparison> comparisons(size / stride);
   tbb::parallel_for(0, speeds, [&](int i) {
-    const Scene scene = at_speed(in_reading, (i + 1) * step);
+    const Scene scene = at_speed(in_interpretation, (i + 1) * step);
     const auto at = static_cast<std::size_t>(i);
-    certain[at] = record(scene, default_width, 0).certainty.certain;
+    certain[at] = record(scene, default_smoothing, 0).certainty.certain;
     if ((i + 1) % stride == 0) comparisons[at / stride] = compare(scene);
   });
-  SceneTally tally(a_case.id);
-  Json wrong = Json::array();
+  SceneTally tally{a_case.id};
+  std::vector<double> wrong_at;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     tally.add(comparisons[i]);
-    if (is_wrong(comparisons[i])) wrong.push_back(static_cast<double>(i + 1) * stride * step);
+    if (is_wrong(comparisons[i])) wrong_at.push_back(static_cast<double>(i + 1) * stride * step);
   }
   const auto sure = static_cast<double>(std::count(certain.begin(), certain.end(), true));
-  const Json compared = tally.data();
-  return {{"case", a_case.id},
-          {"threshold", threshold ? Json(*threshold) : Json()},
-          {"speeds", speeds},
-          {"certain", speeds > 0 ? sure / speeds : 0.0},
-          {"compared", tally.compared()},
-          {"wrong_certain", compared["wrong_certain"]},
-          {"wrong_uncertain", compared["wrong_uncertain"]},
-          {"wrong_at", wrong}};
+  return {a_case.id,
+          threshold,
+          speeds,
+          speeds > 0 ? sure / speeds : 0.0,
+          tally.compared(),
+          tally.wrong_certain,
+          tally.wrong_uncertain,
+          std::move(wrong_at)};
 }
 
-Json compute(const VerificationOptions& options) {
-  Json data = compare_scenes(options);
-  data["quiet_speeds"] = Json::array();
-  bool failed = !data["wrong"].empty();
+Verification compute(const VerificationOptions& options) {
+  Verification data = compare_scenes(options);
+  data.failed = !data.wrong.empty();
   const std::vector<Case> cases = all_cases();
   Progress progress("setting quiet speeds against the oracle", static_cast<double>(cases.size()));
   for (const Case& a_case : cases) {
-    Json row = compare_quiet_speeds(a_case, scene_of(a_case, default_reading().scene));
-    failed = failed || !row["wrong_at"].empty();
-    data["quiet_speeds"].push_back(std::move(row));
+    data.quiet_speeds.push_back(compare_quiet_speeds(a_case, scene_of(a_case, default_machine())));
+    data.failed = data.failed || !data.quiet_speeds.back().wrong_at.empty();
     progress.advance(1);
   }
-  data["failed"] = failed;
   return data;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/studies/study.h"
+#include "src/report/site/study.h"
 
 namespace ricochet::studies {
 
@@ -9,8 +9,8 @@ struct VerificationOptions {
   int seed = 1;
 };
 
-/// Sets the impact model against the oracle: over random and hostile scenes, and over the quiet
-/// speeds of every case. Its results have `failed`: whether a count called certain is wrong. Throws
+/// Compares the impact model with the oracle: over random and hostile scenes, and over the quiet
+/// speeds of every case. Its result `failed` is true if a count called certain is wrong. Throws
 /// InputError for a number of scenes out of range.
 Study verification_study(const VerificationOptions& options);
 

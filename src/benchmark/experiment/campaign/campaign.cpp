@@ -1,81 +1,48 @@
-#include "src/campaign/campaign.h"
+#include "src/benchmark/experiment/campaign/campaign.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "src/benchmark/experiment/campaign/data_hash.h"
+#include "src/benchmark/experiment/campaign/relocated_optimum.h"
 #include "src/core/error.h"
 #include "src/core/patterns.h"
 
 namespace ricochet {
 namespace {
 
-/// Refuses a pattern that fits none of the names.
+/// Throws InputError for a pattern that matches none of the names.
 void check_patterns(const std::vector<std::string>& patterns, const std::vector<std::string>& names,
                     const std::string& place) {
   for (const std::string& pattern : patterns) require_fit({pattern}, names, place);
 }
 
-std::vector<Form> forms_of(const Question& question, const PlanPart& part) {
-  std::vector<Form> forms = question.forms(part.widths);
-  std::erase_if(forms, [&](const Form& f) { return !fits_any(question.name_of(f), part.forms); });
-  return forms;
+std::vector<Formulation> formulations_of(const Problem& problem, const PlanPart& part) {
+  std::vector<Formulation> formulations = problem.formulations(part.smoothings);
+  std::erase_if(formulations, [&](const Formulation& f) {
+    // A surrogate already moves the optimum.
+    return !fits_any(problem.name_of(f), part.formulations) ||
+           (part.relocated_optimum && f.smoothing > 0);
+  });
+  return formulations;
 }
 
-std::optional<std::int64_t> gradient_price_of(const std::string& price, const Question& question) {
+std::optional<std::int64_t> gradient_price_of(const std::string& price, const Problem& problem) {
   if (price == "n") return std::nullopt;
-  if (price == "measured") return question.gradient_cost;
+  if (price == "measured") return problem.gradient_cost;
   return std::stoll(price);
 }
 
-struct Chosen {
-  const Question* question;
-  const std::string* family;
-};
-
-bool asks_for(const PlanPart& part, const Question& question) {
-  const std::int64_t n = question.stated.dimension();
-  return fits_any(question.name(), part.questions) && n >= part.least_variables &&
+bool asks_for(const PlanPart& part, const Problem& problem) {
+  const std::int64_t n = problem.dimension();
+  return fits_any(problem.name, part.problems) && n >= part.least_variables &&
          n <= part.most_variables &&
-         (!part.constrained || *part.constrained == (question.stated.constraints > 0));
+         (!part.constrained || *part.constrained == (problem.constraints > 0));
 }
 
-std::vector<Chosen> questions_of(const PlanPart& part, const std::vector<Family>& families,
-                                 const std::string& place) {
-  std::vector<Chosen> chosen;
-  std::vector<std::string> names;
-  for (const Family& family : families) {
-    for (const Question& question : family.questions) {
-      if (!question.stated.best_known) continue;
-      names.push_back(question.name());
-      if (asks_for(part, question)) chosen.push_back({&question, &family.name});
-    }
-  }
-  check_patterns(part.questions, names, place + ", questions");
-  return chosen;
-}
-
-/// The families asked of the part's grid of machines. Best values are sought where they are asked
-/// for.
-std::vector<Family> families_of_grid(const PlanPart& part, const Catalogue& catalogue) {
-  if (part.machines.around.empty()) return {};
-  std::vector<Family> families = catalogue.families_of(part.machines);
-  std::vector<Question*> sought;
-  for (Family& family : families) {
-    for (Question& question : family.questions) {
-      const bool can_be = question.stated.dimension() == 1 && !question.stated.best_known;
-      if (can_be && asks_for(part, question)) sought.push_back(&question);
-    }
-  }
-  tbb::parallel_for(std::size_t{0}, sought.size(), [&](std::size_t k) {
-    *sought[k] = catalogue.with_best(std::move(*sought[k]));
-  });
-  return families;
-}
-
-/// `own_texts`: by name, how the solvers of the user's own are called in the plan.
+/// `own_texts`: the text of each user's solver in the plan, by its name.
 std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
                                std::map<std::string, std::string>& own_texts,
                                const std::string& place) {
@@ -105,18 +72,37 @@ std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
   return chosen;
 }
 
-std::vector<const Feature*> features_of(const PlanPart& part, const std::string& place) {
-  std::vector<const Feature*> chosen;
-  std::vector<std::string> names;
-  for (const Feature& feature : all_features()) {
-    names.push_back(feature.name);
-    if (fits_any(feature.name, part.features)) chosen.push_back(&feature);
+/// What is done to a problem before it is shown to solvers.
+struct PartPerturbation {
+  std::string name;
+  const Perturbation* perturbation;  ///< null if the optimum is relocated
+
+  bool applies(const Problem& problem) const {
+    return perturbation != nullptr ? perturbation->applies(problem) : can_be_relocated(problem);
   }
-  check_patterns(part.features, names, place + ", features");
+  /// The perturbed problem, to see which solvers take it.
+  Problem perturbed(const Problem& problem) const {
+    return perturbation != nullptr ? perturbation->perturbed(problem, 0) : problem;
+  }
+};
+
+std::vector<PartPerturbation> perturbations_of(const PlanPart& part, const std::string& place) {
+  std::vector<PartPerturbation> chosen;
+  if (part.relocated_optimum) {
+    for (const std::string& name : names_of_places()) chosen.push_back({name, nullptr});
+    return chosen;
+  }
+  std::vector<std::string> names;
+  for (const Perturbation& perturbation : all_perturbations()) {
+    names.push_back(perturbation.name);
+    if (fits_any(perturbation.name, part.perturbations))
+      chosen.push_back({perturbation.name, &perturbation});
+  }
+  check_patterns(part.perturbations, names, place + ", perturbations");
   return chosen;
 }
 
-/// Those of the plan stand behind those of the suite.
+/// The catalogue with the plan's varied solvers after those of the suite.
 Catalogue with_varied_solvers(Catalogue catalogue, const Plan& plan) {
   for (const VariedSolver& varied : plan.solvers) {
     const std::string place = "solver " + varied.name;
@@ -135,15 +121,16 @@ Catalogue with_varied_solvers(Catalogue catalogue, const Plan& plan) {
 
 }  // namespace
 
-Campaign::Campaign(Plan plan, const Catalogue& catalogue) : plan_(std::move(plan)) {
+Campaign::Campaign(Plan plan, const Catalogue& catalogue, const AllFindings& found)
+    : plan_(std::move(plan)), found_(found) {
   const Catalogue whole = with_varied_solvers(catalogue, plan_);
   for (std::size_t part = 0; part < plan_.parts.size(); ++part) add_part(part, whole);
 }
 
-std::size_t Campaign::index_of(const Question& question, const std::string& family) {
-  const auto [place, fresh] = question_places_.try_emplace(question.name(), questions_.size());
+std::size_t Campaign::index_of(const Problem& problem, const std::string& family) {
+  const auto [place, fresh] = problem_places_.try_emplace(problem.name, problems_.size());
   if (fresh) {
-    questions_.push_back(question);
+    problems_.push_back(problem);
     families_.push_back(family);
   }
   return place->second;
@@ -155,29 +142,69 @@ std::size_t Campaign::index_of(const Solver& solver) {
   return place->second;
 }
 
+void Campaign::add_searched(std::vector<Chosen>& chosen, const SearchedProblem& problem) {
+  const std::string& name = problem.problem.name;
+  const auto found = found_.find(name);
+  if (found == found_.end()) {
+    to_search_.try_emplace(name, problem);
+    chosen.push_back({problem.problem, problem.family});
+  } else if (!found->second.empty()) {
+    chosen.push_back({problem.with(found->second), problem.family});
+  }
+}
+
+std::vector<Campaign::Chosen> Campaign::problems_of(const PlanPart& part,
+                                                    const Catalogue& catalogue,
+                                                    const std::string& place) {
+  std::vector<Chosen> chosen;
+  std::vector<std::string> names;
+  if (!part.machines.around.empty()) {
+    for (const SearchedProblem& problem : catalogue.grid_problems(part.machines)) {
+      names.push_back(problem.problem.name);
+      if (asks_for(part, problem.problem)) add_searched(chosen, problem);
+    }
+    check_patterns(part.problems, names, place + ", problems");
+    return chosen;
+  }
+  for (const Family& family : catalogue.families) {
+    for (const Problem& problem : family.problems) {
+      if (!problem.best_known) continue;
+      names.push_back(problem.name);
+      if (!asks_for(part, problem)) continue;
+      if (part.drawn_machines == 0) chosen.push_back({problem, family.name});
+      for (int number = 1; number <= part.drawn_machines; ++number) {
+        const auto drawn = catalogue.drawn_problem(problem, number);
+        if (drawn) add_searched(chosen, *drawn);
+      }
+    }
+  }
+  check_patterns(part.problems, names, place + ", problems");
+  return chosen;
+}
+
 void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
   const PlanPart& part = plan_.parts[part_index];
   const std::string place = fmt::format("part {}", part_index + 1);
-  const std::vector<Family> of_grid = families_of_grid(part, catalogue);
-  const auto chosen =
-      questions_of(part, part.machines.around.empty() ? catalogue.families : of_grid, place);
+  const std::vector<Chosen> chosen = problems_of(part, catalogue, place);
   const std::vector<Solver> solvers = solvers_of(part, catalogue, own_texts_, place);
-  const std::vector<const Feature*> features = features_of(part, place);
+  const std::vector<PartPerturbation> perturbations = perturbations_of(part, place);
   bool any = false;
-  const auto add = [&](const Question& question, const std::string& family, const Form& form,
-                       const Feature& feature, const Solver& solver) {
+  const auto add = [&](const Problem& problem, const std::string& family,
+                       const Formulation& formulation, const PartPerturbation& perturbation,
+                       const Solver& solver) {
     for (const std::string& price : part.gradient_prices) {
       for (const std::int64_t budget : part.budgets) {
         const Cell cell{
-            question.name(), question.name_of(form), feature.name, solver.name, budget, price};
+            problem.name, problem.name_of(formulation), perturbation.name, solver.name, budget,
+            price};
         const auto [known, fresh] = places_.try_emplace(cell, cells_.size());
         if (fresh) {
-          Budget spent{budget * question.stated.dimension()};
-          spent.gradient_price = gradient_price_of(price, question);
+          Budget spent{budget * problem.dimension()};
+          spent.gradient_price = gradient_price_of(price, problem);
           cells_.push_back({cell,
-                            index_of(question, family),
-                            form,
-                            &feature,
+                            index_of(problem, family),
+                            formulation,
+                            perturbation.perturbation,
                             index_of(solver),
                             spent,
                             part.instances,
@@ -192,22 +219,22 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
       }
     }
   };
-  for (const auto& [question, family] : chosen) {
-    for (const Form& form : forms_of(*question, part)) {
-      const Problem problem = question->problem(form);
-      for (const Feature* feature : features) {
-        if (!feature->applies(problem)) continue;
-        const Problem seen = feature->perturbed(problem, 0);
+  for (const auto& [problem, family] : chosen) {
+    for (const Formulation& formulation : formulations_of(problem, part)) {
+      const Problem formulated = problem.formulated(formulation);
+      for (const PartPerturbation& perturbation : perturbations) {
+        if (!perturbation.applies(formulated)) continue;
+        const Problem seen = perturbation.perturbed(formulated);
         for (const Solver& solver : solvers) {
-          if (solver.accepts(seen)) add(*question, *family, form, *feature, solver);
+          if (solver.accepts(seen)) add(problem, family, formulation, perturbation, solver);
         }
       }
     }
   }
   if (!any) {
     throw InputError(
-        fmt::format("{}: none of its solvers takes any of its questions in a form "
-                    "and with a feature that it names",
+        fmt::format("{}: none of its solvers takes any of its problems in a formulation "
+                    "and with a perturbation that it names",
                     place));
   }
 }
@@ -226,7 +253,7 @@ std::int64_t Campaign::runs() const {
 double Campaign::work() const {
   double work = 0;
   for (const PlannedCell& cell : cells_) {
-    work += questions_[cell.question].cost * static_cast<double>(cell.budget.evaluations) *
+    work += problems_[cell.problem].cost * static_cast<double>(cell.budget.evaluations) *
             cell.instances * cell.seeds;
   }
   return work;
@@ -235,12 +262,14 @@ double Campaign::work() const {
 CampaignDescription Campaign::description() const {
   CampaignDescription description;
   description.plan = text_of(plan_);
-  for (std::size_t q = 0; q < questions_.size(); ++q) {
-    const Question& question = questions_[q];
-    const Problem& stated = question.stated;
-    description.questions.push_back({question.name(), families_[q], question.machine,
-                                     stated.dimension(), stated.constraints, stated.equalities,
-                                     question.tolerance, *stated.best_known, question.factors});
+  description.data = data_hash(problems_);
+  for (std::size_t q = 0; q < problems_.size(); ++q) {
+    const Problem& problem = problems_[q];
+    const auto found = found_.find(problem.name);
+    description.problems.push_back({problem.name, families_[q], problem.machine,
+                                    problem.dimension(), problem.constraints, problem.equalities,
+                                    problem.tolerance, problem.best_known.value(), problem.factors,
+                                    found == found_.end() ? Findings() : found->second});
   }
   for (const Solver& solver : solvers_) {
     description.solvers.push_back({solver.name, solver.version});

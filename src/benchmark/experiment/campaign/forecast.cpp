@@ -1,18 +1,18 @@
-#include "src/campaign/forecast.h"
+#include "src/benchmark/experiment/campaign/forecast.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/runner.h"
 #include "src/core/stopwatch.h"
 
 namespace ricochet {
 namespace {
 
-/// Of processes and of the store, for every run.
+/// Overhead [s] of processes and of the store for each run.
 constexpr double seconds_of_a_run = 1e-3;
 
-/// Of one evaluation, at the start of the problem.
+/// Mean time [s] of an evaluation at the problem's start.
 double seconds_of(const Problem& problem) {
   Stopwatch stopwatch;
   int evaluations = 0;
@@ -20,7 +20,7 @@ double seconds_of(const Problem& problem) {
     try {
       static_cast<void>(problem.evaluate(problem.start));
     } catch (const std::exception&) {
-      // What a run makes of it is no matter here.
+      // Only the time counts here.
     }
     ++evaluations;
   } while (evaluations < 100 && stopwatch.read() < 1e-3);
@@ -31,11 +31,11 @@ double seconds_of(const Problem& problem) {
 
 double foretold_seconds(const Campaign& campaign) {
   const auto& cells = campaign.cells();
-  std::vector<double> of_question;
-  for (const Question& question : campaign.questions()) {
-    of_question.push_back(seconds_of(question.stated));
+  std::vector<double> of_problem;
+  for (const Problem& problem : campaign.problems()) {
+    of_problem.push_back(seconds_of(problem));
   }
-  // The shortest run of every solver.
+  // The cell with the shortest run of every solver.
   std::vector<const PlannedCell*> shortest(campaign.solvers().size());
   for (const PlannedCell& cell : cells) {
     const PlannedCell*& mine = shortest[cell.solver];
@@ -44,7 +44,7 @@ double foretold_seconds(const Campaign& campaign) {
   }
   std::vector<Problem> problems;
   for (const PlannedCell* cell : shortest) {
-    problems.push_back(campaign.questions()[cell->question].problem(cell->form));
+    problems.push_back(campaign.problems()[cell->problem].formulated(cell->formulation));
   }
   std::vector<Job> jobs;
   for (std::size_t s = 0; s < shortest.size(); ++s) {
@@ -54,14 +54,14 @@ double foretold_seconds(const Campaign& campaign) {
   run_all(jobs, campaign.plan().limits, [&](std::size_t s, const RunRecord& record) {
     const auto evaluations = static_cast<double>(std::max<std::int64_t>(1, record.ledger.charged));
     of_solver[s] =
-        std::max(0.0, record.ledger.seconds / evaluations - of_question[shortest[s]->question]);
+        std::max(0.0, record.ledger.seconds / evaluations - of_problem[shortest[s]->problem]);
   });
   double seconds = 0;
   for (const PlannedCell& cell : cells) {
     const auto evaluations = static_cast<double>(cell.budget.evaluations);
     const double runs = static_cast<double>(cell.instances) * cell.seeds;
     seconds += runs * (seconds_of_a_run +
-                       evaluations * (of_question[cell.question] + of_solver[cell.solver]));
+                       evaluations * (of_problem[cell.problem] + of_solver[cell.solver]));
   }
   return seconds;
 }

@@ -1,4 +1,4 @@
-#include "src/campaign/frame.h"
+#include "src/benchmark/experiment/campaign/frame.h"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 namespace ricochet {
 namespace {
 
-/// Longer ones are none.
+/// Upper limit of a message's length [bytes].
 constexpr std::uint64_t longest = 1ULL << 30;
 
 bool read_all(int descriptor, char* bytes, std::size_t count) {

@@ -1,10 +1,11 @@
-#include "src/campaign/plan.h"
+#include "src/benchmark/experiment/campaign/plan.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "src/campaign/plan_table.h"
+#include "src/benchmark/experiment/campaign/plan_table.h"
 #include "src/core/toml_text.h"
+#include "src/core/warning.h"
 
 namespace ricochet {
 namespace {
@@ -22,20 +23,45 @@ MachineGrid grid_from(const toml::table& table, const std::string& place) {
   return grid;
 }
 
-PlanPart part_from(const toml::table& table, const std::string& place) {
+/// The part with the keys of version 1 replaced by today's, each with a warning.
+toml::table with_new_keys(toml::table table, const std::string& place) {
+  for (const auto& [old_key, key] :
+       {std::pair("questions", "problems"), std::pair("forms", "formulations"),
+        std::pair("widths", "smoothings"), std::pair("features", "perturbations")}) {
+    if (!table.contains(old_key) || table.contains(key)) continue;
+    warn(fmt::format("{}: {} is now called {}", place, old_key, key));
+    table.insert(key, *table.get(old_key));
+    table.erase(old_key);
+  }
+  return table;
+}
+
+PlanPart part_from(const toml::table& given, const std::string& place) {
+  const toml::table table = with_new_keys(given, place);
   const PlanTable in(table, place);
-  in.check_keys({"name", "questions", "machines", "variables", "constrained", "solvers", "forms",
-                 "widths", "features", "gradient_prices", "budgets", "instances", "seeds"});
-  for (const char* key : {"questions", "solvers", "budgets"}) in.need(key);
+  in.check_keys({"name", "problems", "machines", "drawn_machines", "relocated_optimum", "variables",
+                 "constrained", "solvers", "formulations", "smoothings", "perturbations",
+                 "gradient_prices", "budgets", "instances", "seeds"});
+  for (const char* key : {"problems", "solvers", "budgets"}) in.need(key);
   PlanPart part;
   in.read("name", part.name);
   if (part.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != std::string::npos) {
     in.refuse("name", *table.get("name"), "small letters, digits and hyphens");
   }
-  in.read("questions", part.questions);
+  in.read("problems", part.problems);
   if (const toml::node* machines = table.get("machines")) {
     if (!machines->is_table()) in.refuse("machines", *machines, "a table");
     part.machines = grid_from(*machines->as_table(), place + ", machines");
+  }
+  in.read("drawn_machines", part.drawn_machines);
+  if (part.drawn_machines > 0 && !part.machines.around.empty()) {
+    in.refuse("drawn_machines", *table.get("drawn_machines"), "left out where machines are named");
+  }
+  in.read("relocated_optimum", part.relocated_optimum);
+  const bool searched = part.drawn_machines > 0 || !part.machines.around.empty();
+  if (part.relocated_optimum && searched) {
+    in.refuse("relocated_optimum", *table.get("relocated_optimum"),
+              "left out where machines are named or drawn");
   }
   std::vector<std::int64_t> variables = {part.least_variables, part.most_variables};
   in.read("variables", variables);
@@ -46,16 +72,21 @@ PlanPart part_from(const toml::table& table, const std::string& place) {
   part.most_variables = variables.back();
   in.read("constrained", part.constrained);
   in.read("solvers", part.solvers);
-  in.read("forms", part.forms);
-  in.read("widths", part.widths, false);
-  in.read("features", part.features);
+  in.read("formulations", part.formulations);
+  in.read("smoothings", part.smoothings, false);
+  in.read("perturbations", part.perturbations);
+  if (part.relocated_optimum && part.perturbations != PlanPart().perturbations) {
+    in.refuse("perturbations", *table.get("perturbations"),
+              "left out where relocated_optimum is true");
+  }
   in.read_prices("gradient_prices", part.gradient_prices);
   in.read("budgets", part.budgets);
   in.read("instances", part.instances);
   in.read("seeds", part.seeds);
   for (const auto& [key, empty] :
-       {std::pair("questions", part.questions.empty()), std::pair("solvers", part.solvers.empty()),
-        std::pair("forms", part.forms.empty()), std::pair("features", part.features.empty()),
+       {std::pair("problems", part.problems.empty()), std::pair("solvers", part.solvers.empty()),
+        std::pair("formulations", part.formulations.empty()),
+        std::pair("perturbations", part.perturbations.empty()),
         std::pair("gradient_prices", part.gradient_prices.empty()),
         std::pair("budgets", part.budgets.empty())}) {
     if (empty) in.refuse(key, *table.get(key), "a list of one or more");
@@ -81,7 +112,7 @@ VariedSolver solver_from(const toml::table& table, const std::string& place) {
   return solver;
 }
 
-/// The tables [[key]] of a plan, with a name for each that says where it stands.
+/// The tables [[key]] of a plan, each with its place for messages.
 template <class Read>
 void each_table(const toml::table& file, const std::string& origin, const char* key, Read read) {
   const toml::array* tables = file.get(key)->as_array();
@@ -125,7 +156,7 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
   return plan;
 }
 
-/// A text as TOML has it on one line. What toml++ prints is not always read back.
+/// A text quoted for TOML on one line. The output of toml++ cannot always be read back.
 std::string quoted(const std::string& text) {
   std::string basic = "\"";
   for (const char c : text) {
@@ -164,7 +195,7 @@ std::string text_of(const PlanPart& part) {
   };
   const PlanPart usual;
   if (!part.name.empty()) line("name", quoted(part.name));
-  line("questions", list_of(part.questions));
+  line("problems", list_of(part.problems));
   if (!part.machines.around.empty()) {
     const MachineGrid& grid = part.machines;
     std::string inside = "around = " + quoted(grid.around);
@@ -176,6 +207,8 @@ std::string text_of(const PlanPart& part) {
     if (!grid.fidelity.empty()) inside += ", fidelity = " + list_of(grid.fidelity);
     line("machines", "{ " + inside + " }");
   }
+  if (part.drawn_machines > 0) line("drawn_machines", std::to_string(part.drawn_machines));
+  if (part.relocated_optimum) line("relocated_optimum", "true");
   if (part.least_variables != usual.least_variables ||
       part.most_variables != usual.most_variables) {
     line("variables", part.least_variables == part.most_variables
@@ -184,9 +217,9 @@ std::string text_of(const PlanPart& part) {
   }
   if (part.constrained) line("constrained", *part.constrained ? "true" : "false");
   line("solvers", list_of(part.solvers));
-  if (part.forms != usual.forms) line("forms", list_of(part.forms));
-  if (!part.widths.empty()) line("widths", list_of(part.widths));
-  if (part.features != usual.features) line("features", list_of(part.features));
+  if (part.formulations != usual.formulations) line("formulations", list_of(part.formulations));
+  if (!part.smoothings.empty()) line("smoothings", list_of(part.smoothings));
+  if (part.perturbations != usual.perturbations) line("perturbations", list_of(part.perturbations));
   if (part.gradient_prices != usual.gradient_prices) {
     std::vector<std::string> prices;
     for (const std::string& price : part.gradient_prices) {

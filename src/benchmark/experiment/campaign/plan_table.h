@@ -21,20 +21,20 @@
 
 namespace ricochet {
 
-/// As TOML has it.
+/// A node as TOML text.
 inline std::string text_of_node(const toml::node& node) {
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
   return text.str();
 }
 
-/// A table of a plan, and where it stands.
+/// A table of a plan and its place in it.
 class PlanTable {
  public:
   PlanTable(const toml::table& table, std::string place)
       : table_(table), place_(std::move(place)) {}
 
-  /// Refuses keys that there are none of.
+  /// Throws InputError for unknown keys.
   void check_keys(const std::vector<std::string>& known) const {
     for (const auto& [key, node] : table_) {
       const std::string name(key.str());
@@ -60,7 +60,7 @@ class PlanTable {
     if (node != nullptr) target = finite(key, *node);
   }
 
-  /// Any finite number, or a text that is not empty; it must be there.
+  /// Any finite number, or a non-empty text; required.
   void read(std::string_view key, OptionValue& target) const {
     const toml::node& node = *table_.get(key);
     const auto number = node.is_number() ? node.value<double>() : std::nullopt;
@@ -80,12 +80,18 @@ class PlanTable {
     target = node->as_boolean()->get();
   }
 
+  void read(std::string_view key, bool& target) const {
+    std::optional<bool> value;
+    read(key, value);
+    target = value.value_or(target);
+  }
+
   void read(std::string_view key, int& target) const {
     const toml::node* node = table_.get(key);
     if (node != nullptr) target = static_cast<int>(whole(key, *node, 1, 1'000'000));
   }
 
-  /// One text or a list of some.
+  /// One text or a list of texts.
   void read(std::string_view key, std::vector<std::string>& target) const {
     read_list(key, target, [&](const toml::node& node) {
       if (!node.is_string() || node.as_string()->get().empty()) refuse(key, node, "texts");
@@ -93,7 +99,7 @@ class PlanTable {
     });
   }
 
-  /// Texts, and whole numbers as such.
+  /// Texts, and whole numbers converted to text.
   void read_prices(std::string_view key, std::vector<std::string>& target) const {
     read_list(key, target, [&](const toml::node& node) -> std::string {
       if (node.is_integer()) return std::to_string(whole(key, node, 0, 1'000'000'000));

@@ -1,20 +1,21 @@
-#include "src/campaign/planned_runs.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "src/campaign/progress.h"
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/relocated_optimum.h"
+#include "src/benchmark/experiment/campaign/runner.h"
+#include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/core/instance.h"
 #include "src/core/interruption.h"
-#include "src/features/feature.h"
+#include "src/core/progress.h"
 
 namespace ricochet {
 namespace {
 
-/// Of one run, about.
+/// Estimated length of one run.
 double length_of(const Campaign& campaign, const PlannedCell& cell) {
-  return campaign.questions()[cell.question].cost * static_cast<double>(cell.budget.evaluations);
+  return campaign.problems()[cell.problem].cost * static_cast<double>(cell.budget.evaluations);
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
       for (int run = 0; run < cell.seeds; ++run) places.push_back({&cell, instance, run, length});
     }
   }
-  // The longest first: nobody waits for the last one.
+  // The longest first, so that the last ones end at about the same time.
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.length > b.length; });
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -55,15 +56,18 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const RunKey& key) {
 
 void PlannedRuns::add(const Campaign& campaign, const PlannedCell& cell, int instance_number,
                       int run) {
-  auto& problem = problems_[{cell.question, cell.cell.form, instance_number}];
+  const auto place = place_named(cell.cell.perturbation);
+  auto& problem = problems_[{cell.problem, cell.cell.formulation, place, instance_number}];
   if (!problem) {
-    problem = std::make_unique<Problem>(
-        instance(campaign.questions()[cell.question].problem(cell.form), instance_number));
+    const Problem shown = campaign.problems()[cell.problem].formulated(cell.formulation);
+    problem = std::make_unique<Problem>(place ? relocated(shown, *place, instance_number)
+                                              : instance(shown, instance_number));
   }
-  const Feature* feature = cell.cell.feature == "plain" ? nullptr : cell.feature;
+  const Perturbation* perturbation =
+      cell.cell.perturbation == "plain" ? nullptr : cell.perturbation;
   runs_.push_back({{cell.cell, instance_number, run},
                    {problem.get(), &campaign.solvers()[cell.solver], cell.budget, run,
-                    shown_as(cell.cell.form, cell.cell.feature), feature},
+                    shown_as(cell.cell.formulation, cell.cell.perturbation), perturbation},
                    length_of(campaign, cell)});
 }
 

@@ -2,14 +2,16 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include "src/campaign/campaign.h"
-#include "src/campaign/worker.h"
-#include "src/store/store.h"
+#include "src/benchmark/experiment/campaign/campaign.h"
+#include "src/benchmark/experiment/campaign/relocated_optimum.h"
+#include "src/benchmark/experiment/campaign/worker.h"
+#include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet {
 
@@ -19,21 +21,21 @@ struct Shard {
   int count = 1;
 };
 
-/// A run of a campaign, ready to be made. It shares its problem with others.
+/// A run of a campaign, ready to be made. Runs share problems.
 struct PlannedRun {
   RunKey key;
   Job job;
-  double length;  ///< of the run, about
+  double length;  ///< estimated
 };
 
-/// Runs of a campaign, which outlives them.
+/// Runs of a campaign, which must outlive them.
 class PlannedRuns {
  public:
-  /// Those of a shard that are not in `done`, the longest first. Shards are disjoint and make up
-  /// the whole, whatever is done.
+  /// The runs of a shard that are not in `done`, the longest first. Shards are disjoint and
+  /// together complete, whatever `done` is.
   PlannedRuns(const Campaign& campaign, const Shard& shard, const std::set<RunKey>& done);
 
-  /// One alone; none where it is none of the plan's.
+  /// A single run; empty if the plan does not have it.
   PlannedRuns(const Campaign& campaign, const RunKey& key);
 
   const std::vector<PlannedRun>& all() const { return runs_; }
@@ -41,12 +43,15 @@ class PlannedRuns {
  private:
   void add(const Campaign& campaign, const PlannedCell& cell, int instance, int run);
 
-  std::map<std::tuple<std::size_t, std::string, int>, std::unique_ptr<Problem>> problems_;
+  /// By problem, formulation, place of a relocated optimum and instance.
+  std::map<std::tuple<std::size_t, std::string, std::optional<OptimumPlace>, int>,
+           std::unique_ptr<Problem>>
+      problems_;
   std::vector<PlannedRun> runs_;
 };
 
 /// Makes the runs of a shard that the store lacks, in other processes, and adds each as it ends.
-/// What is in the store then does not depend on processes, shards and interruptions, but for times.
+/// Except for times, the resulting store does not depend on processes, shards and interruptions.
 void make_runs(const Campaign& campaign, const Shard& shard, Store& store);
 
 }  // namespace ricochet

@@ -1,4 +1,4 @@
-#include "src/campaign/record_text.h"
+#include "src/benchmark/experiment/campaign/record_text.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -23,28 +23,28 @@ Vector vector_from(const Json& json) {
   return Eigen::Map<const Vector>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-Json json_of(const Truth& truth) {
-  return {truth.objective, truth.violation};
+Json json_of(const TrueValues& true_values) {
+  return {true_values.objective, true_values.violation};
 }
 
-Truth truth_from(const Json& json) {
+TrueValues true_values_from(const Json& json) {
   return {json.at(0), json.at(1)};
 }
 
 Json json_of(const Improvement& step) {
-  return {step.evaluations, step.seconds, json_of(step.truth), json_of(step.x)};
+  return {step.evaluations, step.seconds, json_of(step.true_values), json_of(step.x)};
 }
 
 Improvement step_from(const Json& json) {
-  return {json.at(0), json.at(1), truth_from(json.at(2)), vector_from(json.at(3))};
+  return {json.at(0), json.at(1), true_values_from(json.at(2)), vector_from(json.at(3))};
 }
 
-Json json_of(const SolverExit& exit) {
+Json json_of(const SolverTermination& exit) {
   return {exit.reason, exit.point ? json_of(*exit.point) : Json()};
 }
 
-SolverExit exit_from(const Json& json) {
-  SolverExit exit{json.at(0)};
+SolverTermination exit_from(const Json& json) {
+  SolverTermination exit{json.at(0)};
   if (!json.at(1).is_null()) exit.point = vector_from(json.at(1));
   return exit;
 }
@@ -78,13 +78,13 @@ std::string text_of(const RunRecord& record) {
                {"ledger",
                 {ledger.values, ledger.derivatives, ledger.hessians, ledger.charged, ledger.refused,
                  ledger.seconds}},
-               {"refusal", static_cast<int>(record.refusal)},
-               {"exits", array_of(record.exits)},
+               {"termination_reason", static_cast<int>(record.termination_reason)},
+               {"terminations", array_of(record.terminations)},
                {"failure", record.failure},
                {"trace", array_of(record.trace)}};
   if (const auto& price = record.budget.gradient_price) json["gradient_price"] = *price;
-  if (const auto& over = record.handed_over) {
-    json["handed_over"] = {json_of(over->x), json_of(over->truth)};
+  if (const auto& over = record.returned) {
+    json["returned"] = {json_of(over->x), json_of(over->true_values)};
   }
   return bytes_of(json);
 }
@@ -102,13 +102,14 @@ RunRecord record_from(const std::string& text) {
   if (json.contains("gradient_price")) record.budget.gradient_price = json["gradient_price"];
   record.ledger = {ledger.at(0), ledger.at(1), ledger.at(2),
                    ledger.at(3), ledger.at(4), ledger.at(5)};
-  record.refusal = static_cast<Refusal>(json.at("refusal").get<int>());
-  for (const Json& exit : json.at("exits")) record.exits.push_back(exit_from(exit));
+  record.termination_reason =
+      static_cast<TerminationReason>(json.at("termination_reason").get<int>());
+  for (const Json& exit : json.at("terminations")) record.terminations.push_back(exit_from(exit));
   record.failure = json.at("failure");
   for (const Json& step : json.at("trace")) record.trace.push_back(step_from(step));
-  if (json.contains("handed_over")) {
-    const Json& over = json["handed_over"];
-    record.handed_over = {vector_from(over.at(0)), truth_from(over.at(1))};
+  if (json.contains("returned")) {
+    const Json& over = json["returned"];
+    record.returned = {vector_from(over.at(0)), true_values_from(over.at(1))};
   }
   return record;
 }

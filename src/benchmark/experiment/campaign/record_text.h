@@ -6,12 +6,12 @@
 
 namespace ricochet {
 
-/// What a process tells another of a run: bytes that keep every bit of every number, NaN and
-/// infinity too.
+/// The messages of one process to another about a run: bytes that keep every bit of every number,
+/// including NaN and infinity.
 std::string text_of(const RunRecord& record);
 std::string text_of(const Improvement& improvement);
 
-/// Either of them, read again. Throws std::exception where the text is neither.
+/// Reads either of them again. Throws std::exception if the text is neither.
 RunRecord record_from(const std::string& text);
 Improvement improvement_from(const std::string& text);
 

@@ -1,4 +1,4 @@
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/runner.h"
 
 #include <poll.h>
 #include <tbb/global_control.h>
@@ -14,18 +14,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A process is replaced when it is so old, so that what solvers leave behind does not add up;
-/// another one costs some milliseconds.
+/// A process is replaced at this age, so that leftovers of solvers do not accumulate; a new process
+/// takes a few milliseconds.
 constexpr std::chrono::seconds old_age(1);
 
-/// Jobs that wait, the next one first.
+/// Jobs that wait, in order.
 class Queue {
  public:
   explicit Queue(std::size_t jobs) : jobs_(jobs) {}
 
   bool empty() const { return again_.empty() && next_ == jobs_; }
 
-  /// Whether the next one must have a process of its own.
+  /// Returns true if the next job needs a fresh process.
   bool alone() const { return !again_.empty(); }
 
   std::size_t take() {
@@ -35,8 +35,9 @@ class Queue {
     return job;
   }
 
-  /// What went wrong after other runs in the same process may be their fault, and what somebody
-  /// else has killed was not at fault: once more, alone. Returns false where it was so before.
+  /// Puts a job back for a second try in a fresh process: its failure may be caused by earlier runs
+  /// in the same process, or its process was killed from outside. Returns false if the job already
+  /// had its second try.
   bool put_back(std::size_t job) {
     if (!had_another_try_.insert(job).second) return false;
     again_.push_back(job);
@@ -50,7 +51,7 @@ class Queue {
   std::set<std::size_t> had_another_try_;
 };
 
-/// Waits for news of any of them. Returns whether there are some, for each.
+/// Waits for news of any worker, at most until a deadline. Returns for each whether it has news.
 std::vector<bool> wait_for(const std::vector<std::unique_ptr<Worker>>& workers) {
   std::vector<pollfd> descriptors;
   auto deadline = Clock::time_point::max();
@@ -59,7 +60,7 @@ std::vector<bool> wait_for(const std::vector<std::unique_ptr<Worker>>& workers) 
     deadline = std::min(deadline, worker->deadline());
   }
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-  // An hour at most: it is an int.
+  // At most an hour, so that it fits into an int.
   poll(descriptors.data(), descriptors.size(),
        static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 3'600'000)));
   std::vector<bool> news;
@@ -67,7 +68,7 @@ std::vector<bool> wait_for(const std::vector<std::unique_ptr<Worker>>& workers) 
   return news;
 }
 
-/// A worker at the next job: this one, where it may go on.
+/// A worker that runs the next job: this one if it may continue, else a new one.
 std::unique_ptr<Worker> at_work(std::unique_ptr<Worker> worker, Queue& queue,
                                 const std::vector<Job>& jobs, const Limits& limits) {
   const bool goes_on = worker && worker->alive() && worker->age() < old_age && !queue.alone();

@@ -3,18 +3,17 @@
 #include <functional>
 #include <vector>
 
-#include "src/campaign/progress.h"
-#include "src/campaign/worker.h"
+#include "src/benchmark/experiment/campaign/worker.h"
+#include "src/core/progress.h"
 
 namespace ricochet {
 
-/// Makes all runs, the first ones first, in other processes, one on every core. Hands a record to
-/// `done`, with the index of its job, as soon as its run has ended; records do not depend on how
-/// the runs were spread, but for the times in them. A run that ends its process is made once more
-/// in a fresh one, unless it was the first there, so that no run pays for what others left behind;
-/// and so is one whose process somebody else has killed.
-/// Throws what `done` throws, and std::system_error where there can be no process; then none is
-/// left.
+/// Makes all runs in the given order in other processes, one on every core. Passes each record to
+/// `done`, with the index of its job, as soon as its run has ended. Except for times, records do
+/// not depend on how the runs were distributed. If a run ends its process, it is made once more in
+/// a fresh one, unless it was the first there, so that leftovers of other runs cannot make it fail.
+/// A run whose process was killed from outside is also made once more. Throws the exceptions of
+/// `done`, and std::system_error if no process can be started; then no process is left.
 void run_all(const std::vector<Job>& jobs, const Limits& limits,
              const std::function<void(std::size_t, RunRecord)>& done);
 

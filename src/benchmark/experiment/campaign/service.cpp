@@ -1,4 +1,4 @@
-#include "src/campaign/service.h"
+#include "src/benchmark/experiment/campaign/service.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cstring>
 #include <vector>
 
-#include "src/campaign/frame.h"
-#include "src/campaign/record_text.h"
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/frame.h"
+#include "src/benchmark/experiment/campaign/record_text.h"
+#include "src/benchmark/experiment/campaign/runner.h"
 #include "src/core/error.h"
 #include "src/core/interruption.h"
 #include "src/core/text_file.h"
@@ -24,7 +24,7 @@ void append(std::string& bytes, Number number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// The places in a message, each of a planned run.
+/// The places in a message, each the index of a planned run.
 std::vector<Place> places_in(const std::string& message, std::size_t planned) {
   std::vector<Place> places(message.size() / sizeof(Place));
   std::memcpy(places.data(), message.data(), places.size() * sizeof(Place));
@@ -34,7 +34,7 @@ std::vector<Place> places_in(const std::string& message, std::size_t planned) {
   return places;
 }
 
-/// Whether the record is of this job: its seed depends on all that the job is called.
+/// Returns true if the record is of this job: its seed depends on all names of the job.
 bool is_of(const RunRecord& record, const Job& job) {
   const RunRecord mine = nothing_run(*job.problem, *job.solver, job.budget, job.number, job.shown);
   return record.problem == mine.problem && record.solver == mine.solver &&
@@ -65,7 +65,7 @@ bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int
     const PlannedRun& run = planned.all()[place];
     const RunRecord record = record_from(message->substr(sizeof(Place)));
     if (!is_of(record, run.job)) throw InputError("the processes have different plans");
-    if (!done.insert(run.key).second) continue;  // of one that was thought dead
+    if (!done.insert(run.key).second) continue;  // from a rank that was taken for dead
     {
       const Uninterrupted whole;
       store.add(run.key, record);

@@ -1,4 +1,4 @@
-#include "src/campaign/worker.h"
+#include "src/benchmark/experiment/campaign/worker.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,20 +16,20 @@
 #include <fstream>
 #include <system_error>
 
-#include "src/campaign/record_text.h"
+#include "src/benchmark/experiment/campaign/record_text.h"
 #include "src/core/error.h"
 #include "src/core/seed.h"
 
 namespace ricochet {
 namespace {
 
-// A message: how long it is, what it is, and itself.
+// The head of a message: its length and its kind. The content follows.
 struct Head {
   std::uint64_t length;
   enum class Kind : std::uint64_t { improvement, record } kind;
 };
 
-/// A record is shorter by far; a longer one comes from a process that has lost its senses.
+/// A record is much shorter; a longer message comes from a broken process.
 constexpr std::uint64_t longest_message = 1ULL << 30;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -44,14 +44,14 @@ constexpr bool sanitized = false;
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// Of this process now [bytes].
+/// Address space of this process now [bytes].
 double address_space() {
   std::int64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return static_cast<double>(pages * sysconf(_SC_PAGESIZE));
 }
 
-/// The sanitizers' own memory knows no limit.
+/// Limits the memory of this process; not with sanitizers, whose own memory is unlimited.
 void limit_memory(double megabytes) {
   if (sanitized) return;
   const auto most = static_cast<rlim_t>(address_space() + 1e6 * std::min(megabytes, 1e9));
@@ -63,7 +63,7 @@ RunRecord nothing_run_of(const Job& job) {
   return nothing_run(*job.problem, *job.solver, job.budget, job.number, job.shown);
 }
 
-/// Where nobody reads any more the process has no purpose.
+/// Writes all bytes; ends the process if no one reads any more.
 void write_all(int descriptor, const char* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t written = write(descriptor, bytes, count);
@@ -81,7 +81,7 @@ void tell(int descriptor, Head::Kind kind, const std::string& text) {
   write_all(descriptor, message.data(), message.size());
 }
 
-/// The next job that the parent wants; nothing where there is none.
+/// The next job from the parent; nothing if there are no more.
 std::optional<std::size_t> next_job(int descriptor) {
   std::size_t job = 0;
   ssize_t count = 0;
@@ -95,14 +95,14 @@ RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on
   const auto made_on = [&](const Problem& problem) {
     return run(problem, *job.solver, job.budget, job.number, on_improvement, job.shown);
   };
-  if (job.feature == nullptr) return made_on(*job.problem);
-  // The same draws for every solver, so that all meet the same difficulty.
+  if (job.perturbation == nullptr) return made_on(*job.problem);
+  // The same draws for every solver, so that all get the same difficulty.
   const Problem& problem = *job.problem;
-  return made_on(job.feature->perturbed(
-      problem, seed_of(problem.name, job.feature->name, problem.instance, job.number)));
+  return made_on(job.perturbation->perturbed(
+      problem, seed_of(problem.name, job.perturbation->name, problem.instance, job.number)));
 }
 
-/// The life of the process.
+/// The main function of the process.
 [[noreturn]] void work(const std::vector<Job>& jobs, const Limits& limits, pid_t parent,
                        int descriptor) {
   setpgid(0, 0);  // so that it can be killed with whatever it starts
@@ -111,19 +111,19 @@ RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   limit_memory(limits.megabytes);
-  dup2(STDERR_FILENO, STDOUT_FILENO);  // where a solver prints, it prints into no result
+  dup2(STDERR_FILENO, STDOUT_FILENO);  // output of a solver must not get into results
   try {
     while (const auto job = next_job(descriptor)) {
       RunRecord record = make(jobs[*job], [&](const Improvement& step) {
         tell(descriptor, Head::Kind::improvement, text_of(step));
       });
-      record.trace.clear();  // told already
+      record.trace.clear();  // already sent
       tell(descriptor, Head::Kind::record, text_of(record));
     }
   } catch (...) {
     _exit(1);
   }
-  _exit(0);  // and nothing that the parent would have done at its end
+  _exit(0);  // without the parent's exit handlers
 }
 
 std::string in_words(int status) {
@@ -146,7 +146,7 @@ Worker::Worker(const std::vector<Job>& jobs, const Limits& limits)
     : jobs_(jobs), limits_(limits), born_(std::chrono::steady_clock::now()) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair");
-  std::fflush(nullptr);  // what is buffered is the parent's to write
+  std::fflush(nullptr);  // buffered output is the parent's to write
   const pid_t parent = getpid();
   process_ = fork();
   if (process_ == 0) {
@@ -161,7 +161,7 @@ Worker::Worker(const std::vector<Job>& jobs, const Limits& limits)
     errno = error;
     fail("fork");
   }
-  setpgid(process_, process_);  // whoever comes first
+  setpgid(process_, process_);  // here and in the child, whichever is first
 }
 
 void Worker::begin(std::size_t job) {
@@ -172,7 +172,7 @@ void Worker::begin(std::size_t job) {
   deadline_ = std::chrono::steady_clock::now() +
               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                   std::chrono::duration<double>(std::min(limits_.seconds, 1e9)));
-  // Where nobody takes it, listening will tell.
+  // If it fails, listen() reports it.
   static_cast<void>(send(descriptor_, &job, sizeof job, MSG_NOSIGNAL));
 }
 
@@ -213,7 +213,7 @@ bool Worker::listen() {
   return !record_;
 }
 
-/// Kills it, with those that it has started. What it had ended with before, where it had.
+/// Kills the process and those it has started. Returns how it ended.
 std::string Worker::kill_and_wait() {
   if (process_ < 0) return {};
   const bool late = std::chrono::steady_clock::now() >= deadline_;

@@ -8,35 +8,35 @@
 #include <string>
 #include <vector>
 
+#include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/core/run.h"
-#include "src/features/feature.h"
 
 namespace ricochet {
 
-/// One run to be made; problem, solver and feature outlive it.
+/// One run to be made; problem, solver and perturbation must outlive it.
 struct Job {
   const Problem* problem;
   const Solver* solver;
   Budget budget;
   int number = 0;
-  std::string shown = {};            ///< how, where that goes into the seed: see seed_of
-  const Feature* feature = nullptr;  ///< that perturbs what the solver sees; null: none
+  std::string shown = {};  ///< formulation and perturbation, for the seed: see seed_of
+  const Perturbation* perturbation = nullptr;  ///< perturbs what the solver sees; null: none
 };
 
-/// What a run may take from the machine, whatever its budget: who takes more is killed.
+/// Resource limits of a run besides its budget; a run that exceeds one is killed.
 struct Limits {
-  double seconds = 600;     ///< > 0, by the clock on the wall
-  double megabytes = 2000;  ///< > 0, of memory, beside what the parent holds
+  double seconds = 600;     ///< > 0, wall-clock time
+  double megabytes = 2000;  ///< > 0, memory besides the parent's
 };
 
-/// Throws InputError, naming the option, where a limit is none.
+/// Throws InputError, naming the option, for an invalid limit.
 void check(const Limits& limits);
 
-/// A process that makes runs, one after the other: a copy of this one, so that it knows all jobs.
-/// A solver that crashes, hangs or eats memory costs its own run, the process, and nothing else.
+/// A process that makes runs, one after the other. It is a fork of this one, so it knows all jobs.
+/// If a solver crashes, hangs or exhausts memory, only its own run and this process are lost.
 class Worker {
  public:
-  /// The jobs outlive it. Throws std::system_error where there can be no other process.
+  /// The jobs must outlive it. Throws std::system_error if no process can be started.
   Worker(const std::vector<Job>& jobs, const Limits& limits);
 
   /// Kills the process.
@@ -44,32 +44,32 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Begins the run of a job. The one before must have ended, and the process must be alive.
+  /// Begins the run of a job. The previous run must have ended, and the process must be alive.
   void begin(std::size_t job);
 
-  /// The job of the run.
+  /// The job of the current run.
   std::size_t job() const { return job_; }
 
-  /// When the run is killed, unless it has ended.
+  /// The time when the run is killed, unless it has ended.
   std::chrono::steady_clock::time_point deadline() const { return deadline_; }
 
-  /// Has something to be read when there is news of the run.
+  /// Readable when there is news of the run.
   int descriptor() const { return descriptor_; }
 
-  /// Takes the news. Returns whether the run goes on.
+  /// Reads the news. Returns whether the run continues.
   bool listen();
 
-  /// After the run has ended, or its deadline: its record. Of a run that did not come to its own
-  /// end the record has what it had found, says what happened in `failure`, and is charged the
-  /// whole budget; the process is dead then.
+  /// The record of the run; to be called after it has ended or its deadline has passed. If the run
+  /// did not end by itself, the record has its improvements so far, says what happened in
+  /// `failure`, and is charged the whole budget; the process is dead then.
   RunRecord record();
 
   bool alive() const { return process_ >= 0; }
 
-  /// Whether somebody else has killed the process, as one who wants its memory does.
+  /// Returns true if the process was killed from outside, e.g. for lack of memory.
   bool killed_from_outside() const { return killed_from_outside_; }
 
-  /// Runs that it has begun.
+  /// Number of runs begun.
   int runs() const { return runs_; }
 
   std::chrono::steady_clock::duration age() const;
@@ -86,7 +86,7 @@ class Worker {
   int runs_ = 0;
   bool killed_from_outside_ = false;
   std::chrono::steady_clock::time_point deadline_;
-  std::string unread_;  // of a message that has not wholly come
+  std::string unread_;  // of an incomplete message
   std::vector<Improvement> trace_;
   std::optional<RunRecord> record_;
 };

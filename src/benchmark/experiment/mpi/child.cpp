@@ -1,4 +1,4 @@
-#include "src/mpi/child.h"
+#include "src/benchmark/experiment/mpi/child.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "src/campaign/frame.h"
+#include "src/benchmark/experiment/campaign/frame.h"
 
 namespace ricochet::mpi {
 

@@ -9,27 +9,27 @@
 
 namespace ricochet::mpi {
 
-/// A process of `ricochet`, which stands beside this program, that frames are exchanged with.
+/// A child process of `ricochet`, the program beside this one, with which frames are exchanged.
 class Child {
  public:
-  /// Throws std::system_error where there can be none.
+  /// Throws std::system_error if no process can be started.
   explicit Child(std::vector<std::string> arguments);
 
-  /// Lets it end by itself.
+  /// Waits until it ends by itself.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Returns whether it still listens.
+  /// Sends a message. Returns whether it still listens.
   bool tell(const std::string& message);
 
-  /// Waits, but no longer than that, until there is something to hear, or it has ended.
+  /// Waits for at most this time. Returns true if there is a message or it has ended.
   bool waits_for_news(std::chrono::milliseconds most);
 
-  /// Nothing where it has ended.
+  /// The next message; nothing if it has ended.
   std::optional<std::string> hear();
 
-  /// Ends what is told and waits for its end. Returns its exit code, or 128 and the signal.
+  /// Closes its input and waits for its end. Returns its exit code, or 128 plus the signal.
   int wait();
 
  private:

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "src/mpi/rank_zero.h"
-#include "src/mpi/worker_rank.h"
+#include "src/benchmark/experiment/mpi/rank_zero.h"
+#include "src/benchmark/experiment/mpi/worker_rank.h"
 
-/// `ricochet run` becomes this program where mpirun has started several of it. Rank 0 keeps the
-/// store and hands out runs, which the others make. All that concerns campaigns is done by children
-/// of theirs, processes of `ricochet`, which know nothing of MPI; here bytes are moved.
+/// `ricochet run` becomes this program if mpirun has started several of it. Rank 0 keeps the store
+/// and hands out runs; the other ranks make them. Child processes of `ricochet`, which know nothing
+/// of MPI, do all work on campaigns; this program only transfers bytes.
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a child that has ended is told by what cannot be written
+  std::signal(SIGPIPE, SIG_IGN);  // a failed write reports a child that has ended
   MPI_Init(&argc, &argv);
   int rank = 0;
   int ranks = 1;
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "ricochet: rank %d: %s\n", rank, error.what());
     MPI_Abort(MPI_COMM_WORLD, 1);
   }
-  if (lost) MPI_Abort(MPI_COMM_WORLD, exit_code);  // who is lost would be waited for
+  if (lost) MPI_Abort(MPI_COMM_WORLD, exit_code);  // MPI_Finalize would wait for the lost rank
   MPI_Finalize();
   return exit_code;
 }

@@ -9,10 +9,10 @@
 
 namespace ricochet::mpi {
 
-/// What a rank tells rank 0, which answers a request with runs; no runs: there are no more.
+/// Tags of messages from a rank to rank 0, which answers a request with runs; no runs: the end.
 enum Tag : int { request, result, gone, alive, runs };
 
-/// A rank says so often that it is alive, and is taken for dead after such a silence.
+/// Interval of a rank's signs of life, and the silence after which it is taken for dead.
 inline constexpr std::chrono::seconds heartbeat(5);
 inline constexpr std::chrono::seconds longest_silence(30);
 
@@ -26,7 +26,7 @@ inline void send(int rank, Tag tag, const std::string& bytes) {
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, rank, tag, MPI_COMM_WORLD);
 }
 
-/// A message that has come, from any rank.
+/// A message that has arrived, from any rank; nothing if there is none.
 inline std::optional<Message> received() {
   int there = 0;
   MPI_Status status;
@@ -41,7 +41,7 @@ inline std::optional<Message> received() {
   return message;
 }
 
-/// MPI's own waiting would keep a core busy that is there for runs.
+/// Sleeps for a short time. MPI's own waiting would use a core that is needed for runs.
 inline void rest() {
   std::this_thread::sleep_for(std::chrono::microseconds(200));
 }

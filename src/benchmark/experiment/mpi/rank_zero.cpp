@@ -1,4 +1,4 @@
-#include "src/mpi/rank_zero.h"
+#include "src/benchmark/experiment/mpi/rank_zero.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,8 +8,8 @@
 #include <deque>
 #include <set>
 
-#include "src/mpi/child.h"
-#include "src/mpi/message.h"
+#include "src/benchmark/experiment/mpi/child.h"
+#include "src/benchmark/experiment/mpi/message.h"
 
 namespace ricochet::mpi {
 namespace {
@@ -17,11 +17,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Place = std::uint64_t;  // of a run in the plan
 
-/// Runs that are told at once: many where there are many, few at the end.
+/// Largest number of runs sent at once: many at first, few at the end.
 constexpr std::size_t most_at_once = 64;
 
 struct Rank {
-  std::set<Place> given;  ///< that it has not told yet
+  std::set<Place> given;  ///< given to it and not yet returned
   bool waits = false;     ///< for runs
   bool lost = false;
   Clock::time_point heard = Clock::now();
@@ -30,7 +30,7 @@ struct Rank {
 class Office {
  public:
   Office(Child& store, int ranks) : store_(store), ranks_(static_cast<std::size_t>(ranks)) {
-    ranks_[0].lost = true;  // it makes none
+    ranks_[0].lost = true;  // rank 0 makes no runs
     const auto opening = store_.hear();
     if (!opening) return;
     waiting_.resize(opening->size() / sizeof(Place));
@@ -115,7 +115,7 @@ class Office {
     }
   }
 
-  /// Tells every rank that there are no more runs, as soon as it asks.
+  /// Tells every rank, when it asks, that there are no more runs.
   void dismiss() {
     while (any_left()) {
       if (const auto message = received()) {
@@ -135,7 +135,7 @@ class Office {
   Child& store_;
   std::vector<Rank> ranks_;
   std::deque<Place> waiting_;
-  bool open_ = false;  // the store takes runs
+  bool open_ = false;  // the store accepts runs
   bool lost_ = false;
 };
 

@@ -5,9 +5,9 @@
 
 namespace ricochet::mpi {
 
-/// Keeps the store, by a child, and hands out runs to the other ranks until all are made. What a
-/// rank has not made that dies, or is silent for too long, is given to others. Returns the exit
-/// code of the child, or 1 where no rank is left to make runs; `lost` says whether some rank was.
+/// Keeps the store in a child process, and hands out runs to the other ranks until all are made. If
+/// a rank dies or is silent for too long, its unfinished runs are given to others. Returns the exit
+/// code of the child, or 1 if no rank is left to make runs; sets `lost` if any rank was lost.
 int hand_out_runs(std::vector<std::string> arguments, int ranks, bool& lost);
 
 }  // namespace ricochet::mpi

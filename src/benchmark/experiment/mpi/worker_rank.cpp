@@ -1,10 +1,10 @@
-#include "src/mpi/worker_rank.h"
+#include "src/benchmark/experiment/mpi/worker_rank.h"
 
 #include <cstdint>
 #include <memory>
 
-#include "src/mpi/child.h"
-#include "src/mpi/message.h"
+#include "src/benchmark/experiment/mpi/child.h"
+#include "src/benchmark/experiment/mpi/message.h"
 
 namespace ricochet::mpi {
 namespace {
@@ -22,7 +22,7 @@ std::string given_runs() {
   }
 }
 
-/// Nothing where the runner has ended.
+/// The next record; nothing if the runner has ended.
 std::optional<std::string> record_of(Child& runner) {
   while (!runner.waits_for_news(heartbeat)) send(0, alive, "");
   return runner.hear();

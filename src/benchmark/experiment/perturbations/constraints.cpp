@@ -1,11 +1,11 @@
-#include "src/features/constraints.h"
+#include "src/benchmark/experiment/perturbations/constraints.h"
 
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
 
-#include "src/features/perturbation.h"
+#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
 
 namespace ricochet {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-class YesOrNo : public Perturbation {
+class Binary : public PerturbedCalls {
  public:
   Values values(const Problem& shown, const Vector& x) override {
     return answered(shown.evaluate(x), shown.equalities);
@@ -41,7 +41,7 @@ class YesOrNo : public Perturbation {
   }
 };
 
-class Infinite : public Perturbation {
+class Infinite : public PerturbedCalls {
  public:
   Values values(const Problem& shown, const Vector& x) override {
     Values told = shown.evaluate(x);
@@ -79,15 +79,16 @@ class Infinite : public Perturbation {
 
 }  // namespace
 
-Feature yes_or_no_constraints() {
-  return {"yes-or-no-constraints", "a constraint is shown as 0 where it holds, as 1 elsewhere",
+Perturbation binary_constraints() {
+  return {"binary-constraints",
+          "a constraint is 0 where it holds and 1 elsewhere, without a magnitude",
           [](const Problem& problem) { return problem.constraints > 0; },
           [](const Problem& shown, std::uint64_t) {
-            return perturbed_by(std::make_shared<YesOrNo>(), shown);
+            return perturbed_by(std::make_shared<Binary>(), shown);
           }};
 }
 
-Feature infinite_where_infeasible() {
+Perturbation infinite_where_infeasible() {
   return {"infinite-where-infeasible", "the objective is infinite where an inequality is broken",
           [](const Problem& problem) { return problem.constraints > problem.equalities; },
           [](const Problem& shown, std::uint64_t) {

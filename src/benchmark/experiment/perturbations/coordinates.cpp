@@ -1,19 +1,18 @@
-#include "src/features/coordinates.h"
+#include "src/benchmark/experiment/perturbations/coordinates.h"
 
 #include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "src/benchmark/experiment/perturbations/draws.h"
+#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
 #include "src/core/random.h"
-#include "src/features/draws.h"
-#include "src/features/perturbation.h"
 
 namespace ricochet {
 namespace {
 
-/// A linear map that keeps lengths, from a problem's own coordinates to those that are shown.
-/// Columns are vectors.
+/// An orthogonal map from a problem's own coordinates to those that are shown. Columns are vectors.
 class Turn {
  public:
   Turn() = default;
@@ -25,7 +24,7 @@ class Turn {
   virtual Vector own(const Vector& shown) const = 0;
 };
 
-/// Coordinate i that is shown is signs[i] times the problem's own coordinate order[i].
+/// The shown coordinate i is signs[i] times the problem's own coordinate order[i].
 class SignedOrder : public Turn {
  public:
   SignedOrder(std::vector<Eigen::Index> order, Vector signs)
@@ -62,7 +61,7 @@ class Rotation : public Turn {
   Matrix matrix_;
 };
 
-/// Turned about a centre, which stays where it is.
+/// A turn about a centre, which is mapped to itself.
 struct Frame {
   std::shared_ptr<const Turn> turn;
   Vector centre;
@@ -75,7 +74,7 @@ struct Frame {
   Vector shown(const Vector& own) const { return centre + turn->shown(own - centre); }
 };
 
-class Turned : public Perturbation {
+class Turned : public PerturbedCalls {
  public:
   explicit Turned(Frame frame) : frame_(std::move(frame)) {}
 
@@ -98,7 +97,9 @@ class Turned : public Perturbation {
     const Matrix own = shown.lagrangian_hessian(frame_.own(x), objective_factor, multipliers);
     return turned(turned(own).transpose());
   }
-  Truth truth(const Problem& shown, const Vector& x) override { return shown.truth(frame_.own(x)); }
+  TrueValues true_values(const Problem& shown, const Vector& x) override {
+    return shown.true_values(frame_.own(x));
+  }
 
  private:
   Matrix turned(const Matrix& own) const { return frame_.turn->shown(own); }
@@ -106,7 +107,7 @@ class Turned : public Perturbation {
   Frame frame_;
 };
 
-/// All but the box and the names of the variables, which the turn may or may not keep.
+/// Everything except the box and the names of the variables, which depend on the turn.
 Problem functions_in(const Frame& frame, const Problem& shown) {
   Problem result = perturbed_by(std::make_shared<Turned>(frame), shown);
   result.start = frame.shown(shown.start);
@@ -152,14 +153,14 @@ std::vector<Eigen::Index> as_stated(Eigen::Index n) {
   return order;
 }
 
-/// Uniform in 0 to below - 1.
+/// Uniform in 0, ..., below - 1.
 std::size_t drawn_below(std::size_t below, Draws& draws) {
   return static_cast<std::size_t>(draws.uniform() * static_cast<double>(below));
 }
 
 }  // namespace
 
-Feature permuted() {
+Perturbation permuted() {
   return {"permuted", "the variables come in another order, none where it was",
           [](const Problem& problem) { return problem.dimension() > 1; },
           [](const Problem& shown, std::uint64_t seed) {
@@ -172,7 +173,7 @@ Feature permuted() {
           }};
 }
 
-Feature reflected() {
+Perturbation reflected() {
   return {"reflected", "variables, each with probability 1/2 and one at least, change their sign",
           [](const Problem&) { return true; },
           [](const Problem& shown, std::uint64_t seed) {
@@ -185,7 +186,7 @@ Feature reflected() {
           }};
 }
 
-Feature rotated() {
+Perturbation rotated() {
   return {"rotated", "turned about the best point by a uniformly random orthogonal matrix",
           [](const Problem& problem) { return problem.rotates && problem.dimension() > 1; },
           [](const Problem& shown, std::uint64_t seed) {

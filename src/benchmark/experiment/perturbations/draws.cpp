@@ -1,4 +1,4 @@
-#include "src/features/draws.h"
+#include "src/benchmark/experiment/perturbations/draws.h"
 
 #include <bit>
 #include <cmath>
@@ -18,7 +18,7 @@ std::uint64_t mixed(std::uint64_t bits) {
 }  // namespace
 
 std::uint64_t key_of(std::uint64_t key, std::uint64_t number) {
-  // NOTE: the sum keeps a key and a number of zero from yielding zero again.
+  // NOTE: without the sum, key 0 and number 0 would give 0 again.
   return mixed((key ^ number) + golden);
 }
 

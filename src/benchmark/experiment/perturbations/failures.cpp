@@ -1,13 +1,13 @@
-#include "src/features/failures.h"
+#include "src/benchmark/experiment/perturbations/failures.h"
 
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
+#include "src/benchmark/experiment/perturbations/telling.h"
 #include "src/core/processor_time.h"
-#include "src/features/perturbation.h"
-#include "src/features/telling.h"
 
 namespace ricochet {
 namespace {
@@ -19,8 +19,8 @@ void lose(Eigen::Ref<Vector> values, Eigen::Ref<Matrix> slopes, Draws& draws) {
   slopes.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Does something before every call of a solver, and leaves what is told as it is.
-class Before : public Perturbation {
+/// Calls a function before every call of a solver; the results stay unchanged.
+class Before : public PerturbedCalls {
  public:
   explicit Before(std::function<void()> before) : before_(std::move(before)) {}
 
@@ -54,7 +54,7 @@ void compute_for_a_while() {
 
 }  // namespace
 
-Feature not_a_number() {
+Perturbation not_a_number() {
   return {"nan", "every function told is NaN with probability 0.05, drawn anew at every call",
           [](const Problem&) { return true; },
           [](const Problem& shown, std::uint64_t seed) {
@@ -62,7 +62,7 @@ Feature not_a_number() {
           }};
 }
 
-Feature throwing() {
+Perturbation throwing() {
   return {"throwing", "every call throws with probability 1e-3, which ends the run",
           [](const Problem&) { return true; },
           [](const Problem& shown, std::uint64_t seed) {
@@ -74,7 +74,7 @@ Feature throwing() {
           }};
 }
 
-Feature slow() {
+Perturbation slow() {
   return {"slow", "every call takes 0.1 ms of processor time more",
           [](const Problem&) { return true; },
           [](const Problem& shown, std::uint64_t) {

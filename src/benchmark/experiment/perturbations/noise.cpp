@@ -1,15 +1,15 @@
-#include "src/features/noise.h"
+#include "src/benchmark/experiment/perturbations/noise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "src/features/telling.h"
+#include "src/benchmark/experiment/perturbations/telling.h"
 
 namespace ricochet {
 namespace {
 
-/// Moves a number by a share of its size, of 1 at least.
+/// Changes a number by `share` times its size, or times 1 if that is larger.
 void move(double& number, double share) {
   if (std::isfinite(number)) number += std::max(1.0, std::abs(number)) * share;
 }
@@ -28,8 +28,8 @@ void add_outlier(Eigen::Ref<Vector> values, Eigen::Ref<Matrix> slopes, Draws& dr
   for (double& slope : slopes.reshaped()) move(slope, size * draws.cauchy());
 }
 
-Feature told_feature(const std::string& name, const std::string& summary, const Tell& tell,
-                     Drawn drawn) {
+Perturbation told_perturbation(const std::string& name, const std::string& summary,
+                               const Tell& tell, Drawn drawn) {
   return {name, summary, [](const Problem&) { return true; },
           [name, tell, drawn](const Problem& shown, std::uint64_t seed) {
             return told_by(tell, drawn, key_of(seed, name), shown);
@@ -38,23 +38,26 @@ Feature told_feature(const std::string& name, const std::string& summary, const 
 
 }  // namespace
 
-Feature noisy() {
-  return told_feature("noisy",
-                      "every number v told is v + 1e-3 max(1, |v|) times a normal one, drawn anew "
-                      "at every call",
-                      add_noise, Drawn::by_call);
+Perturbation noisy() {
+  return told_perturbation(
+      "noisy",
+      "every number v told is v + 1e-3 max(1, |v|) times a normal one, drawn anew "
+      "at every call",
+      add_noise, Drawn::by_call);
 }
 
-Feature frozen_noise() {
-  return told_feature("frozen-noise", "the same noise, but fixed in x: asking again is of no use",
-                      add_noise, Drawn::by_point);
+Perturbation frozen_noise() {
+  return told_perturbation("frozen-noise",
+                           "the same noise, but fixed in x: asking again is of no use", add_noise,
+                           Drawn::by_point);
 }
 
-Feature outliers() {
-  return told_feature("outliers",
-                      "with probability 0.2, fixed in x, a function is worse by max(1, |v|) (pi/2) "
-                      "times the size of a Cauchy number",
-                      add_outlier, Drawn::by_point);
+Perturbation outliers() {
+  return told_perturbation(
+      "outliers",
+      "with probability 0.2, fixed in x, a function is worse by max(1, |v|) (pi/2) "
+      "times the size of a Cauchy number",
+      add_outlier, Drawn::by_point);
 }
 
 }  // namespace ricochet

@@ -1,21 +1,21 @@
-#include "src/features/perturbation.h"
+#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
 
 namespace ricochet {
 namespace {
 
-/// The problem with a truth of its own: that of what it tells, remembered from one point to the
-/// next, because the judge asks where the solver has just asked.
-Problem with_truth(const Problem& problem) {
-  if (problem.truth) return problem;
+/// The problem with true values of its own, taken from the values it shows. It remembers the last
+/// point, because the evaluator scores the point that the solver has just evaluated.
+Problem with_true_values(const Problem& problem) {
+  if (problem.true_values) return problem;
   struct Seen {
     Vector x;
-    Truth truth;
+    TrueValues true_values;
   };
   const auto seen = std::make_shared<Seen>();
   const Eigen::Index equalities = problem.equalities;
   const auto remember = [seen, equalities](const Vector& x, const Values& values) {
     seen->x = x;
-    seen->truth = truth_of(values, equalities);
+    seen->true_values = true_values_of(values, equalities);
   };
   Problem result = problem;
   result.evaluate = [evaluate = problem.evaluate, remember](const Vector& x) {
@@ -30,38 +30,38 @@ Problem with_truth(const Problem& problem) {
       return derivatives;
     };
   }
-  result.truth = [evaluate = problem.evaluate, seen, equalities](const Vector& x) {
+  result.true_values = [evaluate = problem.evaluate, seen, equalities](const Vector& x) {
     const bool known = seen->x.size() == x.size() && seen->x == x;
-    return known ? seen->truth : truth_of(evaluate(x), equalities);
+    return known ? seen->true_values : true_values_of(evaluate(x), equalities);
   };
   return result;
 }
 
 }  // namespace
 
-Values Perturbation::values(const Problem& shown, const Vector& x) {
+Values PerturbedCalls::values(const Problem& shown, const Vector& x) {
   return shown.evaluate(x);
 }
 
-Derivatives Perturbation::derivatives(const Problem& shown, const Vector& x) {
+Derivatives PerturbedCalls::derivatives(const Problem& shown, const Vector& x) {
   return shown.differentiate(x);
 }
 
-Residuals Perturbation::residuals(const Problem& shown, const Vector& x) {
+Residuals PerturbedCalls::residuals(const Problem& shown, const Vector& x) {
   return shown.residuals(x);
 }
 
-Matrix Perturbation::hessian(const Problem& shown, const Vector& x, double objective_factor,
-                             const Vector& multipliers) {
+Matrix PerturbedCalls::hessian(const Problem& shown, const Vector& x, double objective_factor,
+                               const Vector& multipliers) {
   return shown.lagrangian_hessian(x, objective_factor, multipliers);
 }
 
-Truth Perturbation::truth(const Problem& shown, const Vector& x) {
-  return shown.truth(x);
+TrueValues PerturbedCalls::true_values(const Problem& shown, const Vector& x) {
+  return shown.true_values(x);
 }
 
-Problem perturbed_by(const std::shared_ptr<Perturbation>& perturbation, const Problem& shown) {
-  const auto original = std::make_shared<const Problem>(with_truth(shown));
+Problem perturbed_by(const std::shared_ptr<PerturbedCalls>& perturbation, const Problem& shown) {
+  const auto original = std::make_shared<const Problem>(with_true_values(shown));
   Problem result = shown;
   result.evaluate = [original, perturbation](const Vector& x) {
     return perturbation->values(*original, x);
@@ -82,8 +82,8 @@ Problem perturbed_by(const std::shared_ptr<Perturbation>& perturbation, const Pr
       return perturbation->hessian(*original, x, objective_factor, multipliers);
     };
   }
-  result.truth = [original, perturbation](const Vector& x) {
-    return perturbation->truth(*original, x);
+  result.true_values = [original, perturbation](const Vector& x) {
+    return perturbation->true_values(*original, x);
   };
   if (shown.smoothed) {
     result.smoothed = [smoothed = shown.smoothed, perturbation](double width) {

@@ -6,14 +6,14 @@
 
 namespace ricochet {
 
-/// What comes between a solver and the functions of a problem, during one run. Each member is asked
-/// for one of them, at a solver's x, and passes it on as it is unless it does something about it.
-class Perturbation {
+/// Stands between a solver and the functions of a problem, during one run. Each member evaluates
+/// one of them at a solver's x and returns it unchanged unless it is overridden.
+class PerturbedCalls {
  public:
-  Perturbation() = default;
-  virtual ~Perturbation() = default;
-  Perturbation(const Perturbation&) = delete;
-  Perturbation& operator=(const Perturbation&) = delete;
+  PerturbedCalls() = default;
+  virtual ~PerturbedCalls() = default;
+  PerturbedCalls(const PerturbedCalls&) = delete;
+  PerturbedCalls& operator=(const PerturbedCalls&) = delete;
 
   virtual Values values(const Problem& shown, const Vector& x);
   virtual Derivatives derivatives(const Problem& shown, const Vector& x);
@@ -21,13 +21,13 @@ class Perturbation {
   virtual Matrix hessian(const Problem& shown, const Vector& x, double objective_factor,
                          const Vector& multipliers);
 
-  /// Whatever solvers are shown, this is what the problem itself says.
-  virtual Truth truth(const Problem& shown, const Vector& x);
+  /// Always the problem's own true values, whatever solvers are shown.
+  virtual TrueValues true_values(const Problem& shown, const Vector& x);
 };
 
-/// The problem, and what it shows at any smoothing width, behind the perturbation. All that share
-/// one share its state. Where what is shown is the truth, it is not computed a second time for the
-/// judge.
-Problem perturbed_by(const std::shared_ptr<Perturbation>& perturbation, const Problem& shown);
+/// The problem, and its surrogate at any smoothing parameter, with the perturbation. Problems with
+/// the same perturbation object share its state. If the values shown are the true ones, they are
+/// not computed a second time for scoring.
+Problem perturbed_by(const std::shared_ptr<PerturbedCalls>& perturbation, const Problem& shown);
 
 }  // namespace ricochet

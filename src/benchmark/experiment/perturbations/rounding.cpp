@@ -1,4 +1,4 @@
-#include "src/features/rounding.h"
+#include "src/benchmark/experiment/perturbations/rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -6,13 +6,13 @@
 #include <cmath>
 #include <memory>
 
-#include "src/features/perturbation.h"
-#include "src/features/telling.h"
+#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
+#include "src/benchmark/experiment/perturbations/telling.h"
 
 namespace ricochet {
 namespace {
 
-/// The decimal number of 6 significant digits that is nearest.
+/// Rounds to the nearest decimal number of 6 significant digits.
 void round_digits(double& number) {
   if (!std::isfinite(number)) return;
   std::array<char, 32> text;
@@ -26,7 +26,7 @@ void round_all(Eigen::Ref<Vector> values, Eigen::Ref<Matrix> slopes, Draws&) {
   for (double& slope : slopes.reshaped()) round_digits(slope);
 }
 
-class Notches : public Perturbation {
+class Notches : public PerturbedCalls {
  public:
   Values values(const Problem& shown, const Vector& x) override {
     return shown.evaluate(nearest(shown, x));
@@ -58,7 +58,7 @@ class Notches : public Perturbation {
 
 }  // namespace
 
-Feature truncated() {
+Perturbation truncated() {
   return {"truncated", "every number told is rounded to 6 significant digits",
           [](const Problem&) { return true; },
           [](const Problem& shown, std::uint64_t seed) {
@@ -66,7 +66,7 @@ Feature truncated() {
           }};
 }
 
-Feature quantised() {
+Perturbation quantised() {
   return {"quantised",
           "evaluated at the nearest of 1001 evenly spaced values of every variable; judged is the "
           "point asked for",

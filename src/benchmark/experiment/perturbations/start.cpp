@@ -1,6 +1,6 @@
-#include "src/features/start.h"
+#include "src/benchmark/experiment/perturbations/start.h"
 
-#include "src/features/draws.h"
+#include "src/benchmark/experiment/perturbations/draws.h"
 
 namespace ricochet {
 namespace {
@@ -35,7 +35,7 @@ Problem with_start(const Problem& problem, const Vector& start) {
 
 }  // namespace
 
-Feature perturbed_start() {
+Perturbation perturbed_start() {
   return {"perturbed-start", "the start is moved by 1e-3 of the box in a random direction",
           [](const Problem&) { return true; },
           [](const Problem& shown, std::uint64_t seed) {

@@ -1,18 +1,18 @@
-#include "src/features/telling.h"
+#include "src/benchmark/experiment/perturbations/telling.h"
 
 #include <memory>
 #include <utility>
 
-#include "src/features/perturbation.h"
+#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
 
 namespace ricochet {
 namespace {
 
-// Beside objective and constraints, which are counted from 0.
+// The number of the residuals; objective and constraints are counted from 0.
 constexpr std::uint64_t of_residuals = UINT64_MAX;
 constexpr std::uint64_t of_hessian = UINT64_MAX - 1;
 
-class Telling : public Perturbation {
+class Telling : public PerturbedCalls {
  public:
   Telling(Tell tell, Drawn drawn, std::uint64_t key)
       : tell_(std::move(tell)), drawn_(drawn), key_(key) {}

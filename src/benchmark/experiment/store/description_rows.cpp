@@ -1,12 +1,12 @@
-#include "src/store/description_rows.h"
+#include "src/benchmark/experiment/store/description_rows.h"
 
 #include <cstdint>
 #include <set>
 #include <string>
 
+#include "src/benchmark/experiment/store/sqlite_values.h"
+#include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/core/error.h"
-#include "src/store/sqlite_values.h"
-#include "src/store/stored_parts.h"
 
 namespace ricochet {
 namespace {
@@ -30,22 +30,26 @@ std::map<std::string, std::string> notes_in(SQLite::Database& database, const st
   return notes;
 }
 
-std::map<std::string, double> factors_in(SQLite::Database& database, std::int64_t question) {
-  std::map<std::string, double> factors;
-  SQLite::Statement statement(database, "SELECT name, value FROM factor WHERE question = ?");
+/// Reads the table of factors or of findings.
+std::map<std::string, double> numbers_in(SQLite::Database& database, const std::string& table,
+                                         std::int64_t problem) {
+  std::map<std::string, double> numbers;
+  SQLite::Statement statement(database, "SELECT name, value FROM " + table + " WHERE problem = ?");
   Use row(statement);
-  row.with(question);
-  while (row.next()) factors[row.text(0)] = row.number(1);
-  return factors;
+  row.with(problem);
+  while (row.next()) numbers[row.text(0)] = row.number(1);
+  return numbers;
 }
 
 }  // namespace
 
 void add_description(SQLite::Database& database, const CampaignDescription& description) {
-  check_names(description.questions, "questions");
+  check_names(description.problems, "problems");
   check_names(description.solvers, "solvers");
-  SQLite::Statement plan(database, "INSERT INTO campaign VALUES (?, ?)");
-  Use(plan).with(description.plan, static_cast<std::int64_t>(checksum(description))).execute();
+  SQLite::Statement plan(database, "INSERT INTO campaign VALUES (?, ?, ?)");
+  Use(plan)
+      .with(description.plan, description.data, static_cast<std::int64_t>(checksum(description)))
+      .execute();
   SQLite::Statement note(database, "INSERT INTO note VALUES (?, ?, ?)");
   for (const auto& [name, value] : description.program) {
     Use(note).with(std::string("program"), name, value).execute();
@@ -53,17 +57,20 @@ void add_description(SQLite::Database& database, const CampaignDescription& desc
   for (const auto& [name, value] : description.made) {
     Use(note).with(std::string("made"), name, value).execute();
   }
-  SQLite::Statement add_question(database,
-                                 "INSERT INTO question VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement add_problem(database, "INSERT INTO problem VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   SQLite::Statement add_factor(database, "INSERT INTO factor VALUES (?, ?, ?)");
+  SQLite::Statement add_finding(database, "INSERT INTO finding VALUES (?, ?, ?)");
   int number = 0;
-  for (const StoredQuestion& question : description.questions) {
-    Use(add_question)
-        .with(++number, question.name, question.family, question.machine, question.variables,
-              question.constraints, question.equalities, question.tolerance, question.best_known)
+  for (const StoredProblem& problem : description.problems) {
+    Use(add_problem)
+        .with(++number, problem.name, problem.family, problem.machine, problem.variables,
+              problem.constraints, problem.equalities, problem.tolerance, problem.best_known)
         .execute();
-    for (const auto& [name, value] : question.factors) {
+    for (const auto& [name, value] : problem.factors) {
       Use(add_factor).with(number, name, value).execute();
+    }
+    for (const auto& [name, value] : problem.findings) {
+      Use(add_finding).with(number, name, value).execute();
     }
   }
   SQLite::Statement add_solver(database, "INSERT INTO solver VALUES (?, ?, ?)");
@@ -75,26 +82,28 @@ void add_description(SQLite::Database& database, const CampaignDescription& desc
 
 CampaignDescription description_in(SQLite::Database& database) {
   CampaignDescription description;
-  SQLite::Statement campaigns(database, "SELECT plan, checksum FROM campaign");
+  SQLite::Statement campaigns(database, "SELECT plan, data, checksum FROM campaign");
   Use campaign(campaigns);
   if (!campaign.next()) throw Damage("the description is missing");
   description.plan = campaign.text(0);
+  description.data = campaign.text(1);
   description.program = notes_in(database, "program");
   description.made = notes_in(database, "made");
-  SQLite::Statement questions(database,
-                              "SELECT number, name, family, machine, variables, constraints, "
-                              "equalities, tolerance, best_known FROM question ORDER BY number");
-  Use question(questions);
-  while (question.next()) {
-    description.questions.push_back({question.text(1), question.text(2), question.text(3),
-                                     question.integer(4), question.integer(5), question.integer(6),
-                                     question.number(7), question.number(8),
-                                     factors_in(database, question.integer(0))});
+  SQLite::Statement problems(database,
+                             "SELECT number, name, family, machine, variables, constraints, "
+                             "equalities, tolerance, best_known FROM problem ORDER BY number");
+  Use problem(problems);
+  while (problem.next()) {
+    description.problems.push_back({problem.text(1), problem.text(2), problem.text(3),
+                                    problem.integer(4), problem.integer(5), problem.integer(6),
+                                    problem.number(7), problem.number(8),
+                                    numbers_in(database, "factor", problem.integer(0)),
+                                    numbers_in(database, "finding", problem.integer(0))});
   }
   SQLite::Statement solvers(database, "SELECT name, version FROM solver ORDER BY number");
   Use solver(solvers);
   while (solver.next()) description.solvers.push_back({solver.text(0), solver.text(1)});
-  if (static_cast<std::uint64_t>(campaign.integer(1)) != checksum(description)) {
+  if (static_cast<std::uint64_t>(campaign.integer(2)) != checksum(description)) {
     throw Damage("the description is not what was written");
   }
   return description;

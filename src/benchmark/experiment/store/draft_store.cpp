@@ -1,4 +1,4 @@
-#include "src/store/draft_store.h"
+#include "src/benchmark/experiment/store/draft_store.h"
 
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
@@ -12,9 +12,10 @@
 #include <utility>
 
 #include "embedded/schema.h"
+#include "src/benchmark/experiment/store/description_rows.h"
 #include "src/core/error.h"
+#include "src/core/suite_version.h"
 #include "src/core/text_file.h"
-#include "src/store/description_rows.h"
 
 namespace ricochet {
 namespace {
@@ -41,17 +42,18 @@ DraftStore::DraftStore(fs::path file, const CampaignDescription& description)
   if (::access(folder_of(file_).c_str(), W_OK | X_OK) != 0) fail(file_, errno);
   {
     const Uninterrupted made_and_known;
-    do {  // the name may be that of a process which was killed
+    do {  // a killed process may have left a file with this name
       draft_ = folder_of(file_) / fmt::format(".ricochet.{}.{}.store.part", getpid(), drafts++);
     } while (fs::exists(fs::symlink_status(draft_)));
   }
   try {
     database_ = std::make_unique<SQLite::Database>(draft_.string(),
                                                    SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    // If this process dies nobody wants the draft, nor a journal to take changes back.
+    // If this process dies, the draft is worthless, so it needs no journal on disk.
     database_->exec("PRAGMA journal_mode = MEMORY; PRAGMA foreign_keys = ON");
     SQLite::Transaction all(*database_);
     database_->exec(embedded::schema);
+    database_->exec(fmt::format("PRAGMA user_version = {}", suite_version));
     add_description(*database_, description);
     all.commit();
   } catch (const SQLite::Exception& error) {
@@ -70,7 +72,7 @@ DraftStore::~DraftStore() {
 void DraftStore::check_absent() const {
   std::error_code none;
   if (fs::exists(fs::symlink_status(file_, none))) fail(file_, EEXIST);
-  // SQLite would take the changes that a store of this name left for changes of the new one.
+  // SQLite would apply the changes left by an earlier store of this name to the new one.
   for (const char* ending : {"-wal", "-journal"}) {
     const std::string left = file_.string() + ending;
     if (!fs::exists(left, none)) continue;
@@ -89,7 +91,7 @@ void DraftStore::place() {
   const Uninterrupted whole;
   if (::link(draft_.c_str(), file_.c_str()) != 0) {
     if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) fail(file_, errno);
-    check_absent();  // a file system without links
+    check_absent();  // for a file system without links
     if (::rename(draft_.c_str(), file_.c_str()) != 0) fail(file_, errno);
   }
   discard();

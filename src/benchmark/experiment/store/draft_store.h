@@ -5,16 +5,16 @@
 #include <filesystem>
 #include <memory>
 
+#include "src/benchmark/experiment/store/store.h"
 #include "src/core/interruption.h"
-#include "src/store/store.h"
 
 namespace ricochet {
 
-/// A new store, aside until it is put into its place; a draft that is not leaves no trace.
+/// A new store in a temporary file until place() moves it; without place() the file is removed.
 class DraftStore {
  public:
-  /// Throws InputError where the file is there already or can be none, or as add_description does;
-  /// OutputError where the disk is full.
+  /// Throws InputError if the file exists or cannot be made, and as add_description does;
+  /// OutputError if the disk is full.
   DraftStore(std::filesystem::path file, const CampaignDescription& description);
   ~DraftStore();
   DraftStore(const DraftStore&) = delete;
@@ -22,7 +22,7 @@ class DraftStore {
 
   SQLite::Database& database() { return *database_; }
 
-  /// Puts it there, all or nothing. Throws as the constructor does.
+  /// Moves it to its place, all or nothing. Throws as the constructor does.
   void place();
 
  private:

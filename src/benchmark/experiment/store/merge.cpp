@@ -1,12 +1,12 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
+#include "src/benchmark/experiment/store/draft_store.h"
+#include "src/benchmark/experiment/store/run_rows.h"
+#include "src/benchmark/experiment/store/store.h"
+#include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
-#include "src/store/draft_store.h"
-#include "src/store/run_rows.h"
-#include "src/store/store.h"
-#include "src/store/stored_parts.h"
 
 namespace ricochet {
 namespace {
@@ -46,7 +46,7 @@ void merge(const std::vector<fs::path>& parts, const fs::path& out) {
       store.each([&](const StoredRun& run) {
         try {
           add(rows, run, part);
-        } catch (const SQLite::Exception& error) {  // of the draft, not of the part
+        } catch (const SQLite::Exception& error) {  // an error of the draft, not of the part
           throw OutputError(fmt::format("{}: cannot be written: {}", out.string(), error.what()));
         }
       });

@@ -1,10 +1,10 @@
-#include "src/store/repeated_exits.h"
+#include "src/benchmark/experiment/store/repeated_terminations.h"
 
 namespace ricochet {
 
-std::vector<RepeatedExit> repeated(const std::vector<SolverExit>& exits) {
-  std::vector<RepeatedExit> repeated;
-  for (const SolverExit& exit : exits) {
+std::vector<RepeatedTermination> repeated(const std::vector<SolverTermination>& terminations) {
+  std::vector<RepeatedTermination> repeated;
+  for (const SolverTermination& exit : terminations) {
     if (repeated.empty() || repeated.back().reason != exit.reason) {
       repeated.push_back({exit.reason, 0});
     }
@@ -13,9 +13,9 @@ std::vector<RepeatedExit> repeated(const std::vector<SolverExit>& exits) {
   return repeated;
 }
 
-std::vector<SolverExit> expanded(const std::vector<RepeatedExit>& exits) {
-  std::vector<SolverExit> expanded;
-  for (const RepeatedExit& exit : exits) {
+std::vector<SolverTermination> expanded(const std::vector<RepeatedTermination>& terminations) {
+  std::vector<SolverTermination> expanded;
+  for (const RepeatedTermination& exit : terminations) {
     expanded.resize(expanded.size() + static_cast<std::size_t>(exit.starts), {exit.reason});
   }
   return expanded;

@@ -6,28 +6,29 @@
 
 namespace ricochet {
 
-/// What runs have in common that differ in instance and number only: what is compared in the end.
+/// The common key of runs that differ only in instance and number: the unit of comparison.
 struct Cell {
-  std::string question;
-  std::string form;               ///< in which it is shown; see Question::name_of
-  std::string feature = "plain";  ///< what is done to what is shown; see all_features
+  std::string problem;
+  std::string formulation;             ///< see Problem::name_of
+  std::string perturbation = "plain";  ///< see all_perturbations()
   std::string solver;
   std::int64_t budget = 0;           ///< evaluations for each variable
-  std::string gradient_price = "n";  ///< see GradientPrice in plan.h
+  std::string gradient_price = "n";  ///< see PlanPart::gradient_prices
 
   auto operator<=>(const Cell&) const = default;
 };
 
-/// Names a run: two with the same key are the same run, whenever and wherever they are made.
+/// Identifies a run: two runs with the same key have the same results, whenever and wherever they
+/// are made.
 struct RunKey {
   Cell cell;
-  int instance = 1;  ///< >= 0; 0 is the question as stated
-  int run = 0;       ///< >= 0; another one is another seed
+  int instance = 1;  ///< >= 0; 0 is the problem as stated
+  int run = 0;       ///< >= 0; the number of the seed
 
   auto operator<=>(const RunKey&) const = default;
 };
 
-/// In words, for messages.
+/// The key in words, for messages.
 std::string name_of(const RunKey& key);
 
 }  // namespace ricochet

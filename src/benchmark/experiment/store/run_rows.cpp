@@ -1,20 +1,21 @@
-#include "src/store/run_rows.h"
+#include "src/benchmark/experiment/store/run_rows.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/core/error.h"
-#include "src/store/stored_parts.h"
 
 namespace ricochet {
 namespace {
 
-/// All of a run but its number.
+/// All columns of a run except its number.
 constexpr const char* columns =
     "cell, instance, run, problem, solver_name, own_instance, own_run, seed, evaluations_allowed, "
     "seconds_allowed, values_asked, derivatives_asked, hessians_asked, charged, refused, seconds, "
-    "refusal, failure, best_x, handed_x, handed_objective, handed_violation, checksum";
+    "termination_reason, failure, best_x, returned_x, returned_objective, returned_violation, "
+    "checksum";
 
 std::string runs_where(const char* condition) {
   return fmt::format("SELECT {}, number FROM run WHERE {}", columns, condition);
@@ -29,25 +30,28 @@ std::optional<std::int64_t> first_number(Use& use) {
 
 RunRows::RunRows(SQLite::Database& database)
     : database_(database),
-      number_of_question_(database, "SELECT number FROM question WHERE name = ?"),
+      number_of_problem_(database, "SELECT number FROM problem WHERE name = ?"),
       number_of_solver_(database, "SELECT number FROM solver WHERE name = ?"),
-      number_of_cell_(database,
-                      "SELECT number FROM cell WHERE question = ? AND form = ? AND feature = ? AND "
-                      "solver = ? AND budget = ? AND gradient_price = ?"),
+      number_of_cell_(
+          database,
+          "SELECT number FROM cell WHERE problem = ? AND formulation = ? AND perturbation = ? AND "
+          "solver = ? AND budget = ? AND gradient_price = ?"),
       number_of_reason_(database, "SELECT number FROM reason WHERE text = ?"),
-      add_cell_(database,
-                "INSERT INTO cell (question, form, feature, solver, budget, gradient_price) "
-                "VALUES (?, ?, ?, ?, ?, ?)"),
+      add_cell_(
+          database,
+          "INSERT INTO cell (problem, formulation, perturbation, solver, budget, gradient_price) "
+          "VALUES (?, ?, ?, ?, ?, ?)"),
       add_reason_(database, "INSERT INTO reason (text) VALUES (?)"),
       add_run_(database, fmt::format("INSERT INTO run ({}) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
                                      "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                                      columns)),
       add_improvement_(database, "INSERT INTO improvement VALUES (?, ?, ?, ?, ?, ?)"),
-      add_exit_(database, "INSERT INTO exit VALUES (?, ?, ?, ?)"),
-      cells_there_(database,
-                   "SELECT question.name, form, feature, solver.name, budget, gradient_price, "
-                   "cell.number FROM cell JOIN question ON question.number = cell.question "
-                   "JOIN solver ON solver.number = cell.solver"),
+      add_exit_(database, "INSERT INTO termination VALUES (?, ?, ?, ?)"),
+      cells_there_(
+          database,
+          "SELECT problem.name, formulation, perturbation, solver.name, budget, gradient_price, "
+          "cell.number FROM cell JOIN problem ON problem.number = cell.problem "
+          "JOIN solver ON solver.number = cell.solver"),
       keys_of_cell_(database,
                     "SELECT instance, run FROM run WHERE cell = ? ORDER BY instance, run"),
       runs_there_(database, "SELECT count(*) FROM run"),
@@ -58,7 +62,8 @@ RunRows::RunRows(SQLite::Database& database)
              "SELECT evaluations, seconds, objective, violation FROM improvement WHERE run = ? "
              "ORDER BY step"),
       exits_(database,
-             "SELECT reason.text, starts FROM exit JOIN reason ON reason.number = exit.reason "
+             "SELECT reason.text, starts FROM termination JOIN reason ON reason.number = "
+             "termination.reason "
              "WHERE run = ? ORDER BY step") {}
 
 void RunRows::forget() {
@@ -68,23 +73,24 @@ void RunRows::forget() {
 
 std::optional<std::int64_t> RunRows::known_cell(const Cell& cell) {
   if (const auto known = cells_.find(cell); known != cells_.end()) return known->second;
-  const auto question = first_number(Use(number_of_question_).with(cell.question));
-  if (!question) throw InputError("the campaign has no question " + cell.question);
+  const auto problem = first_number(Use(number_of_problem_).with(cell.problem));
+  if (!problem) throw InputError("the campaign has no problem " + cell.problem);
   const auto solver = first_number(Use(number_of_solver_).with(cell.solver));
   if (!solver) throw InputError("the campaign has no solver " + cell.solver);
-  const auto number = first_number(
-      Use(number_of_cell_)
-          .with(*question, cell.form, cell.feature, *solver, cell.budget, cell.gradient_price));
+  const auto number = first_number(Use(number_of_cell_)
+                                       .with(*problem, cell.formulation, cell.perturbation, *solver,
+                                             cell.budget, cell.gradient_price));
   if (number) cells_[cell] = *number;
   return number;
 }
 
 std::int64_t RunRows::cell(const Cell& cell) {
   if (const auto known = known_cell(cell)) return *known;
-  const auto question = first_number(Use(number_of_question_).with(cell.question));
+  const auto problem = first_number(Use(number_of_problem_).with(cell.problem));
   const auto solver = first_number(Use(number_of_solver_).with(cell.solver));
   Use(add_cell_)
-      .with(*question, cell.form, cell.feature, *solver, cell.budget, cell.gradient_price)
+      .with(*problem, cell.formulation, cell.perturbation, *solver, cell.budget,
+            cell.gradient_price)
       .execute();
   return cells_[cell] = database_.getLastInsertRowid();
 }
@@ -99,29 +105,31 @@ std::int64_t RunRows::reason(const std::string& text) {
 }
 
 void RunRows::add(const RunKey& key, const RunRecord& record) {
-  const std::vector<RepeatedExit> exits = repeated(record.exits);
+  const std::vector<RepeatedTermination> terminations = repeated(record.terminations);
   const Ledger& ledger = record.ledger;
   const Vector* best_x = record.trace.empty() ? nullptr : &record.trace.back().x;
-  const HandedOver* over = record.handed_over ? &*record.handed_over : nullptr;
+  const ReturnedPoint* over = record.returned ? &*record.returned : nullptr;
   Use(add_run_)
       .with(cell(key.cell), key.instance, key.run, record.problem, record.solver, record.instance,
             record.run, static_cast<std::int64_t>(record.seed), record.budget.evaluations,
             record.budget.seconds, ledger.values, ledger.derivatives, ledger.hessians,
-            ledger.charged, ledger.refused, ledger.seconds, static_cast<int>(record.refusal),
-            record.failure, best_x, over != nullptr ? &over->x : nullptr,
-            over != nullptr ? &over->truth.objective : nullptr,
-            over != nullptr ? &over->truth.violation : nullptr,
-            static_cast<std::int64_t>(checksum(key, record, exits)))
+            ledger.charged, ledger.refused, ledger.seconds,
+            static_cast<int>(record.termination_reason), record.failure, best_x,
+            over != nullptr ? &over->x : nullptr,
+            over != nullptr ? &over->true_values.objective : nullptr,
+            over != nullptr ? &over->true_values.violation : nullptr,
+            static_cast<std::int64_t>(checksum(key, record, terminations)))
       .execute();
   const std::int64_t run = database_.getLastInsertRowid();
   std::int64_t step = 0;
   for (const Improvement& one : record.trace) {
     Use(add_improvement_)
-        .with(run, step++, one.evaluations, one.seconds, one.truth.objective, one.truth.violation)
+        .with(run, step++, one.evaluations, one.seconds, one.true_values.objective,
+              one.true_values.violation)
         .execute();
   }
   step = 0;
-  for (const RepeatedExit& exit : exits) {
+  for (const RepeatedTermination& exit : terminations) {
     Use(add_exit_).with(run, step++, reason(exit.reason), exit.starts).execute();
   }
 }
@@ -193,19 +201,19 @@ StoredRun RunRows::read(const Use& row, const Cell& cell) {
   record.budget = {row.integer(8), row.number(9)};
   record.ledger = {row.integer(10), row.integer(11), row.integer(12),
                    row.integer(13), row.integer(14), row.number(15)};
-  record.refusal = static_cast<Refusal>(row.integer(16));
+  record.termination_reason = static_cast<TerminationReason>(row.integer(16));
   record.failure = row.text(17);
   record.trace = trace(stored.number);
   if (!record.trace.empty()) record.trace.back().x = row.point(18);
   if (!row.is_null(19)) {
-    record.handed_over = HandedOver{row.point(19), {row.number(20), row.number(21)}};
+    record.returned = ReturnedPoint{row.point(19), {row.number(20), row.number(21)}};
   }
-  const std::vector<RepeatedExit> ended = exits(stored.number);
-  // Before the exits are written out: the number of starts may be the damage.
+  const std::vector<RepeatedTermination> ended = terminations(stored.number);
+  // Before the terminations are expanded: the number of starts may be damaged.
   if (static_cast<std::uint64_t>(row.integer(22)) != checksum(stored.key, record, ended)) {
     throw Damage(fmt::format("run {} is not what was added", stored.number));
   }
-  record.exits = expanded(ended);
+  record.terminations = expanded(ended);
   return stored;
 }
 
@@ -219,12 +227,12 @@ std::vector<Improvement> RunRows::trace(std::int64_t run) {
   return trace;
 }
 
-std::vector<RepeatedExit> RunRows::exits(std::int64_t run) {
-  std::vector<RepeatedExit> exits;
+std::vector<RepeatedTermination> RunRows::terminations(std::int64_t run) {
+  std::vector<RepeatedTermination> terminations;
   Use row(exits_);
   row.with(run);
-  while (row.next()) exits.push_back({row.text(0), row.integer(1)});
-  return exits;
+  while (row.next()) terminations.push_back({row.text(0), row.integer(1)});
+  return terminations;
 }
 
 }  // namespace ricochet

@@ -11,23 +11,25 @@
 #include <string>
 #include <vector>
 
-#include "src/store/repeated_exits.h"
-#include "src/store/sqlite_values.h"
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/repeated_terminations.h"
+#include "src/benchmark/experiment/store/sqlite_values.h"
+#include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet {
 
-/// The runs in the tables of schema.sql. The caller opens transactions. Throws Damage where a run
-/// was changed since it was added, and what SQLite throws.
+/// The runs in the tables of schema.sql. The caller opens transactions. Throws Damage if a run was
+/// changed since it was added, and the exceptions of SQLite.
 class RunRows {
  public:
-  /// The database outlives it.
+  /// The database must outlive it.
   explicit RunRows(SQLite::Database& database);
 
-  /// Throws InputError where question or solver is none of the campaign. After a failure, forget().
+  /// Throws InputError if the problem or the solver is not in the campaign. After a failure, call
+  /// forget().
   void add(const RunKey& key, const RunRecord& record);
 
-  /// What was looked up, of which a transaction that is taken back has made some.
+  /// Clears the cache of looked-up rows, because a transaction that is rolled back has made some of
+  /// them.
   void forget();
 
   std::set<RunKey> keys();
@@ -43,13 +45,13 @@ class RunRows {
   std::int64_t reason(const std::string& text);
   StoredRun read(const Use& row, const Cell& cell);
   std::vector<Improvement> trace(std::int64_t run);
-  std::vector<RepeatedExit> exits(std::int64_t run);
+  std::vector<RepeatedTermination> terminations(std::int64_t run);
 
   SQLite::Database& database_;
   std::map<Cell, std::int64_t> cells_;
   std::map<std::string, std::int64_t> reasons_;
 
-  SQLite::Statement number_of_question_, number_of_solver_, number_of_cell_, number_of_reason_;
+  SQLite::Statement number_of_problem_, number_of_solver_, number_of_cell_, number_of_reason_;
   SQLite::Statement add_cell_, add_reason_, add_run_, add_improvement_, add_exit_;
   SQLite::Statement cells_there_, keys_of_cell_, runs_there_;
   SQLite::Statement runs_of_cell_, run_of_number_, run_of_key_, trace_, exits_;

@@ -1,10 +1,10 @@
 -- A campaign of ricochet. Of a number that SQLite would change, -0.0 or not a number, the eight
 -- bytes of its double are kept, little-endian, as a blob; of a point those of all its coordinates.
-PRAGMA application_id = 0x5249434F;
-PRAGMA user_version = 1;
+PRAGMA application_id = 0x5249434F;  -- the user_version is that of the suite
 
 CREATE TABLE campaign (
   plan TEXT NOT NULL,        -- TOML
+  data TEXT NOT NULL,        -- hash of the problems
   checksum INTEGER NOT NULL  -- of the whole description; that of a run is of its key, too
 );
 
@@ -15,7 +15,7 @@ CREATE TABLE note (
   PRIMARY KEY (about, name)
 ) WITHOUT ROWID;
 
-CREATE TABLE question (
+CREATE TABLE problem (
   number INTEGER PRIMARY KEY,
   name TEXT NOT NULL UNIQUE,
   family TEXT NOT NULL,
@@ -23,15 +23,22 @@ CREATE TABLE question (
   variables INTEGER NOT NULL,
   constraints INTEGER NOT NULL,
   equalities INTEGER NOT NULL,
-  tolerance REAL NOT NULL,  -- regret that still counts as solved
+  tolerance REAL NOT NULL,  -- optimality gap that still counts as solved
   best_known REAL NOT NULL
 );
 
-CREATE TABLE factor (  -- of the question's machine
-  question INTEGER NOT NULL REFERENCES question,
+CREATE TABLE factor (  -- of the problem's machine
+  problem INTEGER NOT NULL REFERENCES problem,
   name TEXT NOT NULL,
   value REAL NOT NULL,
-  PRIMARY KEY (question, name)
+  PRIMARY KEY (problem, name)
+) WITHOUT ROWID;
+
+CREATE TABLE finding (  -- of the search for the problem's best value
+  problem INTEGER NOT NULL REFERENCES problem,
+  name TEXT NOT NULL,
+  value REAL NOT NULL,
+  PRIMARY KEY (problem, name)
 ) WITHOUT ROWID;
 
 CREATE TABLE solver (
@@ -42,20 +49,20 @@ CREATE TABLE solver (
 
 CREATE TABLE cell (  -- runs of it differ in instance and run only
   number INTEGER PRIMARY KEY,
-  question INTEGER NOT NULL REFERENCES question,
-  form TEXT NOT NULL,
-  feature TEXT NOT NULL,
+  problem INTEGER NOT NULL REFERENCES problem,
+  formulation TEXT NOT NULL,
+  perturbation TEXT NOT NULL,
   solver INTEGER NOT NULL REFERENCES solver,
   budget INTEGER NOT NULL,  -- evaluations for each variable
   gradient_price TEXT NOT NULL,
-  UNIQUE (question, form, feature, solver, budget, gradient_price)
+  UNIQUE (problem, formulation, perturbation, solver, budget, gradient_price)
 );
 
-CREATE TABLE refusal (  -- why the evaluator refused in the end
+CREATE TABLE termination_reason (  -- why the evaluator refused in the end
   number INTEGER PRIMARY KEY,
   name TEXT NOT NULL
 );
-INSERT INTO refusal VALUES
+INSERT INTO termination_reason VALUES
   (0, 'none'), (1, 'evaluations'), (2, 'seconds'), (3, 'bad point'), (4, 'failure'), (5, 'paused');
 
 CREATE TABLE run (
@@ -76,12 +83,12 @@ CREATE TABLE run (
   charged INTEGER NOT NULL,    -- evaluations
   refused INTEGER NOT NULL,    -- calls
   seconds REAL NOT NULL,       -- of processor time, scoring left out
-  refusal INTEGER NOT NULL REFERENCES refusal,
+  termination_reason INTEGER NOT NULL REFERENCES termination_reason,
   failure TEXT NOT NULL,       -- what was thrown; '' if nothing
   best_x BLOB,                 -- point of the last improvement; NULL where there is none
-  handed_x BLOB,               -- the best point that the solver handed over, as it was shown
-  handed_objective REAL,       -- its truth
-  handed_violation REAL,
+  returned_x BLOB,             -- the best point that the solver returned, by its formulation
+  returned_objective REAL,     -- its true values
+  returned_violation REAL,
   checksum INTEGER NOT NULL,
   UNIQUE (cell, instance, run)
 );
@@ -101,7 +108,7 @@ CREATE TABLE reason (
   text TEXT NOT NULL UNIQUE
 );
 
-CREATE TABLE exit (  -- what the solver said at the end of its starts, in their order
+CREATE TABLE termination (  -- what the solver reported at the end of its starts, in their order
   run INTEGER NOT NULL REFERENCES run,
   step INTEGER NOT NULL,
   reason INTEGER NOT NULL REFERENCES reason,
@@ -110,14 +117,14 @@ CREATE TABLE exit (  -- what the solver said at the end of its starts, in their 
 ) WITHOUT ROWID;
 
 CREATE VIEW result AS  -- every run in words, with the best it reached
-SELECT run.number, question.name AS question, cell.form, cell.feature, solver.name AS solver,
-       cell.budget, cell.gradient_price, run.instance, run.run, run.charged, run.seconds,
-       refusal.name AS refusal, best.evaluations AS found_after, best.objective, best.violation,
-       run.failure
+SELECT run.number, problem.name AS problem, cell.formulation, cell.perturbation,
+       solver.name AS solver, cell.budget, cell.gradient_price, run.instance, run.run, run.charged, run.seconds,
+       termination_reason.name AS termination_reason, best.evaluations AS found_after,
+       best.objective, best.violation, run.failure
 FROM run
 JOIN cell ON cell.number = run.cell
-JOIN question ON question.number = cell.question
+JOIN problem ON problem.number = cell.problem
 JOIN solver ON solver.number = cell.solver
-JOIN refusal ON refusal.number = run.refusal
+JOIN termination_reason ON termination_reason.number = run.termination_reason
 LEFT JOIN improvement AS best ON best.run = run.number
   AND best.step = (SELECT max(step) FROM improvement WHERE improvement.run = run.number);

@@ -1,4 +1,4 @@
-#include "src/store/sqlite_values.h"
+#include "src/benchmark/experiment/store/sqlite_values.h"
 
 #include <bit>
 #include <cmath>
@@ -24,7 +24,7 @@ void Use::bind(int parameter, double value) {
 }
 
 void Use::bind(int parameter, const Vector& value) {
-  // Of no coordinates: an empty blob, and not NULL, which a null pointer would give.
+  // An empty vector is an empty blob, not NULL, which a null pointer would give.
   const void* coordinates = value.size() == 0 ? "" : static_cast<const void*>(value.data());
   statement_.bind(parameter, coordinates,
                   static_cast<int>(sizeof(double)) * static_cast<int>(value.size()));

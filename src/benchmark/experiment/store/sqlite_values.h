@@ -11,13 +11,13 @@
 
 namespace ricochet {
 
-/// What is read is not what was written.
+/// The data read differ from those written.
 class Damage : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A statement to be used once more. What it was used for before is forgotten, even if it failed.
+/// One use of a prepared statement. It resets the statement first, even after a failure.
 class Use {
  public:
   explicit Use(SQLite::Statement& statement) : statement_(statement) { statement_.tryReset(); }
@@ -25,7 +25,7 @@ class Use {
   Use(const Use&) = delete;
   Use& operator=(const Use&) = delete;
 
-  /// Gives the parameters, from the first to the last.
+  /// Binds the parameters, from the first to the last.
   template <class... Values>
   Use& with(const Values&... values) {
     int parameter = 0;
@@ -36,8 +36,8 @@ class Use {
   bool next() { return statement_.executeStep(); }
   void execute() { statement_.exec(); }
 
-  // A value of the row, counted from 0. They throw Damage where it is of another type, which
-  // only a damaged file has.
+  // A value of the row, columns counted from 0. Throws Damage if it has another type, which only
+  // happens in a damaged file.
   std::int64_t integer(int column) const;
   double number(int column) const;
   std::string text(int column) const;
@@ -51,7 +51,7 @@ class Use {
   void bind(int parameter, double value);
   void bind(int parameter, const Vector& value);
 
-  /// NULL where there is none.
+  /// Binds NULL if there is no value.
   template <class Value>
   void bind(int parameter, const Value* value) {
     if (value != nullptr) {

@@ -1,4 +1,4 @@
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
@@ -6,14 +6,14 @@
 
 #include <utility>
 
+#include "src/benchmark/experiment/store/description_rows.h"
+#include "src/benchmark/experiment/store/draft_store.h"
+#include "src/benchmark/experiment/store/run_rows.h"
+#include "src/benchmark/experiment/store/store_file.h"
+#include "src/benchmark/experiment/store/stored_parts.h"
+#include "src/benchmark/experiment/store/writer_lock.h"
 #include "src/core/error.h"
 #include "src/core/text_file.h"
-#include "src/store/description_rows.h"
-#include "src/store/draft_store.h"
-#include "src/store/run_rows.h"
-#include "src/store/store_file.h"
-#include "src/store/stored_parts.h"
-#include "src/store/writer_lock.h"
 
 namespace ricochet {
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct Store::Database {
   fs::path file;
-  std::unique_ptr<WriterLock> lock;  // nothing where it is only read
+  std::unique_ptr<WriterLock> lock;  // null if the store is only read
   std::unique_ptr<SQLite::Database> connection;
   CampaignDescription description;
   std::unique_ptr<RunRows> rows;
@@ -31,7 +31,7 @@ struct Store::Database {
     if (lock && connection) close(std::move(connection));
   }
 
-  /// All that `work` reads is from one moment: that of the reading around it, where there is one.
+  /// Everything that `work` reads is from one moment: that of the enclosing read, if there is one.
   template <class Work>
   auto reading(const Work& work) const {
     try {

@@ -10,24 +10,25 @@
 #include <string>
 #include <vector>
 
+#include "src/benchmark/experiment/store/run_key.h"
 #include "src/core/run.h"
-#include "src/store/run_key.h"
 
 namespace ricochet {
 
-/// What a store knows of a question, so that nothing need be simulated to judge its runs.
-struct StoredQuestion {
+/// The data of a problem in a store, so that its runs can be scored without a simulation.
+struct StoredProblem {
   std::string name;
   std::string family;
-  std::string machine;  ///< empty where it is asked of none
+  std::string machine;  ///< empty if the problem has none
   std::int64_t variables = 0;
   std::int64_t constraints = 0;
   std::int64_t equalities = 0;
   double tolerance = 0;
   double best_known = 0;
-  std::map<std::string, double> factors;  ///< of the machine: see Question::factors
+  std::map<std::string, double> factors;        ///< of the machine: see Problem::factors
+  std::map<std::string, double> findings = {};  ///< of its search, if its best value was not known
 
-  bool operator==(const StoredQuestion&) const = default;
+  bool operator==(const StoredProblem&) const = default;
 };
 
 struct StoredSolver {
@@ -37,11 +38,12 @@ struct StoredSolver {
   bool operator==(const StoredSolver&) const = default;
 };
 
-/// What a campaign is, written once when its store is made. Stores are parts of one campaign where
-/// all of this but `made` is the same.
+/// The description of a campaign, written once when its store is made. Stores are parts of one
+/// campaign if all of this except `made` is equal.
 struct CampaignDescription {
   std::string plan;  ///< TOML text
-  std::vector<StoredQuestion> questions;
+  std::string data;  ///< hash of the problems, see data_hash.h
+  std::vector<StoredProblem> problems;
   std::vector<StoredSolver> solvers;
   std::map<std::string, std::string> program;  ///< version, commit, compiler, libraries
   std::map<std::string, std::string> made;     ///< machine, cores, date
@@ -49,28 +51,29 @@ struct CampaignDescription {
   bool operator==(const CampaignDescription&) const = default;
 };
 
-/// A run as it is read from a store. Of the record's trace only the last point has its x, of the
-/// exits no points are kept, but the best is `handed_over`.
+/// A run as it is read from a store. Of the record's trace only the last point has its x. Of the
+/// points returned by the starts only the best is kept, in `returned`.
 struct StoredRun {
-  std::int64_t number;  ///< by which `ricochet replay` asks for it
+  std::int64_t number;  ///< for `ricochet replay`
   RunKey key;
   RunRecord record;
 };
 
 /// The runs of a campaign in one SQLite file, whose tables are described in schema.sql. Every run
-/// is a transaction of its own: whenever the program is killed, all runs added before are there.
-/// Where the machine dies, too, the latest may be missing, and the file is whole. Only one process
-/// writes at a time; others may read meanwhile. A closed store is this one file; beside one that
-/// was killed are others, with its name and -wal, -shm, -lock, and the first belongs to it.
+/// is a transaction: if the program is killed, all runs added before are kept. If the machine
+/// crashes, the latest runs may be missing, but the file is intact. Only one process writes at a
+/// time; others may read meanwhile. A closed store is this one file. Beside a store whose program
+/// was killed there are files with its name and -wal, -shm, -lock; -wal is part of the
+/// store.
 class Store {
  public:
-  /// Makes a new file. Throws InputError where there is one, or where there can be none.
+  /// Makes a new file. Throws InputError if it exists or cannot be made.
   static Store create(const std::filesystem::path& file, const CampaignDescription& description);
 
   /// Opens a file to read it, or to add runs. Throws InputError for a file that is missing, damaged
   /// (by SQLite's own integrity and foreign key checks, which take some seconds for a million
-  /// runs), of another program, or of another version of the schema; for adding also where another
-  /// process does so at this moment. Such a file stays untouched.
+  /// runs), of another program, or of another version of the suite; for adding also if another
+  /// process is adding runs. The file then stays unchanged.
   enum class For { reading, adding };
   static Store open(const std::filesystem::path& file, For purpose);
 
@@ -80,25 +83,25 @@ class Store {
 
   const CampaignDescription& description() const;
 
-  /// Adds a run. Throws InputError where it is there already, or of a question or solver that the
-  /// description lacks, OutputError where the disk takes no more; then all is as before.
+  /// Adds a run. Throws InputError if it already exists or the description lacks its problem or
+  /// solver, OutputError if the disk is full; then the store stays unchanged.
   void add(const RunKey& key, const RunRecord& record);
 
-  // What reads runs throws InputError where it finds one that differs from what was added: each is
-  // kept with its checksum.
+  // Members that read runs throw InputError for one that differs from what was added: each run is
+  // stored with its checksum.
 
-  /// The runs that are there.
+  /// The keys of all runs in the store.
   std::set<RunKey> keys() const;
   std::int64_t size() const;
 
-  /// Hands over every run, by cell, then instance, then run.
+  /// Passes every run to `use`, by cell, then instance, then run.
   void each(const std::function<void(const StoredRun&)>& use) const;
 
-  /// Nothing where there is no run of this number.
+  /// The run with this number; nothing if there is none.
   std::optional<StoredRun> find(std::int64_t number) const;
 
-  /// 16 hexadecimal digits that depend on every bit of description and runs, but for times and what
-  /// else a repetition may change (`made`, numbers of runs, order of their arrival).
+  /// 16 hexadecimal digits that depend on every bit of description and runs, except times and other
+  /// data that a repetition may change (`made`, numbers of runs, order of their arrival).
   std::string digest() const;
 
  private:
@@ -108,8 +111,8 @@ class Store {
 };
 
 /// Joins stores of parts of one campaign into a new file. Throws InputError, naming the file and
-/// what differs, where one is of another campaign, or where two have the same run with different
-/// results; then no file is made. What `made` the first is kept, as are the times of the first of
+/// the difference, if one is of another campaign, or if two have the same run with different
+/// results; then no file is made. Keeps `made` of the first store, and the times of the first of
 /// two equal runs.
 void merge(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out);
 

@@ -1,4 +1,4 @@
-#include "src/store/store_file.h"
+#include "src/benchmark/experiment/store/store_file.h"
 
 #include <SQLiteCpp/Statement.h>
 #include <fmt/format.h>
@@ -19,22 +19,23 @@
 #include <utility>
 
 #include "embedded/schema.h"
+#include "src/benchmark/experiment/store/sqlite_values.h"
 #include "src/core/error.h"
-#include "src/store/sqlite_values.h"
+#include "src/core/suite_version.h"
 
 namespace ricochet {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience = 10'000;  // [ms], with others who have the file locked at this moment
+constexpr int patience = 10'000;  // [ms], while others have the file locked
 constexpr const char* first_look = "SELECT count(*) FROM sqlite_schema";
 
 std::unique_ptr<SQLite::Database> opened(const fs::path& file, int flags) {
   return std::make_unique<SQLite::Database>(file.string(), flags, patience);
 }
 
-/// Opens it as SQLite does what cannot change: with no lock, no recovery and no file beside it.
+/// Opens it as an immutable file: without locks, recovery and files beside it.
 std::unique_ptr<SQLite::Database> opened_as_it_is(const fs::path& file) {
   std::string address = "file:";
   for (const char c : fs::canonical(file).string()) {
@@ -45,7 +46,7 @@ std::unique_ptr<SQLite::Database> opened_as_it_is(const fs::path& file) {
   return opened(address + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI);
 }
 
-/// Before SQLite opens it: it would wait for who writes to a pipe, and take an empty file for a
+/// Called before SQLite opens the file: SQLite would block on a pipe, and take an empty file for a
 /// database without tables.
 void check_kind(const fs::path& file) {
   struct stat status {};
@@ -63,7 +64,7 @@ std::int64_t pragma(const SQLite::Database& database, const char* name) {
   return row.next() ? row.integer(0) : 0;
 }
 
-/// Types, names and texts of what the schema defines.
+/// Types, names and texts of the tables and indices that the schema defines.
 std::set<std::tuple<std::string, std::string, std::string>> tables(
     const SQLite::Database& database) {
   std::set<std::tuple<std::string, std::string, std::string>> tables;
@@ -79,14 +80,15 @@ std::unique_ptr<SQLite::Database> empty_store() {
   return store;
 }
 
-/// What the header of a database says, https://www.sqlite.org/fileformat2.html#the_database_header.
+/// The header of a database, https://www.sqlite.org/fileformat2.html#the_database_header.
 struct Header {
   std::uint32_t user_version;
   std::uint32_t application_id;
 };
 
-/// Read without SQLite: it would have to finish first what a killed writer has left, and nothing is
-/// changed in a file of others. These numbers stay as they were when the store was made.
+/// Reads the header without SQLite, which would first complete what a killed writer has left; but
+/// files of other programs must not be changed. These numbers do not change after the store is
+/// made.
 Header header_of(const fs::path& file) {
   std::array<char, 72> bytes{};
   std::ifstream in(file, std::ios::binary);
@@ -110,10 +112,11 @@ void check_identity(const fs::path& file, const SQLite::Database& model) {
   if (header.application_id != pragma(model, "application_id")) {
     throw Damage("another program made it");
   }
-  const std::int64_t ours = pragma(model, "user_version");
-  if (header.user_version != ours) {
-    throw Damage(fmt::format("its tables are of version {}, this program knows version {}",
-                             header.user_version, ours));
+  if (header.user_version != suite_version) {
+    throw InputError(fmt::format(
+        "{}: made by version {} of the suite, this is version {}; run the plan again, or use {}",
+        file.string(), header.user_version, suite_version,
+        header.user_version == 1 ? "ricochet 0.1" : "the ricochet that made it"));
   }
 }
 
@@ -136,7 +139,7 @@ bool has_pending_changes(const fs::path& file) {
   return fs::exists(log, none) && fs::file_size(log, none) > 0;
 }
 
-/// The database as readers see it, once its identity is known.
+/// The database for readers, after its identity is checked.
 std::unique_ptr<SQLite::Database> readable(const fs::path& file) {
   auto database = opened(file, SQLite::OPEN_READONLY);
   if (database->tryExec(first_look) == SQLITE_OK) return database;
@@ -144,15 +147,15 @@ std::unique_ptr<SQLite::Database> readable(const fs::path& file) {
   const int reason = database->getExtendedErrorCode();
   database.reset();
   if (reason == SQLITE_READONLY_ROLLBACK || reason == SQLITE_READONLY_RECOVERY) {
-    // It was killed in the moment in which it is given the form in which it is closed.
+    // The writer was killed while it was changing the file to its closed state.
     opened(file, SQLite::OPEN_READWRITE)->tryExec(first_look);
     return opened(file, SQLite::OPEN_READONLY);
   }
-  // Where nothing can be written a store that was not closed cannot be shared.
+  // A store that was not closed cannot be shared if its folder is read-only.
   if ((error == SQLITE_CANTOPEN || error == SQLITE_READONLY) && !has_pending_changes(file)) {
     return opened_as_it_is(file);
   }
-  return opened(file, SQLite::OPEN_READONLY);  // whose first use tells the error
+  return opened(file, SQLite::OPEN_READONLY);  // its first use reports the error
 }
 
 std::unique_ptr<SQLite::Database> checked(const fs::path& file) {

@@ -1,4 +1,4 @@
-#include "src/store/stored_parts.h"
+#include "src/benchmark/experiment/store/stored_parts.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 namespace ricochet {
 namespace {
 
-/// Values one after the other, so that no two lists of them are the same bytes.
+/// Serialises values so that different lists never give the same bytes.
 class Bytes {
  public:
   Bytes& operator<<(std::uint64_t number) {
@@ -33,7 +33,9 @@ class Bytes {
     for (const double coordinate : x) *this << coordinate;
     return *this;
   }
-  Bytes& operator<<(const Truth& truth) { return *this << truth.objective << truth.violation; }
+  Bytes& operator<<(const TrueValues& true_values) {
+    return *this << true_values.objective << true_values.violation;
+  }
 
   std::string taken() { return std::exchange(text_, {}); }
 
@@ -41,18 +43,21 @@ class Bytes {
   std::string text_;
 };
 
-std::string bytes_of(const StoredQuestion& question) {
+std::string bytes_of(const StoredProblem& problem) {
   Bytes bytes;
-  bytes << question.name << question.family << question.machine << question.variables
-        << question.constraints << question.equalities << question.tolerance << question.best_known;
-  for (const auto& [name, value] : question.factors) bytes << name << value;
+  bytes << problem.name << problem.family << problem.machine << problem.variables
+        << problem.constraints << problem.equalities << problem.tolerance << problem.best_known;
+  for (const auto* numbers : {&problem.factors, &problem.findings}) {
+    bytes << std::uint64_t{numbers->size()};
+    for (const auto& [name, value] : *numbers) bytes << name << value;
+  }
   return bytes.taken();
 }
 
 std::string bytes_of(const RunKey& key) {
   const Cell& cell = key.cell;
   Bytes bytes;
-  bytes << cell.question << cell.form << cell.feature << cell.solver << cell.budget
+  bytes << cell.problem << cell.formulation << cell.perturbation << cell.solver << cell.budget
         << cell.gradient_price << key.instance << key.run;
   return bytes.taken();
 }
@@ -60,18 +65,18 @@ std::string bytes_of(const RunKey& key) {
 std::string bytes_of(const std::vector<Improvement>& trace) {
   Bytes bytes;
   bytes << std::uint64_t{trace.size()};
-  for (const Improvement& step : trace) bytes << step.evaluations << step.truth;
+  for (const Improvement& step : trace) bytes << step.evaluations << step.true_values;
   if (!trace.empty()) bytes << trace.back().x;
   return bytes.taken();
 }
 
-std::string bytes_of(const std::vector<RepeatedExit>& exits) {
+std::string bytes_of(const std::vector<RepeatedTermination>& terminations) {
   Bytes bytes;
-  for (const RepeatedExit& exit : exits) bytes << exit.reason << exit.starts;
+  for (const RepeatedTermination& exit : terminations) bytes << exit.reason << exit.starts;
   return bytes.taken();
 }
 
-/// What another machine, or another hour, may change.
+/// The data that may change on another machine or at another time.
 std::string times_of(const RunRecord& record) {
   Bytes bytes;
   bytes << record.ledger.seconds;
@@ -79,7 +84,8 @@ std::string times_of(const RunRecord& record) {
   return bytes.taken();
 }
 
-std::vector<StoredPart> parts_of(const RunRecord& record, const std::vector<RepeatedExit>& exits) {
+std::vector<StoredPart> parts_of(const RunRecord& record,
+                                 const std::vector<RepeatedTermination>& terminations) {
   const Ledger& ledger = record.ledger;
   Bytes bytes;
   std::vector<StoredPart> parts;
@@ -93,12 +99,12 @@ std::vector<StoredPart> parts_of(const RunRecord& record, const std::vector<Repe
   bytes << ledger.values << ledger.derivatives << ledger.hessians << ledger.charged
         << ledger.refused;
   close("ledger");
-  bytes << static_cast<int>(record.refusal) << record.failure;
+  bytes << static_cast<int>(record.termination_reason) << record.failure;
   close("end");
-  parts.push_back({"exits", bytes_of(exits)});
+  parts.push_back({"terminations", bytes_of(terminations)});
   parts.push_back({"trace", bytes_of(record.trace)});
-  if (record.handed_over) bytes << record.handed_over->x << record.handed_over->truth;
-  close("point handed over");
+  if (record.returned) bytes << record.returned->x << record.returned->true_values;
+  close("point returned");
   return parts;
 }
 
@@ -112,9 +118,10 @@ void add_parts(FnvHash& hash, const std::vector<StoredPart>& parts) {
 }  // namespace
 
 std::vector<StoredPart> parts_of(const CampaignDescription& description) {
-  std::vector<StoredPart> parts = {{"plan", description.plan}};
-  for (const StoredQuestion& question : description.questions) {
-    parts.push_back({"question " + question.name, bytes_of(question)});
+  std::vector<StoredPart> parts = {{"plan", description.plan},
+                                   {"data of the problems", description.data}};
+  for (const StoredProblem& problem : description.problems) {
+    parts.push_back({"problem " + problem.name, bytes_of(problem)});
   }
   for (const StoredSolver& solver : description.solvers) {
     parts.push_back({fmt::format("solver {} of version {}", solver.name, solver.version), ""});
@@ -126,7 +133,7 @@ std::vector<StoredPart> parts_of(const CampaignDescription& description) {
 }
 
 std::vector<StoredPart> parts_of(const RunRecord& record) {
-  return parts_of(record, repeated(record.exits));
+  return parts_of(record, repeated(record.terminations));
 }
 
 std::string difference(const std::vector<StoredPart>& ours, const std::vector<StoredPart>& theirs) {
@@ -148,10 +155,10 @@ std::uint64_t checksum(const CampaignDescription& description) {
 }
 
 std::uint64_t checksum(const RunKey& key, const RunRecord& record,
-                       const std::vector<RepeatedExit>& exits) {
+                       const std::vector<RepeatedTermination>& terminations) {
   FnvHash hash;
   hash.add(bytes_of(key));
-  add_parts(hash, parts_of(record, exits));
+  add_parts(hash, parts_of(record, terminations));
   hash.add(times_of(record));
   return hash.value();
 }

@@ -3,33 +3,34 @@
 #include <string>
 #include <vector>
 
+#include "src/benchmark/experiment/store/repeated_terminations.h"
+#include "src/benchmark/experiment/store/store.h"
 #include "src/core/fnv_hash.h"
-#include "src/store/repeated_exits.h"
-#include "src/store/store.h"
 
 namespace ricochet {
 
-/// A part of what a store keeps, as bytes that differ where any bit of it does.
+/// A part of the stored data, as bytes that differ if any bit of it does.
 struct StoredPart {
   std::string name;  ///< for messages
   std::string bytes;
 };
 
-/// What makes a campaign that campaign: all but `made`.
+/// The parts that identify a campaign: all but `made`.
 std::vector<StoredPart> parts_of(const CampaignDescription& description);
 
-/// What a repetition of the run must bring again: all of it that a store keeps, but times.
+/// The parts that a repetition of the run must reproduce: all that a store keeps, except times.
 std::vector<StoredPart> parts_of(const RunRecord& record);
 
-/// The name of the first part that differs, or that one alone has; empty where there is none.
+/// The name of the first part that differs or that only one has; empty if there is none.
 std::string difference(const std::vector<StoredPart>& ours, const std::vector<StoredPart>& theirs);
 
-/// Of all that is stored, times and places too, to see damage. The run's exits are given apart.
+/// Checksum of all stored data, including times and places, to detect damage. The run's
+/// terminations are given separately.
 std::uint64_t checksum(const CampaignDescription& description);
 std::uint64_t checksum(const RunKey& key, const RunRecord& record,
-                       const std::vector<RepeatedExit>& exits);
+                       const std::vector<RepeatedTermination>& terminations);
 
-/// See Store::digest. To be told of the runs in the order of their keys.
+/// See Store::digest. Runs must be added in the order of their keys.
 class Digest {
  public:
   explicit Digest(const CampaignDescription& description);

@@ -1,4 +1,4 @@
-#include "src/store/writer_lock.h"
+#include "src/benchmark/experiment/store/writer_lock.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ WriterLock::WriterLock(const std::filesystem::path& file)
       throw InputError(fmt::format("{}: cannot be written to: {}: {}", file.string(),
                                    lock_.string(), std::generic_category().message(errno)));
     }
-    // Where a file system has no locks there is none.
+    // If the file system has no locks, go on without one.
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       ::close(descriptor_);
       throw InputError(fmt::format(
@@ -30,13 +30,13 @@ WriterLock::WriterLock(const std::filesystem::path& file)
           file.string()));
     }
     if (is_there()) return;
-    ::close(descriptor_);  // who had it before took it away meanwhile
+    ::close(descriptor_);  // its previous owner removed it meanwhile
   }
 }
 
 WriterLock::~WriterLock() {
   ::unlink(lock_.c_str());
-  ::flock(descriptor_, LOCK_UN);  // for processes that were forked, too
+  ::flock(descriptor_, LOCK_UN);  // also for forked processes
   ::close(descriptor_);
 }
 

@@ -4,11 +4,12 @@
 
 namespace ricochet {
 
-/// That no other process writes to the file as long as this lives: a lock on a file beside it, with
-/// -lock after its name. A lock on the file itself would end SQLite's own when it is given back.
+/// Ensures that no other process writes to the file while this object lives: a lock on a file
+/// beside it, with -lock after its name. A lock on the file itself would release SQLite's own when
+/// it is given back.
 class WriterLock {
  public:
-  /// Throws InputError where another has it, or where nothing can be made beside the file.
+  /// Throws InputError if another process has the lock, or no file can be made beside the file.
   explicit WriterLock(const std::filesystem::path& file);
   ~WriterLock();
   WriterLock(const WriterLock&) = delete;

@@ -1,4 +1,4 @@
-#include "src/studies/trials/all_trials.h"
+#include "src/research/calibration/variants/all_variants.h"
 
 #include <fmt/format.h>
 
@@ -7,104 +7,98 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/paper/fitted_reading.h"
 #include "src/core/random.h"
-#include "src/studies/trials/find_peaks.h"
-#include "src/studies/trials/height_count.h"
-#include "src/studies/trials/sampled_path.h"
-#include "src/studies/trials/speed_restitution.h"
-#include "src/studies/trials/stepped_walls.h"
-#include "src/studies/trials/what_if_motion.h"
+#include "src/research/calibration/variants/changed_motion.h"
+#include "src/research/calibration/variants/find_peaks.h"
+#include "src/research/calibration/variants/height_count.h"
+#include "src/research/calibration/variants/sampled_path.h"
+#include "src/research/calibration/variants/speed_restitution.h"
+#include "src/research/calibration/variants/stepped_walls.h"
+#include "src/research/paper/fitted_interpretation.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
 using namespace carrier_track;
 
 namespace {
 
-/// The limits of equation (33) [m], and the lower one of the sentence below it.
+/// The limits of equation (33) [m], and the lower one in the sentence below it.
 constexpr double high_limit = 3e-3, low_limit = 1e-3, lower_limit = 1e-4;
 
-/// A body that rebounds slower [m/s] may rest in a path that is sampled: its hops are far below
+/// A body that rebounds more slowly [m/s] may rest in a sampled path: its chattering is far below
 /// what a plot shows.
 constexpr double sampled_resting = 1e-5;
 
-/// So many random numbers; the longest window at the shortest interval has less.
+/// Number of random numbers; the longest window at the shortest interval needs fewer.
 constexpr Eigen::Index draws = 131072;
 
-struct ImpactsHeard : WhatIfObserver {
-  static constexpr bool hears_impacts_alone = true;
-
-  double slowest;
-  int most;
-  int count = 0;
-
-  ImpactsHeard(double the_slowest, int the_most) : slowest(the_slowest), most(the_most) {}
-  void impact(double /*time*/, Wall /*wall*/, double speed) {
-    if (is_counted(speed, slowest) && ++count > most) throw Enough();
-  }
+struct CountOfImpacts : ImpactCount {
+  void valley(double /*time*/, double /*position*/) {}
 };
 
-double resting_of(const Scene& scene, const Patience& patience) {
-  return patience.resting_share > 0 ? patience.resting_share * scene.slowest
+double resting_of(const Scene& scene, const EarlyStopping& stopping) {
+  return stopping.resting_share > 0 ? stopping.resting_share * scene.counting_limit
                                     : resting_speed_of(scene);
 }
 
-/// What a simulation that is given up counts for.
-int louder(const Patience& patience) {
-  return std::min(patience.most, MostImpacts::most) + 1;
+/// Count of a simulation that is given up.
+int louder(const EarlyStopping& stopping) {
+  return std::min(stopping.most, ImpactLimit::most) + 1;
 }
 
-int impacts_of(const Scene& scene, const WhatIf& what_if, const Patience& patience) {
-  ImpactsHeard heard(scene.slowest, patience.most);
+int impacts_of(const Scene& scene, const MotionChange& change, const EarlyStopping& stopping) {
+  CountOfImpacts heard;
+  heard.counting_limit = scene.counting_limit;
+  heard.most = stopping.most;
   try {
-    WhatIfMotion(scene, what_if, resting_of(scene, patience)).run(heard);
-  } catch (const Enough&) {
+    ChangedMotion(scene, change, resting_of(scene, stopping)).run(heard);
+  } catch (const StoppedEarly&) {
     // Louder than anything in the paper.
   } catch (const std::runtime_error&) {  // more impacts than any window holds
-    return louder(patience);
+    return louder(stopping);
   }
   return heard.count;
 }
 
-/// The readings that are changed: that with friction on the walls' own force, and that without.
-Reading with_contact_friction() {
-  return find_reading("projected-constant-revolutions-contact-friction");
+/// The interpretations that are changed: with friction on the walls' normal force, and without.
+Interpretation with_contact_friction() {
+  return find_interpretation("projected-constant-revolutions-contact-friction");
 }
 
-Reading plain() {
-  return find_reading("projected-constant-revolutions");
+Interpretation plain() {
+  return find_interpretation("projected-constant-revolutions");
 }
 
-std::vector<Open> without(std::vector<Open> open, Open constant) {
+std::vector<Unknown> without(std::vector<Unknown> open, Unknown constant) {
   std::erase(open, constant);
   return open;
 }
 
-/// A trial whose impacts count as ever, of a motion that `change` makes of a case's scene.
-template <class Change>
-Trial changed_motion(const std::string& name, const std::string& description, const Reading& base,
-                     std::vector<Open> freed, std::vector<OpenConstant> own, Change change) {
-  Trial trial{name + (base == plain() ? "-plain" : ""), description, base, std::move(freed),
-              std::move(own)};
-  trial.counts = [base, change](const Case& a_case, const TrialConstants& constants,
-                                const Patience& patience) -> CountAt {
+/// A variant with the usual count of impacts, with a motion that `changed` makes of a case's scene.
+template <class Changed>
+ModelVariant changed_motion(const std::string& name, const std::string& description,
+                            const Interpretation& base, std::vector<Unknown> free,
+                            std::vector<UnknownParameter> own, Changed changed) {
+  ModelVariant variant{name + (base == plain() ? "-plain" : ""), description, base, std::move(free),
+                       std::move(own)};
+  variant.counts = [base, changed](const Case& a_case, const VariantConstants& constants,
+                                   const EarlyStopping& stopping) -> CountAt {
     Scene scene = scene_of(a_case, base, constants.base);
-    WhatIf what_if = change(scene, constants.own);
-    return [scene, what_if, patience](double omega) {
-      return impacts_of(at_speed(scene, omega), what_if, patience);
+    const MotionChange change = changed(scene, constants.own);
+    return [scene, change, stopping](double omega) {
+      return impacts_of(at_speed(scene, omega), change, stopping);
     };
   };
-  return trial;
+  return variant;
 }
 
-Trial nothing_changed(const Reading& base) {
+ModelVariant nothing_changed(const Interpretation& base) {
   return changed_motion("nothing", "Nothing is changed: what the others are measured by.", base,
-                        open_of(base), {},
-                        [](const Scene&, const std::vector<double>&) { return WhatIf{}; });
+                        unknowns_of(base), {},
+                        [](const Scene&, const std::vector<double>&) { return MotionChange{}; });
 }
 
-OpenConstant inner_wall() {
+UnknownParameter inner_wall() {
   return {"inner_wall",
           "m",
           -4e-3,
@@ -114,32 +108,32 @@ OpenConstant inner_wall() {
           "where x counts from is not given; both limits of (33) lie within"};
 }
 
-Trial heights(const std::string& name, double low) {
-  Trial trial;
-  trial.name = name;
-  trial.description = fmt::format(
+ModelVariant heights(const std::string& name, double low) {
+  ModelVariant variant;
+  variant.name = name;
+  variant.description = fmt::format(
       "Hits on the outer wall and maxima count from 3 mm on, hits on the inner wall and minima up "
       "to {:g} mm, with the inner wall somewhere.",
       1e3 * low);
-  trial.base = with_contact_friction();
-  trial.freed = open_of(trial.base);
-  trial.own = {inner_wall()};
-  trial.counts = [base = trial.base, low](const Case& a_case, const TrialConstants& constants,
-                                          const Patience& patience) -> CountAt {
+  variant.base = with_contact_friction();
+  variant.free = unknowns_of(variant.base);
+  variant.own = {inner_wall()};
+  variant.counts = [base = variant.base, low](const Case& a_case, const VariantConstants& constants,
+                                              const EarlyStopping& stopping) -> CountAt {
     return [scene = scene_of(a_case, base, constants.base), wall = constants.own.at(0), low,
-            patience](double omega) {
+            stopping](double omega) {
       const Scene at = at_speed(scene, omega);
-      HeightCount heard(at, {wall, high_limit, low}, patience.most);
-      const WhatIf nothing;
+      HeightCount heard(at, {wall, high_limit, low}, stopping.most);
+      const MotionChange nothing;
       try {
-        WhatIfMotion(at, nothing, resting_of(at, patience)).run(heard);
-      } catch (const Enough&) {
-        return louder(patience);
+        ChangedMotion(at, nothing, resting_of(at, stopping)).run(heard);
+      } catch (const StoppedEarly&) {
+        return louder(stopping);
       }
       return heard.count();
     };
   };
-  return trial;
+  return variant;
 }
 
 int peaks_of(const std::vector<double>& samples, double distance,
@@ -153,70 +147,71 @@ int peaks_of(const std::vector<double>& samples, double distance,
 }
 
 /// `limited` by both limits of (33).
-Trial sampled(const std::string& name, const std::string& what_counts, bool limited) {
-  Trial trial;
-  trial.name = name;
-  trial.description =
+ModelVariant sampled(const std::string& name, const std::string& what_counts, bool limited) {
+  ModelVariant variant;
+  variant.name = name;
+  variant.description =
       "The path is recorded at fixed steps, and findpeaks finds its maxima, some way apart: " +
       what_counts;
-  trial.base = with_contact_friction();
-  trial.freed = without(open_of(trial.base), Open::slowest);
-  trial.own = {
+  variant.base = with_contact_friction();
+  variant.free = without(unknowns_of(variant.base), Unknown::counting_limit);
+  variant.own = {
       {"sample_step", "s", 1e-3, 0.3, true, 0.01,
        "from what a plot resolves to what misses most of it"},
       {"peak_distance", "s", 1e-3, 3, true, 1e-3, "from none, the usual, to the longest flights"}};
-  if (limited) trial.own.push_back(inner_wall());
-  trial.counts = [base = trial.base, limited](const Case& a_case, const TrialConstants& constants,
-                                              const Patience& patience) -> CountAt {
+  if (limited) variant.own.push_back(inner_wall());
+  variant.counts = [base = variant.base, limited](const Case& a_case,
+                                                  const VariantConstants& constants,
+                                                  const EarlyStopping& stopping) -> CountAt {
     return [scene = scene_of(a_case, base, constants.base), own = constants.own, limited,
-            patience](double omega) {
+            stopping](double omega) {
       const Scene at = at_speed(scene, omega);
       SampledPath path(own.at(0));
-      const WhatIf nothing;
+      const MotionChange nothing;
       try {
-        WhatIfMotion(at, nothing, sampled_resting).run(path);
-      } catch (const Enough&) {
-        return louder(patience);
+        ChangedMotion(at, nothing, sampled_resting).run(path);
+      } catch (const StoppedEarly&) {
+        return louder(stopping);
       }
       const HeightCount::Limits limits{limited ? own.at(2) : 0.0, high_limit, low_limit};
       const int count = peaks_of(path.samples(), own[1] / own[0], limited ? &limits : nullptr);
-      return std::min(count, louder(patience));
+      return std::min(count, louder(stopping));
     };
   };
-  return trial;
+  return variant;
 }
 
-Trial press_of_y(const Reading& base) {
+ModelVariant press_of_y(const Interpretation& base) {
   return changed_motion(
       "press-of-y",
       "Friction multiplies a share of the force along y, equation (22), in place of a constant.",
-      base, without(open_of(base), Open::normal_force),
+      base, without(unknowns_of(base), Unknown::normal_force),
       {{"press_share", "", 0.01, 100, true, 1.0, "all of it is natural"},
        {"pull_across", "N", 0.01, 40, true, 0.01, "T_1 sin phi, as T_1 cos phi"}},
       [](const Scene&, const std::vector<double>& own) {
-        WhatIf what_if;
-        what_if.press = Press{own.at(0), own.at(1)};
-        return what_if;
+        MotionChange change;
+        change.press = Press{own.at(0), own.at(1)};
+        return change;
       });
 }
 
-Trial restitution_by_speed(const Reading& base) {
+ModelVariant restitution_by_speed(const Interpretation& base) {
   return changed_motion(
       "restitution-by-speed",
       "Restitution falls with the fifth root of the approach speed, and is the paper's at one.",
-      base, open_of(base),
+      base, unknowns_of(base),
       {{"reference_speed", "m/s", 1e-3, 10, true, 0.1, "as fast as impacts are, and beyond"}},
       [](const Scene&, const std::vector<double>& own) {
-        WhatIf what_if;
-        what_if.restitution = [reference = own.at(0)](double speed, double restitution) {
+        MotionChange change;
+        change.restitution = [reference = own.at(0)](double speed, double restitution) {
           return speed_restitution(restitution, speed, reference);
         };
-        return what_if;
+        return change;
       });
 }
 
-Scene compliant_scene(const Case& a_case, const TrialConstants& constants) {
-  Scene scene = scene_of(a_case, default_reading().reading, constants.base);
+Scene compliant_scene(const Case& a_case, const VariantConstants& constants) {
+  Scene scene = scene_of(a_case, default_interpretation().interpretation, constants.base);
   scene.fidelity = Fidelity::compliant;
   scene.contact_law = ContactLaw::exact_restitution;
   scene.stiffness = constants.own.at(0);
@@ -225,65 +220,63 @@ Scene compliant_scene(const Case& a_case, const TrialConstants& constants) {
 
 }  // namespace
 
-Trial random_disturbance(const Reading& base, std::uint64_t draw) {
+ModelVariant random_disturbance(const Interpretation& base, std::uint64_t draw) {
   Random random(draw);
   const auto numbers = std::make_shared<const Vector>(normal(draws, random));
   return changed_motion(
       "random-disturbance",
       "The disturbance is a normal random number with the paper's amplitude as its deviation, "
-      "drawn "
-      "once and held for some time, instead of a cosine.",
-      base, open_of(base),
+      "drawn once and held for some time, instead of a cosine.",
+      base, unknowns_of(base),
       {{"hold", "s", 0.02, 10, true, 0.1, "the interval of a random-number block is 0.1 s"}},
       [numbers](Scene& scene, const std::vector<double>& own) {
-        WhatIf what_if;
-        if (scene.disturbance == 0) return what_if;
-        what_if.further_force =
+        MotionChange change;
+        if (scene.disturbance == 0) return change;
+        change.further_force =
             HeldForce{own.at(0), [numbers, deviation = scene.disturbance](std::size_t k) {
                         return deviation * (*numbers)[static_cast<Eigen::Index>(k) % draws];
                       }};
         scene.disturbance = 0;
-        return what_if;
+        return change;
       });
 }
 
-Trial stepped_walls(const std::string& name, const OdeTolerances& tolerances) {
-  Trial trial;
-  trial.name = name;
-  trial.description = fmt::format(
+ModelVariant stepped_walls(const std::string& name, const OdeTolerances& tolerances) {
+  ModelVariant variant;
+  variant.name = name;
+  variant.description = fmt::format(
       "Hunt-Crossley walls, integrated straight through by the Dormand-Prince pair as ode45 does, "
-      "at "
-      "relative {:g} and absolute {:g}.",
+      "at relative {:g} and absolute {:g}.",
       tolerances.relative, tolerances.absolute);
-  trial.base = default_reading().reading;
-  trial.freed = default_reading().freed;
-  trial.own = {{"stiffness", "N/m^1.5", 1e7, 1e12, true, 1e10,
-                "pressed in by the weight from 0.1 mm to 0.05 micrometres"}};
-  trial.brief = true;
-  trial.counts = [tolerances](const Case& a_case, const TrialConstants& constants,
-                              const Patience& patience) -> CountAt {
-    return [scene = compliant_scene(a_case, constants), tolerances, most = louder(patience) - 1](
+  variant.base = default_interpretation().interpretation;
+  variant.free = default_interpretation().free;
+  variant.own = {{"stiffness", "N/m^1.5", 1e7, 1e12, true, 1e10,
+                  "pressed in by the weight from 0.1 mm to 0.05 micrometres"}};
+  variant.brief = true;
+  variant.counts = [tolerances](const Case& a_case, const VariantConstants& constants,
+                                const EarlyStopping& stopping) -> CountAt {
+    return [scene = compliant_scene(a_case, constants), tolerances, most = louder(stopping) - 1](
                double omega) { return stepped_count(at_speed(scene, omega), tolerances, most); };
   };
-  return trial;
+  return variant;
 }
 
-CountAt exact_walls(const Case& a_case, const TrialConstants& constants) {
+CountAt exact_walls(const Case& a_case, const VariantConstants& constants) {
   return
       [scene = compliant_scene(a_case, constants)](double omega) { return count_at(scene, omega); };
 }
 
-std::vector<Trial> baselines() {
-  const Reading own = with_contact_friction();
-  Trial brief = nothing_changed(default_reading().reading);
+std::vector<ModelVariant> baselines() {
+  const Interpretation own = with_contact_friction();
+  ModelVariant brief = nothing_changed(default_interpretation().interpretation);
   brief.name += "-brief";
-  brief.freed = default_reading().freed;
+  brief.free = default_interpretation().free;
   brief.brief = true;
   return {nothing_changed(own), nothing_changed(plain()), std::move(brief)};
 }
 
-std::vector<Trial> all_trials() {
-  const Reading own = with_contact_friction();
+std::vector<ModelVariant> all_variants() {
+  const Interpretation own = with_contact_friction();
   return {heights("heights-1mm", low_limit),
           heights("heights-0.1mm", lower_limit),
           sampled("sampled-peaks", "those from 3 mm on and those up to 1 mm count.", true),
@@ -298,4 +291,4 @@ std::vector<Trial> all_trials() {
           restitution_by_speed(plain())};
 }
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,4 +1,4 @@
-#include "src/studies/trials/what_if_forces.h"
+#include "src/research/calibration/variants/changed_forces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/events/stick_release.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
 using namespace carrier_track;
 
@@ -22,13 +22,13 @@ AppliedForces<double> forces_across(Scene scene, const Press& press) {
 
 }  // namespace
 
-WhatIfForces::WhatIfForces(const Scene& scene, const WhatIf& what_if)
-    : what_if_(what_if), mass_(scene.mass), plate_(scene) {
-  if (what_if.press) across_ = forces_across(scene, *what_if.press);
+ChangedForces::ChangedForces(const Scene& scene, const MotionChange& change)
+    : change_(change), mass_(scene.mass), plate_(scene) {
+  if (change.press) across_ = forces_across(scene, *change.press);
   begin_piece();
 }
 
-WhatIfForces::Path WhatIfForces::press() const {
+ChangedForces::Path ChangedForces::press() const {
   Path path = across_->flight(0, 0, 0);
   path.steady *= across_sign_;
   for (auto& harmonic : path.harmonic) {
@@ -38,7 +38,7 @@ WhatIfForces::Path WhatIfForces::press() const {
   return path;
 }
 
-void WhatIfForces::tick(double time) {
+void ChangedForces::tick(double time) {
   if (across_) across_->pass(time);
   if (time < reach()) {
     time_ += time;
@@ -48,9 +48,9 @@ void WhatIfForces::tick(double time) {
   begin_piece();
 }
 
-void WhatIfForces::begin_piece() {
+void ChangedForces::begin_piece() {
   until_ = std::numeric_limits<double>::infinity();
-  if (const auto& force = what_if_.further_force) {
+  if (const auto& force = change_.further_force) {
     const auto end = [&] { return static_cast<double>(interval_ + 1) * force->interval; };
     if (time_ >= end()) ++interval_;
     until_ = end();
@@ -63,8 +63,8 @@ void WhatIfForces::begin_piece() {
   }
 }
 
-/// [s] until the force along y is next 0, which it is not now but for rounding.
-double WhatIfForces::until_across_turns() const {
+/// [s] until the force along y is next 0, ignoring a present zero within rounding.
+double ChangedForces::until_across_turns() const {
   constexpr double turn = 2 * std::numbers::pi;
   constexpr double now = 1e-9;  // [rad]
   const Path path = across_->flight(0, 0, 0);
@@ -84,24 +84,24 @@ double WhatIfForces::until_across_turns() const {
   return next / harmonic.frequency;
 }
 
-double WhatIfFriction::bound() const {
+double ChangedFriction::bound() const {
   return varies() ? steady + coefficient * std::max(0.0, forces->press().acceleration()) : steady;
 }
 
-double WhatIfFriction::size(double of_forces) const {
+double ChangedFriction::size(double of_forces) const {
   return varies() ? of_forces + coefficient * forces->press().size() : of_forces;
 }
 
-WhatIfFriction::Path WhatIfFriction::flight(const WhatIfForces& applied, double position,
-                                            double velocity, int direction) const {
+ChangedFriction::Path ChangedFriction::flight(const ChangedForces& applied, double position,
+                                              double velocity, int direction) const {
   Path path = applied.flight(position, velocity, direction > 0 ? -steady : steady);
   if (varies()) path.add(-direction * coefficient, forces->press());
   return path;
 }
 
-/// A press that varies moves both edges of the friction band, each its own way.
-Event WhatIfFriction::release(const Path& held, bool may_rise, bool may_fall, double horizon,
-                              std::int64_t& evaluations) const {
+/// A normal force that varies moves both edges of the friction band independently.
+Event ChangedFriction::release(const Path& held, bool may_rise, bool may_fall, double horizon,
+                               std::int64_t& evaluations) const {
   if (!varies()) return next_release(held, steady, may_rise, may_fall, horizon, evaluations);
   Path upper = held;
   upper.add(-coefficient, forces->press());
@@ -112,4 +112,4 @@ Event WhatIfFriction::release(const Path& held, bool may_rise, bool may_fall, do
   return down.kind == EventKind::release ? down : up;
 }
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

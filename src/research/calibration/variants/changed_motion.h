@@ -2,37 +2,37 @@
 
 #include "problems/carrier_track/models/hard_wall_motion.h"
 #include "problems/carrier_track/scene/window.h"
-#include "src/studies/trials/what_if_forces.h"
+#include "src/research/calibration/variants/changed_forces.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
-/// A carrier between hard walls with what a WhatIf changes, event by event. The flights remain
-/// closed forms, piece by piece of time: so it costs little more than ImpactModel, and with nothing
-/// changed it is that, to the last bit.
-class WhatIfMotion : carrier_track::HardWallMotion<double, WhatIfForces, WhatIfFriction> {
-  using Base = carrier_track::HardWallMotion<double, WhatIfForces, WhatIfFriction>;
+/// A carrier between hard walls with the changes of a MotionChange, event by event. The flights
+/// remain in closed form on each interval: so it costs little more than ImpactModel, and without a
+/// change it is identical to it, to the last bit.
+class ChangedMotion : carrier_track::HardWallMotion<double, ChangedForces, ChangedFriction> {
+  using Base = carrier_track::HardWallMotion<double, ChangedForces, ChangedFriction>;
 
  public:
-  /// `scene` must be valid, of a constant speed and outlive it, as must `what_if`. A body that
+  /// `scene` must be valid and of constant speed; `scene` and `change` must outlive it. A body that
   /// rebounds slower than `resting` [m/s] may rest.
-  WhatIfMotion(const carrier_track::Scene& scene, const WhatIf& what_if, double resting)
+  ChangedMotion(const carrier_track::Scene& scene, const MotionChange& change, double resting)
       : Base({scene.wall_lower, scene.wall_upper, carrier_track::lower_restitution(scene),
               carrier_track::upper_restitution(scene), scene.start_position, scene.start_velocity},
-             WhatIfForces(scene, what_if), friction_of(scene, what_if),
+             ChangedForces(scene, change), friction_of(scene, change),
              carrier_track::duration_of(scene), resting),
         scene_(scene),
-        what_if_(what_if) {
+        change_(change) {
     friction_.forces = &forces_;
   }
-  WhatIfMotion(const WhatIfMotion&) = delete;
-  WhatIfMotion& operator=(const WhatIfMotion&) = delete;
+  ChangedMotion(const ChangedMotion&) = delete;
+  ChangedMotion& operator=(const ChangedMotion&) = delete;
 
-  /// Simulates the window once, for a WhatIfObserver. Throws std::runtime_error past impact_limit
-  /// impacts.
+  /// Simulates the window once, for a VariantObserver. Throws std::runtime_error after more than
+  /// impact_limit impacts.
   template <class SomeObserver>
   carrier_track::End<double> run(SomeObserver& observer) {
     if (direction_ == 0) direction_ = direction_of_release();
-    if (direction_ == 0) velocity_ = 0;  // friction stops what is that slow
+    if (direction_ == 0) velocity_ = 0;  // friction stops a body this slow
     while (time_ < duration_) {
       if (direction_ == 0) {
         const auto rest_here = next_rest();
@@ -47,16 +47,17 @@ class WhatIfMotion : carrier_track::HardWallMotion<double, WhatIfForces, WhatIfF
   }
 
  private:
-  /// Tells an observer of valleys what it would be told of peaks, were x upside down.
+  /// Reports minima of x to an observer as maxima of -x.
   template <class SomeObserver>
   struct Upside {
     SomeObserver& observer;
     void peak(double time, double position) { observer.valley(time, position); }
   };
 
-  static WhatIfFriction friction_of(const carrier_track::Scene& scene, const WhatIf& what_if) {
-    if (!what_if.press) return {scene.friction * scene.normal_force / scene.mass};
-    return {0.0, scene.friction * what_if.press->share};
+  static ChangedFriction friction_of(const carrier_track::Scene& scene,
+                                     const MotionChange& change) {
+    if (!change.press) return {scene.friction * scene.normal_force / scene.mass};
+    return {0.0, scene.friction * change.press->share};
   }
 
   template <class SomeObserver>
@@ -80,12 +81,12 @@ class WhatIfMotion : carrier_track::HardWallMotion<double, WhatIfForces, WhatIfF
   }
 
   void choose_restitution() {
-    if (!what_if_.restitution) return;
+    if (!change_.restitution) return;
     const double share = carrier_track::returned_share(scene_);
     const bool up = direction_ > 0;
     const double own = up ? scene_.restitution_upper : scene_.restitution_lower;
     (up ? clearance_.restitution_upper : clearance_.restitution_lower) =
-        share * what_if_.restitution(std::abs(velocity_), own);
+        share * change_.restitution(std::abs(velocity_), own);
   }
 
   template <class SomeObserver>
@@ -99,8 +100,8 @@ class WhatIfMotion : carrier_track::HardWallMotion<double, WhatIfForces, WhatIfF
   }
 
   const carrier_track::Scene& scene_;
-  const WhatIf& what_if_;
+  const MotionChange& change_;
   carrier_track::PeakWatch<double> valleys_;
 };
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,9 +1,9 @@
-#include "src/studies/trials/find_peaks.h"
+#include "src/research/calibration/variants/find_peaks.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
 std::vector<std::size_t> find_peaks(const std::vector<double>& samples) {
   std::vector<std::size_t> peaks;
@@ -44,4 +44,4 @@ std::vector<std::size_t> find_peaks(const std::vector<double>& samples, double d
   return kept;
 }
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

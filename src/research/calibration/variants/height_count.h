@@ -1,18 +1,20 @@
 #pragma once
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/scene/scene.h"
-#include "src/studies/trials/most_impacts.h"
-#include "src/studies/trials/what_if.h"
+#include "src/research/calibration/variants/early_stopping.h"
+#include "src/research/calibration/variants/motion_change.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
-/// Both limits of equation (33) on the heights of what the carrier does: hits on the outer wall and
-/// maxima count from `high` on, hits on the inner wall and minima up to `low`, with the inner wall
-/// at `inner_wall`. A hit counts only if it is faster than the scene's slowest, and a turn between
-/// the walls unless the hit before it was slower than that: small hops would count without end.
-class HeightCount : public WhatIfObserver {
+/// Both limits of equation (33) on the heights: impacts on the outer wall and maxima count from
+/// `high` on, impacts on the inner wall and minima up to `low`, with the inner wall at
+/// `inner_wall`. An impact counts only above the scene's counting limit, and a velocity zero
+/// between the walls only if the impact before it was that fast: chattering would count without
+/// end.
+class HeightCount : public VariantObserver {
  public:
-  /// [m], of x where the inner wall is not at 0 but at `inner_wall`.
+  /// [m], relative to an inner wall at `inner_wall` instead of 0.
   struct Limits {
     double inner_wall, high, low;
   };
@@ -22,7 +24,7 @@ class HeightCount : public WhatIfObserver {
 
   void impact(double /*time*/, carrier_track::Wall wall, double speed) {
     limit_.pass();
-    was_fast_ = carrier_track::is_counted(speed, scene_.slowest);
+    was_fast_ = carrier_track::is_counted(speed, scene_.counting_limit);
     if (!was_fast_) return;
     if (wall == carrier_track::Wall::upper && is_high(scene_.wall_upper)) add();
     if (wall == carrier_track::Wall::lower && is_low(scene_.wall_lower)) add();
@@ -43,15 +45,15 @@ class HeightCount : public WhatIfObserver {
   bool is_high(double position) const { return height(position) >= limits_.high; }
   bool is_low(double position) const { return height(position) <= limits_.low; }
   void add() {
-    if (++count_ > most_) throw Enough();
+    if (++count_ > most_) throw StoppedEarly();
   }
 
   const carrier_track::Scene& scene_;
   Limits limits_;
   int most_;
-  MostImpacts limit_;
+  ImpactLimit limit_;
   bool was_fast_ = true;
   int count_ = 0;
 };
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,11 +1,11 @@
-#include "src/studies/trials/ode45.h"
+#include "src/research/calibration/variants/ode45.h"
 
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <stdexcept>
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 constexpr double power = 0.2;  // 1 over the order of the pair
@@ -34,7 +34,7 @@ void Ode45::step() {
   bool failed = false;
   length_ = std::min(length_, longest());
   for (;;) {
-    // As ode45 does: a step that nearly ends the window ends it.
+    // As in ode45: a step that nearly reaches the end of the window is stretched to it.
     const bool last = 1.1 * length_ >= window_ - time_;
     if (last) length_ = window_ - time_;
     if (!last && !(length_ > 16 * std::abs(std::nextafter(time_, window_) - time_))) {
@@ -64,4 +64,4 @@ void Ode45::step() {
   }
 }
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

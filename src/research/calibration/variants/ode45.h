@@ -4,22 +4,21 @@
 #include <cstdint>
 #include <functional>
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
 /// Position [m] and velocity [m/s].
 using OdeState = std::array<double, 2>;
 
-/// What MATLAB's ode45 is given (MathWorks, odeset: RelTol 1e-3 and AbsTol 1e-6 unless told
-/// otherwise).
+/// Tolerances of MATLAB's ode45 (MathWorks, odeset: RelTol 1e-3 and AbsTol 1e-6 by default).
 struct OdeTolerances {
   double relative = 1e-3;
   double absolute = 1e-6;
 };
 
 /// The Dormand-Prince pair (doi:10.1016/0771-050X(80)90013-3) with the step control of ode45
-/// (Shampine and Reichelt 1997, doi:10.1137/S1064827594276424): the error, each component's over
-/// the larger of its own size and absolute / relative, is held below the relative tolerance; no
-/// step is longer than a tenth of the window, none five times the last.
+/// (Shampine and Reichelt 1997, doi:10.1137/S1064827594276424): the error, each component's divided
+/// by the larger of its magnitude and absolute / relative, is held below the relative tolerance; no
+/// step is longer than a tenth of the window or five times the last.
 class Ode45 {
  public:
   using Slope = std::function<OdeState(const OdeState& state, double time)>;
@@ -29,8 +28,8 @@ class Ode45 {
   double time() const { return time_; }
   const OdeState& state() const { return state_; }
 
-  /// One accepted step, which ends with the window at the latest. Throws std::runtime_error where
-  /// none is small enough.
+  /// Makes one accepted step, not beyond the end of the window. Throws std::runtime_error if no
+  /// step is small enough.
   void step();
 
   std::int64_t steps() const { return steps_; }  ///< accepted and rejected
@@ -48,4 +47,4 @@ class Ode45 {
   std::int64_t steps_ = 0;
 };
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <vector>
 
-#include "src/studies/trials/most_impacts.h"
-#include "src/studies/trials/what_if.h"
+#include "src/research/calibration/variants/early_stopping.h"
+#include "src/research/calibration/variants/motion_change.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
-/// The path x(t) [m] as a recording at fixed steps has it: at 0, step, 2 step, ... [s].
-class SampledPath : public WhatIfObserver {
+/// The path x(t) [m], sampled at fixed steps: at 0, step, 2 step, ... [s].
+class SampledPath : public VariantObserver {
  public:
   explicit SampledPath(double step) : step_(step) {}
 
@@ -28,8 +28,8 @@ class SampledPath : public WhatIfObserver {
 
  private:
   double step_;
-  MostImpacts limit_;
+  ImpactLimit limit_;
   std::vector<double> samples_;
 };
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,30 +1,30 @@
-#include "src/studies/trials/stepped_walls.h"
+#include "src/research/calibration/variants/stepped_walls.h"
 
 #include <cmath>
 #include <stdexcept>
 
+#include "problems/carrier_track/check/reference_integrators/forces.h"
+#include "problems/carrier_track/check/reference_integrators/wall_force.h"
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/reference_integrators/forces.h"
-#include "problems/carrier_track/reference_integrators/wall_force.h"
 #include "problems/carrier_track/scene/window.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
 using namespace carrier_track;
 
 namespace {
 
-/// The speed [m/s] at the wall of a body that a steady push [m/s^2], both taken into the wall,
-/// leads there over a distance [m]; that at the end of the step where it would turn before.
+/// The speed [m/s] at the wall of a body under a steady acceleration [m/s^2], both positive into
+/// the wall, after a distance [m]; the speed at the end of the step if it turns back before.
 double speed_at_wall(double speed, double push, double distance, double at_end) {
   const double square = speed * speed + 2 * push * distance;
   return square > 0 ? std::sqrt(square) : std::max(speed, at_end);
 }
 
-/// [m/s]; a contact is damped as one of this speed where it begins slower: else a body that is
-/// laid on a wall would meet a damper of any strength, and a method that is not implicit creep.
+/// [m/s]; slower contacts are damped as if they began at this speed. Otherwise a body laid on a
+/// wall would have unbounded damping, and an explicit method would need tiny steps.
 double slowest_damped(const Scene& scene) {
-  return std::max(scene.slowest, sliding_speed);
+  return std::max(scene.counting_limit, sliding_speed);
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ int stepped_count(const Scene& scene, const OdeTolerances& tolerances, int most)
           into > 0 ? scene.wall_upper - before[0] : before[0] - scene.wall_lower;
       const double speed =
           speed_at_wall(into * before[1], into * push(before, time), distance, into * after[1]);
-      if (is_counted(speed, scene.slowest) && ++count > most) return count;
+      if (is_counted(speed, scene.counting_limit) && ++count > most) return count;
     }
   } catch (const std::runtime_error&) {
     return most + 1;
@@ -68,4 +68,4 @@ int stepped_count(const Scene& scene, const OdeTolerances& tolerances, int most)
   return count;
 }
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

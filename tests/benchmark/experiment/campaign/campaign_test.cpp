@@ -1,4 +1,4 @@
-#include "src/campaign/campaign.h"
+#include "src/benchmark/experiment/campaign/campaign.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "src/core/error.h"
-#include "tests/campaign/made_up_campaign.h"
+#include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {
 namespace {
@@ -22,37 +22,39 @@ std::set<std::string> names(const Campaign& campaign, Member member) {
   return all;
 }
 
-TEST(Campaign, ChoosesQuestionsByPatternWhoseBestValueIsKnown) {
-  const auto questions = [](const std::string& part) {
-    return names(campaign_of(part), &Cell::question);
+TEST(Campaign, ChoosesProblemsByPatternWhoseBestValueIsKnown) {
+  const auto problems = [](const std::string& part) {
+    return names(campaign_of(part), &Cell::problem);
   };
-  EXPECT_THAT(questions(part_of("\"bowl-*\"")), UnorderedElementsAre("bowl-1", "bowl-2", "bowl-8"));
-  EXPECT_THAT(questions(part_of("[\"bowl-[12]\", \"cup-s\"]")),
+  EXPECT_THAT(problems(part_of("\"bowl-*\"")), UnorderedElementsAre("bowl-1", "bowl-2", "bowl-8"));
+  EXPECT_THAT(problems(part_of("[\"bowl-[12]\", \"cup-s\"]")),
               UnorderedElementsAre("bowl-1", "bowl-2", "cup-s"));
-  EXPECT_THAT(questions(part_of("\"*\"", "variables = 2")),
+  EXPECT_THAT(problems(part_of("\"*\"", "variables = 2")),
               UnorderedElementsAre("bowl-2", "cup-2", "cup-smooth", "cup-s"));
-  EXPECT_THAT(questions(part_of("\"*\"", "variables = [2, 8]\nconstrained = false")),
+  EXPECT_THAT(problems(part_of("\"*\"", "variables = [2, 8]\nconstrained = false")),
               UnorderedElementsAre("bowl-2", "bowl-8", "cup-s"));
-  EXPECT_THAT(questions(part_of("\"*\"", "constrained = true")),
+  EXPECT_THAT(problems(part_of("\"*\"", "constrained = true")),
               UnorderedElementsAre("cup-2", "cup-smooth"))
       << "penalised, the solver takes them";
 }
 
-TEST(Campaign, ChoosesSolversFormsAndFeaturesByPattern) {
-  const Campaign campaign = campaign_of(
-      part_of("\"*\"",
-              "solvers = [\"chance-*\"]\nforms = [\"*count\"]\nfeatures = [\"plain\", \"noisy\"]"));
+TEST(Campaign, ChoosesSolversFormulationsAndPerturbationsByPattern) {
+  const Campaign campaign =
+      campaign_of(part_of("\"*\"",
+                          "solvers = [\"chance-*\"]\nformulations = [\"*count\"]\nperturbations = "
+                          "[\"plain\", \"noisy\"]"));
   EXPECT_THAT(names(campaign, &Cell::solver), UnorderedElementsAre("chance-a", "chance-b"));
-  EXPECT_THAT(names(campaign, &Cell::form), UnorderedElementsAre("count", "penalised-count"));
-  EXPECT_THAT(names(campaign, &Cell::question), UnorderedElementsAre("cup-smooth", "cup-s"));
-  EXPECT_THAT(names(campaign, &Cell::feature), UnorderedElementsAre("plain", "noisy"));
+  EXPECT_THAT(names(campaign, &Cell::formulation),
+              UnorderedElementsAre("count", "penalised-count"));
+  EXPECT_THAT(names(campaign, &Cell::problem), UnorderedElementsAre("cup-smooth", "cup-s"));
+  EXPECT_THAT(names(campaign, &Cell::perturbation), UnorderedElementsAre("plain", "noisy"));
 }
 
 TEST(Campaign, AddsWidthsToWhatCanBeSmoothed) {
   const Campaign campaign =
-      campaign_of(part_of("[\"cup-s\", \"bowl-1\"]", "widths = [0.125, 0.5]"));
-  EXPECT_THAT(names(campaign, &Cell::form),
-              UnorderedElementsAre("as-stated", "count", "surrogate", "surrogate-0.125"));
+      campaign_of(part_of("[\"cup-s\", \"bowl-1\"]", "smoothings = [0.125, 0.5]"));
+  EXPECT_THAT(names(campaign, &Cell::formulation),
+              UnorderedElementsAre("original", "count", "surrogate", "surrogate-0.125"));
 }
 
 TEST(Campaign, HasAGradientAtItsPrice) {
@@ -80,18 +82,28 @@ TEST(Campaign, HasACellOnceThatSeveralPartsAskFor) {
                                         part_of("\"bowl-[28]\"", "instances = 2\nseeds = 3"));
   ASSERT_EQ(campaign.cells().size(), 3U);
   const PlannedCell& both = campaign.cells()[1];
-  EXPECT_EQ(both.cell.question, "bowl-2");
+  EXPECT_EQ(both.cell.problem, "bowl-2");
   EXPECT_EQ(both.parts, (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(both.instances, 5);
   EXPECT_EQ(both.seeds, 3);
   EXPECT_EQ(campaign.runs(), 5 + 15 + 6);
 }
 
-TEST(Campaign, AsksQuestionsOfAGridInPlaceOfTheSuites) {
+TEST(Campaign, AsksProblemsOfAGridInPlaceOfTheSuites) {
   const Campaign campaign =
       campaign_of(part_of("\"bowl-*\"", "machines = {around = \"C1\", restitution = [0.25, 0.5]}"));
-  EXPECT_THAT(names(campaign, &Cell::question),
+  EXPECT_THAT(names(campaign, &Cell::problem),
               UnorderedElementsAre("bowl-C1-0.250000", "bowl-C1-0.500000"));
+}
+
+TEST(Campaign, RelocatesTheOptimumInWhatIsShownAsItIsJudged) {
+  const Campaign campaign =
+      campaign_of(part_of("[\"cup-s\", \"bowl-1\"]", "relocated_optimum = true\ninstances = 2"));
+  EXPECT_THAT(names(campaign, &Cell::formulation), UnorderedElementsAre("original", "count"));
+  EXPECT_THAT(
+      names(campaign, &Cell::perturbation),
+      UnorderedElementsAre("optimum-at-lower-end", "optimum-in-middle", "optimum-at-upper-end"));
+  EXPECT_EQ(campaign.runs(), 2 * 3 * 2);
 }
 
 std::string complaint(const std::string& plan) {
@@ -106,18 +118,20 @@ std::string complaint(const std::string& plan) {
 TEST(Campaign, RefusesAPatternThatNothingFits) {
   EXPECT_THAT(
       complaint(part_of("[\"bowl-1\", \"bwl-2\"]")),
-      testing::AllOf(HasSubstr("part 1, questions bwl-2: nothing fits"), HasSubstr("bowl-2")));
+      testing::AllOf(HasSubstr("part 1, problems bwl-2: nothing fits"), HasSubstr("bowl-2")));
   EXPECT_THAT(complaint(part_of("\"bowl-open\"")), HasSubstr("nothing fits"));
   EXPECT_THAT(complaint(part_of("\"bowl-1\"") + part_of("\"bowl-1\"", "solvers = [\"lucky\"]")),
               HasSubstr("part 2, solvers lucky: nothing fits"));
-  EXPECT_THAT(complaint(part_of("\"bowl-1\"", "features = \"noise\"")),
-              HasSubstr("part 1, features noise: nothing fits"));
+  EXPECT_THAT(complaint(part_of("\"bowl-1\"", "perturbations = \"noise\"")),
+              HasSubstr("part 1, perturbations noise: nothing fits"));
 }
 
 TEST(Campaign, RefusesAPartOfWhichNothingIsLeft) {
   EXPECT_THAT(complaint(part_of("\"bowl-1\"", "variables = 2")), HasSubstr("part 1: none of"));
-  EXPECT_THAT(complaint(part_of("\"cup-2\"", "forms = \"as-stated\"")), HasSubstr("part 1: none"));
-  EXPECT_THAT(complaint(part_of("\"bowl-1\"", "forms = \"surrogate\"")), HasSubstr("part 1: none"));
+  EXPECT_THAT(complaint(part_of("\"cup-2\"", "formulations = \"original\"")),
+              HasSubstr("part 1: none"));
+  EXPECT_THAT(complaint(part_of("\"bowl-1\"", "formulations = \"surrogate\"")),
+              HasSubstr("part 1: none"));
 }
 
 TEST(Campaign, TakesSolversOfTheUsersOwn) {
@@ -155,10 +169,10 @@ TEST(Campaign, RefusesTwoSolversOfOneName) {
 TEST(Campaign, DescribesWhatItsRunsAreJudgedBy) {
   const CampaignDescription description =
       campaign_of(part_of("[\"bowl-2\", \"cup-2\"]")).description();
-  ASSERT_EQ(description.questions.size(), 2U);
-  EXPECT_EQ(description.questions[1].family, "cup");
-  EXPECT_EQ(description.questions[1].constraints, 1);
-  EXPECT_EQ(description.questions[0].variables, 2);
+  ASSERT_EQ(description.problems.size(), 2U);
+  EXPECT_EQ(description.problems[1].family, "cup");
+  EXPECT_EQ(description.problems[1].constraints, 1);
+  EXPECT_EQ(description.problems[0].variables, 2);
   ASSERT_EQ(description.solvers.size(), 1U);
   EXPECT_EQ(description.solvers[0].version, "1");
   EXPECT_EQ(description.plan, text_of(plan_from(description.plan, "again")));

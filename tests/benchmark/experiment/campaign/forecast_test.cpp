@@ -1,11 +1,11 @@
-#include "src/campaign/forecast.h"
+#include "src/benchmark/experiment/campaign/forecast.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
 #include "src/core/stopwatch.h"
-#include "tests/campaign/made_up_catalogue.h"
+#include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet {
 namespace {
@@ -19,17 +19,17 @@ void burn(double seconds) {
 
 double foretold(double simulation, double solver, const std::string& rest) {
   Catalogue catalogue = made_up_catalogue();
-  Problem& problem = catalogue.families[0].questions[0].stated;
+  Problem& problem = catalogue.families[0].problems[0];
   problem.evaluate = [evaluate = problem.evaluate, simulation](const Vector& x) {
     burn(simulation);
     return evaluate(x);
   };
   catalogue.solvers[0].solve = [solver](Evaluator& evaluator, const Vector& start, Random&) {
     while (evaluator.objective(start)) burn(solver);
-    return SolverExit{"spent"};
+    return SolverTermination{"spent"};
   };
   return foretold_seconds(Campaign(
-      plan_from("[[part]]\nquestions = \"bowl-1\"\nsolvers = \"chance-a\"\n" + rest, "test"),
+      plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\n" + rest, "test"),
       catalogue));
 }
 
@@ -46,12 +46,12 @@ TEST(Forecast, HasItsShareForEveryRun) {
   EXPECT_LT(one, 5);
 }
 
-TEST(Forecast, OutlivesAQuestionThatThrows) {
+TEST(Forecast, OutlivesAProblemThatThrows) {
   Catalogue catalogue = made_up_catalogue();
-  Question& question = catalogue.families[0].questions[0];
-  question.stated.evaluate = [](const Vector&) -> Values { throw std::runtime_error("ill"); };
+  Problem& problem = catalogue.families[0].problems[0];
+  problem.evaluate = [](const Vector&) -> Values { throw std::runtime_error("ill"); };
   const Campaign campaign(
-      plan_from("[[part]]\nquestions = \"bowl-1\"\nsolvers = \"chance-a\"\nbudgets = 5", "test"),
+      plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\nbudgets = 5", "test"),
       catalogue);
   EXPECT_GT(foretold_seconds(campaign), 0);
 }

@@ -1,4 +1,4 @@
-#include "src/campaign/frame.h"
+#include "src/benchmark/experiment/campaign/frame.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

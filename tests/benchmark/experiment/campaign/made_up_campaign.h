@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "src/campaign/plan.h"
-#include "tests/campaign/made_up_catalogue.h"
+#include "src/benchmark/experiment/campaign/plan.h"
+#include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet {
 
@@ -12,8 +12,8 @@ inline Campaign campaign_of(const std::string& plan) {
 }
 
 /// A part with what it cannot do without, unless the rest has it.
-inline std::string part_of(const std::string& questions, const std::string& rest = "") {
-  return "[[part]]\nquestions = " + questions +
+inline std::string part_of(const std::string& problems, const std::string& rest = "") {
+  return "[[part]]\nproblems = " + problems +
          (rest.find("solvers") == std::string::npos ? "\nsolvers = \"chance-a\"" : "") +
          (rest.find("budgets") == std::string::npos ? "\nbudgets = 10" : "") + "\n" + rest + "\n";
 }

@@ -1,17 +1,19 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "src/campaign/campaign.h"
+#include "src/benchmark/experiment/campaign/campaign.h"
 #include "src/core/error.h"
 #include "src/core/instance.h"
 
 namespace ricochet {
 
 /// The sum of (x_i - 0.3)^2; with one constraint, x_0 <= 1/2, where wanted.
-inline Question bowl(const std::string& name, Eigen::Index n, bool constrained = false) {
+inline Problem bowl(const std::string& name, Eigen::Index n, bool constrained = false) {
   Problem problem;
   problem.name = name;
   problem.source = "sum of (x_i - 0.3)^2";
@@ -25,36 +27,50 @@ inline Question bowl(const std::string& name, Eigen::Index n, bool constrained =
     return Values{(x.array() - 0.3).square().sum(),
                   constrained ? Vector(Vector::Constant(1, x[0] - 0.5)) : Vector()};
   };
-  return {.stated = problem, .cost = static_cast<double>(n), .gradient_cost = 3};
+  problem.cost = static_cast<double>(n);
+  problem.gradient_cost = 3;
+  return problem;
 }
 
 /// The same, smoothed in name.
-inline Question smooth_bowl(const std::string& name, bool constrained) {
-  Question question = bowl(name, 2, constrained);
-  question.stated.smoothed = [plain = question.stated](double) { return plain; };
-  question.width = 0.5;
-  return question;
+inline Problem smooth_bowl(const std::string& name, bool constrained) {
+  Problem problem = bowl(name, 2, constrained);
+  problem.smoothed = [plain = problem](double) { return plain; };
+  problem.smoothing = 0.5;
+  return problem;
 }
 
-/// Accepts what has no constraints.
+/// Takes no constraints.
 inline Solver chance(const std::string& name) {
   Solver solver;
   solver.name = name;
   solver.version = "1";
   solver.stochastic = true;
-  solver.accepts = [](const Problem& problem) { return problem.constraints == 0; };
   solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) {
     Vector x = start;
-    while (evaluator.objective(x)) x = uniform_point(evaluator.problem(), random);
-    return SolverExit{"spent"};
+    while (evaluator.objective(x)) x = uniform_point(evaluator.lower(), evaluator.upper(), random);
+    return SolverTermination{"spent"};
   };
   return solver;
 }
 
+/// A bowl whose best point is not known before it is searched, which is counted where wanted.
+inline SearchedProblem searched(const Problem& known, const std::shared_ptr<int>& searches) {
+  Problem open = known;
+  open.best_known.reset();
+  open.best_point.reset();
+  return {"bowl", open,
+          [=] {
+            if (searches) ++*searches;
+            return Findings{{"best_point", (*known.best_point)[0]}};
+          },
+          [=](const Findings&) { return known; }};
+}
+
 inline Catalogue made_up_catalogue() {
   Catalogue catalogue;
-  Question open = bowl("bowl-open", 1);
-  open.stated.best_known.reset();
+  Problem open = bowl("bowl-open", 1);
+  open.best_known.reset();
   catalogue.families = {
       {"bowl", {bowl("bowl-1", 1), bowl("bowl-2", 2), bowl("bowl-8", 8), open}},
       {"cup",
@@ -68,12 +84,34 @@ inline Catalogue made_up_catalogue() {
     if (varied.of != "luck") throw InputError(varied.of + " has no options");
     return chance(varied.name);
   };
-  catalogue.families_of = [](const MachineGrid& grid) {
-    Family family{"bowl", {}};
+  catalogue.grid_problems = [](const MachineGrid& grid) {
+    std::vector<SearchedProblem> problems;
     for (const double r : grid.restitution) {
-      family.questions.push_back(bowl("bowl-" + grid.around + "-" + std::to_string(r), 1));
+      problems.push_back(
+          searched(bowl("bowl-" + grid.around + "-" + std::to_string(r), 1), nullptr));
     }
-    return std::vector{family};
+    return problems;
+  };
+  return catalogue;
+}
+
+/// The same, that counts searches; of machines around "nowhere" only those below 1 are feasible.
+inline Catalogue searched_catalogue(const std::shared_ptr<int>& searches) {
+  Catalogue catalogue = made_up_catalogue();
+  catalogue.grid_problems = [searches](const MachineGrid& grid) {
+    std::vector<SearchedProblem> problems;
+    for (const double r : grid.restitution) {
+      problems.push_back(
+          searched(bowl("bowl-" + grid.around + "-" + std::to_string(r), 1), searches));
+      if (grid.around != "nowhere" || r < 1) continue;
+      problems.back().search = [searches] { return ++*searches, Findings(); };
+    }
+    return problems;
+  };
+  catalogue.drawn_problem = [searches](const Problem& problem,
+                                       int number) -> std::optional<SearchedProblem> {
+    if (problem.dimension() > 1) return std::nullopt;
+    return searched(bowl(problem.name + "~" + std::to_string(number), 1), searches);
   };
   return catalogue;
 }

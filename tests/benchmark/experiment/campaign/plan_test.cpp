@@ -1,4 +1,4 @@
-#include "src/campaign/plan.h"
+#include "src/benchmark/experiment/campaign/plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,18 +48,22 @@ PlanPart any_part(Random& random) {
   PlanPart part;
   static int parts = 0;
   if (yes()) part.name = "part-" + std::to_string(++parts);
-  part.questions = any_list(random, 1, text);
+  part.problems = any_list(random, 1, text);
   if (yes()) {
     part.machines = {any_text(random), any_list(random, 0, level), any_list(random, 0, level),
                      any_list(random, 0, level), any_list(random, 0, text)};
+  }
+  if (part.machines.around.empty() && yes()) {
+    part.drawn_machines = static_cast<int>(whole(random, 1, 9));
   }
   if (yes()) part.least_variables = whole(random, 1, 100);
   part.most_variables = yes() ? part.least_variables : whole(random, 100, 1'000'000'000'000);
   if (yes()) part.constrained = yes();
   part.solvers = any_list(random, 1, text);
-  if (yes()) part.forms = any_list(random, 1, text);
-  if (yes()) part.widths = any_list(random, 0, [&] { return level() + 1e-9; });
-  if (yes()) part.features = any_list(random, 1, text);
+  if (yes()) part.formulations = any_list(random, 1, text);
+  if (yes()) part.smoothings = any_list(random, 0, [&] { return level() + 1e-9; });
+  if (part.drawn_machines == 0 && part.machines.around.empty()) part.relocated_optimum = yes();
+  if (!part.relocated_optimum && yes()) part.perturbations = any_list(random, 1, text);
   if (yes()) {
     part.gradient_prices = any_list(random, 1, [&]() -> std::string {
       return random() % 3 == 0   ? "n"
@@ -104,9 +108,9 @@ TEST(Plan, IsReadBackFromItsText) {
 }
 
 TEST(Plan, HasWhatItsDocumentationSaysWhereNothingIsNamed) {
-  const Plan plan = plan_from("[[part]]\nquestions = \"a\"\nsolvers = \"b\"\nbudgets = 7", "least");
+  const Plan plan = plan_from("[[part]]\nproblems = \"a\"\nsolvers = \"b\"\nbudgets = 7", "least");
   PlanPart part;
-  part.questions = {"a"};
+  part.problems = {"a"};
   part.solvers = {"b"};
   part.budgets = {7};
   EXPECT_EQ(plan.parts, std::vector{part});
@@ -124,7 +128,7 @@ std::string complaint(const std::string& text) {
   return "nothing, though it is wrong: " + text;
 }
 
-const std::string least = "[[part]]\nquestions = [\"a\"]\nsolvers = [\"b\"]\nbudgets = [7]\n";
+const std::string least = "[[part]]\nproblems = [\"a\"]\nsolvers = [\"b\"]\nbudgets = [7]\n";
 
 TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
   const std::string place = "my.toml:1, part 1";
@@ -142,16 +146,16 @@ TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
            {"variables = [3, 2]", place, "variables = [3, 2]", "must rise"},
            {"variables = 0", place, "variables = 0", "a whole number from 1"},
            {"constrained = 1", place, "constrained = 1", "true or false"},
-           {"forms = []", place, "forms = []", "a list of one or more"},
-           {"forms = [1]", place, "forms = 1", "texts"},
-           {"forms = [\"\"]", place, "forms = ", "texts"},
-           {"features = []", place, "features = []", "a list of one or more"},
-           {"features = [\"a\", \"a\"]", place, "features = ", "without repetitions"},
-           {"widths = [0.0]", place, "widths = 0.0", "finite numbers > 0"},
-           {"widths = [-1]", place, "widths = -1", "finite numbers > 0"},
-           {"widths = [nan]", place, "widths = nan", "finite numbers > 0"},
-           {"widths = [inf]", place, "widths = inf", "finite numbers > 0"},
-           {"widths = [true]", place, "widths = true", "finite numbers > 0"},
+           {"formulations = []", place, "formulations = []", "a list of one or more"},
+           {"formulations = [1]", place, "formulations = 1", "texts"},
+           {"formulations = [\"\"]", place, "formulations = ", "texts"},
+           {"perturbations = []", place, "perturbations = []", "a list of one or more"},
+           {"perturbations = [\"a\", \"a\"]", place, "perturbations = ", "without repetitions"},
+           {"smoothings = [0.0]", place, "smoothings = 0.0", "finite numbers > 0"},
+           {"smoothings = [-1]", place, "smoothings = -1", "finite numbers > 0"},
+           {"smoothings = [nan]", place, "smoothings = nan", "finite numbers > 0"},
+           {"smoothings = [inf]", place, "smoothings = inf", "finite numbers > 0"},
+           {"smoothings = [true]", place, "smoothings = true", "finite numbers > 0"},
            {"gradient_prices = [-1]", place, "gradient_prices = -1", "from 0 to 1000000000"},
            {"gradient_prices = [\"m\"]", place, "gradient_prices = ", "\"n\", \"measured\""},
            {"gradient_prices = [1.5]", place, "gradient_prices = 1.5", "a whole number >= 0"},
@@ -163,6 +167,14 @@ TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
             "finite numbers >= 0"},
            {"machines = {around = \"C1\", frictoin = 1}", place + ", machines", "frictoin",
             "friction"},
+           {"drawn_machines = 0", place, "drawn_machines = 0", "a whole number from 1"},
+           {"relocated_optimum = 1", place, "relocated_optimum = 1", "true or false"},
+           {"drawn_machines = 1\nmachines = {around = \"C1\"}", place, "drawn_machines = 1",
+            "left out where machines are named"},
+           {"relocated_optimum = true\nmachines = {around = \"C1\"}", place,
+            "relocated_optimum = true", "left out where machines are named or drawn"},
+           {"relocated_optimum = true\nperturbations = \"noisy\"", place,
+            "perturbations = ", "left out where relocated_optimum is true"},
            {"name = \"../up\"", place, "name = ", "small letters, digits and hyphens"},
            {"seed = 1", place, "there is no key seed", "seeds"}}) {
     const std::string said = complaint(least + wrong.line);
@@ -196,7 +208,7 @@ TEST(Plan, RefusesPartsOfOneName) {
 }
 
 TEST(Plan, RefusesBudgetsThatDoNotRise) {
-  const std::string frame = "[[part]]\nquestions = \"a\"\nsolvers = \"b\"\nbudgets = ";
+  const std::string frame = "[[part]]\nproblems = \"a\"\nsolvers = \"b\"\nbudgets = ";
   EXPECT_THAT(complaint(frame + "[7, 5]"), HasSubstr("budgets = [7, 5]: must rise"));
   EXPECT_THAT(complaint(frame + "[5, 5]"), HasSubstr("without repetitions"));
   EXPECT_THAT(complaint(frame + "[]"), HasSubstr("a list of one or more"));
@@ -216,8 +228,8 @@ TEST(Plan, RefusesWhatIsMissingOrNoPlan) {
               HasSubstr("my.toml, limits: seconds = 0: must be finite numbers > 0"));
   EXPECT_THAT(complaint("limits = {minutes = 1}\n" + least), HasSubstr("there is no key minutes"));
   EXPECT_THAT(complaint(least + "[[part]]\nsolvers = \"b\"\nbudgets = 7"),
-              HasSubstr("my.toml:5, part 2: questions is missing"));
-  for (const std::string key : {"questions", "solvers", "budgets"}) {
+              HasSubstr("my.toml:5, part 2: problems is missing"));
+  for (const std::string key : {"problems", "solvers", "budgets"}) {
     std::string text = least;
     text.replace(text.find(key), key.size(), "# " + key);
     EXPECT_THAT(complaint(text), HasSubstr(key + " is missing"));

@@ -1,4 +1,4 @@
-#include "src/campaign/planned_runs.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "src/campaign/runner.h"
-#include "tests/campaign/made_up_campaign.h"
+#include "src/benchmark/experiment/campaign/runner.h"
+#include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {
 namespace {
@@ -21,7 +21,8 @@ std::vector<RunKey> keys_of(const PlannedRuns& runs) {
 
 TEST(PlannedRuns, OfShardsAreDisjointAndCompleteWhateverIsDone) {
   const Campaign campaign = campaign_of(part_of(
-      "\"*\"", "solvers = \"*\"\nfeatures = \"*\"\ninstances = 4\nseeds = 2\nbudgets = [3, 7]"));
+      "\"*\"",
+      "solvers = \"*\"\nperturbations = \"*\"\ninstances = 4\nseeds = 2\nbudgets = [3, 7]"));
   const auto whole = keys_of(PlannedRuns(campaign, {}, {}));
   EXPECT_EQ(static_cast<std::int64_t>(whole.size()), campaign.runs());
   const std::set<RunKey> every(whole.begin(), whole.end());
@@ -56,8 +57,9 @@ TEST(PlannedRuns, BeginWithTheLongest) {
 }
 
 TEST(PlannedRuns, AreSeededByAllThatTheyAreCalled) {
-  const Campaign campaign = campaign_of(part_of(
-      "\"cup-s\"", "solvers = \"*\"\nfeatures = [\"plain\", \"noisy\"]\ninstances = 2\nseeds = 2"));
+  const Campaign campaign = campaign_of(
+      part_of("\"cup-s\"",
+              "solvers = \"*\"\nperturbations = [\"plain\", \"noisy\"]\ninstances = 2\nseeds = 2"));
   const PlannedRuns planned(campaign, {}, {});
   std::vector<Job> jobs;
   for (const PlannedRun& run : planned.all()) jobs.push_back(run.job);
@@ -70,9 +72,24 @@ TEST(PlannedRuns, AreSeededByAllThatTheyAreCalled) {
   EXPECT_EQ(static_cast<std::int64_t>(seeds.size()), campaign.runs());
 }
 
+TEST(PlannedRuns, HaveTheirBestPointWhereTheOptimumIsRelocated) {
+  const Campaign campaign = campaign_of(part_of("\"bowl-2\"", "relocated_optimum = true"));
+  const PlannedRuns planned(campaign, {}, {});
+  ASSERT_EQ(planned.all().size(), 3U * 15);
+  for (const PlannedRun& run : planned.all()) {
+    const Problem& problem = *run.job.problem;
+    const Vector& best = *problem.best_point;
+    EXPECT_EQ(problem.lower == best, run.key.cell.perturbation == "optimum-at-lower-end");
+    EXPECT_EQ(problem.upper == best, run.key.cell.perturbation == "optimum-at-upper-end");
+    EXPECT_EQ(problem.instance, run.key.instance);
+    EXPECT_EQ(run.job.perturbation, nullptr);
+  }
+}
+
 TEST(PlannedRuns, AreFoundOneByOneAsTheyAreAmongAll) {
-  const Campaign campaign = campaign_of(part_of(
-      "\"*\"", "solvers = \"*\"\nfeatures = [\"plain\", \"noisy\"]\ninstances = 2\nseeds = 2"));
+  const Campaign campaign = campaign_of(
+      part_of("\"*\"",
+              "solvers = \"*\"\nperturbations = [\"plain\", \"noisy\"]\ninstances = 2\nseeds = 2"));
   const PlannedRuns planned(campaign, {}, {});
   for (const PlannedRun& run : planned.all()) {
     const PlannedRuns alone(campaign, run.key);
@@ -82,7 +99,7 @@ TEST(PlannedRuns, AreFoundOneByOneAsTheyAreAmongAll) {
     EXPECT_EQ(found.job.shown, run.job.shown);
     EXPECT_EQ(found.job.number, run.job.number);
     EXPECT_EQ(found.job.solver, run.job.solver);
-    EXPECT_EQ(found.job.feature, run.job.feature);
+    EXPECT_EQ(found.job.perturbation, run.job.perturbation);
     EXPECT_EQ(found.job.problem->name, run.job.problem->name);
     EXPECT_EQ(found.job.problem->instance, run.job.problem->instance);
     EXPECT_EQ(found.job.budget.evaluations, run.job.budget.evaluations);

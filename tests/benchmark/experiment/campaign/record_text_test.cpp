@@ -1,4 +1,4 @@
-#include "src/campaign/record_text.h"
+#include "src/benchmark/experiment/campaign/record_text.h"
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ TEST(RecordText, KeepsEveryBitOfAnImprovement) {
     const Improvement again = improvement_from(text_of(step));
     EXPECT_EQ(again.evaluations, step.evaluations);
     EXPECT_TRUE(same_bits(again.seconds, step.seconds)) << step.seconds;
-    EXPECT_TRUE(same_bits(again.truth.objective, step.truth.objective));
-    EXPECT_TRUE(same_bits(again.truth.violation, step.truth.violation));
+    EXPECT_TRUE(same_bits(again.true_values.objective, step.true_values.objective));
+    EXPECT_TRUE(same_bits(again.true_values.violation, step.true_values.violation));
     ASSERT_EQ(again.x.size(), step.x.size());
     for (Eigen::Index i = 0; i < step.x.size(); ++i) EXPECT_TRUE(same_bits(again.x[i], step.x[i]));
   }
@@ -54,13 +54,13 @@ TEST(RecordText, KeepsAllOfARecord) {
   record.seed = ~0ULL;
   record.budget = {100, std::numeric_limits<double>::infinity()};
   record.ledger = {1, 2, 6, 3, 4, 0.5};
-  record.refusal = Refusal::bad_point;
-  record.exits = {{"done", Vector::Constant(2, 0.1)}, {"stopped"}};
+  record.termination_reason = TerminationReason::bad_point;
+  record.terminations = {{"done", Vector::Constant(2, 0.1)}, {"stopped"}};
   record.failure = "torn";
   record.trace = {{1, 0.1, {2, 0}, Vector::Constant(1, 3)}, {2, 0.2, {1, 0}, Vector::Zero(1)}};
-  for (const bool handed_over : {false, true}) {
-    if (handed_over) record.budget.gradient_price = 0;
-    if (handed_over) record.handed_over = HandedOver{Vector::Ones(3), {7, 8}};
+  for (const bool returned : {false, true}) {
+    if (returned) record.budget.gradient_price = 0;
+    if (returned) record.returned = ReturnedPoint{Vector::Ones(3), {7, 8}};
     const RunRecord again = record_from(text_of(record));
     EXPECT_EQ(again.problem, record.problem);
     EXPECT_EQ(again.solver, record.solver);
@@ -76,14 +76,14 @@ TEST(RecordText, KeepsAllOfARecord) {
     EXPECT_EQ(again.ledger.charged, 3);
     EXPECT_EQ(again.ledger.refused, 4);
     EXPECT_EQ(again.ledger.seconds, 0.5);
-    EXPECT_EQ(again.refusal, Refusal::bad_point);
-    EXPECT_EQ(again.exits, record.exits);
+    EXPECT_EQ(again.termination_reason, TerminationReason::bad_point);
+    EXPECT_EQ(again.terminations, record.terminations);
     EXPECT_EQ(again.failure, "torn");
     ASSERT_EQ(again.trace.size(), 2U);
     EXPECT_EQ(again.trace[1].x, record.trace[1].x);
-    ASSERT_EQ(again.handed_over.has_value(), handed_over);
-    if (handed_over) {
-      EXPECT_EQ(again.handed_over->truth.violation, 8);
+    ASSERT_EQ(again.returned.has_value(), returned);
+    if (returned) {
+      EXPECT_EQ(again.returned->true_values.violation, 8);
     }
   }
 }

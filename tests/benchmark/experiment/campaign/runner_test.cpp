@@ -1,4 +1,4 @@
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/runner.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -26,22 +26,21 @@ Problem bowl() {
   return problem;
 }
 
-Solver chance(std::string name) {
+Solver drawing(std::string name) {
   Solver solver;
   solver.name = std::move(name);
   solver.stochastic = true;
-  solver.accepts = [](const Problem&) { return true; };
   solver.solve = [](Evaluator& evaluator, const Vector& start, Random& random) {
     Vector x = start;
-    while (evaluator.objective(x)) x = uniform_point(evaluator.problem(), random);
-    return SolverExit{"spent"};
+    while (evaluator.objective(x)) x = uniform_point(evaluator.lower(), evaluator.upper(), random);
+    return SolverTermination{"spent"};
   };
   return solver;
 }
 
 struct Jobs {
   std::vector<Problem> problems;
-  std::vector<Solver> solvers{chance("one"), chance("other")};
+  std::vector<Solver> solvers{drawing("one"), drawing("other")};
   std::vector<Job> jobs;
 
   explicit Jobs(int instances) {
@@ -76,7 +75,7 @@ TEST(Runner, GivesTheSameBitsOnAnyNumberOfProcesses) {
     ASSERT_EQ(one[i].trace.size(), two[i].trace.size());
     for (std::size_t k = 0; k < one[i].trace.size(); ++k) {
       EXPECT_EQ(one[i].trace[k].x, two[i].trace[k].x);
-      EXPECT_EQ(one[i].trace[k].truth.objective, two[i].trace[k].truth.objective);
+      EXPECT_EQ(one[i].trace[k].true_values.objective, two[i].trace[k].true_values.objective);
       EXPECT_EQ(one[i].trace[k].evaluations, two[i].trace[k].evaluations);
     }
   }
@@ -102,7 +101,7 @@ TEST(Runner, MakesARunAgainWhoseProcessSomebodyHasKilled) {
       raise(SIGKILL);
     }
     evaluator.objective(start);
-    return SolverExit{"survived"};
+    return SolverTermination{"survived"};
   };
   const auto records = run_on(jobs.jobs, 1);
   std::filesystem::remove(mark);
@@ -111,7 +110,7 @@ TEST(Runner, MakesARunAgainWhoseProcessSomebodyHasKilled) {
 
 TEST(Runner, GivesUpARunThatIsKilledAgain) {
   Jobs jobs(2);
-  jobs.solvers[0].solve = [](Evaluator&, const Vector&, Random&) -> SolverExit {
+  jobs.solvers[0].solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
     raise(SIGKILL);
     return {"never"};
   };

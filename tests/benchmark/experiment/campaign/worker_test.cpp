@@ -1,4 +1,4 @@
-#include "src/campaign/worker.h"
+#include "src/benchmark/experiment/campaign/worker.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include "src/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/runner.h"
 #include "src/core/error.h"
 
 namespace ricochet {
@@ -42,8 +42,7 @@ Problem valley() {
 Solver that(std::function<void()> does) {
   Solver solver;
   solver.name = "that";
-  solver.accepts = [](const Problem&) { return true; };
-  solver.solve = [does](Evaluator& evaluator, const Vector&, Random&) -> SolverExit {
+  solver.solve = [does](Evaluator& evaluator, const Vector&, Random&) -> SolverTermination {
     evaluator.objective(Vector::Constant(1, 0.5));
     does();
     return {"done", Vector::Constant(1, 0.25)};
@@ -66,7 +65,7 @@ RunRecord run_that(const std::function<void()>& does, Limits limits = {60, 256})
   const auto records = records_of(problem, that(does), limits);
   EXPECT_THAT(records[1].failure, IsEmpty());
   EXPECT_EQ(records[1].ledger.charged, 20);
-  EXPECT_EQ(records[1].exits.size(), 21U);
+  EXPECT_EQ(records[1].terminations.size(), 21U);
   return records[0];
 }
 
@@ -75,7 +74,7 @@ void expect_failed(const RunRecord& record, const testing::Matcher<std::string>&
   EXPECT_THAT(record.failure, failure);
   ASSERT_EQ(record.trace.size(), 1U);
   EXPECT_EQ(record.trace[0].x[0], 0.5);
-  EXPECT_DOUBLE_EQ(record.trace[0].truth.objective, 0.04);
+  EXPECT_DOUBLE_EQ(record.trace[0].true_values.objective, 0.04);
   EXPECT_EQ(record.solver, "that");
   EXPECT_EQ(record.problem, "valley");
   EXPECT_EQ(record.run, 3);
@@ -87,13 +86,13 @@ TEST(Worker, BringsBackTheRecordOfARun) {
   const RunRecord here = run(problem, solver, {20}, 3);
   const RunRecord there = records_of(problem, solver, {})[0];
   EXPECT_EQ(there.seed, here.seed);
-  EXPECT_EQ(there.exits, here.exits);
+  EXPECT_EQ(there.terminations, here.terminations);
   EXPECT_EQ(there.ledger.charged, here.ledger.charged);
-  ASSERT_TRUE(there.handed_over);
-  EXPECT_EQ(there.handed_over->x, here.handed_over->x);
-  EXPECT_EQ(there.handed_over->truth.objective, here.handed_over->truth.objective);
+  ASSERT_TRUE(there.returned);
+  EXPECT_EQ(there.returned->x, here.returned->x);
+  EXPECT_EQ(there.returned->true_values.objective, here.returned->true_values.objective);
   ASSERT_EQ(there.trace.size(), here.trace.size());
-  EXPECT_EQ(there.trace[0].truth.objective, here.trace[0].truth.objective);
+  EXPECT_EQ(there.trace[0].true_values.objective, here.trace[0].true_values.objective);
 }
 
 TEST(Worker, SurvivesASolverThatThrows) {
@@ -174,7 +173,7 @@ TEST(Worker, MakesARunAgainWhereAnotherMayHaveSpoiltTheProcess) {
   run_all(jobs, {}, [&](std::size_t job, RunRecord record) { records[job] = record; });
   EXPECT_THAT(records[0].failure, IsEmpty());
   EXPECT_THAT(records[1].failure, IsEmpty());
-  EXPECT_EQ(records[1].exits.size(), 2U);
+  EXPECT_EQ(records[1].terminations.size(), 2U);
 }
 
 TEST(Worker, KeepsWhatASolverPrintsOutOfTheResults) {
@@ -194,7 +193,7 @@ TEST(Worker, KeepsNumbersThatAreNone) {
   };
   const auto records = records_of(problem, that([] {}), {});
   ASSERT_EQ(records[0].trace.size(), 1U);
-  EXPECT_EQ(records[0].trace[0].truth.objective, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(records[0].trace[0].true_values.objective, -std::numeric_limits<double>::infinity());
 }
 
 TEST(Worker, RefusesLimitsThatAreNone) {

@@ -1,23 +1,23 @@
-#include "src/features/constraints.h"
+#include "src/benchmark/experiment/perturbations/constraints.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 #include "tests/core/hessian_check.h"
-#include "tests/features/random_problem.h"
 
 namespace ricochet {
 namespace {
 
-TEST(YesOrNoConstraints, AnswerWhetherAConstraintHolds) {
+TEST(BinaryConstraints, AnswerWhetherAConstraintHolds) {
   Random random(1);
   int held = 0, broken = 0;
   for (const Problem& problem : random_problems()) {
-    const Feature feature = yes_or_no_constraints();
-    EXPECT_EQ(feature.applies(problem), problem.constraints > 0);
-    if (!feature.applies(problem)) continue;
-    const Problem told = feature.perturbed(problem, 0);
+    const Perturbation perturbation = binary_constraints();
+    EXPECT_EQ(perturbation.applies(problem), problem.constraints > 0);
+    if (!perturbation.applies(problem)) continue;
+    const Problem told = perturbation.perturbed(problem, 0);
     for (int k = 0; k < 20; ++k) {
       const Vector x = k == 0 ? *problem.best_point : uniform_point(problem, random);
       const Values own = problem.evaluate(x);
@@ -29,19 +29,19 @@ TEST(YesOrNoConstraints, AnswerWhetherAConstraintHolds) {
         EXPECT_EQ(values.constraints[j], holds ? 0 : 1);
         ++(holds ? held : broken);
       }
-      const bool feasible = truth_at(problem, x).violation == 0;
-      EXPECT_EQ(truth_of(values, problem.equalities).violation == 0, feasible);
+      const bool feasible = true_values_at(problem, x).violation == 0;
+      EXPECT_EQ(true_values_of(values, problem.equalities).violation == 0, feasible);
     }
   }
   EXPECT_GT(held, 50);
   EXPECT_GT(broken, 50);
 }
 
-TEST(YesOrNoConstraints, HaveNoSlopesAndNoCurvature) {
+TEST(BinaryConstraints, HaveNoSlopesAndNoCurvature) {
   Random random(1);
   for (const Problem& problem : random_problems()) {
     if (problem.constraints == 0) continue;
-    const Problem told = yes_or_no_constraints().perturbed(problem, 0);
+    const Problem told = binary_constraints().perturbed(problem, 0);
     const Vector& x = problem.start;
     const Derivatives d = told.differentiate(x);
     EXPECT_EQ(d.values.constraints, told.evaluate(x).constraints);
@@ -52,23 +52,23 @@ TEST(YesOrNoConstraints, HaveNoSlopesAndNoCurvature) {
   }
 }
 
-TEST(YesOrNoConstraints, AllowAnEqualityItsTolerance) {
+TEST(BinaryConstraints, AllowAnEqualityItsTolerance) {
   Problem problem = random_problems().front();
   problem.constraints = 5;
   problem.equalities = 4;
   problem.evaluate = [](const Vector&) {
     return Values{0, Vector{{9e-7, -9e-7, 1.1e-6, -1.1e-6, 9e-7}}};
   };
-  const Problem told = yes_or_no_constraints().perturbed(problem, 0);
+  const Problem told = binary_constraints().perturbed(problem, 0);
   EXPECT_EQ(told.evaluate(problem.start).constraints, (Vector{{0.0, 0.0, 1.0, 1.0, 1.0}}));
 }
 
-TEST(YesOrNoConstraints, TakeWhatIsNoNumberForBroken) {
+TEST(BinaryConstraints, TakeWhatIsNoNumberForBroken) {
   Problem problem = random_problems().front();
   problem.constraints = 2;
   problem.equalities = 1;
   problem.evaluate = [](const Vector&) { return Values{0, Vector::Constant(2, std::nan(""))}; };
-  const Problem told = yes_or_no_constraints().perturbed(problem, 0);
+  const Problem told = binary_constraints().perturbed(problem, 0);
   EXPECT_EQ(told.evaluate(problem.start).constraints, Vector::Ones(2));
 }
 
@@ -76,10 +76,10 @@ TEST(InfiniteWhereInfeasible, IsInfiniteWhereAnInequalityIsBrokenAndNowhereElse)
   Random random(2);
   int inside = 0, outside = 0;
   for (const Problem& problem : random_problems()) {
-    const Feature feature = infinite_where_infeasible();
-    EXPECT_EQ(feature.applies(problem), problem.constraints > problem.equalities);
-    if (!feature.applies(problem)) continue;
-    const Problem told = feature.perturbed(problem, 0);
+    const Perturbation perturbation = infinite_where_infeasible();
+    EXPECT_EQ(perturbation.applies(problem), problem.constraints > problem.equalities);
+    if (!perturbation.applies(problem)) continue;
+    const Problem told = perturbation.perturbed(problem, 0);
     const Vector multipliers = normal(problem.constraints, random);
     for (int k = 0; k < 20; ++k) {
       const Vector x = k == 0 ? *problem.best_point : uniform_point(problem, random);
@@ -90,7 +90,7 @@ TEST(InfiniteWhereInfeasible, IsInfiniteWhereAnInequalityIsBrokenAndNowhereElse)
       EXPECT_EQ(told.evaluate(x).objective, d.values.objective);
       EXPECT_EQ(d.values.constraints, own.values.constraints);
       EXPECT_EQ(d.jacobian, own.jacobian);
-      EXPECT_EQ(told.truth(x).objective, own.values.objective);
+      EXPECT_EQ(told.true_values(x).objective, own.values.objective);
       const Eigen::Index inequalities = problem.constraints - problem.equalities;
       if (own.values.constraints.tail(inequalities).maxCoeff() <= 0) {
         ++inside;

@@ -1,4 +1,4 @@
-#include "src/features/coordinates.h"
+#include "src/benchmark/experiment/perturbations/coordinates.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 #include "tests/core/hessian_check.h"
-#include "tests/features/random_problem.h"
 
 namespace ricochet {
 namespace {
@@ -32,8 +32,8 @@ void expect_same(const Problem& problem, const Problem& shown, const Matrix& to)
     const Vector x = to * own;
     EXPECT_TRUE((x.array() >= shown.lower.array()).all());
     EXPECT_TRUE((x.array() <= shown.upper.array()).all());
-    EXPECT_EQ(shown.truth(x).objective, truth_at(problem, own).objective);
-    EXPECT_EQ(shown.truth(x).violation, truth_at(problem, own).violation);
+    EXPECT_EQ(shown.true_values(x).objective, true_values_at(problem, own).objective);
+    EXPECT_EQ(shown.true_values(x).violation, true_values_at(problem, own).violation);
     const Derivatives d = shown.differentiate(x);
     const Derivatives own_d = problem.differentiate(own);
     EXPECT_EQ(shown.evaluate(x).objective, own_d.values.objective);
@@ -142,16 +142,16 @@ TEST(Rotated, KeepsTheValuesOfWhatIsTurnedWithIt) {
       const Problem shown = rotated().perturbed(problem, seed);
       const Vector& best = *problem.best_point;
       EXPECT_EQ(*shown.best_point, best);
-      EXPECT_EQ(shown.truth(best).objective, truth_at(problem, best).objective);
+      EXPECT_EQ(shown.true_values(best).objective, true_values_at(problem, best).objective);
       EXPECT_TRUE(shown.variables.empty());
       // What the box of the problem itself says of its start, the new one says of the turned one.
       EXPECT_NEAR((shown.start - best).norm(), (problem.start - best).norm(), 1e-12);
       EXPECT_NEAR(shown.evaluate(shown.start).objective, problem.evaluate(problem.start).objective,
                   1e-11);
-      EXPECT_NEAR(shown.truth(shown.start).objective, truth_at(problem, problem.start).objective,
-                  1e-11);
-      EXPECT_NEAR(shown.truth(shown.start).violation, truth_at(problem, problem.start).violation,
-                  1e-11);
+      EXPECT_NEAR(shown.true_values(shown.start).objective,
+                  true_values_at(problem, problem.start).objective, 1e-11);
+      EXPECT_NEAR(shown.true_values(shown.start).violation,
+                  true_values_at(problem, problem.start).violation, 1e-11);
       EXPECT_NEAR(shown.differentiate(shown.start).gradient.norm(),
                   problem.differentiate(problem.start).gradient.norm(), 1e-10);
       EXPECT_TRUE((shown.start.array() >= shown.lower.array()).all());

@@ -1,4 +1,4 @@
-#include "src/features/draws.h"
+#include "src/benchmark/experiment/perturbations/draws.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ namespace {
 double excess(const std::vector<int>& counts, double expected) {
   double chi_square = 0;
   for (const int count : counts) chi_square += std::pow(count - expected, 2) / expected;
-  const auto freedom = static_cast<double>(counts.size() - 1);
-  return (chi_square - freedom) / std::sqrt(2 * freedom);
+  const auto parameterisation = static_cast<double>(counts.size() - 1);
+  return (chi_square - parameterisation) / std::sqrt(2 * parameterisation);
 }
 
 /// Ways to come by many numbers in [0, 1): one sequence, and the first number of keys that differ

@@ -1,4 +1,4 @@
-#include "src/features/failures.h"
+#include "src/benchmark/experiment/perturbations/failures.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,8 @@
 
 #include "src/core/evaluator.h"
 #include "src/core/processor_time.h"
-#include "tests/features/random_problem.h"
+#include "src/core/scorer.h"
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {
@@ -79,17 +80,18 @@ TEST(Throwing, ThrowsOnceInAThousandCallsOfAnyKind) {
     }
     expect_share(thrown, 1e-3);
   }
-  for (int k = 0; k < calls; ++k) EXPECT_NO_THROW(told.truth(x));
+  for (int k = 0; k < calls; ++k) EXPECT_NO_THROW(told.true_values(x));
 }
 
 TEST(Throwing, EndsARunWithWhatWasFoundBefore) {
   Random random(1);
   const Problem told = throwing().perturbed(random_problem(random, {}), 3);
-  Evaluator evaluator(told, {calls});
+  Scorer scorer(told);
+  Evaluator evaluator(told, {calls}, &scorer);
   while (!evaluator.over()) evaluator.values(uniform_point(told, random));
-  EXPECT_EQ(evaluator.refusal(), Refusal::failure);
+  EXPECT_EQ(evaluator.termination_reason(), TerminationReason::failure);
   EXPECT_GT(evaluator.ledger().charged, 0);
-  EXPECT_TRUE(evaluator.best());
+  EXPECT_TRUE(scorer.best());
 }
 
 TEST(Slow, TakesATenthOfAMillisecondOfProcessorTimeMore) {
@@ -107,7 +109,7 @@ TEST(Slow, TakesATenthOfAMillisecondOfProcessorTimeMore) {
   }
   Evaluator evaluator(told, {1'000'000, 0.01});
   while (!evaluator.over()) evaluator.values(x);
-  EXPECT_EQ(evaluator.refusal(), Refusal::seconds);
+  EXPECT_EQ(evaluator.termination_reason(), TerminationReason::seconds);
   EXPECT_LE(evaluator.ledger().charged, 100 + 64)
       << "a glance at the clock is 64 calls old at most";
 }

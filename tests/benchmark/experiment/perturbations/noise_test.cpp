@@ -1,4 +1,4 @@
-#include "src/features/noise.h"
+#include "src/benchmark/experiment/perturbations/noise.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/features/random_problem.h"
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {
@@ -54,8 +54,8 @@ const std::vector<Number>& kinds() {
 
 /// What noise did to a constant, at as many points on a line through the origin, in units of the
 /// size that it should have.
-std::vector<double> sample(const Feature& feature, double value, const Number& number) {
-  const Problem told = feature.perturbed(constant(value), 5);
+std::vector<double> sample(const Perturbation& perturbation, double value, const Number& number) {
+  const Problem told = perturbation.perturbed(constant(value), 5);
   std::vector<double> all;
   for (int k = 0; k < size; ++k) {
     const Vector x{{static_cast<double>(k) / size, 0.0}};
@@ -65,29 +65,30 @@ std::vector<double> sample(const Feature& feature, double value, const Number& n
 }
 
 TEST(Noise, HasTheMeanDeviationAndTailsOfANormalOne) {
-  for (const Feature& feature : {noisy(), frozen_noise()}) {
+  for (const Perturbation& perturbation : {noisy(), frozen_noise()}) {
     for (const Number& number : kinds()) {
       for (const double value : {0.0, -0.5, 3e4}) {
         double mean = 0, square = 0, beyond = 0;
-        for (const double told : sample(feature, value, number)) {
+        for (const double told : sample(perturbation, value, number)) {
           const double xi = 1e3 * told;
           mean += xi / size;
           square += xi * xi / size;
           beyond += std::abs(xi) > 2;
         }
-        EXPECT_LT(std::abs(mean), 5 / std::sqrt(size)) << feature.name << value;
-        EXPECT_NEAR(square, 1, 5 * std::sqrt(2.0 / size)) << feature.name << value;
+        EXPECT_LT(std::abs(mean), 5 / std::sqrt(size)) << perturbation.name << value;
+        EXPECT_NEAR(square, 1, 5 * std::sqrt(2.0 / size)) << perturbation.name << value;
         const double share = std::erfc(std::numbers::sqrt2);
-        EXPECT_NEAR(beyond / size, share, 5 * std::sqrt(share / size)) << feature.name << value;
+        EXPECT_NEAR(beyond / size, share, 5 * std::sqrt(share / size))
+            << perturbation.name << value;
       }
     }
   }
 }
 
 TEST(Noise, OfObjectiveAndConstraintIsIndependent) {
-  for (const Feature& feature : {noisy(), frozen_noise()}) {
-    const std::vector<double> a = sample(feature, 0, kinds()[0]);
-    const std::vector<double> b = sample(feature, 0, kinds()[1]);
+  for (const Perturbation& perturbation : {noisy(), frozen_noise()}) {
+    const std::vector<double> a = sample(perturbation, 0, kinds()[0]);
+    const std::vector<double> b = sample(perturbation, 0, kinds()[1]);
     double together = 0;
     for (std::size_t k = 0; k < a.size(); ++k) together += 1e6 * a[k] * b[k] / size;
     EXPECT_LT(std::abs(together), 5 / std::sqrt(size));
@@ -106,9 +107,9 @@ TEST(Noise, IsDrawnAnewUnlessItIsFrozen) {
 
 TEST(Noise, LeavesAloneWhatIsNotFinite) {
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const Feature& feature : {noisy(), frozen_noise(), outliers()}) {
-    const Problem told = feature.perturbed(constant(-infinity), 1);
-    const Problem lost = feature.perturbed(constant(std::nan("")), 1);
+  for (const Perturbation& perturbation : {noisy(), frozen_noise(), outliers()}) {
+    const Problem told = perturbation.perturbed(constant(-infinity), 1);
+    const Problem lost = perturbation.perturbed(constant(std::nan("")), 1);
     for (int k = 0; k < 100; ++k) {
       const Vector x{{0.01 * k, 0.0}};
       EXPECT_EQ(told.evaluate(x).objective, -infinity);

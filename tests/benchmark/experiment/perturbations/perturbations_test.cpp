@@ -1,4 +1,4 @@
-// What every feature promises.
+// What every perturbation promises.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,11 +7,12 @@
 #include <cmath>
 #include <set>
 
+#include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/core/evaluator.h"
 #include "src/core/instance.h"
 #include "src/core/penalty.h"
-#include "src/features/feature.h"
-#include "tests/features/random_problem.h"
+#include "src/core/scorer.h"
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {
@@ -46,34 +47,36 @@ std::vector<std::uint64_t> told(const Problem& problem, int points) {
   return bits;
 }
 
-bool moves_coordinates(const Feature& feature) {
-  return feature.name == "permuted" || feature.name == "reflected" || feature.name == "rotated";
+bool moves_coordinates(const Perturbation& perturbation) {
+  return perturbation.name == "permuted" || perturbation.name == "reflected" ||
+         perturbation.name == "rotated";
 }
 
-class EveryFeature : public testing::TestWithParam<Feature> {
+class EveryPerturbation : public testing::TestWithParam<Perturbation> {
  protected:
-  const Feature& feature() const { return GetParam(); }
+  const Perturbation& perturbation() const { return GetParam(); }
 
-  /// Random problems that it applies to, and instances of them, and forms.
+  /// Random problems that it applies to, and instances of them, and formulations.
   std::vector<Problem> problems() const {
     const std::vector<Problem> stated = random_problems();
     std::vector<Problem> all;
     for (std::size_t k = 0; k < stated.size(); ++k) {
       const Problem& problem = stated[k];
-      const Problem forms[] = {problem, instance(problem, 3), problem.smoothed(0.2),
-                               penalised(problem, 2)};
-      const Problem& shown = forms[(k + k / 4) % 4];  // another one for every kind of constraints
-      if (feature().applies(shown)) all.push_back(shown);
+      const Problem formulations[] = {problem, instance(problem, 3), problem.smoothed(0.2),
+                                      penalised(problem, 2)};
+      const Problem& shown =
+          formulations[(k + k / 4) % 4];  // another one for every kind of constraints
+      if (perturbation().applies(shown)) all.push_back(shown);
     }
     EXPECT_GE(all.size(), 8U);
     return all;
   }
 };
 
-TEST_P(EveryFeature, KeepsWhatIsAskedAndJudged) {
+TEST_P(EveryPerturbation, KeepsWhatIsAskedAndJudged) {
   Random random(3);
   for (const Problem& problem : problems()) {
-    const Problem shown = feature().perturbed(problem, 11);
+    const Problem shown = perturbation().perturbed(problem, 11);
     EXPECT_EQ(shown.name, problem.name);
     EXPECT_EQ(shown.instance, problem.instance);
     EXPECT_EQ(shown.dimension(), problem.dimension());
@@ -84,87 +87,90 @@ TEST_P(EveryFeature, KeepsWhatIsAskedAndJudged) {
     EXPECT_EQ(!shown.residuals, !problem.residuals);
     EXPECT_EQ(!shown.lagrangian_hessian, !problem.lagrangian_hessian);
     EXPECT_EQ(!shown.smoothed, !problem.smoothed);
-    EXPECT_NEAR(truth_at(shown, *shown.best_point).objective,
-                truth_at(problem, *problem.best_point).objective, 1e-12);
-    EXPECT_NEAR(truth_at(shown, *shown.best_point).violation,
-                truth_at(problem, *problem.best_point).violation, 1e-12);
-    if (moves_coordinates(feature())) continue;
+    EXPECT_NEAR(true_values_at(shown, *shown.best_point).objective,
+                true_values_at(problem, *problem.best_point).objective, 1e-12);
+    EXPECT_NEAR(true_values_at(shown, *shown.best_point).violation,
+                true_values_at(problem, *problem.best_point).violation, 1e-12);
+    if (moves_coordinates(perturbation())) continue;
     EXPECT_EQ(shown.lower, problem.lower);
     EXPECT_EQ(shown.upper, problem.upper);
     EXPECT_EQ(*shown.best_point, *problem.best_point);
     for (int k = 0; k < 10; ++k) {
       const Vector x = uniform_point(problem, random);
-      EXPECT_EQ(truth_at(shown, x).objective, truth_at(problem, x).objective);
-      EXPECT_EQ(truth_at(shown, x).violation, truth_at(problem, x).violation);
+      EXPECT_EQ(true_values_at(shown, x).objective, true_values_at(problem, x).objective);
+      EXPECT_EQ(true_values_at(shown, x).violation, true_values_at(problem, x).violation);
     }
   }
 }
 
-TEST_P(EveryFeature, JudgesTheSameWhateverTheSolverWasTold) {
+TEST_P(EveryPerturbation, JudgesTheSameWhateverTheSolverWasTold) {
   Random random(3);
   for (const Problem& problem : problems()) {
-    const Problem shown = feature().perturbed(problem, 11);
-    const Problem undisturbed = feature().perturbed(problem, 11);
-    Evaluator evaluator(shown, {200});
+    const Problem shown = perturbation().perturbed(problem, 11);
+    const Problem undisturbed = perturbation().perturbed(problem, 11);
+    Scorer scorer(shown);
+    Evaluator evaluator(shown, {200}, &scorer);
     while (!evaluator.over()) {
       const Vector x = uniform_point(shown, random);
       evaluator.values(x);
       evaluator.derivatives(x);
     }
-    for (const Improvement& step : evaluator.trace()) {
-      const Truth truth = truth_at(undisturbed, step.x);
-      EXPECT_EQ(step.truth.objective, truth.objective);
-      EXPECT_EQ(step.truth.violation, truth.violation);
+    for (const Improvement& step : scorer.trace()) {
+      const TrueValues true_values = true_values_at(undisturbed, step.x);
+      EXPECT_EQ(step.true_values.objective, true_values.objective);
+      EXPECT_EQ(step.true_values.violation, true_values.violation);
     }
   }
 }
 
-TEST_P(EveryFeature, HasTheSameBitsForTheSameSeed) {
+TEST_P(EveryPerturbation, HasTheSameBitsForTheSameSeed) {
   for (const Problem& problem : problems()) {
-    EXPECT_EQ(told(feature().perturbed(problem, 5), 10), told(feature().perturbed(problem, 5), 10));
+    EXPECT_EQ(told(perturbation().perturbed(problem, 5), 10),
+              told(perturbation().perturbed(problem, 5), 10));
   }
 }
 
-TEST_P(EveryFeature, HasAnotherDrawForAnotherSeedOrNone) {
-  const std::set<std::string> without_chance = {"plain",     "truncated",
-                                                "slow",      "infinite-where-infeasible",
-                                                "quantised", "yes-or-no-constraints"};
+TEST_P(EveryPerturbation, HasAnotherDrawForAnotherSeedOrNone) {
+  const std::set<std::string> without_chance = {
+      "plain", "truncated", "slow", "infinite-where-infeasible", "quantised", "binary-constraints"};
   std::set<std::vector<std::uint64_t>> different;
   const Problem problem = problems().back();
-  const int points = feature().name == "throwing" ? 1000 : 50;
+  const int points = perturbation().name == "throwing" ? 1000 : 50;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    different.insert(told(feature().perturbed(problem, seed), points));
+    different.insert(told(perturbation().perturbed(problem, seed), points));
   }
-  EXPECT_EQ(different.size() == 1, without_chance.contains(feature().name));
+  EXPECT_EQ(different.size() == 1, without_chance.contains(perturbation().name));
 }
 
-TEST_P(EveryFeature, IsSeenAtEverySmoothingWidth) {
+TEST_P(EveryPerturbation, IsSeenAtEverySmoothingWidth) {
   int seen = 0;
   for (const Problem& problem : problems()) {
     if (!problem.smoothed) continue;
-    const Problem shown = feature().perturbed(problem, 5);
+    const Problem shown = perturbation().perturbed(problem, 5);
     const Problem smooth = shown.smoothed(0.3);
     EXPECT_EQ(smooth.lower, shown.lower);
     EXPECT_EQ(smooth.upper, shown.upper);
     EXPECT_EQ(smooth.start, shown.start);
     EXPECT_EQ(smooth.start_scales, shown.start_scales);
     EXPECT_EQ(*smooth.best_point, *shown.best_point);
-    EXPECT_EQ(smooth.truth(shown.start).objective, truth_at(shown, shown.start).objective);
-    // What it does to a width is what it does to the problem at that width.
-    EXPECT_EQ(told(feature().perturbed(problem, 5).smoothed(0.3), 10),
-              told(feature().perturbed(problem.smoothed(0.3), 5), 10));
-    const int points = feature().name == "throwing" ? 1000 : 20;
+    EXPECT_EQ(smooth.true_values(shown.start).objective,
+              true_values_at(shown, shown.start).objective);
+    // What it does to a smoothing parameter is what it does to the problem at that smoothing
+    // parameter.
+    EXPECT_EQ(told(perturbation().perturbed(problem, 5).smoothed(0.3), 10),
+              told(perturbation().perturbed(problem.smoothed(0.3), 5), 10));
+    const int points = perturbation().name == "throwing" ? 1000 : 20;
     seen += told(smooth, points) != told(problem.smoothed(0.3), points);
   }
-  EXPECT_EQ(seen == 0, feature().name == "plain" || feature().name == "slow");
+  EXPECT_EQ(seen == 0, perturbation().name == "plain" || perturbation().name == "slow");
 }
 
-TEST_P(EveryFeature, SaysWhatItIs) {
-  EXPECT_FALSE(feature().name.empty());
-  EXPECT_FALSE(feature().summary.empty());
+TEST_P(EveryPerturbation, SaysWhatItIs) {
+  EXPECT_FALSE(perturbation().name.empty());
+  EXPECT_FALSE(perturbation().summary.empty());
 }
 
-std::string name_of(const testing::TestParamInfo<Feature>& tested) {
+std::string name_of(const testing::TestParamInfo<Perturbation>& tested) {
   std::string name;
   for (const char c : tested.param.name) {
     if (c != '-') name += c;
@@ -172,18 +178,18 @@ std::string name_of(const testing::TestParamInfo<Feature>& tested) {
   return name;
 }
 
-TEST(Features, TellApartHowARunShowsItsProblem) {
+TEST(Perturbations, TellApartHowARunShowsItsProblem) {
   EXPECT_EQ(shown_as("count", "plain"), "count");
   EXPECT_EQ(shown_as("count", "noisy"), "count/noisy");
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, EveryFeature, testing::ValuesIn(all_features()), name_of);
+INSTANTIATE_TEST_SUITE_P(Of, EveryPerturbation, testing::ValuesIn(all_perturbations()), name_of);
 
-TEST(Features, HaveNamesOfTheirOwnPlainFirst) {
+TEST(Perturbations, HaveNamesOfTheirOwnPlainFirst) {
   std::set<std::string> names;
-  for (const Feature& feature : all_features()) names.insert(feature.name);
-  EXPECT_EQ(names.size(), all_features().size());
-  EXPECT_EQ(all_features().front().name, "plain");
+  for (const Perturbation& perturbation : all_perturbations()) names.insert(perturbation.name);
+  EXPECT_EQ(names.size(), all_perturbations().size());
+  EXPECT_EQ(all_perturbations().front().name, "plain");
 }
 
 }  // namespace

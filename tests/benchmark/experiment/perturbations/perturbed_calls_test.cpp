@@ -1,15 +1,16 @@
-#include "src/features/perturbation.h"
+#include "src/benchmark/experiment/perturbations/perturbed_calls.h"
 
 #include <gtest/gtest.h>
 
 #include "src/core/evaluator.h"
-#include "tests/features/random_problem.h"
+#include "src/core/scorer.h"
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {
 
 /// Adds 1 to whatever the objective is.
-class OneMore : public Perturbation {
+class OneMore : public PerturbedCalls {
  public:
   Values values(const Problem& shown, const Vector& x) override {
     Values told = shown.evaluate(x);
@@ -18,7 +19,7 @@ class OneMore : public Perturbation {
   }
 };
 
-TEST(Perturbation, PassesOnWhatItDoesNothingAbout) {
+TEST(PerturbedCalls, PassesOnWhatItDoesNothingAbout) {
   for (const Problem& problem : random_problems()) {
     const Problem same = perturbed_by(std::make_shared<OneMore>(), problem);
     const Vector& x = problem.start;
@@ -29,13 +30,13 @@ TEST(Perturbation, PassesOnWhatItDoesNothingAbout) {
     const Vector multipliers = Vector::Ones(problem.constraints);
     EXPECT_EQ(same.lagrangian_hessian(x, 2, multipliers),
               problem.lagrangian_hessian(x, 2, multipliers));
-    EXPECT_EQ(same.truth(x).objective, truth_at(problem, x).objective);
+    EXPECT_EQ(same.true_values(x).objective, true_values_at(problem, x).objective);
     EXPECT_EQ(same.smoothed(0.5).evaluate(x).objective,
               problem.smoothed(0.5).evaluate(x).objective + 1);
   }
 }
 
-TEST(Perturbation, HasNoFunctionsThatTheProblemHasNot) {
+TEST(PerturbedCalls, HasNoFunctionsThatTheProblemHasNot) {
   Problem problem = random_problems().front();
   problem.differentiate = nullptr;
   problem.residuals = nullptr;
@@ -48,7 +49,7 @@ TEST(Perturbation, HasNoFunctionsThatTheProblemHasNot) {
   EXPECT_FALSE(same.smoothed);
 }
 
-TEST(Perturbation, ComputesNothingTwiceWhereWhatIsShownIsTheTruth) {
+TEST(PerturbedCalls, ComputesNothingTwiceWhereWhatIsShownIsTheTrueValues) {
   Random random(1);
   Problem problem = random_problem(random, {});
   int calls = 0;
@@ -61,13 +62,14 @@ TEST(Perturbation, ComputesNothingTwiceWhereWhatIsShownIsTheTruth) {
     return differentiate(x);
   };
   const Problem shown = perturbed_by(std::make_shared<OneMore>(), problem);
-  Evaluator evaluator(shown, {1000});
+  Scorer scorer(shown);
+  Evaluator evaluator(shown, {1000}, &scorer);
   for (int k = 0; k < 10; ++k) evaluator.values(uniform_point(problem, random));
   EXPECT_EQ(calls, 10);
   evaluator.derivatives(uniform_point(problem, random));
   EXPECT_EQ(calls, 11);
   evaluator.residuals(uniform_point(problem, random));
-  EXPECT_EQ(calls, 12) << "for the judge, who has not been told the values";
+  EXPECT_EQ(calls, 12) << "for the scorer, which has not been told the values";
 }
 
 }  // namespace

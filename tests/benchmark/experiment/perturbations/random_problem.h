@@ -12,20 +12,20 @@ struct ProblemKind {
   Eigen::Index dimension = 3;
   Eigen::Index constraints = 0;
   Eigen::Index equalities = 0;
-  bool own_truth = false;  ///< whether the truth is a function of its own
+  bool own_true_values = false;  ///< whether the true objective is a function of its own
 };
 
 /// Random least squares with random quadratic constraints, all derivatives exact: with d = x - s,
 /// residual k is a_k d + q_k d^2 / 2, constraint j is c_j d + p_j d^2 / 2 - e_j, where e_j is 0 for
 /// an equality and positive for others. Its best point is s, also where it is turned. A smoothing
-/// width w adds w d^2 / 2 to the objective.
+/// smoothing parameter w adds w d^2 / 2 to the objective.
 inline Problem random_problem(Random& random, const ProblemKind& kind) {
   const Eigen::Index n = kind.dimension;
   const Eigen::Index m = n + 2;
   struct Data {
     Matrix a, c;
     Vector q, p, e, s;
-    double width = 0;
+    double smoothing = 0;
   };
   Data data{normal(m * n, random).reshaped(m, n),
             normal(kind.constraints * n, random).reshaped(kind.constraints, n),
@@ -56,20 +56,20 @@ inline Problem random_problem(Random& random, const ProblemKind& kind) {
     result.evaluate = [of, residuals = result.residuals](const Vector& x) {
       const Vector d = x - of.s;
       const double square = d.squaredNorm();
-      return Values{residuals(x).values.squaredNorm() / 2 + of.width * square / 2,
+      return Values{residuals(x).values.squaredNorm() / 2 + of.smoothing * square / 2,
                     of.c * d + 0.5 * square * of.p - of.e};
     };
     result.differentiate = [of, residuals = result.residuals,
                             evaluate = result.evaluate](const Vector& x) {
       const Vector d = x - of.s;
       const Residuals r = residuals(x);
-      return Derivatives{evaluate(x), r.jacobian.transpose() * r.values + of.width * d,
+      return Derivatives{evaluate(x), r.jacobian.transpose() * r.values + of.smoothing * d,
                          of.c + of.p * d.transpose()};
     };
     result.lagrangian_hessian = [of, residuals = result.residuals](const Vector& x, double factor,
                                                                    const Vector& multipliers) {
       const Residuals r = residuals(x);
-      const double round = factor * (r.values.dot(of.q) + of.width) + multipliers.dot(of.p);
+      const double round = factor * (r.values.dot(of.q) + of.smoothing) + multipliers.dot(of.p);
       Matrix hessian = factor * r.jacobian.transpose() * r.jacobian;
       hessian.diagonal().array() += round;
       return Matrix(0.5 * (hessian + hessian.transpose()));
@@ -78,28 +78,28 @@ inline Problem random_problem(Random& random, const ProblemKind& kind) {
   };
 
   Problem judged = with_functions(problem, data);
-  const auto truth = [evaluate = judged.evaluate, equalities = kind.equalities](const Vector& x) {
-    return truth_of(evaluate(x), equalities);
-  };
-  if (kind.own_truth) judged.truth = truth;
-  judged.smoothed = [problem, data, truth, with_functions](double width) {
+  const auto true_values = [evaluate = judged.evaluate, equalities = kind.equalities](
+                               const Vector& x) { return true_values_of(evaluate(x), equalities); };
+  if (kind.own_true_values) judged.true_values = true_values;
+  judged.smoothed = [problem, data, true_values, with_functions](double smoothing) {
     Data wide = data;
-    wide.width = width;
+    wide.smoothing = smoothing;
     Problem smooth = with_functions(problem, wide);
-    smooth.truth = truth;
+    smooth.true_values = true_values;
     return smooth;
   };
   return judged;
 }
 
-/// Of all kinds: with and without constraints, equalities, a truth of their own; 1 to 6 variables.
+/// Of all kinds: with and without constraints, equalities, a true objective of their own; 1 to 6
+/// variables.
 inline std::vector<Problem> random_problems() {
   Random random(1);
   std::vector<Problem> problems;
   for (const Eigen::Index n : {1, 2, 3, 6}) {
-    for (const bool own_truth : {false, true}) {
+    for (const bool own_true_values : {false, true}) {
       for (const auto& [constraints, equalities] : {std::pair{0, 0}, {2, 0}, {3, 2}, {1, 1}}) {
-        problems.push_back(random_problem(random, {n, constraints, equalities, own_truth}));
+        problems.push_back(random_problem(random, {n, constraints, equalities, own_true_values}));
       }
     }
   }

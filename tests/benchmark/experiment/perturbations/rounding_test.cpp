@@ -1,4 +1,4 @@
-#include "src/features/rounding.h"
+#include "src/benchmark/experiment/perturbations/rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/features/random_problem.h"
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {
@@ -82,7 +82,7 @@ TEST(Quantised, EvaluatesEverythingAtTheNextNotch) {
       const Vector multipliers = Vector::Ones(problem.constraints);
       EXPECT_NEAR(told.lagrangian_hessian(x, 1, multipliers)(0, 0),
                   problem.lagrangian_hessian(at, 1, multipliers)(0, 0), 1e-10);
-      EXPECT_EQ(told.truth(x).objective, truth_at(problem, x).objective);
+      EXPECT_EQ(told.true_values(x).objective, true_values_at(problem, x).objective);
     }
   }
 }

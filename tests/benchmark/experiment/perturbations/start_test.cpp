@@ -1,9 +1,9 @@
-#include "src/features/start.h"
+#include "src/benchmark/experiment/perturbations/start.h"
 
 #include <gtest/gtest.h>
 
 #include "src/core/run.h"
-#include "tests/features/random_problem.h"
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {
@@ -49,7 +49,8 @@ TEST(PerturbedStart, IsWhereEveryRunBegins) {
   std::vector<Vector> starts;
   Solver solver;
   solver.name = "asks-at-its-start";
-  solver.solve = [&starts](Evaluator& evaluator, const Vector& start, Random&) -> SolverExit {
+  solver.solve = [&starts](Evaluator& evaluator, const Vector& start,
+                           Random&) -> SolverTermination {
     starts.push_back(start);
     evaluator.values(start);
     return {};

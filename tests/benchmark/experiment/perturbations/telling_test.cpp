@@ -1,10 +1,10 @@
-#include "src/features/telling.h"
+#include "src/benchmark/experiment/perturbations/telling.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "tests/features/random_problem.h"
+#include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "src/benchmark/experiment/store/store.h"
 #include "src/core/error.h"
-#include "src/store/store.h"
+#include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
-#include "tests/store/stored_runs.h"
 
 namespace ricochet {
 namespace {

@@ -15,10 +15,10 @@
 #include <filesystem>
 #include <map>
 
-#include "src/campaign/plan.h"
+#include "src/benchmark/experiment/campaign/plan.h"
+#include "src/benchmark/experiment/store/store.h"
 #include "src/core/random.h"
 #include "src/core/text_file.h"
-#include "src/store/store.h"
 
 namespace ricochet {
 namespace {

@@ -1,17 +1,17 @@
-#include "src/store/repeated_exits.h"
+#include "src/benchmark/experiment/store/repeated_terminations.h"
 
 #include <gtest/gtest.h>
 
 namespace ricochet {
 namespace {
 
-TEST(RepeatedExits, KeepTheirOrder) {
-  const std::vector<SolverExit> exits = {{"a"}, {"a"}, {"b"}, {"a"}};
-  const auto few = repeated(exits);
+TEST(RepeatedTerminations, KeepTheirOrder) {
+  const std::vector<SolverTermination> terminations = {{"a"}, {"a"}, {"b"}, {"a"}};
+  const auto few = repeated(terminations);
   ASSERT_EQ(few.size(), 3U);
   EXPECT_EQ(few[0].reason, "a");
   EXPECT_EQ(few[0].starts, 2);
-  EXPECT_EQ(expanded(few), exits);
+  EXPECT_EQ(expanded(few), terminations);
   EXPECT_TRUE(repeated({}).empty());
 }
 

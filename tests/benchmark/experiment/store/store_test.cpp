@@ -1,4 +1,4 @@
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@
 
 #include "src/core/error.h"
 #include "src/core/text_file.h"
+#include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
-#include "tests/store/stored_runs.h"
 
 namespace ricochet {
 namespace {
@@ -112,20 +112,20 @@ TEST_F(StoreFile, TakesMoreRunsLater) {
     EXPECT_THAT([&] { store.add(a_key(1), {}); },
                 ThrowsMessage<InputError>(HasSubstr("is there already")));
     RunKey stranger = a_key(4);
-    stranger.cell.question = "unheard";
+    stranger.cell.problem = "unheard";
     EXPECT_THROW(store.add(stranger, {}), InputError);
     stranger = a_key(4);
     stranger.cell.solver = "unheard";
     EXPECT_THROW(store.add(stranger, {}), InputError);
     RunRecord another_reason;  // taken back with the run that is there already
-    another_reason.exits = {{"never heard"}};
+    another_reason.terminations = {{"never heard"}};
     EXPECT_THROW(store.add(a_key(1), another_reason), InputError);
     store.add(a_key(4), another_reason);
   }
   const Store store = Store::open(file, Store::For::reading);
   EXPECT_EQ(store.size(), 5);
   expect_kept(runs_of(store).at(a_key(1)), added.at(a_key(1)));
-  EXPECT_EQ(runs_of(store).at(a_key(4)).exits.at(0).reason, "never heard");
+  EXPECT_EQ(runs_of(store).at(a_key(4)).terminations.at(0).reason, "never heard");
 }
 
 TEST_F(StoreFile, IsNeverMadeOverAnother) {
@@ -171,7 +171,7 @@ TEST_F(StoreFile, SaysWhenTheDiskIsFull) {
     setrlimit(RLIMIT_FSIZE, &small);
     const auto record = [](int number) {  // of which one table more has something new
       RunRecord made;
-      made.exits = {{"the reason " + std::to_string(number)}};
+      made.terminations = {{"the reason " + std::to_string(number)}};
       return made;
     };
     int added = 1;
@@ -210,7 +210,8 @@ TEST_F(StoreFile, OfAnotherProgramOrVersionIsRefusedUntouched) {
   const std::string whole = bytes();
   // Offsets as in https://www.sqlite.org/fileformat2.html, 1.3.
   for (const auto& [offset, reason] :
-       {std::pair(68, "another program made it"), std::pair(60, "are of version 167772161")}) {
+       {std::pair(68, "another program made it"),
+        std::pair(60, "made by version 167772162 of the suite, this is version 2")}) {
     std::string changed = whole;
     changed[static_cast<std::size_t>(offset)] = 10;
     write(changed);
@@ -218,10 +219,21 @@ TEST_F(StoreFile, OfAnotherProgramOrVersionIsRefusedUntouched) {
     EXPECT_EQ(bytes(), changed);
   }
   std::string renamed = whole;
-  renamed.replace(renamed.find("refusal"), 7, "REFUSAL");
+  renamed.replace(renamed.find("termination_reason"), 7, "REFUSAL");
   write(renamed);
   expect_refused("");
   EXPECT_EQ(bytes(), renamed);
+}
+
+TEST_F(StoreFile, OfVersion1OfTheSuiteIsRefusedInALineThatSaysSo) {
+  filled(1);
+  std::string old = bytes();
+  old[63] = 1;  // the user_version
+  write(old);
+  EXPECT_THAT([&] { Store::open(file, Store::For::reading); },
+              ThrowsMessage<InputError>(file.string() +
+                                        ": made by version 1 of the suite, this is version 2; run "
+                                        "the plan again, or use ricochet 0.1"));
 }
 
 /// What a store tells, or that it refuses.
@@ -234,11 +246,11 @@ std::optional<std::string> told(const fs::path& file) {
   }
 }
 
-TEST_F(StoreFile, ThatIsDamagedTellsTheTruthOrNothing) {
+TEST_F(StoreFile, ThatIsDamagedTellsTheTrueValuesOrNothing) {
   filled(20);
   const std::string whole = bytes();
-  const auto truth = told(file);
-  ASSERT_TRUE(truth.has_value());
+  const auto true_values = told(file);
+  ASSERT_TRUE(true_values.has_value());
   std::mt19937_64 random(3);
   int refused = 0;
   for (int k = 0; k < 500; ++k) {
@@ -251,7 +263,7 @@ TEST_F(StoreFile, ThatIsDamagedTellsTheTruthOrNothing) {
     write(damaged);
     const auto answer = told(file);
     if (!answer) ++refused;
-    EXPECT_TRUE(!answer || answer == truth) << k;
+    EXPECT_TRUE(!answer || answer == true_values) << k;
     if (k % 10 == 0) {
       try {
         Store::open(file, Store::For::adding);

@@ -1,10 +1,10 @@
-#include "src/store/stored_parts.h"
+#include "src/benchmark/experiment/store/stored_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "tests/store/stored_runs.h"
+#include "tests/benchmark/experiment/store/stored_runs.h"
 
 namespace ricochet {
 namespace {
@@ -13,8 +13,8 @@ RunRecord a_record() {
   RunRecord record;
   record.problem = "quiet";
   record.solver = "fast";
-  record.exits = {{"done"}, {"done"}, {"stopped"}};
-  record.handed_over = HandedOver{Vector::Ones(2), {3, 0}};
+  record.terminations = {{"done"}, {"done"}, {"stopped"}};
+  record.returned = ReturnedPoint{Vector::Ones(2), {3, 0}};
   record.trace = {{1, 0.5, {4, 0}, {}}, {2, 0.7, {3, 0}, Vector::Ones(2)}};
   return record;
 }
@@ -44,18 +44,18 @@ TEST(StoredParts, DifferWithEveryBitOfARun) {
       {"ledger", [](RunRecord& r) { r.ledger.hessians ^= 1; }},
       {"ledger", [](RunRecord& r) { r.ledger.charged ^= 1; }},
       {"ledger", [](RunRecord& r) { r.ledger.refused ^= 1; }},
-      {"end", [](RunRecord& r) { r.refusal = Refusal::seconds; }},
+      {"end", [](RunRecord& r) { r.termination_reason = TerminationReason::seconds; }},
       {"end", [](RunRecord& r) { r.failure = "torn"; }},
-      {"exits", [](RunRecord& r) { r.exits.pop_back(); }},
-      {"exits", [](RunRecord& r) { std::swap(r.exits[1], r.exits[2]); }},
+      {"terminations", [](RunRecord& r) { r.terminations.pop_back(); }},
+      {"terminations", [](RunRecord& r) { std::swap(r.terminations[1], r.terminations[2]); }},
       {"trace", [](RunRecord& r) { r.trace[0].evaluations ^= 2; }},
-      {"trace", [](RunRecord& r) { flip_last_bit(r.trace[0].truth.objective); }},
-      {"trace", [](RunRecord& r) { r.trace[1].truth.violation = -0.0; }},
+      {"trace", [](RunRecord& r) { flip_last_bit(r.trace[0].true_values.objective); }},
+      {"trace", [](RunRecord& r) { r.trace[1].true_values.violation = -0.0; }},
       {"trace", [](RunRecord& r) { flip_last_bit(r.trace[1].x[1]); }},
       {"trace", [](RunRecord& r) { r.trace.clear(); }},
-      {"point handed over", [](RunRecord& r) { flip_last_bit(r.handed_over->x[0]); }},
-      {"point handed over", [](RunRecord& r) { flip_last_bit(r.handed_over->truth.violation); }},
-      {"point handed over", [](RunRecord& r) { r.handed_over.reset(); }}};
+      {"point returned", [](RunRecord& r) { flip_last_bit(r.returned->x[0]); }},
+      {"point returned", [](RunRecord& r) { flip_last_bit(r.returned->true_values.violation); }},
+      {"point returned", [](RunRecord& r) { r.returned.reset(); }}};
   const RunRecord record = a_record();
   const std::string unchanged = digest(a_description(), a_key(1), record);
   for (const auto& [part, change] : changes) {
@@ -82,11 +82,14 @@ TEST(StoredParts, AreTheSameAtAnyTime) {
 }
 
 TEST(StoredParts, DifferWithEveryBitOfAKey) {
-  const std::function<void(RunKey&)> changes[] = {
-      [](RunKey& k) { k.cell.question += '-'; }, [](RunKey& k) { k.cell.form += '-'; },
-      [](RunKey& k) { k.cell.feature += '-'; },  [](RunKey& k) { k.cell.solver += '-'; },
-      [](RunKey& k) { k.cell.budget ^= 1; },     [](RunKey& k) { k.cell.gradient_price += '-'; },
-      [](RunKey& k) { k.instance ^= 1; },        [](RunKey& k) { k.run ^= 1; }};
+  const std::function<void(RunKey&)> changes[] = {[](RunKey& k) { k.cell.problem += '-'; },
+                                                  [](RunKey& k) { k.cell.formulation += '-'; },
+                                                  [](RunKey& k) { k.cell.perturbation += '-'; },
+                                                  [](RunKey& k) { k.cell.solver += '-'; },
+                                                  [](RunKey& k) { k.cell.budget ^= 1; },
+                                                  [](RunKey& k) { k.cell.gradient_price += '-'; },
+                                                  [](RunKey& k) { k.instance ^= 1; },
+                                                  [](RunKey& k) { k.run ^= 1; }};
   const std::string unchanged = digest(a_description(), a_key(1), a_record());
   for (const auto& change : changes) {
     RunKey key = a_key(1);
@@ -99,17 +102,20 @@ TEST(StoredParts, DifferWithEveryBitOfAKey) {
 TEST(StoredParts, DifferWithEveryBitOfADescription) {
   const std::pair<const char*, std::function<void(CampaignDescription&)>> changes[] = {
       {"plan", [](auto& d) { d.plan += ' '; }},
-      {"question quiet", [](auto& d) { std::swap(d.questions[0], d.questions[1]); }},
-      {"question quiet", [](auto& d) { d.questions[0].family += ' '; }},
-      {"question quiet", [](auto& d) { d.questions[0].machine += ' '; }},
-      {"question valley", [](auto& d) { d.questions[1].variables ^= 1; }},
-      {"question valley", [](auto& d) { d.questions[1].constraints ^= 1; }},
-      {"question valley", [](auto& d) { d.questions[1].equalities ^= 1; }},
-      {"question quiet", [](auto& d) { flip_last_bit(d.questions[0].tolerance); }},
-      {"question quiet", [](auto& d) { d.questions[0].best_known = 0; }},
-      {"question quiet", [](auto& d) { flip_last_bit(d.questions[0].factors["friction"]); }},
-      {"question valley", [](auto& d) { d.questions[1].factors["friction"] = 0; }},
-      {"question valley", [](auto& d) { d.questions.pop_back(); }},
+      {"data of the problems", [](auto& d) { d.data += ' '; }},
+      {"problem quiet", [](auto& d) { flip_last_bit(d.problems[0].findings["best_point"]); }},
+      {"problem quiet", [](auto& d) { std::swap(d.problems[0].findings, d.problems[0].factors); }},
+      {"problem quiet", [](auto& d) { std::swap(d.problems[0], d.problems[1]); }},
+      {"problem quiet", [](auto& d) { d.problems[0].family += ' '; }},
+      {"problem quiet", [](auto& d) { d.problems[0].machine += ' '; }},
+      {"problem valley", [](auto& d) { d.problems[1].variables ^= 1; }},
+      {"problem valley", [](auto& d) { d.problems[1].constraints ^= 1; }},
+      {"problem valley", [](auto& d) { d.problems[1].equalities ^= 1; }},
+      {"problem quiet", [](auto& d) { flip_last_bit(d.problems[0].tolerance); }},
+      {"problem quiet", [](auto& d) { d.problems[0].best_known = 0; }},
+      {"problem quiet", [](auto& d) { flip_last_bit(d.problems[0].factors["friction"]); }},
+      {"problem valley", [](auto& d) { d.problems[1].factors["friction"] = 0; }},
+      {"problem valley", [](auto& d) { d.problems.pop_back(); }},
       {"solver slow of version 2.1", [](auto& d) { d.solvers[0].version = "2.2"; }},
       {"solver fast of version ", [](auto& d) { d.solvers.pop_back(); }},
       {"program's version, 0.1.0", [](auto& d) { d.program["version"] = "0.2.0"; }}};

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "src/store/store.h"
+#include "src/benchmark/experiment/store/store.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {
@@ -35,7 +35,7 @@ inline Vector any_point(std::mt19937_64& random) {
   return x;
 }
 
-inline Truth any_truth(std::mt19937_64& random) {
+inline TrueValues any_true_values(std::mt19937_64& random) {
   const double objective = any_number(random);
   return {objective, any_number(random)};
 }
@@ -56,17 +56,18 @@ inline RunRecord any_record(std::mt19937_64& random) {
   record.budget = {any_integer(random), any_number(random)};
   record.ledger = {any_integer(random), any_integer(random), any_integer(random),
                    any_integer(random), any_integer(random), any_number(random)};
-  record.refusal = static_cast<Refusal>(random() % 6);
+  record.termination_reason = static_cast<TerminationReason>(random() % 6);
   for (auto left = random() % 20; left > 0; --left) {
-    record.exits.push_back({random() % 3 == 0 ? any_text(random) : "again", any_point(random)});
+    record.terminations.push_back(
+        {random() % 3 == 0 ? any_text(random) : "again", any_point(random)});
   }
   if (random() % 2 == 0) {
-    record.handed_over = HandedOver{any_point(random), any_truth(random)};
+    record.returned = ReturnedPoint{any_point(random), any_true_values(random)};
   }
   record.failure = any_text(random);
   for (auto left = random() % 4; left > 0; --left) {
     record.trace.push_back(
-        {any_integer(random), any_number(random), any_truth(random), any_point(random)});
+        {any_integer(random), any_number(random), any_true_values(random), any_point(random)});
   }
   return record;
 }
@@ -74,8 +75,10 @@ inline RunRecord any_record(std::mt19937_64& random) {
 inline CampaignDescription a_description() {
   CampaignDescription description;
   description.plan = "solvers = [\"fast\"]\n";
-  description.questions = {{"quiet", "speed", "C1", 1, 2, 1, 1e-6, -0.0, {{"friction", 0.25}}},
-                           {"valley", "classic", "", 2, 0, 0, 0, 1e300, {}}};
+  description.data = "0123456789abcdef";
+  description.problems = {
+      {"quiet", "speed", "C1", 1, 2, 1, 1e-6, -0.0, {{"friction", 0.25}}, {{"best_point", 0.1}}},
+      {"valley", "classic", "", 2, 0, 0, 0, 1e300, {}, {}}};
   description.solvers = {{"slow", "2.1"}, {"fast", ""}};
   description.program = {{"version", "0.1.0"}, {"compiler", "GCC 12.2"}};
   description.made = {{"date", "2026-01-02"}, {"cores", "2"}};
@@ -104,32 +107,32 @@ inline void expect_kept(const RunRecord& stored, const RunRecord& record) {
   EXPECT_EQ(stored.ledger.charged, record.ledger.charged);
   EXPECT_EQ(stored.ledger.refused, record.ledger.refused);
   EXPECT_TRUE(same_bits(stored.ledger.seconds, record.ledger.seconds));
-  EXPECT_EQ(stored.refusal, record.refusal);
+  EXPECT_EQ(stored.termination_reason, record.termination_reason);
   EXPECT_EQ(stored.failure, record.failure);
-  ASSERT_EQ(stored.exits.size(), record.exits.size());
-  for (std::size_t k = 0; k < record.exits.size(); ++k) {
-    EXPECT_EQ(stored.exits[k].reason, record.exits[k].reason);
-    EXPECT_FALSE(stored.exits[k].point.has_value());
+  ASSERT_EQ(stored.terminations.size(), record.terminations.size());
+  for (std::size_t k = 0; k < record.terminations.size(); ++k) {
+    EXPECT_EQ(stored.terminations[k].reason, record.terminations[k].reason);
+    EXPECT_FALSE(stored.terminations[k].point.has_value());
   }
   const auto expect_point = [](const Vector& x, const Vector& kept) {
     ASSERT_EQ(x.size(), kept.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) EXPECT_TRUE(same_bits(x[i], kept[i]));
   };
-  const auto expect_truth = [](const Truth& truth, const Truth& kept) {
-    EXPECT_TRUE(same_bits(truth.objective, kept.objective));
-    EXPECT_TRUE(same_bits(truth.violation, kept.violation));
+  const auto expect_true_values = [](const TrueValues& true_values, const TrueValues& kept) {
+    EXPECT_TRUE(same_bits(true_values.objective, kept.objective));
+    EXPECT_TRUE(same_bits(true_values.violation, kept.violation));
   };
-  ASSERT_EQ(stored.handed_over.has_value(), record.handed_over.has_value());
-  if (record.handed_over) {
-    expect_point(stored.handed_over->x, record.handed_over->x);
-    expect_truth(stored.handed_over->truth, record.handed_over->truth);
+  ASSERT_EQ(stored.returned.has_value(), record.returned.has_value());
+  if (record.returned) {
+    expect_point(stored.returned->x, record.returned->x);
+    expect_true_values(stored.returned->true_values, record.returned->true_values);
   }
   ASSERT_EQ(stored.trace.size(), record.trace.size());
   for (std::size_t k = 0; k < record.trace.size(); ++k) {
     const bool last = k + 1 == record.trace.size();
     EXPECT_EQ(stored.trace[k].evaluations, record.trace[k].evaluations);
     EXPECT_TRUE(same_bits(stored.trace[k].seconds, record.trace[k].seconds));
-    expect_truth(stored.trace[k].truth, record.trace[k].truth);
+    expect_true_values(stored.trace[k].true_values, record.trace[k].true_values);
     expect_point(stored.trace[k].x, last ? record.trace[k].x : Vector());
   }
 }

@@ -1,10 +1,10 @@
-#include "problems/carrier_track/oracle/comparison.h"
+#include "problems/carrier_track/check/oracle/comparison.h"
 
 #include <gtest/gtest.h>
 
-#include "problems/carrier_track/oracle/hostile_scenes.h"
-#include "problems/carrier_track/paper/cases.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "problems/carrier_track/check/oracle/hostile_scenes.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -18,7 +18,7 @@ TEST(Comparison, FindsNoWrongCountAmongThoseCalledCertain) {
     if (!c.compared || !c.certain) continue;
     ++certain;
     matched += c.matched;
-    EXPECT_EQ(c.count, c.truth) << "scene " << i;
+    EXPECT_EQ(c.count, c.true_values) << "scene " << i;
     EXPECT_EQ(c.missed, 0) << "scene " << i;
     EXPECT_EQ(c.spurious, 0) << "scene " << i;
   }
@@ -35,7 +35,7 @@ TEST(Comparison, FindsNoWrongCountAmongSlowImpactsAndMaxima) {
       endless += c.endless ? 1 : 0;
       if (!c.compared || !c.certain) continue;
       ++certain;
-      EXPECT_TRUE(c.agrees()) << "scene " << i << ": " << c.count << ", truly " << c.truth;
+      EXPECT_TRUE(c.agrees()) << "scene " << i << ": " << c.count << ", truly " << c.true_values;
       EXPECT_EQ(c.missed + c.spurious, 0) << "scene " << i;
     }
     EXPECT_GT(certain, 100);
@@ -50,7 +50,7 @@ TEST(Comparison, AgreesOnEveryCaseToTheLastDigits) {
     for (const double omega : {0.5, 2.0, 9.0}) {
       const Comparison c = compare(at_speed(scene_of(a_case, exploratory_scene()), omega));
       EXPECT_TRUE(c.compared);
-      EXPECT_EQ(c.count, c.truth) << a_case.id;
+      EXPECT_EQ(c.count, c.true_values) << a_case.id;
       EXPECT_EQ(c.matched, c.count) << a_case.id;
     }
   }
@@ -96,7 +96,7 @@ TEST(Comparison, AgreesWhereAFlightLastsManyTurnsOfAFastPlate) {
   for (const int i : {15331, 21634, 26507, 36440}) {
     const Comparison c = compare(hostile_scene(Hostility::fast_plate, 1, i).scene);
     EXPECT_TRUE(c.compared);
-    EXPECT_EQ(c.count, c.truth) << "scene " << i;
+    EXPECT_EQ(c.count, c.true_values) << "scene " << i;
     EXPECT_EQ(c.missed, 0) << "scene " << i;
   }
 }

@@ -1,10 +1,10 @@
-#include "problems/carrier_track/oracle/first_fall.h"
+#include "problems/carrier_track/check/oracle/first_fall.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

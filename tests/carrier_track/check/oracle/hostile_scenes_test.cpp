@@ -1,4 +1,4 @@
-#include "problems/carrier_track/oracle/hostile_scenes.h"
+#include "problems/carrier_track/check/oracle/hostile_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "problems/carrier_track/oracle/oracle.h"
+#include "problems/carrier_track/check/oracle/oracle.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_file.h"
 
@@ -74,7 +74,7 @@ TEST(HostileScenes, CountAtTheLimitAsCloselyAsAskedFor) {
   for (const HostileScene& h : scenes_of(Hostility::counting_limit, 100)) {
     double nearest = 1;
     for (const Impact& i : oracle_run(h.scene).impacts) {
-      const double distance = h.scene.slowest / i.speed - 1;
+      const double distance = h.scene.counting_limit / i.speed - 1;
       if (std::abs(distance) < std::abs(nearest)) nearest = distance;
     }
     EXPECT_LE(std::abs(nearest), std::abs(h.closeness) + 3e-16);

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/oracle/oracle.h"
+#include "problems/carrier_track/check/oracle/oracle.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(Oracle, BouncesABallAtTheTimesOfTheGeometricSeries) {
   for (std::size_t k = 0; k < run.impacts.size(); ++k) {
     const long double power = std::pow(e, static_cast<long double>(k));
     const long double time = first * (1 + e - 2 * e * power) / (1 - e);
-    expected_count += speed * power > scene.slowest;
+    expected_count += speed * power > scene.counting_limit;
     EXPECT_NEAR(static_cast<double>(run.impacts[k].time / time - 1), 0, rounding);
     EXPECT_NEAR(static_cast<double>(run.impacts[k].speed / (speed * power) - 1), 0, rounding);
   }

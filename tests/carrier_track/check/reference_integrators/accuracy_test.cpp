@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/accuracy.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 Scene scene() {
   Scene result;
   result.window = Seconds{8.0};
-  result.slowest = 1.0;
+  result.counting_limit = 1.0;
   return result;
 }
 
@@ -21,7 +21,7 @@ Outcome outcome_of(std::vector<Impact> impacts, double end_position) {
   return outcome;
 }
 
-Outcome truth() {
+Outcome true_values() {
   return outcome_of({{1.0, Wall::lower, 3.0},
                      {3.0, Wall::upper, 3.0},
                      {5.0, Wall::lower, 3.0},
@@ -31,7 +31,7 @@ Outcome truth() {
 }
 
 TEST(Accuracy, OfARunWithItselfIsPerfect) {
-  const Accuracy accuracy = compare(scene(), truth(), truth());
+  const Accuracy accuracy = compare(scene(), true_values(), true_values());
   EXPECT_EQ(accuracy.missed, 0);
   EXPECT_EQ(accuracy.spurious, 0);
   EXPECT_EQ(accuracy.matched, 4);
@@ -41,21 +41,21 @@ TEST(Accuracy, OfARunWithItselfIsPerfect) {
 }
 
 TEST(Accuracy, TakesTheLargestTimeErrorOfAllPairs) {
-  Outcome outcome = truth();
+  Outcome outcome = true_values();
   outcome.impacts[0].time += 0.125;
   outcome.impacts[2].time -= 0.5;
   outcome.end.position = -0.25;
-  const Accuracy accuracy = compare(scene(), outcome, truth());
+  const Accuracy accuracy = compare(scene(), outcome, true_values());
   EXPECT_EQ(accuracy.matched, 4);
   EXPECT_EQ(accuracy.impact_time_error, 0.5);
   EXPECT_EQ(accuracy.end_position_error, 0.5);
 }
 
 TEST(Accuracy, CountsMissedAndSpuriousAndStopsTheTimesThere) {
-  Outcome outcome = truth();
+  Outcome outcome = true_values();
   outcome.impacts[1].wall = Wall::lower;  // spurious, and the upper one is missed
   outcome.impacts[2].time += 0.75;        // a pair, but after the paths have parted
-  const Accuracy accuracy = compare(scene(), outcome, truth());
+  const Accuracy accuracy = compare(scene(), outcome, true_values());
   EXPECT_EQ(accuracy.missed, 1);
   EXPECT_EQ(accuracy.spurious, 1);
   EXPECT_EQ(accuracy.matched, 1);
@@ -64,39 +64,39 @@ TEST(Accuracy, CountsMissedAndSpuriousAndStopsTheTimesThere) {
 }
 
 TEST(Accuracy, MatchesNothingFurtherThanHalfTheMeanTimeApart) {
-  Outcome outcome = truth();
+  Outcome outcome = true_values();
   outcome.impacts[4].time = 5.875;
-  const Accuracy accuracy = compare(scene(), outcome, truth());
+  const Accuracy accuracy = compare(scene(), outcome, true_values());
   EXPECT_EQ(accuracy.missed, 1);
   EXPECT_EQ(accuracy.spurious, 1);
   EXPECT_EQ(accuracy.matched, 3);
 }
 
 TEST(Accuracy, PairsAFastImpactWithOneThatIsALittleTooSlowToCount) {
-  Outcome outcome = truth();
+  Outcome outcome = true_values();
   outcome.impacts[4].speed = 0.9;
-  const Accuracy accuracy = compare(scene(), outcome, truth());
+  const Accuracy accuracy = compare(scene(), outcome, true_values());
   EXPECT_EQ(accuracy.missed, 0);
   EXPECT_EQ(accuracy.matched, 4);
   EXPECT_EQ(accuracy.count_difference, -1);
-  const Accuracy reversed = compare(scene(), truth(), outcome);
+  const Accuracy reversed = compare(scene(), true_values(), outcome);
   EXPECT_EQ(reversed.spurious, 0);
   EXPECT_EQ(reversed.matched, 4);
   EXPECT_EQ(reversed.count_difference, 1);
 }
 
 TEST(Accuracy, IgnoresSlowImpacts) {
-  Outcome outcome = truth();
+  Outcome outcome = true_values();
   outcome.impacts.erase(outcome.impacts.begin() + 3);
   outcome.impacts.push_back({7.5, Wall::upper, 0.4});
-  const Accuracy accuracy = compare(scene(), outcome, truth());
+  const Accuracy accuracy = compare(scene(), outcome, true_values());
   EXPECT_EQ(accuracy.missed, 0);
   EXPECT_EQ(accuracy.spurious, 0);
   EXPECT_EQ(accuracy.matched, 4);
 }
 
 TEST(Accuracy, HasNoTimeErrorWithoutAPair) {
-  const Accuracy accuracy = compare(scene(), outcome_of({}, 0.0), truth());
+  const Accuracy accuracy = compare(scene(), outcome_of({}, 0.0), true_values());
   EXPECT_EQ(accuracy.missed, 4);
   EXPECT_EQ(accuracy.matched, 0);
   EXPECT_FALSE(accuracy.impact_time_error.has_value());

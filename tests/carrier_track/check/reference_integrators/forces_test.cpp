@@ -1,4 +1,4 @@
-#include "problems/carrier_track/reference_integrators/forces.h"
+#include "problems/carrier_track/check/reference_integrators/forces.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/carrier_track/reference_integrators/scenes.h"
+#include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 /// What the methods make of a carrier that just touches a wall, and of rests that hardly end or
 /// begin: documentation of where they fail as much as a test.

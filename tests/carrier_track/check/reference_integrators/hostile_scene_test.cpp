@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/models/impact_model.h"
-#include "tests/carrier_track/reference_integrators/scenes.h"
+#include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 /// Every method has to end, with the end of the window or with a reason.
 namespace ricochet::carrier_track {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/reference_integrators/accuracy.h"
-#include "tests/carrier_track/reference_integrators/scenes.h"
+#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
+#include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -102,9 +102,9 @@ TEST(Integrators, WithLocatedEventsAgreeWithTheEventDrivenOneOnRandomScenes) {
   RandomScenes scenes(7);
   for (int i = 0; i < 300; ++i) {
     const Scene scene = scenes.next();
-    const Outcome truth = reference(scene);
+    const Outcome true_values = reference(scene);
     for (const Integrator& integrator : integrators_by("relative tolerance")) {
-      const Accuracy accuracy = compare(scene, run(integrator, scene, 1e-10), truth);
+      const Accuracy accuracy = compare(scene, run(integrator, scene, 1e-10), true_values);
       EXPECT_EQ(accuracy.missed, 0) << integrator.name << " scene " << i;
       EXPECT_EQ(accuracy.spurious, 0) << integrator.name << " scene " << i;
       EXPECT_LT(accuracy.end_position_error, 1e-7) << integrator.name << " scene " << i;
@@ -118,10 +118,10 @@ TEST(Integrators, OfFixedStepAgreeOnAllButAFewRandomScenes) {
   std::vector<int> equal(integrators_by("step [s]").size(), 0);
   for (int i = 0; i < count; ++i) {
     const Scene scene = scenes.next();
-    const Outcome truth = reference(scene);
+    const Outcome true_values = reference(scene);
     std::size_t k = 0;
     for (const Integrator& integrator : integrators_by("step [s]")) {
-      equal[k++] += compare(scene, run(integrator, scene, 1e-5), truth).count_difference == 0;
+      equal[k++] += compare(scene, run(integrator, scene, 1e-5), true_values).count_difference == 0;
     }
   }
   EXPECT_THAT(equal, testing::Each(testing::Ge(count * 9 / 10)));

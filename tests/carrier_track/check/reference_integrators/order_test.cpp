@@ -3,8 +3,8 @@
 #include <cmath>
 #include <functional>
 
-#include "problems/carrier_track/reference_integrators/accuracy.h"
-#include "tests/carrier_track/reference_integrators/scenes.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
+#include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -36,13 +36,13 @@ TEST(Order, OfFixedStepsBetweenWallsIsThatOfTheMethod) {
   scene.start_velocity = 0.3;
   scene.disturbance = 2.0;
   scene.disturbance_frequency = 5.0;
-  const double truth = reference(scene).end.position;
+  const double true_values = reference(scene).end.position;
   const std::vector<std::pair<std::string, double>> expected = {
       {"semi-implicit-euler", 1}, {"moreau-jean", 2}, {"runge-kutta-4", 4}};
   for (const auto& [name, value] : expected) {
     const Integrator integrator = find_integrator(name);
     const double found = order(0.05, 4, [&](double step) {
-      return std::abs(run(integrator, scene, step).end.position - truth);
+      return std::abs(run(integrator, scene, step).end.position - true_values);
     });
     EXPECT_NEAR(found, value, 0.1) << name;
   }
@@ -67,12 +67,12 @@ TEST(Order, OfFixedStepsThroughImpactsIsOneAtMost) {
 
 TEST(Order, ErrorsOfLocatedImpactTimesShrinkWithTheTolerance) {
   const Scene scene = shaken_gap();
-  const Outcome truth = reference(scene);
-  ASSERT_GT(truth.impacts.size(), 35U);
+  const Outcome true_values = reference(scene);
+  ASSERT_GT(true_values.impacts.size(), 35U);
   for (const Integrator& integrator : integrators_by("relative tolerance")) {
     double last = infinity;
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-      const Accuracy accuracy = compare(scene, run(integrator, scene, tolerance), truth);
+      const Accuracy accuracy = compare(scene, run(integrator, scene, tolerance), true_values);
       EXPECT_EQ(accuracy.missed + accuracy.spurious, 0) << integrator.name << " " << tolerance;
       const double error = accuracy.impact_time_error.value_or(infinity);
       EXPECT_LT(error, 0.2 * last) << integrator.name << " " << tolerance;

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/reference_integrators/accuracy.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
 #include "problems/carrier_track/scene/contact_law.h"
-#include "tests/carrier_track/reference_integrators/scenes.h"
+#include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -127,13 +127,13 @@ TEST(Penalty, DampingIsScaledWithTheSpeedOfEveryImpactOrWithOne) {
 
 TEST(Penalty, MethodsConvergeToTheCompliantModelInAShakenGap) {
   const Scene scene = compliant_gap();
-  const Outcome truth = run(penalty_integrators().front(), scene, 0);
-  ASSERT_GE(truth.impacts.size(), 8U);
+  const Outcome true_values = run(penalty_integrators().front(), scene, 0);
+  ASSERT_GE(true_values.impacts.size(), 8U);
   for (const Integrator& integrator : penalty_integrators()) {
     if (integrator.control == "none") continue;
     const double loose = fixed(integrator) ? 1e-5 : 1e-7;
     const auto error = [&](double control) {
-      const Accuracy accuracy = compare(scene, run(integrator, scene, control), truth);
+      const Accuracy accuracy = compare(scene, run(integrator, scene, control), true_values);
       EXPECT_EQ(accuracy.missed + accuracy.spurious, 0) << integrator.name;
       return accuracy.impact_time_error.value_or(infinity);
     };

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/paper/cases.h"
-#include "problems/carrier_track/reference_integrators/integrator.h"
-#include "tests/carrier_track/questions/exploratory_scene.h"
+#include "problems/carrier_track/check/reference_integrators/integrator.h"
+#include "problems/carrier_track/problems/cases.h"
+#include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
 

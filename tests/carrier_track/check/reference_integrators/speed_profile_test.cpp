@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/check/reference_integrators/accuracy.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "problems/carrier_track/reference_integrators/accuracy.h"
-#include "tests/carrier_track/reference_integrators/scenes.h"
+#include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -27,7 +27,7 @@ TEST(SpeedProfile, IsFollowedAsByShortStepsAndByAdamsMoulton) {
       time += draws.within(0.05, 0.3);
     }
     scene.window = Seconds{draws.within(0.3, 1.5)};
-    const Certainty certainty = record(scene, default_width, 0).certainty;
+    const Certainty certainty = record(scene, default_smoothing, 0).certainty;
     if (certainty.growth > 100 || certainty.margin.value_or(1) < 0.02) continue;
     const Outcome exact = run(find_integrator("event-driven"), scene, 0);
     const Outcome stepped = run(find_integrator("semi-implicit-euler"), scene, 1e-5);

@@ -1,27 +1,27 @@
-#include "src/studies/verification/scene_tally.h"
+#include "problems/carrier_track/check/verification/scene_tally.h"
 
 #include <gtest/gtest.h>
 
 namespace ricochet::studies::verification {
 namespace {
 
-carrier_track::Comparison comparison(bool certain, int count, int truth) {
+carrier_track::Comparison comparison(bool certain, int count, int true_values) {
   carrier_track::Comparison c;
   c.certain = certain;
   c.count = count;
-  c.truth = truth;
+  c.true_values = true_values;
   c.matched = 2;
   c.time_error = 1e-9;
   return c;
 }
 
 TEST(SceneTally, TellsWrongCountsThatWereCalledCertainFromOthers) {
-  SceneTally tally("some");
+  SceneTally tally{"some"};
   tally.add(comparison(true, 3, 3));
   tally.add(comparison(true, 3, 4));
   tally.add(comparison(false, 3, 4));
   tally.add(comparison(false, 3, 3));
-  const report::Json data = tally.data();
+  const report::Json data = tally;
   EXPECT_EQ(data["name"], "some");
   EXPECT_EQ(data["scenes"], 4);
   EXPECT_EQ(data["certain"], 0.5);
@@ -31,27 +31,27 @@ TEST(SceneTally, TellsWrongCountsThatWereCalledCertainFromOthers) {
 }
 
 TEST(SceneTally, LeavesOutWhatTheOracleBrokeOff) {
-  SceneTally tally("some");
+  SceneTally tally{"some"};
   carrier_track::Comparison broken = comparison(true, 3, 4);
   broken.compared = false;
   tally.add(broken);
   tally.add(comparison(true, 3, 3));
   EXPECT_EQ(tally.compared(), 1);
-  EXPECT_EQ(tally.data()["broken_off"], 1);
-  EXPECT_EQ(tally.data()["certain"], 1.0);
-  EXPECT_EQ(tally.data()["wrong_certain"], 0);
+  EXPECT_EQ(tally.broken_off, 1);
+  EXPECT_EQ(tally.certain, 1.0);
+  EXPECT_EQ(tally.wrong_certain, 0);
 }
 
 TEST(SceneTally, TakesErrorsOnlyFromScenesWhoseImpactsAllMatch) {
-  SceneTally tally("some");
+  SceneTally tally{"some"};
   carrier_track::Comparison unmatched = comparison(true, 3, 3);
   unmatched.missed = 1;
   unmatched.time_error = 1;
   tally.add(unmatched);
-  EXPECT_EQ(tally.data()["time_error"], 0.0);
+  EXPECT_EQ(tally.time_error, 0.0);
   tally.add(comparison(true, 3, 3));
-  EXPECT_EQ(tally.data()["time_error"], 1e-9);
-  EXPECT_EQ(tally.data()["missed"], 1);
+  EXPECT_EQ(tally.time_error, 1e-9);
+  EXPECT_EQ(tally.missed, 1);
 }
 
 }  // namespace

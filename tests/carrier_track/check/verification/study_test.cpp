@@ -1,4 +1,4 @@
-#include "src/studies/verification/study.h"
+#include "problems/carrier_track/check/verification/study.h"
 
 #include <gmock/gmock.h>
 
@@ -35,7 +35,7 @@ TEST(Verification, SaysWhichScenesAreWrong) {
   const auto drawing = report::drawn(report::page_template("verification"), failed_results());
   EXPECT_THAT(drawing.epilogue, HasSubstr("WRONG: the certain count of scene 2\n"));
   EXPECT_THAT(drawing.epilogue, HasSubstr("WRONG: C1 at 0.10 rad/s\n"));
-  EXPECT_THAT(drawing.page.intro.back(), HasSubstr("there is a count called certain"));
+  EXPECT_THAT(drawing.page.intro.back(), HasSubstr("There is a count called certain"));
   EXPECT_THAT(drawing.page.sections.front().paragraphs, testing::Contains("Wrong: scene 2"));
 }
 
@@ -47,7 +47,7 @@ TEST(Verification, FindsNothingWrongAndSaysSo) {
   EXPECT_EQ(data["quiet_speeds"].size(), 12U);
   data["made"] = failed_results()["made"];
   const auto drawing = report::drawn(report::page_template("verification"), data);
-  EXPECT_THAT(drawing.page.intro.back(), HasSubstr("no count called certain is wrong"));
+  EXPECT_THAT(drawing.page.intro.back(), HasSubstr("No count called certain is wrong"));
   EXPECT_THAT(drawing.epilogue, Not(HasSubstr("WRONG")));
 }
 

@@ -1,4 +1,4 @@
-#include "tests/studies/trials/brute_what_if.h"
+#include "tests/research/calibration/variants/brute_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "problems/carrier_track/scene/window.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 using namespace carrier_track;
@@ -60,7 +60,7 @@ long double rebound_of(const Scene& scene, const BruteChanges& changes, int dire
 
 }  // namespace
 
-std::vector<Impact> brute_what_if(const Scene& scene, const BruteChanges& changes, double step) {
+std::vector<Impact> brute_change(const Scene& scene, const BruteChanges& changes, double step) {
   std::vector<Impact> impacts;
   Particle body{scene.start_position, scene.start_velocity};
   const auto steps = std::lround(duration_of(scene) / step);
@@ -96,4 +96,4 @@ std::vector<Impact> brute_what_if(const Scene& scene, const BruteChanges& change
   return impacts;
 }
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

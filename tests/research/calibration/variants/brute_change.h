@@ -6,7 +6,7 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/scene.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 
 /// What may be changed about a scene, as plain functions.
 struct BruteChanges {
@@ -15,9 +15,9 @@ struct BruteChanges {
   std::function<double(double speed, double restitution)> restitution;
 };
 
-/// A slow reference that shares nothing with WhatIfMotion: fixed steps [s], each under the force
+/// A slow reference that shares nothing with ChangedMotion: fixed steps [s], each under the force
 /// and the friction of its middle, on parabolas from event to event in long double.
-std::vector<carrier_track::Impact> brute_what_if(const carrier_track::Scene& scene,
-                                                 const BruteChanges& changes, double step);
+std::vector<carrier_track::Impact> brute_change(const carrier_track::Scene& scene,
+                                                const BruteChanges& changes, double step);
 
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,4 +1,4 @@
-#include "src/studies/trials/what_if_motion.h"
+#include "src/research/calibration/variants/changed_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -6,18 +6,18 @@
 #include <numbers>
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/oracle/random_scenes.h"
-#include "src/studies/trials/speed_restitution.h"
-#include "tests/studies/trials/brute_what_if.h"
+#include "src/research/calibration/variants/speed_restitution.h"
+#include "tests/research/calibration/variants/brute_change.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 using namespace carrier_track;
 
-struct Everything : WhatIfObserver {
+struct Everything : VariantObserver {
   std::vector<Impact> impacts;
   std::vector<Peak> peaks, valleys;
 
@@ -26,13 +26,13 @@ struct Everything : WhatIfObserver {
   void valley(double time, double position) { valleys.push_back({time, position}); }
 };
 
-Everything heard_of(const Scene& scene, const WhatIf& what_if) {
+Everything heard_of(const Scene& scene, const MotionChange& change) {
   Everything heard;
-  WhatIfMotion(scene, what_if, resting_speed_of(scene)).run(heard);
+  ChangedMotion(scene, change, resting_speed_of(scene)).run(heard);
   return heard;
 }
 
-TEST(WhatIfMotion, IsTheImpactModelToTheLastBitWithNothingChanged) {
+TEST(ChangedMotion, IsTheImpactModelToTheLastBitWithNothingChanged) {
   RandomScenes scenes(11);
   std::size_t compared = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -40,8 +40,8 @@ TEST(WhatIfMotion, IsTheImpactModelToTheLastBitWithNothingChanged) {
     Everything expected;
     const auto end = ImpactModel<double>(scene).run(expected);
     Everything heard;
-    const WhatIf nothing;
-    WhatIfMotion motion(scene, nothing, resting_speed_of(scene));
+    const MotionChange nothing;
+    ChangedMotion motion(scene, nothing, resting_speed_of(scene));
     const auto same = motion.run(heard);
     ASSERT_EQ(heard.impacts.size(), expected.impacts.size()) << i;
     ASSERT_EQ(heard.peaks.size(), expected.peaks.size()) << i;
@@ -72,7 +72,7 @@ Scene turned_over(const Scene& scene) {
   return over;
 }
 
-TEST(WhatIfMotion, HasTheValleysThatItsPeaksAreUpsideDown) {
+TEST(ChangedMotion, HasTheValleysThatItsPeaksAreUpsideDown) {
   RandomScenes scenes(12);
   std::size_t compared = 0;
   for (int i = 0; i < 300; ++i) {
@@ -104,26 +104,26 @@ Scene free_body() {
   return scene;
 }
 
-End<double> end_of(const Scene& scene, const WhatIf& what_if) {
-  WhatIfObserver nobody;
-  return WhatIfMotion(scene, what_if, resting_speed).run(nobody);
+End<double> end_of(const Scene& scene, const MotionChange& change) {
+  VariantObserver nobody;
+  return ChangedMotion(scene, change, resting_speed).run(nobody);
 }
 
-TEST(WhatIfMotion, HoldsAFurtherForceForItsInterval) {
+TEST(ChangedMotion, HoldsAFurtherForceForItsInterval) {
   const Scene scene = free_body();
-  WhatIf what_if;
-  what_if.further_force = HeldForce{0.3, [](std::size_t k) { return k % 2 == 0 ? 4.0 : -1.0; }};
+  MotionChange change;
+  change.further_force = HeldForce{0.3, [](std::size_t k) { return k % 2 == 0 ? 4.0 : -1.0; }};
   double x = 0, v = 0;
   for (int k = 0; k < 7; ++k) {  // the last interval ends with the window, after 0.2 s
     const double a = k % 2 == 0 ? 2.0 : -0.5, t = k < 6 ? 0.3 : 0.2;
     x += v * t + a * t * t / 2;
     v += a * t;
   }
-  EXPECT_NEAR(end_of(scene, what_if).position, x, 1e-12);
-  EXPECT_NEAR(end_of(scene, what_if).velocity, v, 1e-12);
+  EXPECT_NEAR(end_of(scene, change).position, x, 1e-12);
+  EXPECT_NEAR(end_of(scene, change).velocity, v, 1e-12);
 }
 
-TEST(WhatIfMotion, RubsAgainstAShareOfTheForceAlongY) {
+TEST(ChangedMotion, RubsAgainstAShareOfTheForceAlongY) {
   Scene scene = free_body();
   scene.start_velocity = 50;
   scene.friction = 0.4;
@@ -131,27 +131,27 @@ TEST(WhatIfMotion, RubsAgainstAShareOfTheForceAlongY) {
   scene.slider_mass_radius = 0.5;
   scene.centrifugal_mass_radius = 0.5;  // along x they cancel
   scene.window = Revolutions{1.5};
-  WhatIf what_if;
-  what_if.press = Press{0.7, 0};
+  MotionChange change;
+  change.press = Press{0.7, 0};
   // The size of F sin over three half turns: 2 F / omega each, with F = (0.5 + 0.5) omega^2.
   const double impulse = 3 * 2 * 1.0 * scene.omega;
-  EXPECT_NEAR(end_of(scene, what_if).velocity, 50 - 0.4 * 0.7 * impulse / scene.mass, 1e-10);
-  what_if.press = Press{0.7, 20};  // more than the turning force: it keeps its sign
+  EXPECT_NEAR(end_of(scene, change).velocity, 50 - 0.4 * 0.7 * impulse / scene.mass, 1e-10);
+  change.press = Press{0.7, 20};  // more than the turning force: it keeps its sign
   const double duration = 3 * std::numbers::pi / scene.omega;
   const double sum = 20 * duration + 2 * 1.0 * scene.omega;
-  EXPECT_NEAR(end_of(scene, what_if).velocity, 50 - 0.4 * 0.7 * sum / scene.mass, 1e-10);
+  EXPECT_NEAR(end_of(scene, change).velocity, 50 - 0.4 * 0.7 * sum / scene.mass, 1e-10);
 }
 
-TEST(WhatIfMotion, ReturnsWhatTheSpeedOfEachImpactSays) {
+TEST(ChangedMotion, ReturnsWhatTheSpeedOfEachImpactSays) {
   Scene scene;  // no force: each approach has the speed of the last rebound
   scene.start_velocity = 4;
   scene.restitution_lower = scene.restitution_upper = 0.5;
   scene.friction = 0.6;
   scene.contact_friction = true;
   scene.window = Seconds{30};
-  WhatIf what_if;
-  what_if.restitution = [](double speed, double e) { return speed_restitution(e, speed, 2.0); };
-  const Everything heard = heard_of(scene, what_if);
+  MotionChange change;
+  change.restitution = [](double speed, double e) { return speed_restitution(e, speed, 2.0); };
+  const Everything heard = heard_of(scene, change);
   ASSERT_GE(heard.impacts.size(), 4U);
   double speed = 4;
   for (const Impact& impact : heard.impacts) {
@@ -161,15 +161,15 @@ TEST(WhatIfMotion, ReturnsWhatTheSpeedOfEachImpactSays) {
 }
 
 /// How many impacts were compared with the brute force, up to where that is lost itself.
-std::size_t compared_with_brute_force(const Scene& scene, const WhatIf& what_if,
+std::size_t compared_with_brute_force(const Scene& scene, const MotionChange& change,
                                       const BruteChanges& changes, double step) {
   const auto fast = [](std::vector<Impact> impacts) {
     std::erase_if(impacts, [](const Impact& impact) { return impact.speed < 1e-5; });
     return impacts;
   };
-  const auto fine = fast(brute_what_if(scene, changes, step));
-  const auto coarse = fast(brute_what_if(scene, changes, 4 * step));
-  const auto actual = fast(heard_of(scene, what_if).impacts);
+  const auto fine = fast(brute_change(scene, changes, step));
+  const auto coarse = fast(brute_change(scene, changes, 4 * step));
+  const auto actual = fast(heard_of(scene, change).impacts);
   double bar = 1e-7;
   std::size_t k = 0;
   for (; k < std::min(fine.size(), coarse.size()); ++k) {
@@ -198,7 +198,7 @@ Scene short_scene(RandomScenes& scenes, double step) {
 
 constexpr double brute_step = 0x1p-15;  // [s]
 
-TEST(WhatIfMotion, AgreesWithBruteForceOnAHeldForce) {
+TEST(ChangedMotion, AgreesWithBruteForceOnAHeldForce) {
   RandomScenes scenes(21);
   std::size_t compared = 0;
   for (int i = 0; i < 60; ++i) {
@@ -207,24 +207,24 @@ TEST(WhatIfMotion, AgreesWithBruteForceOnAHeldForce) {
     const auto height = [i](std::size_t k) {
       return std::sin(1.0 + i + 7.0 * static_cast<double>(k));
     };
-    WhatIf what_if;
-    what_if.further_force = HeldForce{interval, height};
+    MotionChange change;
+    change.further_force = HeldForce{interval, height};
     const auto force = [&](double time) {
       return height(static_cast<std::size_t>(time / interval));
     };
-    compared += compared_with_brute_force(scene, what_if, {force, {}, {}}, brute_step);
+    compared += compared_with_brute_force(scene, change, {force, {}, {}}, brute_step);
   }
   EXPECT_GT(compared, 500U);
 }
 
-TEST(WhatIfMotion, AgreesWithBruteForceOnAPressThatVaries) {
+TEST(ChangedMotion, AgreesWithBruteForceOnAPressThatVaries) {
   RandomScenes scenes(22);
   std::size_t compared = 0;
   for (int i = 0; i < 60; ++i) {
     Scene scene = short_scene(scenes, brute_step);
     scene.pull_rotates = false;
-    WhatIf what_if;
-    what_if.press = Press{1.5, 0.3};
+    MotionChange change;
+    change.press = Press{1.5, 0.3};
     const auto normal = [&](double time) {
       const double radius =
           scene.slider_mass_radius +
@@ -233,23 +233,22 @@ TEST(WhatIfMotion, AgreesWithBruteForceOnAPressThatVaries) {
           0.3 + radius * scene.omega * scene.omega * std::sin(scene.omega * time + scene.phase);
       return 1.5 * std::abs(along_y);
     };
-    compared += compared_with_brute_force(scene, what_if, {{}, normal, {}}, brute_step);
+    compared += compared_with_brute_force(scene, change, {{}, normal, {}}, brute_step);
   }
   EXPECT_GT(compared, 300U);
 }
 
-TEST(WhatIfMotion, AgreesWithBruteForceOnARestitutionBySpeed) {
+TEST(ChangedMotion, AgreesWithBruteForceOnARestitutionBySpeed) {
   RandomScenes scenes(23);
   std::size_t compared = 0;
   for (int i = 0; i < 60; ++i) {
     const Scene scene = short_scene(scenes, brute_step);
-    WhatIf what_if;
-    what_if.restitution = [](double speed, double e) { return speed_restitution(e, speed, 0.05); };
-    compared +=
-        compared_with_brute_force(scene, what_if, {{}, {}, what_if.restitution}, brute_step);
+    MotionChange change;
+    change.restitution = [](double speed, double e) { return speed_restitution(e, speed, 0.05); };
+    compared += compared_with_brute_force(scene, change, {{}, {}, change.restitution}, brute_step);
   }
   EXPECT_GT(compared, 500U);
 }
 
 }  // namespace
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,9 +1,9 @@
-#include "src/studies/trials/find_peaks.h"
+#include "src/research/calibration/variants/find_peaks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 using testing::ElementsAre;
@@ -39,4 +39,4 @@ TEST(FindPeaks, KeepsTheHighestOfThoseThatAreTooClose) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,8 +1,8 @@
-#include "src/studies/trials/height_count.h"
+#include "src/research/calibration/variants/height_count.h"
 
 #include <gtest/gtest.h>
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 using carrier_track::Wall;
@@ -11,7 +11,7 @@ using carrier_track::Wall;
 carrier_track::Scene gap_of_4_mm() {
   carrier_track::Scene scene;
   scene.wall_upper = 4e-3;
-  scene.slowest = 0.01;
+  scene.counting_limit = 0.01;
   return scene;
 }
 
@@ -50,9 +50,9 @@ TEST(HeightCount, EndsWithTheFirstThatIsOfNoInterest) {
   const auto scene = gap_of_4_mm();
   HeightCount heard(scene, {0, 3e-3, 1e-3}, 1);
   heard.impact(0.1, Wall::upper, 0.02);
-  EXPECT_THROW(heard.impact(0.2, Wall::upper, 0.02), Enough);
+  EXPECT_THROW(heard.impact(0.2, Wall::upper, 0.02), StoppedEarly);
   EXPECT_EQ(heard.count(), 2);
 }
 
 }  // namespace
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,11 +1,11 @@
-#include "src/studies/trials/ode45.h"
+#include "src/research/calibration/variants/ode45.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 /// The worst error of x'' = -x from (1, 0) over 20 s, and the longest step.
@@ -60,4 +60,4 @@ TEST(Ode45, GivesUpWhereNoStepIsSmallEnough) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,10 +1,10 @@
-#include "src/studies/trials/sampled_path.h"
+#include "src/research/calibration/variants/sampled_path.h"
 
 #include <gtest/gtest.h>
 
-#include "src/studies/trials/what_if_motion.h"
+#include "src/research/calibration/variants/changed_motion.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 /// Falls 1 m in 1 s, hits the ground at 2 m/s and rises at 1 m/s.
@@ -22,8 +22,8 @@ carrier_track::Scene falling_body() {
 TEST(SampledPath, IsThePathAtTheMultiplesOfItsStep) {
   const auto scene = falling_body();
   SampledPath path(0.1);
-  const WhatIf nothing;
-  WhatIfMotion(scene, nothing, carrier_track::resting_speed).run(path);
+  const MotionChange nothing;
+  ChangedMotion(scene, nothing, carrier_track::resting_speed).run(path);
   const auto& x = path.samples();
   ASSERT_GE(x.size(), 15U);
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -37,11 +37,11 @@ TEST(SampledPath, OfALongRestIsOnePlateauToTheLastBit) {
   auto scene = falling_body();
   scene.restitution_lower = 0;
   SampledPath path(0.05);
-  const WhatIf nothing;
-  WhatIfMotion(scene, nothing, carrier_track::resting_speed).run(path);
+  const MotionChange nothing;
+  ChangedMotion(scene, nothing, carrier_track::resting_speed).run(path);
   ASSERT_GT(path.samples().size(), 25U);
   for (std::size_t k = 21; k < path.samples().size(); ++k) EXPECT_EQ(path.samples()[k], 0);
 }
 
 }  // namespace
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,8 +1,8 @@
-#include "src/studies/trials/speed_restitution.h"
+#include "src/research/calibration/variants/speed_restitution.h"
 
 #include <gtest/gtest.h>
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 TEST(SpeedRestitution, FallsWithTheFifthRootOfTheSpeed) {
@@ -13,4 +13,4 @@ TEST(SpeedRestitution, FallsWithTheFifthRootOfTheSpeed) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

@@ -1,4 +1,4 @@
-#include "src/studies/trials/stepped_walls.h"
+#include "src/research/calibration/variants/stepped_walls.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/contact_law.h"
 
-namespace ricochet::studies::trials {
+namespace ricochet::studies::variants {
 namespace {
 
 using namespace carrier_track;
@@ -25,12 +25,12 @@ Scene between_springs() {
   scene.fidelity = Fidelity::compliant;
   scene.contact_law = ContactLaw::hertz;
   scene.stiffness = 1e9;
-  scene.slowest = 0.05;
+  scene.counting_limit = 0.05;
   scene.window = Seconds{1};
   return scene;
 }
 
-TEST(SteppedWalls, SeeTheContactsOfAClosedForm) {
+TEST(SteppedWalls, SeeTheContactsOfAClosedFormulation) {
   const Scene scene = between_springs();
   const double depth = peak_penetration(scene.stiffness, 1.5, scene.mass, 0.1, 0);
   const double contact = 2.943275 * depth / 0.1;  // Hertz: 2.9432 deepest / speed
@@ -59,7 +59,7 @@ TEST(SteppedWalls, HaveTheCountsOfExactEventsAtTightTolerances) {
     scene.omega = within(2, 12);
     scene.start_velocity = within(-0.2, 0.2);
     scene.window = Revolutions{1};
-    scene.slowest = 0.02;
+    scene.counting_limit = 0.02;
     const int exact = count_at(scene, scene.omega);
     const int stepped = stepped_count(scene, exact_enough, 1000);
     EXPECT_LE(std::abs(stepped - exact), 2) << i;
@@ -77,7 +77,7 @@ TEST(SteppedWalls, MissWhatBeginsAndEndsWithinAStep) {
   scene.pull = scene.mass * 4;
   scene.start_position = 0;
   scene.start_velocity = std::sqrt(2 * 4 * (scene.wall_upper + 1e-6));
-  scene.slowest = 1e-4;
+  scene.counting_limit = 1e-4;
   scene.window = Seconds{1.83 * scene.start_velocity / 4};
   EXPECT_EQ(count_at(scene, 1), 1);
   EXPECT_EQ(stepped_count(scene, {}, 1000), 0);
@@ -85,4 +85,4 @@ TEST(SteppedWalls, MissWhatBeginsAndEndsWithinAStep) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::trials
+}  // namespace ricochet::studies::variants

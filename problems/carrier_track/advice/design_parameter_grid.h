@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "problems/carrier_track/advice/design_parameter.h"
+#include "problems/carrier_track/counting/quiet_speed.h"
+#include "src/report/json.h"
+
+/// How a machine's fastest quiet speed depends on its constants.
+namespace ricochet::studies::advice {
+
+/// Speeds in geometric progression.
+struct CoarseScan {
+  double lowest, highest;  ///< [rad/s], > 0
+  double ratio = 1.01;
+};
+
+/// The quiet speeds of a machine under a limit, from a coarse scan.
+struct QuietRange {
+  /// [rad/s], up to which every scanned speed is quiet, located to a sixteenth of the scan's step;
+  /// the highest speed if all are quiet, empty if the lowest is loud.
+  std::optional<double> quiet;
+  std::optional<double> divide;  ///< [rad/s], the speed that best separates quiet from loud
+  bool to_the_end = false;       ///< no scanned speed is loud
+  bool simulated = true;         ///< false: more impacts or steps than a simulation may have
+};
+
+/// From an eighth of the answer's own speed to the fastest of its scan, with a ratio of 1.01, or of
+/// 1.04 for compliant walls, which take some thirty times as long; empty if the answer has no
+/// limit.
+std::optional<CoarseScan> coarse_scan(const carrier_track::Scene& scene,
+                                      const carrier_track::QuietSpeed& answer);
+
+QuietRange quiet_range(const carrier_track::Scene& scene, const carrier_track::Limit& limit,
+                       const CoarseScan& scan);
+
+/// The quiet ranges of a machine for every combination of its design parameters' levels, and along
+/// each design parameter with the others at the machine's own values.
+struct DesignParameterGrid {
+  static constexpr std::size_t points_of_a_line = 21;
+
+  CoarseScan scan;
+  std::vector<DesignParameter> design_parameters;
+  std::vector<std::vector<double>> levels;     ///< of each design parameter
+  std::vector<QuietRange> combinations;        ///< the last design parameter's level changes first
+  std::vector<std::vector<QuietRange>> lines;  ///< of each design parameter, at shares -1 .. 1
+  QuietRange own;
+};
+
+/// Empty if the answer has no limit. Takes some 150,000 simulations, in parallel.
+std::optional<DesignParameterGrid> design_parameter_grid(const carrier_track::Scene& scene,
+                                                         const carrier_track::QuietSpeed& answer);
+
+/// Data for the page: design parameters with their levels, an answer for each combination, lines,
+/// and the gain from each design parameter alone, the largest first. Null without a grid.
+report::Json json_of(const std::optional<DesignParameterGrid>& grid);
+
+}  // namespace ricochet::studies::advice

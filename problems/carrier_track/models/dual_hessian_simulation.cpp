@@ -1,0 +1,9 @@
+#include "problems/carrier_track/models/dual_simulation.h"
+
+namespace ricochet::carrier_track::inline models {
+
+RICOCHET_DUAL_SIMULATION(, SecondSpeedDual)
+RICOCHET_DUAL_SIMULATION(, SecondDesignDual)
+RICOCHET_DUAL_SIMULATION(, SecondProfileDual)
+
+}  // namespace ricochet::carrier_track::inline models

@@ -1,0 +1,9 @@
+#include "problems/carrier_track/models/dual_simulation.h"
+
+namespace ricochet::carrier_track::inline models {
+
+RICOCHET_DUAL_SIMULATION(, SpeedDual)
+RICOCHET_DUAL_SIMULATION(, DesignDual)
+RICOCHET_DUAL_SIMULATION(, ProfileDual)
+
+}  // namespace ricochet::carrier_track::inline models

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "src/benchmark/analysis/outcomes.h"
+#include "src/benchmark/statistics/interval.h"
+
+namespace ricochet::comparison {
+
+/// A share of runs with Wilson's interval, both in [0, 1].
+struct SolvedShare {
+  double share;
+  Interval interval;
+};
+
+/// An estimate with its interval; an end is infinite if too few runs reached the target.
+struct Estimate {
+  double value;
+  Interval interval;
+};
+
+/// A summary of the runs of one cell. Intervals are of 95 %.
+struct Result {
+  int runs = 0;
+  int distinct = 0;                        ///< number of different runs: repeats are counted once
+  SolvedShare found{}, returned{};         ///< solved by an evaluated point, by the returned point
+  std::optional<Estimate> running_time;    ///< ERT [evaluations]; nothing if solved in no run
+  std::optional<double> seconds_to_solve;  ///< expected processor time
+  Estimate gap{};  ///< median optimality gap; infinite: no feasible point found
+  int failed = 0;  ///< runs that ended in an exception
+  std::map<std::string, int> terminations;  ///< number of starts by termination reason
+};
+
+/// The summary of `outcomes` of one cell; there must be at least one.
+Result result_of(const Outcomes& outcomes);
+
+}  // namespace ricochet::comparison

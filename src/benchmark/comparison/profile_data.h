@@ -1,0 +1,26 @@
+#pragma once
+
+#include "src/benchmark/comparison/entry_set.h"
+#include "src/report/json.h"
+
+namespace ricochet::studies::comparison {
+
+/// Expected running time: evaluations per variable until the problem is solved, with restarts;
+/// infinite if no run solved it.
+double running_time(const Campaign& campaign, const CellResult& result);
+
+/// Penalised cost of a solver on a problem: evaluations per variable, mean over its runs; a run
+/// that did not solve it counts as ten times the budget (PAR10; Lindauer, van Rijn and Kotthoff
+/// 2019, doi:10.1016/j.artint.2018.10.004).
+double penalised_cost(const Campaign& campaign, const CellResult& result);
+
+/// Returns the entries sorted by the geometric mean of their penalised costs, least first.
+std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySet& set);
+
+/// For every set of entries with the largest budgets, at least two entries and two problems:
+/// performance profiles of the expected running times of the six entries with the least penalised
+/// cost; and for all entries the share of problems within a factor of the least, the share on which
+/// it is best, and the ratio of its penalised cost to the virtual best solver's.
+report::Json profile_data(const Campaign& campaign, const std::vector<EntrySet>& sets);
+
+}  // namespace ricochet::studies::comparison

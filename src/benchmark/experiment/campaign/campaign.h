@@ -1,0 +1,102 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/family.h"
+#include "src/benchmark/experiment/campaign/plan.h"
+#include "src/benchmark/experiment/perturbations/perturbation.h"
+#include "src/benchmark/experiment/store/store.h"
+#include "src/core/solver.h"
+
+namespace ricochet {
+
+/// The problems, solvers and makers of them that plans choose from.
+struct Catalogue {
+  std::vector<Family> families;
+  std::vector<Solver> solvers;
+  /// A user's solver, a library or a program; nothing if the text names none.
+  std::function<std::optional<Solver>(const std::string&)> own_solver;
+  /// The problems for a grid of machines.
+  std::function<std::vector<SearchedProblem>(const MachineGrid&)> grid_problems;
+  /// The problem for a machine drawn around its own one; nothing if it has no machine.
+  std::function<std::optional<SearchedProblem>(const Problem&, int number)> drawn_problem;
+  /// The plan's solver with its options. Throws InputError if it cannot be made.
+  std::function<Solver(const VariedSolver&)> varied_solver;
+};
+
+/// Results of searches, by problem name.
+using AllFindings = std::map<std::string, Findings>;
+
+/// A cell of a campaign, with all data for making its runs.
+struct PlannedCell {
+  Cell cell;
+  std::size_t problem;  ///< index into Campaign::problems
+  Formulation formulation;
+  const Perturbation* perturbation;  ///< null if the optimum is relocated
+  std::size_t solver;                ///< index into Campaign::solvers
+  Budget budget;
+  int instances;
+  int seeds;
+  std::vector<std::size_t> parts;  ///< parts of the plan that contain this cell
+};
+
+/// A plan with all data for carrying it out.
+class Campaign {
+ public:
+  /// Throws InputError, naming part and key, for a pattern without a match, and for a part without
+  /// runs. Leaves out problems whose best value is neither known nor searched for, and those whose
+  /// search has no result in `found`.
+  Campaign(Plan plan, const Catalogue& catalogue, const AllFindings& found = {});
+
+  /// Problems that are missing in `found`. Until they are searched, the campaign can only count its
+  /// runs, not make them.
+  const std::map<std::string, SearchedProblem>& to_search() const { return to_search_; }
+
+  const Plan& plan() const { return plan_; }
+  const std::vector<Problem>& problems() const { return problems_; }
+  const std::vector<Solver>& solvers() const { return solvers_; }
+  const std::vector<PlannedCell>& cells() const { return cells_; }
+
+  /// The family of a problem.
+  const std::string& family_of(std::size_t problem) const { return families_[problem]; }
+
+  /// Null if the plan has no such cell.
+  const PlannedCell* find(const Cell& cell) const;
+
+  std::int64_t runs() const;
+
+  /// Upper estimate of the number of simulations of all runs.
+  double work() const;
+
+  /// The description for its store; the caller fills in `program` and `made`.
+  CampaignDescription description() const;
+
+ private:
+  struct Chosen {
+    Problem problem;
+    std::string family;
+  };
+  std::size_t index_of(const Problem& problem, const std::string& family);
+  std::size_t index_of(const Solver& solver);
+  std::vector<Chosen> problems_of(const PlanPart& part, const Catalogue& catalogue,
+                                  const std::string& place);
+  void add_searched(std::vector<Chosen>& chosen, const SearchedProblem& problem);
+  void add_part(std::size_t part, const Catalogue& catalogue);
+
+  Plan plan_;
+  AllFindings found_;
+  std::map<std::string, SearchedProblem> to_search_;
+  std::vector<Problem> problems_;
+  std::vector<std::string> families_;  ///< by problem
+  std::vector<Solver> solvers_;
+  std::vector<PlannedCell> cells_;
+  std::map<Cell, std::size_t> places_;  ///< indices of the cells
+  std::map<std::string, std::size_t> problem_places_, solver_places_;
+  std::map<std::string, std::string> own_texts_;  ///< texts of the plan for the user's solvers
+};
+
+}  // namespace ricochet

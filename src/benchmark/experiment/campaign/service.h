@@ -1,0 +1,21 @@
+#pragma once
+
+#include "src/benchmark/experiment/campaign/campaign.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
+
+namespace ricochet {
+
+/// A campaign whose runs are made on other machines: one process keeps the store, others make the
+/// runs they are given. All know the same plan, so 8 bytes name a run: its place among the runs of
+/// the shard. Messages are frames, see frame.h; how they are transported does not matter here.
+
+/// Sends the list of runs that the store lacks, then adds the records that arrive, each after its
+/// place, until an empty message. Returns true if that arrived. Throws InputError for a record that
+/// does not belong to its place.
+bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int in, int out);
+
+/// Makes the runs of every message, a list of places, and sends each record after its place as soon
+/// as the run has ended, until no further message comes.
+void serve_runs(const Campaign& campaign, const Shard& shard, int in, int out);
+
+}  // namespace ricochet

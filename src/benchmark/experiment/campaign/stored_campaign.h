@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "src/benchmark/experiment/campaign/campaign.h"
+#include "src/benchmark/experiment/store/store.h"
+
+namespace ricochet {
+
+/// Who and what made a store; see CampaignDescription.
+struct Provenance {
+  std::map<std::string, std::string> program, made;
+};
+
+/// A campaign and the store of its runs.
+struct StoredCampaign {
+  Campaign campaign;
+  Store store;
+};
+
+/// The campaign of a plan, after a parallel search for unknown values of its problems.
+Campaign searched_campaign(const Plan& plan, const Catalogue& catalogue);
+
+/// The campaign of a plan, with the search results from when the store was made.
+Campaign campaign_of(const CampaignDescription& description, const Plan& plan,
+                     const Catalogue& catalogue);
+
+/// Makes the store of a plan's campaign, or continues the existing one. Any program may open a
+/// store that lacks no run, to read it. Throws InputError if the store is of another plan, program
+/// or data; then it stays unchanged.
+StoredCampaign stored_campaign(const Plan& plan, const Catalogue& catalogue,
+                               const std::filesystem::path& file, const Provenance& provenance);
+
+}  // namespace ricochet

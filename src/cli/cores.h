@@ -1,0 +1,8 @@
+#pragma once
+
+namespace ricochet::cli {
+
+/// Number of runs made at once.
+int cores();
+
+}  // namespace ricochet::cli

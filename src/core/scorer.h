@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "src/core/problem.h"
+#include "src/core/stopwatch.h"
+
+namespace ricochet {
+
+/// A point whose true objective was better than that of every earlier one.
+struct Improvement {
+  std::int64_t evaluations;  ///< charged up to its evaluation
+  double seconds;
+  TrueValues true_values;
+  Vector x;
+};
+
+/// Scores the points of a run on the true objective and keeps the improvements. The run holds it;
+/// a solver does not see it.
+class Scorer {
+ public:
+  /// `problem` must outlive it. `on_improvement`, if not empty, is called at once for every
+  /// improvement; its time is not counted.
+  explicit Scorer(const Problem& problem,
+                  std::function<void(const Improvement&)> on_improvement = nullptr);
+
+  /// Scores a point of the box, of length n. `known`: the problem's values there, or null.
+  /// `evaluations`: charged so far. The time of scoring is not counted. A true objective or
+  /// violation that is NaN is no improvement. Throws what the problem throws.
+  void score(const Vector& x, const Values* known, std::int64_t evaluations, Stopwatch& clock);
+
+  const std::vector<Improvement>& trace() const { return trace_; }
+
+  /// The best point so far, or null.
+  const Improvement* best() const { return trace_.empty() ? nullptr : &trace_.back(); }
+
+ private:
+  const Problem& problem_;
+  std::function<void(const Improvement&)> on_improvement_;
+  std::vector<Improvement> trace_;
+};
+
+}  // namespace ricochet

@@ -1,0 +1,18 @@
+#include "src/core/warning.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <mutex>
+#include <set>
+
+namespace ricochet {
+
+void warn(const std::string& text) {
+  static std::mutex mutex;
+  static std::set<std::string> given;
+  const std::lock_guard lock(mutex);
+  if (given.insert(text).second) fmt::print(stderr, "warning: {}\n", text);
+}
+
+}  // namespace ricochet

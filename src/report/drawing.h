@@ -1,0 +1,66 @@
+#pragma once
+
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "src/report/path_data.h"
+
+namespace ricochet::report {
+
+/// How outlines are painted. An empty field means SVG's default, except that an empty `fill` means
+/// none.
+struct Brush {
+  std::string stroke = {}, width = {}, dash = {}, cap = {};
+  std::string fill = {}, opacity = {};
+  std::string clip = {};  ///< id of a clipping region, see Drawing::clip
+  bool crisp = false;     ///< edges on whole pixels of the screen, so that neighbours leave no gap
+};
+
+/// Style of a text, and its anchor: start, middle or end.
+struct Lettering {
+  std::string colour = "black";
+  std::string anchor = "start";
+  int size = 12;  ///< pixels
+  bool bold = false;
+  double turned = 0;  ///< degrees, clockwise
+};
+
+struct Writing {
+  Pixel place;  ///< on the base line
+  std::string text;
+};
+
+/// An SVG picture that is drawn part by part; texts lie above all other parts. All outlines with
+/// one brush form one path. Ids start with the name, which must be unique on a page; title and
+/// description are for screen readers, and fonts are the reader's.
+class Drawing {
+ public:
+  Drawing(std::string name, const std::string& title, const std::string& description, int width,
+          int height);
+
+  void paint(const Brush& brush, const std::vector<Outline>& outlines);
+  void write(const Lettering& lettering, const std::vector<Writing>& writings);
+
+  /// Adds a gradient of colours from bottom to top (one for each picture), and a fill of slanted
+  /// lines.
+  std::string gradient(const std::vector<std::string>& colours);
+  std::string hatching();
+
+  /// Adds a clipping region for a box (one for each picture), extended by the width of lines along
+  /// its edge.
+  std::string clip(const Box& box);
+
+  /// Starts with <svg class="ricochet-chart".
+  std::string text() const;
+
+ private:
+  std::string name_;
+  pugi::xml_document document_;
+  pugi::xml_node root_, paths_, crisp_;
+};
+
+/// Joins pictures of drawings with different names into one picture, one below the other.
+std::string stacked(const std::vector<std::string>& svgs);
+
+}  // namespace ricochet::report

@@ -1,0 +1,162 @@
+#include "src/report/site/entries.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "src/report/site/comparison_data.h"
+
+namespace ricochet::site {
+namespace {
+
+/// For each family and budget; the others are in the report.
+constexpr std::size_t always_shown = 15;
+
+/// Family, budget, solver, formulation.
+using Key = std::tuple<std::string, double, std::string, std::string>;
+
+Extent extent(const std::vector<FamilyProblem>& problems, std::int64_t FamilyProblem::*number) {
+  const auto [least, most] = std::ranges::minmax_element(problems, {}, number);
+  return least == problems.end() ? Extent{0, 0} : Extent{(*least).*number, (*most).*number};
+}
+
+FamilySize size_of(const std::string& name, const std::vector<FamilyProblem>& problems) {
+  return {name, problems.size(), extent(problems, &FamilyProblem::variables),
+          extent(problems, &FamilyProblem::constraints)};
+}
+
+class Table {
+ public:
+  explicit Table(const ComparisonData& data) {
+    for (const SpeedAccuracy& one : data.speed_accuracy) {
+      fast_[{one.family, one.budget.value_or(0), one.solver, one.formulation}] = one;
+    }
+    for (const NamedSolver& solver : data.solvers) {
+      if (solver.outside) outside_.insert(solver.name);
+    }
+  }
+
+  void add(std::size_t family, const std::string& name, const RatedBudget& budget) {
+    std::size_t place = 0;
+    for (const Rating& rating : budget.ratings) {
+      const auto fast = fast_.find({name, budget.budget, rating.solver, rating.formulation});
+      const bool outside = outside_.contains(rating.solver);
+      if (++place > always_shown && fast == fast_.end() && !outside) continue;
+      Entry entry{.family = family,
+                  .budget = budget.budget,
+                  .place = place,
+                  .of = budget.ratings.size(),
+                  .solver = rating.solver,
+                  .formulation = rating.formulation,
+                  .outside = outside,
+                  .best = rating.best,
+                  .targets = rating.share,
+                  .lower = rating.lower,
+                  .upper = rating.upper,
+                  .found = rating.found,
+                  .never = rating.never,
+                  .rank = rating.rank};
+      if (fast != fast_.end()) measure(fast->second, entry);
+      entries.push_back(std::move(entry));
+    }
+  }
+
+  /// Adds the entries of all families together, which have no ratings: sorted by the share solved,
+  /// then by evaluations. Returns true if there are any.
+  bool add_all(std::size_t family) {
+    std::vector<SpeedAccuracy> joint;
+    for (const auto& [key, one] : fast_) {
+      if (!one.budget) joint.push_back(one);
+    }
+    std::ranges::sort(joint, [](const SpeedAccuracy& a, const SpeedAccuracy& b) {
+      return a.share != b.share ? a.share > b.share : a.evaluations < b.evaluations;
+    });
+    std::size_t place = 0;
+    for (const SpeedAccuracy& one : joint) {
+      Entry entry{.family = family,
+                  .place = ++place,
+                  .of = joint.size(),
+                  .solver = one.solver,
+                  .formulation = one.formulation,
+                  .outside = outside_.contains(one.solver),
+                  .found = one.share,
+                  .rank = static_cast<double>(place)};
+      measure(one, entry);
+      entries.push_back(std::move(entry));
+    }
+    return !joint.empty();
+  }
+
+  std::vector<Entry> entries;
+
+ private:
+  static void measure(const SpeedAccuracy& from, Entry& entry) {
+    entry.evaluations = from.evaluations;
+    entry.seconds = from.seconds;
+    entry.solved = from.share;
+    entry.solved_lower = from.share_lower;
+    entry.solved_upper = from.share_upper;
+    entry.error = from.optimality_gap;
+    entry.error_lower = from.optimality_gap_lower;
+    entry.error_upper = from.optimality_gap_upper;
+    entry.complete = from.complete;
+  }
+
+  std::map<Key, SpeedAccuracy> fast_;
+  std::set<std::string> outside_;
+};
+
+Curve curve_of(std::size_t family, double budget, const Progress& first) {
+  Curve curve{family, budget, first.solver, first.formulation, {}};
+  auto& points = curve.points;
+  for (const Step& step : first.progress) {
+    const bool level = points.size() > 1 && points.back()[1] == step.share &&
+                       points[points.size() - 2][1] == step.share;
+    if (level) points.pop_back();  // its ends suffice
+    points.push_back({step.evaluations, step.share});
+  }
+  return curve;
+}
+
+}  // namespace
+
+Comparison comparison_of(const FoundReport& report) {
+  Comparison comparison{report.folder, {}, {}, {}};
+  Table table(report.data.get<ComparisonData>());
+  std::vector<FamilyData> families;
+  std::vector<FamilyProblem> problems;
+  for (const FoundPage& page : report.pages) {
+    if (!holds(page.headline, "family")) continue;
+    const FamilyData& family = families.emplace_back(page.data.get<FamilyData>());
+    problems.insert(problems.end(), family.problems.begin(), family.problems.end());
+  }
+  if (table.add_all(0)) comparison.families.push_back(size_of("all", problems));
+  for (const FamilyData& family : families) {
+    const std::size_t number = comparison.families.size();
+    for (const RatedBudget& budget : family.budgets) {
+      table.add(number, family.family, budget);
+      for (const Progress& first : budget.first) {
+        comparison.curves.push_back(curve_of(number, budget.budget, first));
+      }
+    }
+    comparison.families.push_back(size_of(family.family, family.problems));
+  }
+  comparison.entries = std::move(table.entries);
+  return comparison;
+}
+
+const FoundReport* largest_comparison(const std::vector<FoundReport>& reports) {
+  const FoundReport* largest = nullptr;
+  const auto runs = [](const FoundReport& r) {
+    const Json number = r.data.value("runs", Json());
+    return number.is_number() ? number.get<std::int64_t>() : 0;
+  };
+  for (const FoundReport& report : reports) {
+    if (!holds(report.headline, "entries")) continue;
+    if (largest == nullptr || runs(report) > runs(*largest)) largest = &report;
+  }
+  return largest;
+}
+
+}  // namespace ricochet::site

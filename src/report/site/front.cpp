@@ -1,0 +1,136 @@
+#include "src/report/site/front.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace ricochet::site {
+namespace {
+
+constexpr const char* other_version = "Its data are another version's: the command makes it anew.";
+
+/// Splits a link in a report's page into the folder and the anchor with its #.
+std::pair<std::string, std::string> place_of(const std::string& report, const std::string& to) {
+  const std::size_t hash = std::min(to.find('#'), to.size());
+  const std::string page = to.substr(0, hash);
+  return {page.empty() ? report : report + "/" + page, to.substr(hash)};
+}
+
+FrontExcerpt excerpt_of(const report::Excerpt& from, const std::string& folder) {
+  FrontExcerpt excerpt{from.heading, from.text, {}, from.table.caption, {}, {}};
+  for (const report::Link& link : from.links) {
+    const auto [page, anchor] = place_of(folder, link.to);
+    excerpt.links.push_back({link.text, page, anchor});
+  }
+  for (const report::Column& column : from.table.columns) {
+    excerpt.columns.push_back({column.title, column.alignment == report::Alignment::left});
+  }
+  for (const std::vector<report::Cell>& row : from.table.rows) {
+    FrontRow& shown = excerpt.rows.emplace_back();
+    for (const report::Cell& cell : row) {
+      const bool left = excerpt.columns[shown.cells.size()].left;
+      const auto [page, anchor] = place_of(folder, cell.link);
+      shown.cells.push_back({cell.text, cell.link.empty() ? "" : page, anchor, left});
+    }
+  }
+  return excerpt;
+}
+
+void add_excerpts(const report::Headline& headline, const std::string& folder, Front& front) {
+  const std::map<std::string, std::vector<FrontExcerpt>*> topics = {{"speed", &front.speed},
+                                                                    {"solver", &front.solver},
+                                                                    {"problem", &front.problem},
+                                                                    {"entries", &front.entries}};
+  for (const report::Excerpt& excerpt : headline.excerpts) {
+    const auto topic = topics.find(excerpt.topic);
+    if (topic != topics.end()) topic->second->push_back(excerpt_of(excerpt, folder));
+  }
+}
+
+/// Adds the ranks of external solvers with the largest budget of each family, and the number of
+/// entries.
+void add_places(const Comparison& comparison, Front& front) {
+  std::map<std::size_t, double> largest;
+  for (const Entry& entry : comparison.entries) {
+    largest[entry.family] = std::max(largest[entry.family], entry.budget);
+  }
+  FrontExcerpt places{
+      .caption = "Places of solvers from outside",
+      .columns = {
+          {"solver, shown", true}, {"problems", true}, {"budget", false}, {"place", false}}};
+  for (const Entry& entry : comparison.entries) {
+    if (!entry.outside || entry.budget == 0 || entry.budget != largest[entry.family]) continue;
+    places.rows.push_back({{{fmt::format("{}, {}", entry.solver, entry.formulation), "", "", true},
+                            {comparison.families[entry.family].name, "", "", true},
+                            {fmt::format("{}", entry.budget), "", "", false},
+                            {fmt::format("{} of {}", entry.place, entry.of), "", "", false}}});
+  }
+  if (!places.rows.empty()) front.own.push_back(std::move(places));
+}
+
+Card card_of(const FoundReport& report) {
+  Card card{report.folder,       label_of(report),   report.kind.label,
+            other_version,       report.made.date,   report.made.quick.value_or(false),
+            report.made.seconds, report.kind.command};
+  if (!report.headline) return card;
+  card.title = report.headline->title;
+  card.finding = report.headline->finding;
+  if (!report.headline->command.empty()) {  // linked if it exists
+    card.command = report.headline->command;
+    card.seconds.reset();
+  }
+  return card;
+}
+
+/// Marks the reports whose data cannot be read.
+template <class Read>
+auto read_or_mark(const FoundReport* report, Front& front, const Read& read) {
+  using Result = std::optional<std::decay_t<decltype(read(*report))>>;
+  if (report == nullptr) return Result();
+  try {
+    return Result(read(*report));
+  } catch (const Json::exception&) {
+    for (Card& card : front.cards) {
+      if (card.folder == report->folder) card.finding = other_version;
+    }
+    return Result();
+  }
+}
+
+}  // namespace
+
+Front front_of(const std::vector<FoundReport>& reports) {
+  Front front;
+  for (const FoundReport& report : reports) {
+    front.cards.push_back(card_of(report));
+    if (!report.headline) continue;
+    add_excerpts(*report.headline, report.folder, front);
+    for (const FoundPage& page : report.pages) {
+      if (page.headline) add_excerpts(*page.headline, report.folder + "/" + page.folder, front);
+    }
+    if (!front.motion && !report.headline->charts.empty()) {
+      front.motion = FrontCharts{report.folder, report.headline->charts};
+    }
+  }
+  front.comparison = read_or_mark(largest_comparison(reports), front, comparison_of);
+  if (front.comparison) {
+    add_places(*front.comparison, front);
+    const auto simulating = std::ranges::find_if(
+        reports, [](const FoundReport& r) { return holds(r.headline, "simulations"); });
+    if (simulating != reports.end()) {
+      front.pairs = read_or_mark(&*simulating, front, [&](const FoundReport& report) {
+                      return pairs_of(report, *largest_comparison(reports));
+                    }).value_or(std::nullopt);
+    }
+  }
+  for (const report::ReportKind& kind : report::report_kinds()) {
+    const bool there = std::ranges::any_of(
+        reports, [&](const FoundReport& report) { return report.kind.name == kind.name; });
+    if (!there) front.missing.push_back(kind);
+  }
+  return front;
+}
+
+}  // namespace ricochet::site

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/report/site/entries.h"
+#include "src/report/site/pairs.h"
+
+namespace ricochet::site {
+
+/// A link of an excerpt, with the folder of its report.
+struct FrontLink {
+  std::string text;
+  std::string folder;  ///< of the page, relative to the front page
+  std::string anchor;  ///< with its #, or empty
+};
+
+/// A cell of an excerpt's table, with an optional link to a page.
+struct FrontCell {
+  std::string text, folder, anchor;
+  bool left;
+};
+
+struct FrontRow {
+  std::vector<FrontCell> cells;
+};
+
+struct FrontColumn {
+  std::string title;
+  bool left;
+};
+
+/// A part of a report, as the front page repeats it.
+struct FrontExcerpt {
+  std::string heading = {}, text = {};
+  std::vector<FrontLink> links = {};
+  std::string caption = {};
+  std::vector<FrontColumn> columns = {};
+  std::vector<FrontRow> rows = {};
+};
+
+/// One report in the list of all reports.
+struct Card {
+  std::string folder, label, title, finding;
+  std::optional<std::string> date;
+  bool quick;
+  std::optional<double> seconds;
+  std::string command;
+};
+
+/// The charts of a report, of which the front page shows one at a time.
+struct FrontCharts {
+  std::string folder;
+  std::vector<report::Chart> charts;
+};
+
+/// The content of the front page.
+struct Front {
+  std::vector<FrontExcerpt> speed, solver, own, problem, entries;  ///< excerpts by their topic
+  std::optional<Comparison> comparison;
+  std::optional<FrontCharts> motion;
+  std::optional<Pairs> pairs;
+  std::vector<Card> cards;
+  std::vector<report::ReportKind> missing;  ///< kinds of which there is no report
+};
+
+RICOCHET_WRITTEN_AS_JSON(FrontLink, text, folder, anchor);
+RICOCHET_WRITTEN_AS_JSON(FrontCell, text, folder, anchor, left);
+RICOCHET_WRITTEN_AS_JSON(FrontRow, cells);
+RICOCHET_WRITTEN_AS_JSON(FrontColumn, title, left);
+RICOCHET_WRITTEN_AS_JSON(FrontExcerpt, heading, text, links, caption, columns, rows);
+RICOCHET_WRITTEN_AS_JSON(Card, folder, label, title, finding, date, quick, seconds, command);
+RICOCHET_WRITTEN_AS_JSON(FrontCharts, folder, charts);
+RICOCHET_WRITTEN_AS_JSON(Front, speed, solver, own, problem, entries, comparison, motion, pairs,
+                         cards, missing);
+
+/// Collects the headlines of the reports.
+Front front_of(const std::vector<FoundReport>& reports);
+
+}  // namespace ricochet::site

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "src/report/site/study.h"
+
+namespace ricochet::studies {
+
+struct CalibrationOptions {
+  std::string interpretation;  ///< empty: the default one
+  bool all_interpretations = false;
+  bool check = false;  ///< also ranks the interpretations with another seed and another solver
+  bool converge =
+      false;  ///< searches the best interpretations at length, with several solvers and seeds
+  bool variants = false;  ///< also fits model variants that are not interpretations of the paper
+  int seed = 1;
+  std::string solver = "pagmo-sade";  ///< global solver
+  std::filesystem::path folder;       ///< the report's
+};
+
+/// Fits the unknown parameters to the paper's claims. Resumes from the fits in fits.toml of the
+/// folder, and writes interpretation.toml there, which other commands can use. Its computation
+/// throws InputError for invalid options.
+Study calibration_study(const CalibrationOptions& options);
+
+}  // namespace ricochet::studies

@@ -1,0 +1,19 @@
+#include "src/core/warning.h"
+
+#include <gtest/gtest.h>
+
+namespace ricochet {
+namespace {
+
+TEST(Warning, IsWrittenOnceForEachText) {
+  testing::internal::CaptureStderr();
+  warn("a.toml: count.slowest is now called counting_limit");
+  warn("b.toml: count.slowest is now called counting_limit");
+  warn("a.toml: count.slowest is now called counting_limit");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "warning: a.toml: count.slowest is now called counting_limit\n"
+            "warning: b.toml: count.slowest is now called counting_limit\n");
+}
+
+}  // namespace
+}  // namespace ricochet

@@ -1,0 +1,106 @@
+#include "src/report/site/front.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/report/site/made_up_reports.h"
+
+namespace ricochet::site {
+namespace {
+
+using testing::HasSubstr;
+
+FoundReport telling() {
+  FoundReport report = made_up("reproduction", Json::object(), "first");
+  report.headline->finding = "All is well.";
+  report.headline->excerpts = {
+      {"speed", "8 rad/s", "in all", {{"cases", "#thresholds"}}, {}},
+      {"problem", "How fast?", "So.", {{"a page", "count#there"}, {"its own", ""}}, {}},
+      {"nobody's", "lost", "", {}, {}}};
+  report.headline->excerpts[0].table = {"Speeds",
+                                        {{"cases", report::Alignment::left}, {"speed"}},
+                                        {{{.text = "C1", .link = "#c1"}, {"8"}}}};
+  return report;
+}
+
+TEST(Front, PutsExcerptsUnderTheirTopics) {
+  const Front front = front_of({telling()});
+  ASSERT_EQ(front.speed.size(), 1U);
+  EXPECT_EQ(front.speed[0].heading, "8 rad/s");
+  EXPECT_EQ(front.speed[0].links[0].folder, "first");
+  EXPECT_EQ(front.speed[0].links[0].anchor, "#thresholds");
+  EXPECT_TRUE(front.speed[0].columns[0].left);
+  EXPECT_EQ(front.speed[0].rows[0].cells[0].folder, "first");
+  EXPECT_EQ(front.speed[0].rows[0].cells[0].anchor, "#c1");
+  EXPECT_EQ(front.speed[0].rows[0].cells[1].folder, "");
+  ASSERT_EQ(front.problem.size(), 1U);
+  EXPECT_EQ(front.problem[0].links[0].folder, "first/count");
+  EXPECT_EQ(front.problem[0].links[0].anchor, "#there");
+  EXPECT_EQ(front.problem[0].links[1].folder, "first");
+}
+
+TEST(Front, HasTheExcerptsOfFurtherPagesToo) {
+  FoundReport report = telling();
+  report.pages.push_back({"further", report.headline, Json::object()});
+  const Front front = front_of({report});
+  ASSERT_EQ(front.speed.size(), 2U);
+  EXPECT_EQ(front.speed[1].links[0].folder, "first/further");
+}
+
+TEST(Front, HasTheChartsOfTheFirstReportThatHasSome) {
+  std::vector<FoundReport> reports(2, telling());
+  reports[1].folder = "second";
+  reports[1].headline->charts.push_back({.name = "mild", .title = "Mild", .x = {}, .y = {}});
+  const Front front = front_of(reports);
+  ASSERT_TRUE(front.motion);
+  EXPECT_EQ(front.motion->folder, "second");
+  EXPECT_FALSE(front_of({telling()}).motion);
+}
+
+TEST(Front, PlacesSolversFromOutsideWithTheLargestBudget) {
+  const Front front = front_of({found_comparison()});
+  ASSERT_EQ(front.own.size(), 1U);
+  ASSERT_EQ(front.own[0].rows.size(), 1U);
+  std::vector<std::string> texts;
+  for (const FrontCell& cell : front.own[0].rows[0].cells) texts.push_back(cell.text);
+  EXPECT_THAT(texts, testing::ElementsAre("mine, count", "count", "100", "2 of 2"));
+}
+
+TEST(Cards, SayWhatAReportFoundAndWhatMadeIt) {
+  FoundReport report = telling();
+  report.made = {"2026-01-02", 4.5, true};
+  const Card card = front_of({report}).cards.at(0);
+  EXPECT_EQ(card.title, "What reproduction found");
+  EXPECT_EQ(card.finding, "All is well.");
+  EXPECT_EQ(card.command, "./ricochet reproduce");
+  EXPECT_EQ(card.seconds, 4.5);
+  EXPECT_TRUE(card.quick);
+}
+
+TEST(Cards, OfAReportThatWasDrawnFromRunsHaveNoTime) {
+  FoundReport report = telling();
+  report.made.seconds = 18;
+  report.headline->command = "./ricochet run plan";
+  const Card card = front_of({report}).cards.at(0);
+  EXPECT_EQ(card.command, "./ricochet run plan");
+  EXPECT_FALSE(card.seconds);
+}
+
+TEST(Cards, SayWhenDataAreOfAnotherVersion) {
+  FoundReport report = telling();
+  report.headline.reset();
+  EXPECT_THAT(front_of({report}).cards.at(0).finding, HasSubstr("another version"));
+  FoundReport comparison = found_comparison();
+  comparison.data["speed_accuracy"] = 7;
+  const Front front = front_of({comparison});
+  EXPECT_FALSE(front.comparison);
+  EXPECT_THAT(front.cards.at(0).finding, HasSubstr("another version"));
+}
+
+TEST(MissingReports, AreTheKindsOfWhichThereIsNone) {
+  const Front front = front_of({telling()});
+  EXPECT_EQ(front.missing.size(), report::report_kinds().size() - 1);
+  for (const report::ReportKind& kind : front.missing) EXPECT_NE(kind.name, "reproduction");
+}
+
+}  // namespace
+}  // namespace ricochet::site

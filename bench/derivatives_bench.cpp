@@ -12,6 +12,7 @@
 #include "problems/carrier_track/gradients/derivatives.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/scene/lifted.h"
 
 namespace ricochet::bench {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bench/processor_time.h"
+#include "ricochet/random.h"
 #include "src/core/instance.h"
-#include "src/core/random.h"
 #include "src/research/suite/families.h"
 
 namespace ricochet::bench {

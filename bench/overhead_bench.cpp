@@ -6,8 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "solvers/solvers.h"
-#include "src/core/run.h"
+#include "ricochet/run.h"
+#include "ricochet/solvers.h"
+#include "src/core/scorer.h"
 
 namespace ricochet::bench {
 namespace {

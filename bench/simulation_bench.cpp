@@ -10,6 +10,7 @@
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::bench {
 namespace {

@@ -17,14 +17,6 @@ install(TARGETS ${library_targets} EXPORT ricochet)
 install(EXPORT ricochet NAMESPACE ricochet:: DESTINATION ${package_folder} FILE ricochetTargets.cmake)
 
 install(DIRECTORY include/ricochet TYPE INCLUDE)
-foreach(folder src/core problems solvers)  # included as "src/core/problem.h", here as there
-  get_filename_component(above ${folder} DIRECTORY)
-  install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ricochet/${above}
-          FILES_MATCHING PATTERN "*.h"
-          PATTERN oracle EXCLUDE PATTERN outside EXCLUDE
-          PATTERN reference_integrators EXCLUDE)
-endforeach()
-
 configure_package_config_file(cmake/ricochetConfig.cmake.in ricochetConfig.cmake
   INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(ricochetConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -6,9 +6,8 @@ option(RICOCHET_WERROR "Treat warnings as errors" ON)
 
 add_library(ricochet_options INTERFACE)
 target_include_directories(ricochet_options INTERFACE
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>  # "src/core/problem.h"
-  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>  # <ricochet/problem.h>
-  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/ricochet>
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>  # "src/core/scorer.h"
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>  # "ricochet/problem.h"
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(ricochet_options INTERFACE cxx_std_20)
 target_link_libraries(ricochet_options INTERFACE fmt::fmt)

@@ -1,16 +1,6 @@
 # `cmake --build build/release --target reference` writes build/release/reference/html/index.html.
 find_package(Doxygen QUIET)
 if(DOXYGEN_FOUND)
-  # Our headers that the public ones are made of.
-  file(GLOB public_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/ricochet/*.h)
-  set(PUBLIC_HEADERS)
-  foreach(header ${public_headers})
-    file(STRINGS ${header} included REGEX "^#include \"")
-    foreach(line ${included})
-      string(REGEX REPLACE "#include \"(.*)\"" "${PROJECT_SOURCE_DIR}/\\1" file ${line})
-      string(APPEND PUBLIC_HEADERS " ${file}")
-    endforeach()
-  endforeach()
   configure_file(cmake/Doxyfile.in Doxyfile @ONLY)
   add_custom_target(reference COMMAND Doxygen::doxygen Doxyfile VERBATIM)
 endif()

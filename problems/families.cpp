@@ -1,9 +1,9 @@
-#include "problems/families.h"
+#include "ricochet/families.h"
 
 #include "problems/carrier_track/problems/families.h"
 #include "problems/carrier_track/problems/hard_machines.h"
-#include "problems/carrier_track/scene/scene_file.h"
 #include "problems/classic/families.h"
+#include "ricochet/scene.h"
 
 namespace ricochet {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/solver.h"
 #include "src/core/option_value.h"
-#include "src/core/solver.h"
 
 namespace ricochet {
 

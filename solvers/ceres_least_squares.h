@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
-#include "src/core/solver.h"
 
 namespace ricochet {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/solver.h"
+#include "ricochet/solver.h"
 
 namespace ricochet {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
 #include "solvers/settings.h"
-#include "src/core/solver.h"
 
 namespace ricochet {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #ifndef RICOCHET_HAS_PAGMO
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #endif
 
 namespace ricochet {

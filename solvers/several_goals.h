@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 /// Multi-objective optimisation: all goals are minimised; the result is a Pareto front.
 namespace ricochet {

@@ -1,7 +1,8 @@
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 
 #include <fmt/format.h>
 
+#include "ricochet/error.h"
 #include "solvers/bisection.h"
 #include "solvers/ceres.h"
 #include "solvers/ceres_least_squares.h"
@@ -16,7 +17,6 @@
 #include "solvers/random_search.h"
 #include "solvers/scan.h"
 #include "solvers/tao/tao.h"
-#include "src/core/error.h"
 #include "src/core/near_names.h"
 
 namespace ricochet {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "src/core/evaluator.h"
-#include "src/core/solver.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/solver.h"
 
 namespace ricochet {
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ricochet/error.h"
 #include "solvers/ceres.h"
 #include "solvers/ceres_least_squares.h"
 #include "solvers/fireworks/adjustable_fireworks.h"
@@ -13,7 +14,6 @@
 #include "solvers/mads/mads.h"
 #include "solvers/nlopt/nlopt.h"
 #include "solvers/pagmo/pagmo.h"
-#include "src/core/error.h"
 #include "src/core/near_names.h"
 
 namespace ricochet {

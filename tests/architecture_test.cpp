@@ -220,7 +220,12 @@ File file_at(const std::filesystem::path& root, const std::filesystem::path& pat
   for (std::string line; std::getline(stream, line);) {
     std::smatch match;
     if (line.find('#') == std::string::npos || !std::regex_match(line, match, include)) continue;
-    (match[1] == "<" ? file.libraries : file.includes).push_back(match[2]);
+    const std::string header = match[2];
+    if (header.starts_with("ricochet/")) {  // public, in quotes or angle brackets
+      file.includes.push_back("include/" + header);
+    } else {
+      (match[1] == "<" ? file.libraries : file.includes).push_back(header);
+    }
   }
   return file;
 }
@@ -228,7 +233,7 @@ File file_at(const std::filesystem::path& root, const std::filesystem::path& pat
 std::vector<File> all_files() {
   const std::filesystem::path root(RICOCHET_SOURCE);
   std::vector<File> files;
-  for (const char* const folder : {"bench", "problems", "solvers", "src"}) {
+  for (const char* const folder : {"bench", "include", "problems", "solvers", "src"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
       const auto ending = entry.path().extension();
       if (ending == ".h" || ending == ".cpp") files.push_back(file_at(root, entry.path()));

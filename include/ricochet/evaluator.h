@@ -1,7 +1,187 @@
 #pragma once
 
-/// @file
-/// The evaluator: a solver's view of a problem. It counts evaluations, measures time and stops the
-/// run.
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <string>
 
-#include "src/core/evaluator.h"
+#include "ricochet/problem.h"
+#include "ricochet/stopwatch.h"
+
+namespace ricochet {
+
+/// The budget of a run.
+struct Budget {
+  std::int64_t evaluations = 1000;
+  double seconds = std::numeric_limits<double>::infinity();  ///< processor time of the run's thread
+  /// Charge for a gradient beside the value, in evaluations, >= 0; n if empty. The Jacobian is
+  /// included; a Hessian is charged (n + 1) / 2 times as much.
+  std::optional<std::int64_t> gradient_price = {};
+};
+
+/// Why the evaluator refuses calls.
+enum class TerminationReason {
+  none,         ///< no refusal: the run may go on
+  evaluations,  ///< the evaluations are spent
+  seconds,      ///< the time is spent
+  bad_point,    ///< the solver requested a point that is not finite or not of length n
+  failure,      ///< the problem threw; see Evaluator::failure
+  paused,       ///< the evaluations that Evaluator::allow granted are spent
+};
+
+/// The part of a point's values that a call requests; some solvers request them one after another.
+enum class Part : unsigned {
+  nothing = 0,  ///< none yet: the point is charged, the next call for it is free
+  objective = 1,
+  equalities = 2,
+  inequalities = 4,
+  everything = 7,
+  jacobian = 8  ///< of the residuals, whose values were requested before as the objective
+};
+
+/// What a run has requested from the problem.
+struct Ledger {
+  std::int64_t values = 0;       ///< calls of evaluate
+  std::int64_t derivatives = 0;  ///< calls of differentiate and residuals
+  std::int64_t hessians = 0;     ///< calls of lagrangian_hessian
+  /// Evaluations: 1 for values or residuals alone, 1 + n with their derivatives, n (n + 1) / 2 for
+  /// a Hessian, unless the budget sets another gradient price.
+  std::int64_t charged = 0;
+  std::int64_t refused = 0;  ///< refused calls
+  double seconds = 0;        ///< processor time of the run without scoring
+};
+
+class Scorer;
+
+/// A solver's access to a problem: its box, which derivatives it has, the remaining budget and the
+/// values at requested points. It counts, times and refuses calls; it shows neither the true
+/// objective nor the best known point.
+///
+/// It remembers the last point: separate calls for objective, constraints and gradient of one point
+/// are charged once. Repeated evaluations of a point count against the budget. Points outside the
+/// box are evaluated at their projection onto it.
+///
+/// No exception passes through a solver: an exception of the problem is stored in `failure`, and
+/// from then on every call is refused.
+class Evaluator {
+ public:
+  /// `scorer`, if not null, scores every point at which the solver receives a number; its time is
+  /// not counted. Problem and scorer must outlive the evaluator.
+  Evaluator(const Problem& problem, const Budget& budget, Scorer* scorer = nullptr);
+  // A copy would have a separate budget.
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  const std::string& name() const { return problem_.name; }
+  Eigen::Index dimension() const { return problem_.dimension(); }
+  const Vector& lower() const { return problem_.lower; }  ///< length n
+  const Vector& upper() const { return problem_.upper; }  ///< length n
+  Eigen::Index constraints() const { return problem_.constraints; }
+  Eigen::Index equalities() const { return problem_.equalities; }  ///< the first of the constraints
+  bool has_derivatives() const { return static_cast<bool>(problem_.differentiate); }
+  bool has_hessian() const { return static_cast<bool>(problem_.lagrangian_hessian); }
+  bool has_residuals() const { return static_cast<bool>(problem_.residuals); }
+  bool has_smoothing() const { return static_cast<bool>(problem_.smoothed); }
+
+  /// Objective and constraints, equalities first, at x (length n), or nothing once the run is over.
+  /// Charged 1. The result is complete, whatever `part` is.
+  std::optional<Values> values(const Vector& x, Part part = Part::everything);
+
+  /// values(x, Part::objective)->objective.
+  std::optional<double> objective(const Vector& x);
+
+  /// Values and first derivatives at x, or nothing once the run is over. Charged 1 + n, or n if the
+  /// call before requested the values at x. A problem without derivatives ends the run as a
+  /// failure, and so does one without requested residuals or Hessians.
+  std::optional<Derivatives> derivatives(const Vector& x, Part part = Part::everything);
+
+  /// Residuals and their first derivatives at x, or nothing once the run is over. Charged 1 + n,
+  /// even if the values at x are known: the residuals may belong to another function.
+  std::optional<Residuals> residuals(const Vector& x, Part part = Part::everything);
+
+  /// Residuals alone, charged 1; residuals(x) directly after it is charged n.
+  std::optional<Vector> residual_values(const Vector& x, Part part = Part::objective);
+
+  /// Problem::lagrangian_hessian at x, n x n, or nothing once the run is over. Charged
+  /// n (n + 1) / 2 if a gradient is charged n, and never less than 1. Measured: value, gradient and
+  /// Hessian of the surrogates take as long as 3 to 4, 25, 28 and 95 values for 1, 5, 8 and 16
+  /// variables, and are charged 3, 21, 45 and 153.
+  std::optional<Matrix> lagrangian_hessian(const Vector& x, double objective_factor,
+                                           const Vector& multipliers);
+
+  /// Presents the problem with this smoothing parameter >= 0 from now on; 0 means no smoothing. The
+  /// score stays that of the true objective. Throws std::logic_error if the problem cannot be
+  /// smoothed.
+  void smooth(double smoothing);
+
+  /// The point with the best values returned to the solver since the run began or since the last
+  /// call of smooth(); null before the first evaluation.
+  const Vector* best_shown() const { return best_shown_ ? &best_shown_->x : nullptr; }
+
+  /// Refuses calls, as if the budget were spent, after this many further evaluations; the next call
+  /// of allow() sets another limit. For solvers that run another solver several times.
+  void allow(std::int64_t evaluations);
+
+  /// Evaluations left before the evaluator refuses; 0 once the run is over.
+  std::int64_t remaining() const;
+
+  bool over() const {
+    return termination_reason_ != TerminationReason::none;
+  }  ///< every call is refused
+  TerminationReason termination_reason() const { return termination_reason_; }
+  std::exception_ptr failure() const {
+    return failure_;
+  }  ///< the exception of the problem, or null
+  Ledger ledger();
+
+ private:
+  /// The result of one kind of call at the remembered point, and the parts requested so far.
+  template <class Told>
+  struct Memory {
+    std::optional<Told> told;
+    unsigned asked = 0;
+
+    /// Returns true if the part is available and was not requested before; marks it as requested.
+    bool has(Part part);
+  };
+
+  struct Shown {
+    TrueValues taken_for;
+    Vector x;
+  };
+
+  std::int64_t gradient_price() const;
+  bool admits(const Vector& x, std::int64_t price);
+  bool remembers(const Vector& x) const { return has_point_ && point_ == x; }
+  void move_to(const Vector& x);
+  void forget();
+  void look(const Vector& x, const Values& values);
+  void score();
+  const Problem& shown() const { return smoothed_ ? *smoothed_ : problem_; }
+
+  template <class Work>
+  bool guarded(Work work);
+
+  bool ask_residuals(const Vector& x, Part part, std::int64_t price);
+
+  const Problem& problem_;
+  std::optional<Problem> smoothed_;
+  std::optional<Shown> best_shown_;
+  Scorer* scorer_;
+  Budget budget_;
+  std::int64_t pause_ = std::numeric_limits<std::int64_t>::max();  // in charged evaluations
+  Ledger ledger_;
+  TerminationReason termination_reason_ = TerminationReason::none;
+  std::exception_ptr failure_;
+  Stopwatch stopwatch_;
+  bool has_point_ = false;
+  Vector point_;   // remembered, as requested
+  Vector inside_;  // its projection onto the box
+  Memory<Values> values_;
+  Memory<Derivatives> derivatives_;
+  Memory<Residuals> residuals_;
+  bool paid_jacobian_ = false;  // of the residuals
+};
+
+}  // namespace ricochet

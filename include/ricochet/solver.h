@@ -1,6 +1,38 @@
 #pragma once
 
-/// @file
-/// The interface of a solver.
+#include <functional>
+#include <optional>
+#include <string>
 
-#include "src/core/solver.h"
+#include "ricochet/capabilities.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/random.h"
+
+namespace ricochet {
+
+/// What a solver returns when it ends. It is not trusted: the suite scores the points itself.
+struct SolverTermination {
+  std::string reason;  ///< readable text
+  /// The returned point, of length n; if empty, the best one that it evaluated.
+  std::optional<Vector> point = {};
+
+  bool operator==(const SolverTermination&) const = default;
+};
+
+/// A solver of box-bounded minimisation problems.
+struct Solver {
+  std::string name;     ///< e.g. "nlopt-cobyla"
+  std::string version;  ///< of the library behind it
+  bool stochastic = false;
+  Capabilities capabilities = {};
+
+  /// Minimises from `start`, a point of the box, until it is done or the evaluator refuses. A run
+  /// restarts it elsewhere while budget is left. `random` is its only source of randomness. It may
+  /// be called from several threads at once.
+  std::function<SolverTermination(Evaluator&, const Vector& start, Random& random)> solve;
+
+  /// Returns true if the solver can run on the problem.
+  bool accepts(const Problem& problem) const { return capabilities.accept(problem); }
+};
+
+}  // namespace ricochet

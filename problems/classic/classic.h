@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// Problems from the literature with known optima: results are comparable with published ones.
 namespace ricochet::classic {

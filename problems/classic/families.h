@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "problems/family.h"
+#include "ricochet/families.h"
 
 namespace ricochet::classic {
 

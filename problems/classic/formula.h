@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// Problems from formulas. A formula is written once, for every scalar type:
 ///

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// The 116 test problems of Hock and Schittkowski, Test Examples for Nonlinear Programming Codes
 /// (1981), doi 10.1007/978-3-642-48320-2, "hs-<number>", with their numbers (82, 94 and 115 do not

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::classic {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// The 22 functions of the least-squares benchmark, each from its standard start times `scale`.
 /// Their names have no number yet: "<function>-<n>x<residuals>".

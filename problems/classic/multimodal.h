@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// Functions of n >= 1 variables with many valleys, "classic-<name>-<n>". Boxes and starts as in
 /// unimodal.h.

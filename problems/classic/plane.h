@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// Functions of two variables, "classic-<name>". Each doc comment says why the best point of the
 /// box is best on all of R^2.

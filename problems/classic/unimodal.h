@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// Functions of n >= 2 variables with one valley, "classic-<name>-<n>". If the usual box has the
 /// optimum at its centre, its lower end is moved to 3/5 of the way, because a solver that begins at

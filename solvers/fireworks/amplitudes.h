@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 /// Explosion amplitudes: how far sparks lie from their firework.
 namespace ricochet::fireworks {

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "ricochet/solver.h"
 #include "solvers/fireworks/amplitudes.h"
 #include "solvers/fireworks/box.h"
-#include "src/core/solver.h"
 
 namespace ricochet::fireworks {
 

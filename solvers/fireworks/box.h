@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet::fireworks {
 

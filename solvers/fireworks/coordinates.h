@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet::fireworks {
 

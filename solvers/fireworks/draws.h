@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet::fireworks {
 

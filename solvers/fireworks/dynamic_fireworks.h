@@ -2,12 +2,12 @@
 
 #include <string>
 
+#include "ricochet/solver.h"
 #include "solvers/fireworks/amplitudes.h"
 #include "solvers/fireworks/box.h"
 #include "solvers/fireworks/coordinates.h"
 #include "solvers/fireworks/selection.h"
 #include "solvers/fireworks/spark_counts.h"
-#include "src/core/solver.h"
 
 namespace ricochet::fireworks {
 

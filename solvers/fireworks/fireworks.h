@@ -3,13 +3,13 @@
 #include <optional>
 #include <string>
 
+#include "ricochet/solver.h"
 #include "solvers/fireworks/amplitudes.h"
 #include "solvers/fireworks/box.h"
 #include "solvers/fireworks/coordinates.h"
 #include "solvers/fireworks/selection.h"
 #include "solvers/fireworks/spark.h"
 #include "solvers/fireworks/spark_counts.h"
-#include "src/core/solver.h"
 
 /// The fireworks algorithm that optimised the driver plate's speed, equations (23)-(30) of the
 /// paper, which takes it from Tan & Zhu, Fireworks algorithm for optimization, ICSI 2010 (doi

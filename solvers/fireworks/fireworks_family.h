@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/solver.h"
+#include "ricochet/solver.h"
 
 namespace ricochet::fireworks {
 

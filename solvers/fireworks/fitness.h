@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::fireworks {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "src/core/solver.h"
+#include "ricochet/solver.h"
 
 namespace ricochet::fireworks {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 
 namespace ricochet::fireworks {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "src/core/problem.h"
-#include "src/core/random.h"
+#include "ricochet/problem.h"
+#include "ricochet/random.h"
 
 /// Selection of the points that survive a generation.
 namespace ricochet::fireworks {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 /// How the point x of a firework becomes that of a spark. `moved` are the coordinates that change.
 /// A spark may lie outside the box.

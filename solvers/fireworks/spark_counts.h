@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 namespace ricochet::fireworks {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 /// The directions of OrthoMADS: Abramson, Audet, Dennis and Le Digabel, SIAM J. Optim. 20 (2009)
 /// 948-966, doi 10.1137/080716980.

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "src/core/capabilities.h"
+#include "ricochet/capabilities.h"
 
 namespace ricochet {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
-#include "src/core/solver.h"
 
 namespace ricochet {
 

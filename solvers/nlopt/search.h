@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
+#include "ricochet/solver.h"
 #include "solvers/nlopt/algorithm.h"
 #include "solvers/unit_box.h"
-#include "src/core/solver.h"
 
 namespace ricochet {
 

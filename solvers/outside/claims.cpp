@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/one_line.h"
 
 namespace ricochet::outside {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "ricochet/evaluator.h"
 #include "solvers/outside/claims.h"
 #include "solvers/outside/line_program.h"
-#include "src/core/evaluator.h"
 
 /// The protocol between a solver and ricochet: every line is a JSON object; null stands for a
 /// number that is not finite. A violation throws std::runtime_error, which names the line and shows

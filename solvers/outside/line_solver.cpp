@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "solvers/outside/claims.h"
 #include "solvers/outside/conversation.h"
 #include "solvers/outside/line_program.h"
-#include "src/core/error.h"
 
 namespace ricochet::outside {
 namespace {

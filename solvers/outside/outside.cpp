@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "ricochet/error.h"
 #include "solvers/outside/line_solver.h"
 #include "solvers/outside/plugin.h"
-#include "src/core/error.h"
 
 namespace ricochet::outside {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "src/core/solver.h"
+#include "ricochet/solver.h"
 
 namespace ricochet::outside {
 

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "ricochet/error.h"
 #include "solvers/outside/claims.h"
 #include "solvers/unit_box.h"
-#include "src/core/error.h"
 #include "src/core/one_line.h"
 #include "src/interface/seen_problem.h"
 

@@ -4,8 +4,8 @@
 #include <pagmo/utils/hypervolume.hpp>
 #include <utility>
 
+#include "ricochet/random.h"
 #include "solvers/several_goals.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
 #include "solvers/settings.h"
-#include "src/core/solver.h"
 
 /// The solvers of pagmo, all in the unit cube. Populations begin with the start and points uniform
 /// in the box. Points without a finite value count as the worst. Unless stated otherwise, they take

@@ -7,7 +7,7 @@
 #include <pagmo/problem.hpp>
 #include <utility>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet {
 namespace {

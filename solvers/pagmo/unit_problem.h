@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "ricochet/solver.h"
 #include "solvers/adjustable_solver.h"
 #include "solvers/unit_box.h"
-#include "src/core/solver.h"
 
 /// Code shared by the solvers of pagmo.
 namespace ricochet {

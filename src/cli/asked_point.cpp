@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/near_names.h"
 #include "src/core/one_line.h"
 #include "src/report/json.h"

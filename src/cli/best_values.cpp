@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "problems/carrier_track/problems/families.h"
-#include "problems/families.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/families.h"
 #include "src/core/folder_lock.h"
 #include "src/core/text_file.h"
 #include "src/research/best_values/best_values.h"

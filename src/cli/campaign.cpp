@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/benchmark/experiment/campaign/frame.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
@@ -24,7 +25,6 @@
 #include "src/cli/provenance.h"
 #include "src/cli/tell.h"
 #include "src/cli/version.h"
-#include "src/core/error.h"
 #include "src/core/folder_lock.h"
 #include "src/core/progress.h"
 #include "src/research/suite/catalogue.h"

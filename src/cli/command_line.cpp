@@ -15,10 +15,10 @@
 #include <system_error>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "src/cli/old_names.h"
 #include "src/cli/tell.h"
 #include "src/cli/version.h"
-#include "src/core/error.h"
 #include "src/core/interruption.h"
 #include "src/core/near_names.h"
 #include "src/core/one_line.h"

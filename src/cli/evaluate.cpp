@@ -9,10 +9,10 @@
 #include <system_error>
 #include <vector>
 
-#include "problems/families.h"
+#include "ricochet/error.h"
+#include "ricochet/families.h"
 #include "src/cli/named.h"
 #include "src/cli/outside_run.h"
-#include "src/core/error.h"
 #include "src/core/instance.h"
 #include "src/core/one_line.h"
 #include "src/report/json.h"

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "problems/carrier_track/problems/cases.h"
-#include "problems/families.h"
-#include "solvers/solvers.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/families.h"
+#include "ricochet/solvers.h"
 #include "src/core/near_names.h"
 #include "src/report/json.h"
 #include "src/research/paper/fitted_interpretation.h"

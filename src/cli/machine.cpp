@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include "problems/carrier_track/advice/study.h"
+#include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_doubts.h"
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/scene.h"
 #include "src/cli/scene_choice.h"
 #include "src/cli/tell.h"
 
@@ -37,7 +38,7 @@ int check_machine(const std::string& scene_file) {
 int advise_machine(const std::string& scene_file, const QuietSpeedRequest& asked,
                    const std::string& folder) {
   const ChosenScene chosen = choose_scene({"", scene_file});
-  refuse_profile(chosen.scene, chosen.name);
+  carrier_track::check_constant_speed(chosen.scene, chosen.name);
   const studies::Study study =
       studies::advice_study({chosen.name, chosen.scene, options_of(asked), asked.tolerance / 100});
   tell(studies::run(study, false, folder));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/near_names.h"
 
 namespace ricochet::cli {

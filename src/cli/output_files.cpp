@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet::cli {
 namespace {

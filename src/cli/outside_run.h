@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "ricochet/evaluator.h"
 #include "src/cli/asked_point.h"
-#include "src/core/evaluator.h"
 #include "src/report/json.h"
 
 namespace ricochet::cli {

@@ -12,11 +12,11 @@
 #include "embedded/plan_template.h"
 #include "embedded/quick_plan.h"
 #include "embedded/slurm_template.h"
+#include "ricochet/error.h"
 #include "solvers/varied.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/cli/campaign_size.h"
 #include "src/cli/cores.h"
-#include "src/core/error.h"
 #include "src/report/filled_text.h"
 #include "src/research/suite/catalogue.h"
 

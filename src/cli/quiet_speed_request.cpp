@@ -5,7 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::cli {
 namespace {
@@ -36,21 +37,15 @@ std::optional<Limit> limit_of(const QuietSpeedRequest& request) {
 }  // namespace
 
 carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request) {
-  if (!(request.fastest >= 0.1 && request.fastest <= 1000)) {
-    throw InputError(
-        fmt::format("--fastest {}: must be within 0.1..1000 [rad/s]", request.fastest));
+  if (!(request.fastest >= carrier_track::shortest_range &&
+        request.fastest <= carrier_track::longest_range)) {
+    throw InputError(fmt::format("--fastest {}: must be within {}..{} [rad/s]", request.fastest,
+                                 carrier_track::shortest_range, carrier_track::longest_range));
   }
   if (!(request.tolerance >= 0 && request.tolerance <= 50)) {
     throw InputError(fmt::format("--tolerance {}: must be within 0..50 [%]", request.tolerance));
   }
   return {.limit = limit_of(request), .fastest = request.fastest};
-}
-
-void refuse_profile(const carrier_track::Scene& scene, const std::string& name) {
-  if (scene.profile.empty()) return;
-  throw InputError(name +
-                   ": scene.omega is a profile: must be a number, because a threshold is of "
-                   "constant speeds");
 }
 
 }  // namespace ricochet::cli

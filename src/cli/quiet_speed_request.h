@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "problems/carrier_track/counting/quiet_speed.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::cli {
 
@@ -18,8 +18,5 @@ struct QuietSpeedRequest {
 
 /// Throws InputError if a value is out of range, or if more than one limit is given.
 carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request);
-
-/// Throws InputError for a scene with a speed profile: a threshold needs constant speeds.
-void refuse_profile(const carrier_track::Scene& scene, const std::string& name);
 
 }  // namespace ricochet::cli

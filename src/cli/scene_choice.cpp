@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "problems/carrier_track/scene/scene_file.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/scene.h"
 #include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::cli {

@@ -13,8 +13,10 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "ricochet/error.h"
+#include "ricochet/recording.h"
+#include "ricochet/simulate.h"
 #include "src/cli/output_files.h"
-#include "src/core/error.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/json.h"
@@ -197,7 +199,8 @@ int simulate(const SimulateOptions& options) {
   }
   refuse_same_files(options);
   const bool path = !options.csv.empty() || !options.plot.empty();
-  const Recording recording = record(chosen.scene, options.smoothing, path ? 2000 : 0);
+  const Recording recording =
+      carrier_track::simulate(chosen.scene, options.smoothing, path ? 2000 : 0);
   std::deque<TextDraft> drafts;
   if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(recording));
   report::Plot plot;

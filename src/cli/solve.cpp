@@ -9,17 +9,17 @@
 #include <optional>
 #include <vector>
 
-#include "problems/families.h"
+#include "ricochet/error.h"
+#include "ricochet/families.h"
+#include "ricochet/solvers.h"
+#include "ricochet/verdict.h"
 #include "solvers/outside/outside.h"
-#include "solvers/solvers.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/cli/named.h"
-#include "src/core/error.h"
 #include "src/core/instance.h"
 #include "src/core/seed.h"
 #include "src/core/text_file.h"
-#include "src/core/verdict.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/json.h"
 #include "src/research/suite/families.h"

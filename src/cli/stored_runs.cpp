@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
-#include "src/core/error.h"
 #include "src/report/json.h"
 #include "src/research/suite/catalogue.h"
 

@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "problems/carrier_track/check/verification/study.h"
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 #include "src/benchmark/problem_pages/study.h"
 #include "src/benchmark/stress/study.h"
 #include "src/cli/best_values.h"

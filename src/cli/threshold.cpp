@@ -9,8 +9,10 @@
 #include "problems/carrier_track/advice/quiet_speed_answer.h"
 #include "problems/carrier_track/advice/staircase_chart.h"
 #include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/scene/scene_check.h"
+#include "ricochet/error.h"
+#include "ricochet/threshold.h"
 #include "src/cli/output_files.h"
-#include "src/core/error.h"
 #include "src/core/progress.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
@@ -165,7 +167,7 @@ int threshold(const ThresholdOptions& options) {
     return threshold_of_all(scan, options.json);
   }
   const ChosenScene chosen = choose_scene(options.scene);
-  refuse_profile(chosen.scene, chosen.name);
+  carrier_track::check_constant_speed(chosen.scene, chosen.name);
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
   const auto start = std::chrono::steady_clock::now();
   const QuietSpeedAnswer output =

@@ -5,8 +5,9 @@
 #include "problems/carrier_track/check/oracle/hostile_scenes.h"
 #include "problems/carrier_track/check/oracle/oracle.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/scene/scene_file.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/json.h"
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 
 namespace ricochet::cli {
 

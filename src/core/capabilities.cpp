@@ -1,4 +1,4 @@
-#include "src/core/capabilities.h"
+#include "ricochet/capabilities.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

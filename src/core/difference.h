@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 /// Accurate derivatives by extrapolated differences: the reference for exact derivatives.
 namespace ricochet {

@@ -1,4 +1,4 @@
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 
 #include <algorithm>
 #include <cmath>

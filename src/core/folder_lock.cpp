@@ -7,7 +7,7 @@
 
 #include <cerrno>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/problem.h"
 #include "src/core/near_names.h"
 #include "src/core/penalty.h"
-#include "src/core/problem.h"
 
 namespace ricochet {
 

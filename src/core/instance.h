@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/core/problem.h"
-#include "src/core/random.h"
+#include "ricochet/problem.h"
+#include "ricochet/random.h"
 
 namespace ricochet {
 

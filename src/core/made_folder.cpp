@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/text_file.h"
 
 namespace ricochet {

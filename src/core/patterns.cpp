@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/near_names.h"
 
 namespace ricochet {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet {
 

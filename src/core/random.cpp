@@ -1,4 +1,4 @@
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 #include <algorithm>
 #include <cmath>

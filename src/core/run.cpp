@@ -1,10 +1,11 @@
-#include "src/core/run.h"
+#include "ricochet/run.h"
 
 #include <limits>
 #include <new>
 #include <utility>
 
 #include "src/core/instance.h"
+#include "src/core/scorer.h"
 #include "src/core/seed.h"
 
 namespace ricochet {

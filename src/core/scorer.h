@@ -4,18 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "src/core/problem.h"
-#include "src/core/stopwatch.h"
+#include "ricochet/improvement.h"
+#include "ricochet/problem.h"
+#include "ricochet/stopwatch.h"
 
 namespace ricochet {
-
-/// A point whose true objective was better than that of every earlier one.
-struct Improvement {
-  std::int64_t evaluations;  ///< charged up to its evaluation
-  double seconds;
-  TrueValues true_values;
-  Vector x;
-};
 
 /// Scores the points of a run on the true objective and keeps the improvements. The run holds it;
 /// a solver does not see it.

@@ -1,4 +1,4 @@
-#include "src/core/stopwatch.h"
+#include "ricochet/stopwatch.h"
 
 #include <algorithm>
 

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet {
 namespace {

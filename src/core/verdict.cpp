@@ -1,4 +1,4 @@
-#include "src/core/verdict.h"
+#include "ricochet/verdict.h"
 
 namespace ricochet {
 

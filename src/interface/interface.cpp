@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "problems/families.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/families.h"
 #include "src/core/instance.h"
 #include "src/core/near_names.h"
 #include "src/interface/last_error.h"

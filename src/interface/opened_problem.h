@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "src/core/evaluator.h"
-#include "src/core/random.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/random.h"
 #include "src/interface/seen_problem.h"
 
 namespace ricochet::interface {

@@ -4,8 +4,8 @@
 
 #include <exception>
 
-#include "src/core/evaluator.h"
-#include "src/core/random.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/random.h"
 
 namespace ricochet::interface {
 

@@ -21,7 +21,7 @@
 #include "embedded/template_stress.h"
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/report/data_text.h"
 #include "src/report/page_template.h"
 #include "src/report/template_part.h"

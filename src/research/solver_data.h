@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/solver.h"
+#include "ricochet/solver.h"
 #include "src/report/json.h"
 
 namespace ricochet::studies {

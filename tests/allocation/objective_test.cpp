@@ -7,6 +7,7 @@
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/enum_names.h"
+#include "problems/carrier_track/scene/lifted.h"
 #include "tests/allocation/allocations.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/verdict.h"
 #include "src/core/difference.h"
 #include "src/core/instance.h"
 #include "src/core/seed.h"
-#include "src/core/verdict.h"
 
 /// What every problem of a list must fulfil.
 namespace ricochet::classic {

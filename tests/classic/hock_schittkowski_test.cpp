@@ -10,7 +10,7 @@
 #include <string>
 
 #include "problems/classic/classic.h"
-#include "src/core/verdict.h"
+#include "ricochet/verdict.h"
 #include "tests/classic/claims.h"
 
 namespace ricochet::classic {

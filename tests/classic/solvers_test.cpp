@@ -1,4 +1,4 @@
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +12,7 @@
 
 #include "problems/classic/classic.h"
 #include "problems/classic/least_squares.h"
+#include "src/core/scorer.h"
 #include "tests/classic/claims.h"
 
 /// Solvers on problems whose optima are published.

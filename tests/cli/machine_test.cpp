@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/scene.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

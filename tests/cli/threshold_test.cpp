@@ -10,6 +10,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/threshold.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {

@@ -1,6 +1,6 @@
-# Installs the build into an empty folder, builds two projects with what is there, and runs them:
-#   cmake -D BUILD=... -D SOURCE=... -D FOLDER=... -D COMPILER=... -P install_and_use.cmake
-# SOURCE is the project in C++; beside this file is the one in C.
+# Installs the build into an empty folder, builds three projects with what is there, and runs them:
+#   cmake -D BUILD=... -D EXAMPLES=... -D FOLDER=... -D COMPILER=... -P install_and_use.cmake
+# EXAMPLES has two projects in C++, of a solver and of a machine; beside this file is one in C.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -12,8 +12,22 @@ endfunction()
 
 file(REMOVE_RECURSE ${FOLDER})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/prefix)
-build(${SOURCE} ${FOLDER}/build)
+build(${EXAMPLES}/solvers/library ${FOLDER}/build)
 run(${FOLDER}/build/consumer)
+build(${EXAMPLES}/machine ${FOLDER}/machine)
+execute_process(COMMAND ${FOLDER}/machine/machine ${EXAMPLES}/machine.toml
+  OUTPUT_VARIABLE from_library COMMAND_ERROR_IS_FATAL ANY)
+execute_process(
+  COMMAND ${FOLDER}/prefix/bin/ricochet threshold --scene ${EXAMPLES}/machine.toml --format json
+  OUTPUT_VARIABLE from_program COMMAND_ERROR_IS_FATAL ANY)
+string(JSON speed GET "${from_program}" fastest_quiet)
+if(NOT from_library MATCHES "fastest_quiet ${speed}0*\n")
+  message(FATAL_ERROR "the program says ${speed}, the library:\n${from_library}")
+endif()
+file(GLOB beside LIST_DIRECTORIES true ${FOLDER}/prefix/include/*)
+if(NOT beside STREQUAL "${FOLDER}/prefix/include/ricochet")
+  message(FATAL_ERROR "other headers than the public ones are installed: ${beside}")
+endif()
 build(${CMAKE_CURRENT_LIST_DIR} ${FOLDER}/asks)
 run(${FOLDER}/asks/asks)
 run(${FOLDER}/prefix/bin/ricochet list solvers)

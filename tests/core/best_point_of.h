@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 #include "src/core/instance.h"
 
 namespace ricochet {

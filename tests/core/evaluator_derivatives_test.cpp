@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 #include "src/core/scorer.h"
 #include "tests/core/test_problems.h"
 

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet {
 namespace {

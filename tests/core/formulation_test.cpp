@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "src/core/error.h"
-#include "src/core/problem.h"
-#include "src/core/verdict.h"
+#include "ricochet/error.h"
+#include "ricochet/problem.h"
+#include "ricochet/verdict.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

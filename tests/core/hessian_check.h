@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "ricochet/problem.h"
 #include "src/core/difference.h"
-#include "src/core/problem.h"
 
 namespace ricochet {
 

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet {

@@ -5,7 +5,8 @@
 #include <concepts>
 #include <type_traits>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
+#include "src/core/scorer.h"
 
 namespace ricochet {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 #include <gtest/gtest.h>
 

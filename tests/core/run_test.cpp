@@ -1,10 +1,10 @@
-#include "src/core/run.h"
+#include "ricochet/run.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "src/core/verdict.h"
+#include "ricochet/verdict.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 #include "tests/core/test_problems.h"
 
 namespace ricochet {

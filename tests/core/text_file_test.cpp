@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/core/temporary_folder.h"
 
 namespace ricochet {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet {
 namespace {

@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "problems/families.h"
+#include "ricochet/families.h"
+#include "ricochet/random.h"
 #include "src/core/instance.h"
-#include "src/core/random.h"
 #include "src/research/suite/families.h"
 
 namespace ricochet {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet::outside {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/outside/scripts.h"
 
 namespace ricochet::outside {

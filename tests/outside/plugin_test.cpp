@@ -7,8 +7,8 @@
 #include <fstream>
 #include <future>
 
-#include "src/core/error.h"
-#include "src/core/run.h"
+#include "ricochet/error.h"
+#include "ricochet/run.h"
 #include "tests/outside/scripts.h"
 #include "tests/solvers/test_problems.h"
 

@@ -7,8 +7,8 @@
 
 #include "problems/carrier_track/problems/best_known.h"
 #include "problems/carrier_track/problems/families.h"
-#include "problems/families.h"
-#include "src/core/verdict.h"
+#include "ricochet/families.h"
+#include "ricochet/verdict.h"
 #include "src/research/paper/calibration_problem.h"
 
 namespace ricochet {

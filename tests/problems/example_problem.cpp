@@ -3,6 +3,7 @@
 #include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/problems/problem_from_function.h"
 #include "problems/carrier_track/problems/speed_problem.h"
+#include "problems/carrier_track/scene/lifted.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "problems/carrier_track/problems/machine.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// The problem that CONTRIBUTING.md shows how to add.
 namespace ricochet::carrier_track {

@@ -1,4 +1,4 @@
-#include "problems/families.h"
+#include "ricochet/families.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 
 #include "problems/carrier_track/problems/families.h"
+#include "ricochet/verdict.h"
 #include "src/core/instance.h"
 #include "src/core/seed.h"
-#include "src/core/verdict.h"
 #include "src/research/suite/families.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

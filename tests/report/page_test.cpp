@@ -11,7 +11,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/report/sample_charts.h"
 
 namespace ricochet::report {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ricochet/run.h"
 #include "src/core/instance.h"
-#include "src/core/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

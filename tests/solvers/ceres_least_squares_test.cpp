@@ -7,7 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
+#include "src/core/scorer.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

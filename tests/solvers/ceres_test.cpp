@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
+#include "src/core/scorer.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "ricochet/run.h"
+#include "ricochet/solvers.h"
 #include "solvers/nlopt/nlopt.h"
-#include "solvers/solvers.h"
-#include "src/core/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -11,8 +11,9 @@
 
 #include "problems/carrier_track/problems/families.h"
 #include "problems/classic/families.h"
-#include "solvers/solvers.h"
-#include "src/core/run.h"
+#include "ricochet/recording.h"
+#include "ricochet/run.h"
+#include "ricochet/solvers.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

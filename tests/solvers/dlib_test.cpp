@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

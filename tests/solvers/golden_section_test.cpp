@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "problems/classic/multimodal.h"
+#include "ricochet/run.h"
 #include "src/core/instance.h"
-#include "src/core/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

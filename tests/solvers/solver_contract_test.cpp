@@ -12,8 +12,8 @@
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/count.h"
 #include "problems/carrier_track/problems/top_speed.h"
-#include "solvers/solvers.h"
-#include "src/core/run.h"
+#include "ricochet/run.h"
+#include "ricochet/solvers.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/solvers/test_problems.h"
 

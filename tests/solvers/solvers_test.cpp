@@ -1,12 +1,12 @@
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 
 #include <gmock/gmock.h>
 
 #include <string>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "solvers/fireworks/fireworks.h"
-#include "src/core/error.h"
 #include "src/core/scorer.h"
 #include "tests/solvers/test_problems.h"
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/run.h"
 #include "solvers/ipopt.h"
-#include "src/core/run.h"
 #include "tests/solvers/test_problems.h"
 
 namespace ricochet {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/core/problem.h"
-#include "src/core/solver.h"
+#include "ricochet/problem.h"
+#include "ricochet/solver.h"
 
 /// The small problems that every solver is put to.
 namespace ricochet {

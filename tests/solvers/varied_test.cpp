@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "problems/classic/families.h"
+#include "ricochet/error.h"
+#include "ricochet/solvers.h"
 #include "solvers/fireworks/bare_bones_fireworks.h"
-#include "solvers/solvers.h"
-#include "src/core/error.h"
 #include "tests/solvers/fireworks/asked_points.h"
 #include "tests/solvers/test_problems.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::studies::advice {
 

@@ -8,6 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "problems/carrier_track/counting/limit.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/threshold.h"
+
 namespace ricochet::studies::advice {
 namespace {
 

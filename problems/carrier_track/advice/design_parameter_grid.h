@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/carrier_track/advice/design_parameter.h"
-#include "problems/carrier_track/counting/quiet_speed.h"
+#include "ricochet/threshold.h"
 #include "src/report/json.h"
 
 /// How a machine's fastest quiet speed depends on its constants.

@@ -2,6 +2,7 @@
 
 #include "problems/carrier_track/advice/design_parameter_grid.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::studies::advice {
 

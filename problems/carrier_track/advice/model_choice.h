@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problems/carrier_track/counting/quiet_speed.h"
+#include "ricochet/threshold.h"
 #include "src/report/json.h"
 
 namespace ricochet::studies::advice {

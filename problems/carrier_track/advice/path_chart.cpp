@@ -6,7 +6,9 @@
 #include <utility>
 #include <variant>
 
+#include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/window.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::studies {
 

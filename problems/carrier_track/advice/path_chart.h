@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/recording.h"
+#include "ricochet/recording.h"
 #include "src/report/chart.h"
 
 namespace ricochet::studies {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "ricochet/threshold.h"
+
 namespace ricochet::carrier_track {
 
 RICOCHET_WRITTEN_AS_JSON(Level, from, to, low, typical, high);

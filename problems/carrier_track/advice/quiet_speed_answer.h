@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "problems/carrier_track/counting/quiet_speed.h"
 #include "problems/carrier_track/counting/sensitivity.h"
+#include "ricochet/threshold.h"
 #include "src/report/json.h"
 
 namespace ricochet::studies::advice {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "ricochet/recording.h"
+#include "ricochet/threshold.h"
+
 namespace ricochet::studies::advice {
 
 using namespace carrier_track;

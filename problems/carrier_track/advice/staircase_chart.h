@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/counting/quiet_speed.h"
+#include "ricochet/recording.h"
+#include "ricochet/threshold.h"
 #include "src/report/chart.h"
 
 namespace ricochet::studies::advice {

@@ -10,7 +10,11 @@
 #include "problems/carrier_track/advice/path_chart.h"
 #include "problems/carrier_track/advice/quiet_speed_answer.h"
 #include "problems/carrier_track/advice/staircase_chart.h"
+#include "problems/carrier_track/counting/limit.h"
+#include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/scene/scene_doubts.h"
+#include "ricochet/recording.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::studies {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "problems/carrier_track/counting/quiet_speed.h"
+#include "ricochet/threshold.h"
 #include "src/report/site/study.h"
 
 namespace ricochet::studies {

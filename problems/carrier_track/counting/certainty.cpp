@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "problems/carrier_track/scene/perturbation.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

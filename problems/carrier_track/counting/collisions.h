@@ -5,6 +5,8 @@
 
 #include "problems/carrier_track/counting/fidelity_choice.h"
 #include "problems/carrier_track/models/observer_pair.h"
+#include "ricochet/recording.h"
+#include "ricochet/simulate.h"
 
 /// The objective of the paper, equations (31)-(33), defined once. A simulation yields features,
 /// each with a margin z; a feature counts if z > 0:
@@ -16,10 +18,6 @@
 /// rule of impacts the surrogate is therefore continuous where the count jumps. Under the rule of
 /// peaks it is not: a new maximum may have any height.
 namespace ricochet::carrier_track::inline counting {
-
-/// The default smoothing parameter: the weight of an impact is 0.5 at the counting limit, 0.9 at
-/// 1.73 times the limit.
-inline constexpr double default_smoothing = 0.25;
 
 /// Weight of a feature of margin z at smoothing parameter s: the Heaviside step (1 where z > 0) for
 /// s = 0, else the logistic 1 / (1 + exp(-z / s)).

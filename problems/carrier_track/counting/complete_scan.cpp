@@ -7,6 +7,7 @@
 
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/motion_sketch.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

@@ -4,15 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track::inline counting {
-
-/// A range of speeds with the same collision count.
-struct CountPiece {
-  double from, to;  ///< [rad/s]
-  int count;
-};
 
 struct CompleteScan {
   std::vector<CountPiece> pieces;  ///< by increasing speed; gaps are at most the resolution

@@ -5,6 +5,9 @@
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/models/impact_lanes.h"
+#include "problems/carrier_track/scene/scene_check.h"
+#include "ricochet/recording.h"
+#include "ricochet/simulate.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -71,6 +74,12 @@ std::vector<int> counts_at(const Scene& scene, std::span<const double> speeds) {
   run_all(scene_at, observers);
   for (const ImpactCount& observer : observers) counts.push_back(observer.count);
   return counts;
+}
+
+std::vector<int> counts(const Scene& scene, std::span<const double> speeds) {
+  check(scene, "scene");
+  for (const double omega : speeds) check_omega(at_speed(scene, omega), "scene", "speed");
+  return counts_at(scene, speeds);
 }
 
 }  // namespace ricochet::carrier_track::inline counting

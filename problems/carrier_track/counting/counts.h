@@ -6,7 +6,8 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/models/observer.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 /// objective() for many scenes, with the same bits. If possible they are simulated side by side
 /// (impact_lanes.h), which is several times as fast. Neighbours should be similar.

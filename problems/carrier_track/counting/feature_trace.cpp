@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline counting {
 

@@ -9,16 +9,10 @@
 
 #include "problems/carrier_track/models/observer.h"
 #include "problems/carrier_track/scene/perturbation.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline counting {
-
-/// A turning point that comes near the wall ahead of it without touching it.
-struct Graze {
-  double time;  ///< [s]
-  Wall wall;
-  double distance;  ///< [m], > 0
-};
 
 /// Records of a simulation, for comparison with that of a slightly different scene: its features
 /// (collisions.h), impacts and nearest graze.

@@ -3,7 +3,8 @@
 #include <type_traits>
 
 #include "problems/carrier_track/models/simulate.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline counting {
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/scene/window.h"
+#include "ricochet/recording.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

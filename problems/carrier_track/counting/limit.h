@@ -4,22 +4,10 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/threshold.h"
 
 /// A limit that a user sets on the collisions, the energy or the impact speed of a machine.
 namespace ricochet::carrier_track::inline counting {
-
-/// The quantity of a window that a limit refers to.
-enum class Measure {
-  collisions,           ///< in the window
-  collisions_per_turn,  ///< of the driver plate
-  energy,               ///< [J], dissipated by the walls in the window, see wear.h
-  impact_speed          ///< [m/s], speed of the fastest impact
-};
-
-struct Limit {
-  Measure measure = Measure::collisions;
-  double at_most = 0;
-};
 
 /// The measure of a valid scene at the speed of the scene.
 double measured(const Scene& scene, Measure measure);

@@ -8,7 +8,9 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/scene/lifted.h"
 #include "problems/carrier_track/scene/window.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "problems/carrier_track/scene/perturbation.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

@@ -9,7 +9,8 @@
 #include "problems/carrier_track/counting/feature_trace.h"
 #include "problems/carrier_track/models/impact_lanes.h"
 #include "problems/carrier_track/models/simulate.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline counting {
 

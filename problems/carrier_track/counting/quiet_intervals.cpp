@@ -1,5 +1,7 @@
 #include "problems/carrier_track/counting/quiet_intervals.h"
 
+#include "ricochet/threshold.h"
+
 namespace ricochet::carrier_track::inline counting {
 
 std::vector<QuietInterval> quiet_intervals(const SpeedScan& scan, double limit) {

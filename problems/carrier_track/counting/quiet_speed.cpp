@@ -1,10 +1,19 @@
-#include "problems/carrier_track/counting/quiet_speed.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/counting/complete_scan.h"
 #include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/limit.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/counting/staircase.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/window.h"
+#include "ricochet/error.h"
+#include "ricochet/recording.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -42,9 +51,25 @@ CountThere count_there(const Scene& scene, double omega) {
           recording.certainty.reason};
 }
 
+void check(const QuietSpeedOptions& options) {
+  const auto within = [](const char* name, double x, double lowest, double highest) {
+    if (x >= lowest && x <= highest) return;
+    throw InputError(
+        fmt::format("{} = {}: must be within {}..{} [rad/s]", name, x, lowest, highest));
+  };
+  within("fastest", options.fastest, shortest_range, longest_range);
+  within("step", options.step, options.fastest * 1e-7, options.fastest / 10);
+  if (options.limit && !(options.limit->at_most >= 0 && std::isfinite(options.limit->at_most))) {
+    throw InputError(fmt::format("limit = {}: must be finite and >= 0", options.limit->at_most));
+  }
+}
+
 }  // namespace
 
 QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
+  check(scene, "scene");
+  check_constant_speed(scene, "scene");
+  check(options);
   QuietSpeed answer;
   answer.options = options;
   answer.scan = scan_logarithmically(scene, slowest_scanned, judged_share * options.fastest);

@@ -1,12 +1,18 @@
 #include "problems/carrier_track/counting/recording.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "problems/carrier_track/counting/certainty.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
+#include "ricochet/error.h"
+#include "ricochet/recording.h"
+#include "ricochet/simulate.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -77,6 +83,14 @@ Recording record(const Scene& asked, double smoothing, std::size_t samples) {
   for (const Peak& p : recording.peaks) features.peak(p.time, p.position);
   recording.certainty = certainty_of(scene, recorder.trace(), neighbours);
   return recording;
+}
+
+Recording simulate(const Scene& scene, double smoothing, std::size_t samples) {
+  check(scene, "scene");
+  if (!(smoothing > 0 && std::isfinite(smoothing))) {
+    throw InputError(fmt::format("smoothing = {}: must be a finite number > 0", smoothing));
+  }
+  return record(scene, smoothing, samples);
 }
 
 std::vector<Feature> features_of(const Scene& scene, const Recording& recording) {

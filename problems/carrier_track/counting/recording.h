@@ -4,38 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "problems/carrier_track/counting/certainty.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline counting {
-
-struct Impact {
-  double time;  ///< [s]
-  Wall wall;
-  double speed;  ///< [m/s], approach speed
-};
-
-struct Peak {
-  double time;      ///< [s]
-  double position;  ///< [m]
-};
-
-struct Sample {
-  double time;      ///< [s]
-  double position;  ///< [m]
-  double velocity;  ///< [m/s]
-};
-
-/// All results of one simulation.
-struct Recording {
-  Fidelity fidelity = Fidelity::impact;  ///< the level simulated; for auto the one needed
-  int count = 0;
-  double surrogate = 0;
-  Certainty certainty;  ///< of the count
-  std::vector<Impact> impacts;
-  std::vector<Peak> peaks;
-  std::vector<Sample> path;
-  End<double> end{};
-};
 
 /// Simulates a valid scene and keeps everything. The path is sampled at the ends of every stretch,
 /// at every step in a compliant wall, and evenly in between, about `samples` times in the window;

@@ -8,7 +8,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "src/core/random.h"
+#include "problems/carrier_track/counting/limit.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/scene/scene_fields.h"
+#include "ricochet/random.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/limit.h"
+#include "ricochet/threshold.h"
 
 /// Sensitivity of the fastest quiet speed to the constants of a machine, none of which is known
 /// exactly.

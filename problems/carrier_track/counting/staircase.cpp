@@ -6,6 +6,8 @@
 
 #include "problems/carrier_track/counting/count_in_blocks.h"
 #include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

@@ -4,6 +4,9 @@
 #include <limits>
 #include <vector>
 
+#include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/threshold.h"
+
 namespace ricochet::carrier_track::inline counting {
 namespace {
 

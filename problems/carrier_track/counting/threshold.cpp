@@ -9,6 +9,7 @@
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/count_in_blocks.h"
 #include "problems/carrier_track/counting/counts.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {

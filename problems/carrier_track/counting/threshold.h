@@ -6,19 +6,12 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/claim.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
+#include "ricochet/threshold.h"
 
 /// Defines the threshold of a staircase of counts, and the other parts of the score of an
 /// interpretation of the paper (paper.md, section 6).
 namespace ricochet::carrier_track::inline counting {
-
-/// Collision counts at the evenly spaced speeds step, 2 step, ..., highest.
-struct SpeedScan {
-  double step;              ///< [rad/s]
-  std::vector<int> counts;  ///< counts[k] belongs to omega(k)
-
-  double omega(std::size_t k) const { return static_cast<double>(k + 1) * step; }
-};
 
 /// The collision count at a speed [rad/s]. May be called from several threads at once.
 using CountAt = std::function<int(double omega)>;
@@ -31,14 +24,6 @@ SpeedScan scan_speeds(const Scene& scene, double step, double highest);
 
 /// Every `stride`-th speed of a scan.
 SpeedScan thinned(const SpeedScan& scan, std::size_t stride);
-
-/// The speed that best divides a set of counts into quiet below and loud above; quiet means <=
-/// limit (see quiet_limit).
-struct Split {
-  std::optional<double> speed;       ///< [rad/s], midway between two scanned speeds
-  std::optional<double> first_loud;  ///< [rad/s], lowest scanned speed that is loud
-  double misclassified = 0;          ///< share of the scanned speeds on the wrong side, in [0, 1]
-};
 
 /// The split that misclassifies the fewest speeds, on a tie the lowest. It has no speed if calling
 /// all speeds loud, or all quiet, misclassifies the fewest: then there is no threshold in the

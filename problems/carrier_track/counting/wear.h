@@ -1,6 +1,8 @@
 #pragma once
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline counting {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "problems/carrier_track/events/event.h"
-#include "problems/carrier_track/scene/scalar.h"
+#include "ricochet/scalar.h"
 
 namespace ricochet::carrier_track::inline events {
 

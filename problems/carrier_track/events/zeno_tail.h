@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/scene/scalar.h"
+#include "ricochet/scalar.h"
 
 namespace ricochet::carrier_track::inline events {
 

@@ -7,7 +7,7 @@
 
 #include "problems/carrier_track/flight/flight.h"
 #include "problems/carrier_track/flight/plate_forces.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline flight {
 

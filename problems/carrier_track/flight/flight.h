@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "problems/carrier_track/flight/harmonic.h"
-#include "problems/carrier_track/scene/scalar.h"
+#include "ricochet/scalar.h"
 
 namespace ricochet::carrier_track::inline flight {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "problems/carrier_track/scene/scalar.h"
+#include "ricochet/scalar.h"
 
 namespace ricochet::carrier_track::inline flight {
 

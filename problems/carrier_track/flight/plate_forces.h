@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/flight/flight.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline flight {
 

@@ -7,7 +7,7 @@
 
 #include "problems/carrier_track/flight/dual_ramp_flight.h"
 #include "problems/carrier_track/flight/ramp_flight.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline flight {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/scene/lifted.h"
+
 namespace ricochet::carrier_track::inline gradients {
 
 Slope surrogate_slope(const Scene& scene, double smoothing, double range) {

@@ -4,6 +4,7 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/gradients/derivatives.h"
+#include "problems/carrier_track/scene/lifted.h"
 
 namespace ricochet::carrier_track::inline gradients {
 

@@ -5,7 +5,8 @@
 #include <limits>
 
 #include "problems/carrier_track/models/impact_model.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
+#include "ricochet/recording.h"
 
 /// How far exact derivatives of a motion can be trusted. They are valid while the motion keeps its
 /// structure: the same impacts, the same turning points. Dual numbers give the rate of change of

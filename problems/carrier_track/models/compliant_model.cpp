@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/scene/contact_law.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline models {
 namespace {

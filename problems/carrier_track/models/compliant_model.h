@@ -10,7 +10,8 @@
 #include "problems/carrier_track/flight/applied_forces.h"
 #include "problems/carrier_track/models/contact_motion.h"
 #include "problems/carrier_track/models/impact_model.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline models {
 

@@ -6,6 +6,7 @@
 #include "problems/carrier_track/flight/profile_forces.h"
 #include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/models/observer.h"
+#include "ricochet/recording.h"
 
 /// Simulations of dual numbers. They take long to compile, so they are compiled once for each type
 /// of dual number that the problems use, in dual_simulation.cpp and dual_hessian_simulation.cpp,

@@ -15,7 +15,8 @@
 #include "problems/carrier_track/flight/flight.h"
 #include "problems/carrier_track/models/lanes.h"
 #include "problems/carrier_track/models/observer.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline models {
 

@@ -8,6 +8,7 @@
 
 #include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/models/lanes.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline models {
 

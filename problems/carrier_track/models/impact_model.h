@@ -5,8 +5,10 @@
 #include "problems/carrier_track/flight/applied_forces.h"
 #include "problems/carrier_track/flight/profile_forces.h"
 #include "problems/carrier_track/models/hard_wall_motion.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
 #include "problems/carrier_track/scene/window.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline models {
 

@@ -1,19 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline models {
-
-enum class Wall { lower, upper };
-
-/// The state in which a simulation ended.
-template <class Scalar>
-struct End {
-  Scalar time;               ///< [s]
-  Scalar position;           ///< [m]
-  Scalar velocity;           ///< [m/s]
-  std::int64_t evaluations;  ///< of the closed-form flight
-};
 
 /// The events that a simulation reports while it runs. An observer hides the functions that it
 /// needs.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "problems/carrier_track/models/observer.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline models {
 

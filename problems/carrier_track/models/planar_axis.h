@@ -8,6 +8,7 @@
 #include "problems/carrier_track/flight/applied_forces.h"
 #include "problems/carrier_track/flight/profile_forces.h"
 #include "problems/carrier_track/models/hard_wall_motion.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline models {
 

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "problems/carrier_track/models/planar_axis.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline models {
 

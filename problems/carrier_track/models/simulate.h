@@ -7,6 +7,7 @@
 #include "problems/carrier_track/models/dual_simulation.h"
 #include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/models/planar_model.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline models {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "embedded/best_known_text.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/suite_version.h"
 #include "src/core/toml_text.h"
 

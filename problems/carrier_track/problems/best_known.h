@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::carrier_track::inline problems {
 

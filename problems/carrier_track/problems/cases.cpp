@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/near_names.h"
 
 namespace ricochet::carrier_track::inline problems {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/claim.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline problems {
 

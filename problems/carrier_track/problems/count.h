@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "problems/carrier_track/problems/machine.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// The speed with the fewest collisions.
 namespace ricochet::carrier_track::inline problems {

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "embedded/default_machine_text.h"
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/scene.h"
 #include "src/core/fnv_hash.h"
 
 namespace ricochet::carrier_track::inline problems {

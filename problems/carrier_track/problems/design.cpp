@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/best_known.h"
 #include "problems/carrier_track/problems/problem_from_function.h"

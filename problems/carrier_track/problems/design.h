@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "problems/carrier_track/problems/machine.h"
+#include "problems/carrier_track/scene/lifted.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// The machine and its speed, designed together.
 namespace ricochet::carrier_track::inline problems {

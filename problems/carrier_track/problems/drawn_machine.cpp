@@ -9,7 +9,7 @@
 #include "problems/carrier_track/counting/sensitivity.h"
 #include "problems/carrier_track/problems/families.h"
 #include "problems/carrier_track/problems/scanned_best.h"
-#include "src/core/random.h"
+#include "ricochet/random.h"
 #include "src/core/seed.h"
 
 namespace ricochet::carrier_track::inline problems {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "problems/carrier_track/problems/machine.h"
-#include "problems/family.h"
+#include "problems/searched_problem.h"
 
 namespace ricochet::carrier_track::inline problems {
 

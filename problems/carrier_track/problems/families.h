@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "problems/carrier_track/problems/machine.h"
-#include "problems/family.h"
+#include "ricochet/families.h"
 
 /// The problems of the carrier track, all from the single objective of collisions.h.
 namespace ricochet::carrier_track::inline problems {

@@ -5,11 +5,12 @@
 #include <utility>
 
 #include "embedded/hard_machines_text.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/gradient_cost.h"
 #include "problems/carrier_track/problems/speed_range.h"
 #include "problems/carrier_track/problems/top_speed.h"
-#include "problems/carrier_track/scene/scene_file.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/scene.h"
 #include "src/core/toml_text.h"
 
 namespace ricochet::carrier_track::inline problems {

@@ -5,7 +5,7 @@
 
 #include "problems/carrier_track/problems/best_known.h"
 #include "problems/carrier_track/problems/machine.h"
-#include "problems/family.h"
+#include "ricochet/families.h"
 
 /// Machines whose staircases rise and fall. The paper's machines, apart from a few collisions, are
 /// quiet up to some speed and loud beyond it, so bisection finds their fastest quiet speed. These

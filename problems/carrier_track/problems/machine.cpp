@@ -2,7 +2,7 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/default_machine.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline problems {
 

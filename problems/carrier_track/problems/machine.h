@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline problems {
 

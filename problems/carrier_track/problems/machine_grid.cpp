@@ -17,7 +17,7 @@
 #include "problems/carrier_track/problems/scanned_best.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline problems {
 namespace {

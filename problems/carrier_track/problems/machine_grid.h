@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/family.h"
+#include "problems/searched_problem.h"
 
 namespace ricochet::carrier_track::inline problems {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "problems/carrier_track/gradients/derivatives.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// Problems whose values and derivatives come from functions of derivatives.h.
 namespace ricochet::carrier_track::inline problems {

@@ -7,6 +7,7 @@
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/best_known.h"
 #include "problems/carrier_track/problems/problem_from_function.h"
+#include "problems/carrier_track/scene/lifted.h"
 
 namespace ricochet::carrier_track::inline problems {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "problems/carrier_track/problems/machine.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// Problems over a speed that varies in time with a given mean; any number of variables.
 namespace ricochet::carrier_track::inline problems {

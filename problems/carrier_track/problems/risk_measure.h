@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/carrier_track/scene/scalar.h"
+#include "ricochet/scalar.h"
 
 namespace ricochet::carrier_track::inline problems {
 

@@ -11,12 +11,13 @@
 #include <type_traits>
 
 #include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/gradient_cost.h"
 #include "problems/carrier_track/problems/problem_from_function.h"
 #include "problems/carrier_track/problems/speed_problem.h"
 #include "problems/carrier_track/scene/scaled_clearance.h"
-#include "src/core/random.h"
+#include "ricochet/random.h"
 #include "src/core/seed.h"
 
 namespace ricochet::carrier_track::inline problems {

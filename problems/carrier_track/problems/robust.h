@@ -4,7 +4,7 @@
 
 #include "problems/carrier_track/problems/machine.h"
 #include "problems/carrier_track/problems/risk_measure.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// The fastest speed that is quiet under uncertainty of the disturbance and of the manufacture.
 namespace ricochet::carrier_track::inline problems {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/core/verdict.h"
+#include "ricochet/verdict.h"
 
 namespace ricochet::carrier_track::inline problems {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "problems/carrier_track/problems/best_known.h"
-#include "problems/family.h"
-#include "src/core/problem.h"
+#include "problems/searched_problem.h"
+#include "ricochet/problem.h"
 
 /// The best value of a problem of one variable, by exhaustive scan.
 namespace ricochet::carrier_track::inline problems {

@@ -6,7 +6,7 @@
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/machine.h"
 #include "problems/carrier_track/problems/speed_range.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::carrier_track::inline problems {
 

@@ -1,5 +1,6 @@
 #include "problems/carrier_track/problems/top_speed.h"
 
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/problem_from_function.h"
 #include "problems/carrier_track/problems/speed_problem.h"

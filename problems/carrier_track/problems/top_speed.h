@@ -3,7 +3,7 @@
 #include <string>
 
 #include "problems/carrier_track/problems/machine.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 /// The fastest quiet speed.
 namespace ricochet::carrier_track::inline problems {

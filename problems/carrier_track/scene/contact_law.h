@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ricochet/scene.h"
+
 /// Laws for the force of a compliant wall on a body, with penetration d [m] and its rate d' [m/s]:
 ///   F = K d^n (1 + D d' / v0)   every law except Kelvin-Voigt,
 ///   F = K d + C d'              Kelvin-Voigt.
@@ -11,17 +13,6 @@
 /// creeps in and out. Kelvin-Voigt would pull at the end of every contact, so its force is
 ///   F = max(0, K d + C d').
 namespace ricochet::carrier_track::inline scene {
-
-enum class ContactLaw {
-  hertz,                ///< D = 0
-  kelvin_voigt,         ///< n = 1, C from the restitution it returns when it never pulls
-  hunt_crossley,        ///< D = 3 (1 - c) / 2
-  lankarani_nikravesh,  ///< D = 3 (1 - c^2) / 4
-  zhiying_qishao,       ///< D = 3/4 (1 - c^2) exp(2 (1 - c))
-  flores,               ///< D = 8 (1 - c) / (5 c)
-  gonthier,             ///< D = (1 - c^2) / c, his approximation
-  exact_restitution     ///< the D that returns c
-};
 
 /// Returns true if the damping is unbounded as the restitution approaches 0.
 bool needs_restitution(ContactLaw law);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "problems/carrier_track/scene/scene_fields.h"
+
 namespace ricochet::carrier_track::inline scene {
 namespace {
 

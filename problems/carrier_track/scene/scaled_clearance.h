@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline scene {
 

@@ -8,8 +8,10 @@
 #include <optional>
 #include <string_view>
 
+#include "problems/carrier_track/scene/contact_law.h"
+#include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/scene/window.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline scene {
 namespace {
@@ -191,6 +193,13 @@ void check(const Scene& scene, const std::string& origin) {
   visit_count_fields(Checker(origin, "count."), scene);
   visit_model_fields(Checker(origin, "model."), scene);
   check_contact_law(scene, origin);
+}
+
+void check_constant_speed(const Scene& scene, const std::string& origin) {
+  if (scene.profile.empty()) return;
+  throw InputError(origin +
+                   ": scene.omega is a profile: must be a number, because a threshold is of "
+                   "constant speeds");
 }
 
 }  // namespace ricochet::carrier_track::inline scene

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/scene/scene_file.h"
-
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
@@ -15,8 +13,10 @@
 
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/scene_fields.h"
 #include "problems/carrier_track/scene/toml_table.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/scene.h"
 #include "src/core/toml_text.h"
 
 namespace ricochet::carrier_track::inline scene {
@@ -184,10 +184,10 @@ Scene scene_of(const toml::table& file, const std::string& origin) {
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& path) {
+Scene read_scene(const std::string& path) {
   const bool standard_input = path == "-";
   return scene_of(parse_toml_file(standard_input ? "/dev/stdin" : path),
-                  standard_input ? "standard input" : path.string());
+                  standard_input ? "standard input" : path);
 }
 
 Scene parse_scene(const std::string& text, const std::string& origin) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/near_names.h"
 #include "src/core/warning.h"
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline scene {
 

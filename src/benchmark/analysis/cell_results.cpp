@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "ricochet/error.h"
 #include "src/benchmark/analysis/judged_runs.h"
-#include "src/core/error.h"
 
 namespace ricochet::comparison {
 

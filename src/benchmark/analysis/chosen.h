@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "src/core/problem.h"
-#include "src/core/solver.h"
+#include "ricochet/problem.h"
+#include "ricochet/solver.h"
 
 namespace ricochet::comparison {
 

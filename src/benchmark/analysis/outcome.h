@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/verdict.h"
+#include "ricochet/verdict.h"
 
 namespace ricochet::comparison {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "ricochet/random.h"
 #include "src/benchmark/statistics/break_even.h"
-#include "src/core/random.h"
 #include "src/core/seed.h"
 
 namespace ricochet::studies::comparison {

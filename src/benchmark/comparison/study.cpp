@@ -10,8 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "problems/families.h"
-#include "solvers/solvers.h"
+#include "ricochet/error.h"
+#include "ricochet/families.h"
+#include "ricochet/solvers.h"
 #include "src/benchmark/analysis/chosen.h"
 #include "src/benchmark/analysis/comparison.h"
 #include "src/benchmark/comparison/answers.h"
@@ -34,7 +35,6 @@
 #include "src/benchmark/comparison/share_data.h"
 #include "src/benchmark/comparison/speed_accuracy_data.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
-#include "src/core/error.h"
 #include "src/core/near_names.h"
 #include "src/core/patterns.h"
 

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/interruption.h"
 #include "src/core/text_file.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/text_file.h"
 
 namespace ricochet::exports {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 
 namespace ricochet::exports {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "embedded/families.h"
-#include "src/core/verdict.h"
+#include "ricochet/verdict.h"
 #include "src/report/filled_text.h"
 #include "src/report/simplified.h"
 

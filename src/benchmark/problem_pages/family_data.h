@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problems/family.h"
+#include "ricochet/families.h"
 #include "src/report/json.h"
 
 namespace ricochet::studies::problems {

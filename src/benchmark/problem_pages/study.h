@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/family.h"
+#include "ricochet/families.h"
 #include "src/report/site/study.h"
 
 namespace ricochet::studies {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "ricochet/random.h"
 #include "src/benchmark/statistics/exponential.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet {
 

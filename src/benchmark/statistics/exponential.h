@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet {
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "ricochet/vector.h"
 #include "src/benchmark/statistics/confidence.h"
-#include "src/core/vector.h"
 
 namespace ricochet {
 namespace {

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ricochet/random.h"
 #include "src/benchmark/statistics/bootstrap.h"
 #include "src/benchmark/statistics/confidence.h"
 #include "src/benchmark/statistics/exponential.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 namespace {

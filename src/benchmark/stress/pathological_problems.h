@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/problem.h"
 #include "src/benchmark/experiment/campaign/worker.h"
-#include "src/core/problem.h"
 
 namespace ricochet::studies::stress {
 

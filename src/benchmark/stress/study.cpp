@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "ricochet/verdict.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/stress/pathological_problems.h"
-#include "src/core/verdict.h"
 
 namespace ricochet::studies {
 namespace {

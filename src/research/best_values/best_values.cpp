@@ -14,13 +14,13 @@
 #include <optional>
 
 #include "problems/carrier_track/problems/default_machine.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/verdict.h"
 #include "src/core/interruption.h"
 #include "src/core/near_names.h"
 #include "src/core/patterns.h"
 #include "src/core/progress.h"
 #include "src/core/text_file.h"
-#include "src/core/verdict.h"
 
 namespace ricochet::studies::best_values {
 namespace {

@@ -17,10 +17,11 @@
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/problems/speed_problem.h"
 #include "problems/carrier_track/problems/top_speed.h"
+#include "ricochet/evaluator.h"
+#include "ricochet/random.h"
+#include "ricochet/threshold.h"
 #include "solvers/bisection.h"
-#include "src/core/evaluator.h"
 #include "src/core/progress.h"
-#include "src/core/random.h"
 #include "src/core/seed.h"
 
 namespace ricochet::studies::best_values {

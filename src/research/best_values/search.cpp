@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "solvers/solvers.h"
-#include "src/core/run.h"
-#include "src/core/verdict.h"
+#include "ricochet/run.h"
+#include "ricochet/solvers.h"
+#include "ricochet/verdict.h"
 
 namespace ricochet::studies::best_values {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "problems/carrier_track/problems/scanned_best.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::studies::best_values {
 

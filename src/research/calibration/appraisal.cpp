@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/speed_range.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::studies::calibration {
 namespace {

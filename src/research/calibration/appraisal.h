@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/threshold.h"
 #include "src/report/json.h"
 #include "src/research/calibration/fit.h"
 

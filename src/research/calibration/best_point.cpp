@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 
 namespace ricochet::studies::calibration {
 

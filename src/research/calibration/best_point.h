@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "src/core/problem.h"
-#include "src/core/solver.h"
+#include "ricochet/problem.h"
+#include "ricochet/solver.h"
 
 namespace ricochet::studies::calibration {
 

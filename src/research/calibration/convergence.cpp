@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "src/research/calibration/fit_task.h"
 #include "src/research/paper/loss.h"
 

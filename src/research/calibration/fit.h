@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "src/core/run.h"
-#include "src/core/solver.h"
+#include "ricochet/run.h"
+#include "ricochet/solver.h"
 #include "src/research/paper/calibration_problem.h"
 
 namespace ricochet::studies::calibration {

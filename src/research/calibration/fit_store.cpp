@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/fnv_hash.h"
 #include "src/core/suite_version.h"
 #include "src/core/text_file.h"

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "ricochet/threshold.h"
 #include "src/research/calibration/appraisal.h"
 
 namespace ricochet::studies::calibration {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "solvers/solvers.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/solvers.h"
 #include "src/core/interruption.h"
 #include "src/core/text_file.h"
 #include "src/research/calibration/results.h"

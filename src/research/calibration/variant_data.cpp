@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/counting/staircase.h"
+#include "ricochet/threshold.h"
 #include "src/research/calibration/variant_results.h"
 #include "src/research/solver_data.h"
 

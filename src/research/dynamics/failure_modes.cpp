@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/check/reference_integrators/accuracy.h"
+#include "ricochet/recording.h"
 #include "src/core/progress.h"
 #include "src/research/dynamics/work.h"
 

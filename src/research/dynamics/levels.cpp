@@ -12,6 +12,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/recording.h"
 #include "src/core/processor_time.h"
 #include "src/core/progress.h"
 

@@ -12,6 +12,8 @@
 #include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/recording.h"
 #include "src/core/progress.h"
 #include "src/research/dynamics/work.h"
 

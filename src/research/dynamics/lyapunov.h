@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 #include "src/report/json.h"
 
 /// Does a motion forget its start, or is it chaotic? Uses exact derivatives instead of pairs of

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/enum_names.h"
 
 namespace ricochet::studies::dynamics {

@@ -8,6 +8,7 @@
 
 #include "problems/carrier_track/check/reference_integrators/accuracy.h"
 #include "problems/carrier_track/scene/contact_law.h"
+#include "ricochet/recording.h"
 #include "src/core/progress.h"
 #include "src/research/dynamics/work.h"
 

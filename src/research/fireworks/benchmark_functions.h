@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::studies::fireworks {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "src/report/json.h"
 
 namespace ricochet::studies::fireworks {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "src/research/calibration/fit_task.h"
 
 namespace ricochet::studies::limits {

@@ -1,4 +1,4 @@
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 #include "solvers/varied.h"
 #include "src/research/limits/results.h"
 #include "src/research/paper/fitted_interpretation.h"

@@ -2,7 +2,7 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/speed_range.h"
-#include "src/core/random.h"
+#include "ricochet/random.h"
 #include "src/research/paper/calibration_problem.h"
 
 namespace ricochet::studies::limits {

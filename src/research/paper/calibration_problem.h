@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/family.h"
-#include "src/core/problem.h"
+#include "ricochet/families.h"
+#include "ricochet/problem.h"
 #include "src/research/paper/fitted_interpretation.h"
 #include "src/research/paper/unknown_parameters.h"
 

@@ -4,7 +4,7 @@
 
 #include "embedded/default_interpretation_text.h"
 #include "problems/carrier_track/scene/toml_table.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/toml_text.h"
 
 namespace ricochet::carrier_track::inline paper {

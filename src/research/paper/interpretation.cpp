@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline paper {
 namespace {

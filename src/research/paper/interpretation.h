@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problems/carrier_track/scene/enum_names.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 /// The questions that the paper leaves open (paper.md, section 5). The first answer to each is that
 /// of the simplest model.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 #include "src/research/paper/unknown_parameters.h"
 
 /// The loss: how far an interpretation with its parameters is from the paper's claims. It combines

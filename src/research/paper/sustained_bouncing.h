@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 /// The least drive that keeps a body bouncing on one wall, in closed form. A body that is pulled
 /// onto a wall and driven by a force A cos(angle), whose angle turns evenly, can hit the wall once

@@ -10,7 +10,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/contact_law.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 #include "src/research/paper/interpretation.h"
 
 /// The numbers that the paper does not give, and the scene of an interpretation for given values.

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/threshold.h"
 #include "src/research/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "problems/carrier_track/advice/path_chart.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "ricochet/recording.h"
 #include "src/report/simplified.h"
 #include "src/research/reproduction/data.h"
 

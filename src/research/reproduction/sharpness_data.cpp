@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "problems/carrier_track/counting/step_sharpness.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "src/research/reproduction/data.h"
 
 namespace ricochet::studies::reproduction {

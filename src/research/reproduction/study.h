@@ -10,6 +10,8 @@
 #include "problems/carrier_track/counting/staircase.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
+#include "ricochet/recording.h"
+#include "ricochet/threshold.h"
 #include "src/benchmark/comparison/group.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
 #include "src/report/json.h"

@@ -4,8 +4,8 @@
 
 #include "problems/carrier_track/problems/drawn_machine.h"
 #include "problems/carrier_track/problems/machine_grid.h"
+#include "ricochet/solvers.h"
 #include "solvers/outside/outside.h"
-#include "solvers/solvers.h"
 #include "solvers/varied.h"
 #include "src/research/suite/families.h"
 

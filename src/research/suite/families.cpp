@@ -1,6 +1,6 @@
 #include "src/research/suite/families.h"
 
-#include "problems/families.h"
+#include "ricochet/families.h"
 #include "src/research/paper/calibration_problem.h"
 
 namespace ricochet {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "problems/family.h"
+#include "ricochet/families.h"
 
 namespace ricochet {
 

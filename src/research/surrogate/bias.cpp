@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/machine.h"
 #include "problems/carrier_track/problems/speed_range.h"
 #include "src/benchmark/statistics/bootstrap.h"

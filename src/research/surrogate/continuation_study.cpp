@@ -7,10 +7,10 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/problems/top_speed.h"
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
+#include "ricochet/verdict.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/core/instance.h"
-#include "src/core/verdict.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "src/report/json.h"
 
 /// Do solvers with continuation from a large smoothing parameter to zero find the optimum of the

@@ -9,6 +9,7 @@
 #include "problems/carrier_track/models/observer_pair.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/recording.h"
 #include "src/benchmark/statistics/bootstrap.h"
 #include "src/core/progress.h"
 #include "src/core/seed.h"

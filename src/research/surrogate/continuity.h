@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "problems/carrier_track/scene/scene.h"
-#include "src/core/random.h"
+#include "ricochet/random.h"
+#include "ricochet/scene.h"
 #include "src/report/json.h"
 
 /// Is the surrogate continuous where the count jumps?

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/family.h"
-#include "src/core/problem.h"
+#include "ricochet/families.h"
+#include "ricochet/problem.h"
 #include "src/report/json.h"
 
 /// Are the derivatives correct? Compares exact ones with differences, at random points of every

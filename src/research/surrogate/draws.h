@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet::studies::surrogate {
 

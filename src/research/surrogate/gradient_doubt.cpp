@@ -9,8 +9,8 @@
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/machine.h"
 #include "problems/carrier_track/problems/speed_range.h"
+#include "ricochet/problem.h"
 #include "src/benchmark/statistics/bootstrap.h"
-#include "src/core/problem.h"
 #include "src/core/progress.h"
 
 namespace ricochet::studies::surrogate {

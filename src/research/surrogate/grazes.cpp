@@ -10,6 +10,7 @@
 #include "problems/carrier_track/gradients/trust.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/recording.h"
 #include "src/research/surrogate/largest_jump.h"
 #include "src/research/surrogate/line_fit.h"
 

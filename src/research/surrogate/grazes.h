@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "problems/carrier_track/models/impact_model.h"
+#include "ricochet/recording.h"
 #include "src/report/json.h"
 
 /// The surrogate's slope next to a graze: a speed at which a wall is touched with velocity zero.

@@ -10,6 +10,8 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/scene/lifted.h"
+#include "ricochet/recording.h"
 #include "src/core/progress.h"
 #include "src/research/dynamics/work.h"
 #include "src/research/surrogate/line_fit.h"

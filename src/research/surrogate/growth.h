@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/scene/lifted.h"
 #include "src/core/difference.h"
 #include "src/report/json.h"
 #include "src/research/dynamics/lyapunov.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "problems/families.h"
+#include "ricochet/families.h"
 #include "src/research/surrogate/bias.h"
 #include "src/research/surrogate/continuation_study.h"
 #include "src/research/surrogate/continuity.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "src/core/problem.h"
-#include "src/core/solver.h"
+#include "ricochet/problem.h"
+#include "ricochet/solver.h"
 #include "tests/core/best_point_of.h"
 
 namespace ricochet::comparison {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ricochet/error.h"
 #include "src/benchmark/export/output_file.h"
-#include "src/core/error.h"
 #include "tests/benchmark/export/exported_store.h"
 
 namespace ricochet::exports {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "problems/carrier_track/problems/families.h"
-#include "problems/families.h"
+#include "ricochet/families.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 #include "src/research/suite/families.h"

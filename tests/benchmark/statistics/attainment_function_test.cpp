@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ricochet/random.h"
 #include "src/benchmark/statistics/mean_share.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 namespace {

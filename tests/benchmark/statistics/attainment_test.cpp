@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "ricochet/random.h"
 #include "src/benchmark/statistics/empirical_distribution.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 namespace {

@@ -5,7 +5,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <limits>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet {
 namespace {

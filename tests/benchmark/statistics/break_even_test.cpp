@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet {
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/random.h"
 #include "src/benchmark/statistics/attainment_function.h"
 #include "src/benchmark/statistics/expected_running_time.h"
 #include "src/benchmark/statistics/factorial_effects.h"
@@ -16,7 +17,6 @@
 #include "src/benchmark/statistics/plackett_luce.h"
 #include "src/benchmark/statistics/rank_correlation.h"
 #include "src/benchmark/statistics/wilson_interval.h"
-#include "src/core/random.h"
 
 /// How often each interval of 95 % holds the true objective, where the true objective is known. The
 /// figures are printed.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ricochet/random.h"
 #include "src/benchmark/statistics/wilson_interval.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 namespace {

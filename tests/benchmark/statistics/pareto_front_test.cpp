@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet {
 namespace {

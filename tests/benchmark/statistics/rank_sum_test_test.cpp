@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet {

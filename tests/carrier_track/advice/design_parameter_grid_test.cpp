@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "problems/carrier_track/counting/limit.h"
+#include "ricochet/threshold.h"
 #include "tests/carrier_track/advice/case_scene.h"
 
 namespace ricochet::studies::advice {

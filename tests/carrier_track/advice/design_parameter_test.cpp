@@ -6,7 +6,7 @@
 #include <fstream>
 #include <limits>
 
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/scene.h"
 #include "tests/carrier_track/advice/case_scene.h"
 #include "tests/core/temporary_folder.h"
 

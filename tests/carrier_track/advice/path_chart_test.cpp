@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "problems/carrier_track/counting/recording.h"
+#include "ricochet/recording.h"
+
 namespace ricochet::studies {
 namespace {
 

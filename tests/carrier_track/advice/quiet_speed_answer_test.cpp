@@ -5,6 +5,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::studies::advice {
 namespace {

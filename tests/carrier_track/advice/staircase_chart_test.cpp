@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/recording.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::studies::advice {
 namespace {

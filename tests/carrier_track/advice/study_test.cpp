@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "problems/carrier_track/counting/limit.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/threshold.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 

@@ -14,6 +14,8 @@
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/scene/lifted.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {

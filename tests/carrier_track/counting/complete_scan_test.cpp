@@ -12,6 +12,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track {
 namespace {

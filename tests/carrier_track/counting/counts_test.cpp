@@ -6,6 +6,8 @@
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/error.h"
+#include "ricochet/simulate.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -50,6 +52,15 @@ TEST(Counts, AskWhetherAnImpactIsFasterThanTheSlowestAsTheLogarithmDoes) {
       EXPECT_EQ(counts_at(scene, one), one_by_one(scene, one)) << speed << ' ' << counting_limit;
     }
   }
+}
+
+TEST(Counts, OfAnInvalidSceneOrSpeedAreRefused) {
+  Scene scene = RandomScenes(8).next();
+  EXPECT_EQ(counts(scene, speeds), counts_at(scene, speeds));
+  EXPECT_THROW(counts(scene, std::vector<double>{1.0, -1.0}), InputError);
+  EXPECT_THROW(counts(scene, std::vector<double>{std::nan("")}), InputError);
+  scene.wall_upper = scene.wall_lower;
+  EXPECT_THROW(counts(scene, speeds), InputError);
 }
 
 }  // namespace

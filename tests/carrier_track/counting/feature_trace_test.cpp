@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/models/simulate.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {

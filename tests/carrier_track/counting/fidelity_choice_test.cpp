@@ -7,6 +7,7 @@
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/watch.h"
 
 namespace ricochet::carrier_track {

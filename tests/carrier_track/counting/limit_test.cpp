@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "ricochet/threshold.h"
 #include "tests/carrier_track/counting/held_scene.h"
 
 namespace ricochet::carrier_track {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {

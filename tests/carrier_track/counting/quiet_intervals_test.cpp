@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ricochet/threshold.h"
+
 namespace ricochet::carrier_track {
 namespace {
 

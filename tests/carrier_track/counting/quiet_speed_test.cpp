@@ -1,10 +1,11 @@
-#include "problems/carrier_track/counting/quiet_speed.h"
-
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/error.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -77,6 +78,22 @@ TEST(QuietSpeed, SaysThatThereIsNoThresholdWhereTheCountRisesThroughout) {
   EXPECT_FALSE(answer.limit);
   EXPECT_FALSE(answer.fastest_quiet);
   EXPECT_GT(answer.staircase.levels.front().high, 2 * answer.staircase.levels.front().low);
+}
+
+TEST(QuietSpeed, RefusesWhatIsInvalid) {
+  Scene scene = case_scene("C1");
+  const QuietSpeedOptions refused[] = {{.limit = {}, .fastest = 0.01},
+                                       {.limit = {}, .fastest = 1001},
+                                       {.limit = {}, .step = 0},
+                                       {.limit = Limit{Measure::collisions, -1}}};
+  for (const QuietSpeedOptions& options : refused) {
+    EXPECT_THROW(quiet_speed(scene, options), InputError);
+  }
+  scene.profile = {{0.0, 1.0}, {1.0, 2.0}};
+  EXPECT_THROW(quiet_speed(scene), InputError) << "a profile";
+  scene.profile.clear();
+  scene.restitution_lower = 2;
+  EXPECT_THROW(quiet_speed(scene), InputError);
 }
 
 }  // namespace

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "ricochet/error.h"
+#include "ricochet/recording.h"
+#include "ricochet/simulate.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {
@@ -127,6 +131,25 @@ TEST(Recording, ShowsWhereMostHappens) {
   EXPECT_NEAR(stretch->to, 4.5 + 0.125, 1e-12);
   for (Impact& impact : recording.impacts) impact.speed = 0.01;
   EXPECT_FALSE(busiest_stretch(scene, recording));  // none counts
+}
+
+TEST(Simulate, IsTheRecordingOfAValidScene) {
+  Scene scene = exploratory_scene();
+  scene.omega = 10.0;
+  const Recording expected = record(scene, default_smoothing, 0);
+  const Recording recording = simulate(scene);
+  EXPECT_EQ(recording.count, expected.count);
+  EXPECT_EQ(recording.surrogate, expected.surrogate);
+  EXPECT_EQ(recording.end.position, expected.end.position);
+  EXPECT_EQ(recording.impacts.size(), expected.impacts.size());
+}
+
+TEST(Simulate, RefusesWhatIsInvalid) {
+  Scene scene = exploratory_scene();
+  EXPECT_THROW(simulate(scene, 0), InputError);
+  EXPECT_THROW(simulate(scene, std::numeric_limits<double>::infinity()), InputError);
+  scene.mass = -1;
+  EXPECT_THROW(simulate(scene), InputError);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/threshold.h"
 #include "tests/carrier_track/counting/held_scene.h"
 
 namespace ricochet::carrier_track {

@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
-#include "src/core/random.h"
+#include "ricochet/random.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "ricochet/threshold.h"
+
 namespace ricochet::carrier_track {
 namespace {
 

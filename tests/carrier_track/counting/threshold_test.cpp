@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "ricochet/threshold.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "ricochet/recording.h"
+
 namespace ricochet::carrier_track {
 namespace {
 

@@ -12,6 +12,8 @@
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/scene/lifted.h"
+#include "ricochet/recording.h"
 #include "src/core/difference.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::carrier_track {
 

@@ -10,6 +10,7 @@
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/cases.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 

@@ -12,6 +12,7 @@
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/problems/cases.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

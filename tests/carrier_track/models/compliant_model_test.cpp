@@ -13,6 +13,7 @@
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/contact_law.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"

@@ -9,6 +9,7 @@
 
 #include "problems/carrier_track/check/oracle/hostile_scenes.h"
 #include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/core/infinity.h"

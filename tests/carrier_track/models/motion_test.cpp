@@ -9,6 +9,8 @@
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 

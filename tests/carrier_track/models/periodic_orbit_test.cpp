@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "problems/carrier_track/scene/lifted.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/expect_close.h"
 #include "tests/carrier_track/models/watch.h"
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "problems/carrier_track/models/impact_model.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {

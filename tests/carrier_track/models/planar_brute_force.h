@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 #include "tests/carrier_track/models/brute_force.h"
 
 namespace ricochet::carrier_track {

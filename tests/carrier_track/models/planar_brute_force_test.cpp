@@ -11,6 +11,7 @@
 #include "problems/carrier_track/check/oracle/comparison.h"
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {

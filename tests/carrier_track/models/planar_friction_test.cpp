@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/models/planar_brute_force.h"
 #include "tests/carrier_track/models/watch.h"
 #include "tests/core/infinity.h"

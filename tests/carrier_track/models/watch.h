@@ -5,6 +5,7 @@
 
 #include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/models/simulate.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track {
 

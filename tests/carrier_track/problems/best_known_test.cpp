@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "problems/carrier_track/problems/default_machine.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/suite_version.h"
 
 namespace ricochet::carrier_track {

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

@@ -7,9 +7,10 @@
 #include <stdexcept>
 #include <variant>
 
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/count.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/scene.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

@@ -7,9 +7,10 @@
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/speed_problem.h"
-#include "problems/carrier_track/scene/scene_file.h"
-#include "src/core/error.h"
-#include "src/core/verdict.h"
+#include "ricochet/error.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
+#include "ricochet/verdict.h"
 
 namespace ricochet::carrier_track {
 namespace {

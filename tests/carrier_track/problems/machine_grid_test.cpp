@@ -8,11 +8,12 @@
 #include <string>
 
 #include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/count.h"
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/problems/families.h"
 #include "problems/carrier_track/problems/scanned_best.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/machine.h"
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

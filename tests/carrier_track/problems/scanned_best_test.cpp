@@ -8,7 +8,7 @@
 
 #include "problems/carrier_track/problems/count.h"
 #include "problems/carrier_track/problems/top_speed.h"
-#include "src/core/verdict.h"
+#include "ricochet/verdict.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 #include "tests/research/best_values/some_problems.h"
 

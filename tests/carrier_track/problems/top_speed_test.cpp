@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/speed_problem.h"
 #include "tests/carrier_track/gradients/differences.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/scene/scalar.h"
+#include "ricochet/scalar.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/problems/default_machine.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/core/infinity.h"
 
 namespace ricochet::carrier_track {

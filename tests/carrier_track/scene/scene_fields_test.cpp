@@ -15,10 +15,11 @@
 #include <utility>
 #include <vector>
 
+#include "problems/carrier_track/scene/lifted.h"
 #include "problems/carrier_track/scene/perturbation.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/scene/scene_file.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/scene.h"
 #include "src/core/text_file.h"
 #include "tests/core/infinity.h"
 

@@ -1,5 +1,3 @@
-#include "problems/carrier_track/scene/scene_file.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,7 +11,8 @@
 #include <vector>
 
 #include "problems/carrier_track/problems/cases.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/scene.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "problems/carrier_track/problems/default_machine.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/text_file.h"
 #include "tests/research/best_values/some_problems.h"
 

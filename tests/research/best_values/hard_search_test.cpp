@@ -8,10 +8,11 @@
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/problems/speed_problem.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/run.h"
+#include "ricochet/scene.h"
+#include "ricochet/threshold.h"
+#include "ricochet/verdict.h"
 #include "solvers/bisection.h"
-#include "src/core/run.h"
-#include "src/core/verdict.h"
 
 namespace ricochet::studies::best_values {
 namespace {

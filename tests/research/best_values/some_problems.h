@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::studies::best_values {
 

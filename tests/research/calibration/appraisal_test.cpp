@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/threshold.h"
 #include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::studies::calibration {

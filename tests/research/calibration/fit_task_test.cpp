@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/research/paper/loss.h"
 #include "tests/research/calibration/some_search.h"
 

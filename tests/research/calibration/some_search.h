@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ricochet/solvers.h"
 #include "solvers/ceres_least_squares.h"
-#include "solvers/solvers.h"
 #include "src/research/calibration/fit.h"
 #include "src/research/paper/fitted_interpretation.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 
 namespace ricochet::studies::calibration {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 
 namespace ricochet::studies::calibration {
 namespace {

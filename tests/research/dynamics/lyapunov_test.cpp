@@ -10,6 +10,7 @@
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/scene/lifted.h"
 #include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "problems/carrier_track/scene/contact_law.h"
+#include "ricochet/recording.h"
 #include "src/research/dynamics/work.h"
 
 namespace ricochet::studies::dynamics {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/models/compliant_model.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::studies::dynamics {
 namespace {

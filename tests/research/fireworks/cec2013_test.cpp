@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
+#include "ricochet/run.h"
 #include "solvers/fireworks/bare_bones_fireworks.h"
 #include "src/core/instance.h"
-#include "src/core/run.h"
 
 namespace ricochet::studies::fireworks {
 namespace {

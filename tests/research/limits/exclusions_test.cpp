@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 #include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {

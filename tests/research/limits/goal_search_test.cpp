@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 #include "tests/research/limits/usual_fit.h"
 
 namespace ricochet::studies::limits {

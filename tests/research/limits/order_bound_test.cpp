@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/core/random.h"
+#include "ricochet/random.h"
 
 namespace ricochet::studies::limits {
 namespace {

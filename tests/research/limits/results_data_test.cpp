@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solvers/solvers.h"
+#include "ricochet/solvers.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 #include "src/research/limits/results.h"

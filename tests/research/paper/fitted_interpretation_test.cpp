@@ -5,8 +5,8 @@
 
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/scene/scene_file.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

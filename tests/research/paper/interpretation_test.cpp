@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/research/suite/catalogue.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/research/reproduction/tiny_plan.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 
 namespace ricochet::studies {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet::studies::surrogate {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/problems/cases.h"
+#include "ricochet/recording.h"
 #include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::studies::surrogate {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 
 namespace ricochet {
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "tests/solvers/fireworks/asked_points.h"
 #include "tests/solvers/test_problems.h"
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "tests/solvers/fireworks/asked_points.h"
 #include "tests/solvers/test_problems.h"
 

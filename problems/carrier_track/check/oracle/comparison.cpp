@@ -5,6 +5,9 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "problems/carrier_track/counting/recording.h"
+#include "ricochet/recording.h"
+
 namespace ricochet::carrier_track::inline oracle {
 
 std::vector<Impact> faster(const std::vector<Impact>& impacts, double counting_limit) {

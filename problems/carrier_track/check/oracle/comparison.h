@@ -4,7 +4,8 @@
 
 #include "problems/carrier_track/check/oracle/oracle.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline oracle {
 

@@ -7,6 +7,7 @@
 
 #include "problems/carrier_track/check/oracle/oracle.h"
 #include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "ricochet/recording.h"
 #include "src/core/seed.h"
 
 namespace ricochet::carrier_track::inline oracle {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline oracle {
 

@@ -9,6 +9,7 @@
 
 #include "problems/carrier_track/check/oracle/first_fall.h"
 #include "problems/carrier_track/check/oracle/push.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline oracle {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline oracle {
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "problems/carrier_track/models/impact_model.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "problems/carrier_track/check/reference_integrators/methods.h"
 #include "problems/carrier_track/counting/fidelity_choice.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

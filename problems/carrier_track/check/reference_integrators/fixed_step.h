@@ -6,6 +6,8 @@
 
 #include "problems/carrier_track/check/reference_integrators/forces.h"
 #include "problems/carrier_track/check/reference_integrators/integrator.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 

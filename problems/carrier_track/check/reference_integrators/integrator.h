@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 

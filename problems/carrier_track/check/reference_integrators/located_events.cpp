@@ -9,6 +9,8 @@
 
 #include "problems/carrier_track/check/reference_integrators/root.h"
 #include "problems/carrier_track/models/impact_model.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

@@ -2,6 +2,8 @@
 
 #include "problems/carrier_track/check/reference_integrators/fixed_step.h"
 #include "problems/carrier_track/check/reference_integrators/methods.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

@@ -9,6 +9,7 @@
 #include "problems/carrier_track/check/reference_integrators/fixed_step.h"
 #include "problems/carrier_track/check/reference_integrators/flight_method.h"
 #include "problems/carrier_track/models/impact_model.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 namespace {

@@ -1,6 +1,8 @@
 #include "problems/carrier_track/check/reference_integrators/wall_force.h"
 
-#include "problems/carrier_track/scene/scene.h"
+#include "problems/carrier_track/scene/contact_law.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 

@@ -16,7 +16,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/progress.h"
 
 namespace ricochet::studies {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/data_hash.h"
 #include "src/benchmark/experiment/campaign/relocated_optimum.h"
-#include "src/core/error.h"
 #include "src/core/patterns.h"
 
 namespace ricochet {

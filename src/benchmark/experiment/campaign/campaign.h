@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "problems/family.h"
+#include "problems/searched_problem.h"
+#include "ricochet/families.h"
+#include "ricochet/solver.h"
 #include "src/benchmark/experiment/campaign/plan.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/benchmark/experiment/store/store.h"
-#include "src/core/solver.h"
 
 namespace ricochet {
 

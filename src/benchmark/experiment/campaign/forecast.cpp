@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "ricochet/stopwatch.h"
 #include "src/benchmark/experiment/campaign/runner.h"
-#include "src/core/stopwatch.h"
 
 namespace ricochet {
 namespace {

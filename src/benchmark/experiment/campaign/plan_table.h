@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/near_names.h"
 #include "src/core/option_value.h"
 #include "src/core/toml_text.h"

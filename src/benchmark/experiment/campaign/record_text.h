@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 
 namespace ricochet {
 

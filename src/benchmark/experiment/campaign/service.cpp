@@ -7,10 +7,10 @@
 #include <cstring>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/frame.h"
 #include "src/benchmark/experiment/campaign/record_text.h"
 #include "src/benchmark/experiment/campaign/runner.h"
-#include "src/core/error.h"
 #include "src/core/interruption.h"
 #include "src/core/text_file.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/progress.h"
 
 namespace ricochet {

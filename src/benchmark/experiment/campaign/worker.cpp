@@ -16,8 +16,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/record_text.h"
-#include "src/core/error.h"
 #include "src/core/seed.h"
 
 namespace ricochet {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/run.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
-#include "src/core/run.h"
 
 namespace ricochet {
 

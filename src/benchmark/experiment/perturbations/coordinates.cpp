@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "ricochet/random.h"
 #include "src/benchmark/experiment/perturbations/draws.h"
 #include "src/benchmark/experiment/perturbations/perturbed_calls.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 /// Random numbers without a state: a draw depends on a key only, and a key on what it was made
 /// from, so that each call or point has its own draws. Uses the mixing function of SplitMix64

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "ricochet/problem.h"
 #include "src/benchmark/experiment/perturbations/draws.h"
-#include "src/core/problem.h"
 
 namespace ricochet {
 

@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/store/sqlite_values.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
-#include "src/core/error.h"
 
 namespace ricochet {
 namespace {

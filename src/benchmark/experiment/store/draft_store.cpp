@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "embedded/schema.h"
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/store/description_rows.h"
-#include "src/core/error.h"
 #include "src/core/suite_version.h"
 #include "src/core/text_file.h"
 

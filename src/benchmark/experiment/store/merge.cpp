@@ -1,11 +1,11 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/store/draft_store.h"
 #include "src/benchmark/experiment/store/run_rows.h"
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
-#include "src/core/error.h"
 #include "src/core/text_file.h"
 
 namespace ricochet {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/core/solver.h"
+#include "ricochet/solver.h"
 
 namespace ricochet {
 

@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
-#include "src/core/error.h"
 
 namespace ricochet {
 namespace {

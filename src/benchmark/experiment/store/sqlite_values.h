@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 namespace ricochet {
 

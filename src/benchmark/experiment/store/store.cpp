@@ -6,13 +6,13 @@
 
 #include <utility>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/store/description_rows.h"
 #include "src/benchmark/experiment/store/draft_store.h"
 #include "src/benchmark/experiment/store/run_rows.h"
 #include "src/benchmark/experiment/store/store_file.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/benchmark/experiment/store/writer_lock.h"
-#include "src/core/error.h"
 #include "src/core/text_file.h"
 
 namespace ricochet {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/run.h"
 #include "src/benchmark/experiment/store/run_key.h"
-#include "src/core/run.h"
 
 namespace ricochet {
 

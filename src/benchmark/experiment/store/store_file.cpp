@@ -19,8 +19,8 @@
 #include <utility>
 
 #include "embedded/schema.h"
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/store/sqlite_values.h"
-#include "src/core/error.h"
 #include "src/core/suite_version.h"
 
 namespace ricochet {

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 
 namespace ricochet {
 

@@ -7,7 +7,8 @@
 #include <stdexcept>
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "src/core/random.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "ricochet/random.h"
 #include "src/research/calibration/variants/changed_motion.h"
 #include "src/research/calibration/variants/find_peaks.h"
 #include "src/research/calibration/variants/height_count.h"

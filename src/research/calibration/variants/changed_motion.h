@@ -1,7 +1,9 @@
 #pragma once
 
 #include "problems/carrier_track/models/hard_wall_motion.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
 #include "problems/carrier_track/scene/window.h"
+#include "ricochet/recording.h"
 #include "src/research/calibration/variants/changed_forces.h"
 
 namespace ricochet::studies::variants {

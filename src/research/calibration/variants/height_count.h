@@ -1,7 +1,8 @@
 #pragma once
 
 #include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 #include "src/research/calibration/variants/early_stopping.h"
 #include "src/research/calibration/variants/motion_change.h"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ricochet/recording.h"
 #include "src/research/calibration/variants/early_stopping.h"
 #include "src/research/calibration/variants/motion_change.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "ricochet/scene.h"
 #include "src/research/calibration/variants/ode45.h"
 
 namespace ricochet::studies::variants {

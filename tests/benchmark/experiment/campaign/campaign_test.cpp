@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 
 namespace ricochet {

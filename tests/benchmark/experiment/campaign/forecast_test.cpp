@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "src/core/stopwatch.h"
+#include "ricochet/stopwatch.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
 
 namespace ricochet {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/campaign.h"
-#include "src/core/error.h"
 #include "src/core/instance.h"
 
 namespace ricochet {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
-#include "src/core/error.h"
 #include "tests/benchmark/experiment/campaign/made_up_campaign.h"
 #include "tests/core/temporary_folder.h"
 

@@ -17,8 +17,8 @@
 #include <thread>
 #include <vector>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/runner.h"
-#include "src/core/error.h"
 
 namespace ricochet {
 namespace {

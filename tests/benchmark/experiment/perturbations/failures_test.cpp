@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 #include "src/core/processor_time.h"
 #include "src/core/scorer.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"

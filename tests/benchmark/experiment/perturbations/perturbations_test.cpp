@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "ricochet/evaluator.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
-#include "src/core/evaluator.h"
 #include "src/core/instance.h"
 #include "src/core/penalty.h"
 #include "src/core/scorer.h"

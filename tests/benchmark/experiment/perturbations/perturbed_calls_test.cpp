@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/core/evaluator.h"
+#include "ricochet/evaluator.h"
 #include "src/core/scorer.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 

@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "ricochet/problem.h"
+#include "ricochet/random.h"
 #include "src/core/instance.h"
-#include "src/core/problem.h"
-#include "src/core/random.h"
 
 namespace ricochet {
 

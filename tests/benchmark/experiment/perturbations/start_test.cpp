@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/core/run.h"
+#include "ricochet/run.h"
 #include "tests/benchmark/experiment/perturbations/random_problem.h"
 
 namespace ricochet {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/store/store.h"
-#include "src/core/error.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
 

@@ -15,9 +15,9 @@
 #include <filesystem>
 #include <map>
 
+#include "ricochet/random.h"
 #include "src/benchmark/experiment/campaign/plan.h"
 #include "src/benchmark/experiment/store/store.h"
-#include "src/core/random.h"
 #include "src/core/text_file.h"
 
 namespace ricochet {

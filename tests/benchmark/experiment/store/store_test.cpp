@@ -19,7 +19,7 @@
 #include <optional>
 #include <thread>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/core/text_file.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"

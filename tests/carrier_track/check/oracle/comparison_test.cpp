@@ -4,6 +4,7 @@
 
 #include "problems/carrier_track/check/oracle/hostile_scenes.h"
 #include "problems/carrier_track/problems/cases.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
 namespace ricochet::carrier_track {

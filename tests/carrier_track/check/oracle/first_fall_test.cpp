@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -10,7 +10,8 @@
 
 #include "problems/carrier_track/check/oracle/oracle.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/recording.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "ricochet/recording.h"
+
 namespace ricochet::carrier_track {
 namespace {
 

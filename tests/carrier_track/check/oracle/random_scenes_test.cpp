@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/scene/scene_check.h"
-#include "problems/carrier_track/scene/scene_file.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/check/reference_integrators/accuracy.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

@@ -4,6 +4,7 @@
 
 #include "problems/carrier_track/check/reference_integrators/accuracy.h"
 #include "problems/carrier_track/scene/contact_law.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

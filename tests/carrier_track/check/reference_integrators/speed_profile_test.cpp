@@ -6,6 +6,7 @@
 #include "problems/carrier_track/check/reference_integrators/accuracy.h"
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/recording.h"
+#include "ricochet/recording.h"
 #include "tests/carrier_track/check/reference_integrators/scenes.h"
 
 namespace ricochet::carrier_track {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "problems/carrier_track/scene/scene.h"
+#include "problems/carrier_track/scene/contact_law.h"
+#include "ricochet/scene.h"
 
 namespace ricochet::carrier_track {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "src/core/error.h"
+#include "ricochet/error.h"
 #include "src/report/page_template.h"
 #include "src/report/report.h"
 

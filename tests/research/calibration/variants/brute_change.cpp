@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "problems/carrier_track/scene/window.h"
+#include "ricochet/recording.h"
 
 namespace ricochet::studies::variants {
 namespace {

@@ -9,6 +9,7 @@
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/models/impact_model.h"
+#include "ricochet/recording.h"
 #include "src/research/calibration/variants/speed_restitution.h"
 #include "tests/research/calibration/variants/brute_change.h"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ricochet/recording.h"
+
 namespace ricochet::studies::variants {
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <random>
 
-#include "src/core/vector.h"
+#include "ricochet/vector.h"
 
 /// Random numbers computed from a generator's bits alone, so that every standard library gives the
 /// same ones; the distributions of <random> differ.

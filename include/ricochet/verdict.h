@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "src/core/problem.h"
-#include "src/core/run.h"
+#include "ricochet/problem.h"
+#include "ricochet/run.h"
 
 namespace ricochet {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet {
 

@@ -5,15 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "src/core/problem.h"
+#include "ricochet/problem.h"
 
 namespace ricochet {
-
-/// Problems of one kind. reports/templates/families.toml describes them.
-struct Family {
-  std::string name;  ///< what the names of its problems begin with, e.g. "top-speed"
-  std::vector<Problem> problems;
-};
 
 /// Results of a search for a problem's values, by name; empty if no point is feasible.
 using Findings = std::map<std::string, double>;

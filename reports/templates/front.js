@@ -170,7 +170,7 @@ const chosen = () => {
   return rows.filter((row) => row.family === family && row.budget === budget && shows(row));
 };
 
-// Those that no other beats in both.
+// The Pareto front.
 const frontOf = (points, better) => {
   const front = [];
   for (const point of [...points].sort((a, b) => a.x - b.x || (better(a.y, b.y) ? -1 : 1))) {
@@ -218,8 +218,8 @@ const drawAccuracy = () => {
   const family = comparison.families[Number(element("family").value)]?.name;
   element("finding").textContent = best
     ? `${family}: the most accurate is ${full(best.row)}, at ${number(best.x)} ${speed === "seconds" ? "s" : "evaluations for each variable"}; ` +
-      (front.length > 1 ? `the fastest on the Pareto front is ${full(front[0].row)}, at ${number(front[0].x)}.` : "none is faster without being worse.")
-    : "No solver fits, or the comparison has no times: ./ricochet compare makes one that has.";
+      (front.length > 1 ? `the fastest on the Pareto front is ${full(front[0].row)}, at ${number(front[0].x)}.` : "it is also the fastest.")
+    : "No solver matches, or the comparison has no times: ./ricochet compare makes one with times.";
   element("accuracy-chart").setAttribute("aria-label",
     `${words[accuracy]} over ${words[speed]}, ${points.length} dots. ${element("finding").textContent}`);
 };
@@ -228,7 +228,7 @@ const drawAccuracy = () => {
 
 const boardColumns = [
   ["place", "place", (row) => row.shown_place, "right"],
-  ["solver", "solver, shown", (row) => full(row), "left"],
+  ["solver", "solver, formulation", (row) => full(row), "left"],
   ["best", "P(best)", (row) => row.best === null ? "–" : row.best.toFixed(2), "right"],
   ["targets", "targets [%]", (row) => row.targets === null ? "–" : `${Math.round(100 * row.targets)} [${Math.round(100 * row.lower)}, ${Math.round(100 * row.upper)}]`, "right"],
   ["found", "solved [%]", (row) => row.found === null ? "–" : String(Math.round(100 * row.found)), "right"],
@@ -409,7 +409,7 @@ const lookOf = (name) => {
   return {own: [colours[0], colour("--quiet")][level % 2], shape: "triangle"};
 };
 
-// What a solver spends with a simulation until it has the threshold, and how wrong that then is.
+// What a solver spends with a simulation until it has the threshold, and the error of that threshold.
 const pairOf = (solver, simulation, alone) => {
   const spent = solver.own + solver.evaluations * simulation.seconds;
   const error = (own) => alone ? Math.max(own, resolution) : own + pairs.tolerance;
@@ -463,8 +463,8 @@ const drawPairs = () => {
       `error at most ${errorText(y)} rad/s; the simulation's: ${simulation.reference ? "none, it is the reference" : `${errorText(simulation.error_least)} to ${errorText(simulation.error)}`}`],
     () => { location.href = `${pairs.folder}/index.html#thresholds`; });
   element("pairs-finding").textContent = findingOfPairs(points.length, front);
-  element("pairs-note").textContent = `Of ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the comparison; runs that fail are repeated. Error: the simulation's ` +
-    `largest of the cases${alone ? "" : ` + ${pairs.tolerance} rad/s, within which a threshold counts as found`}. Bars: the interval of the share solved; down to the smallest of the cases.`;
+  element("pairs-note").textContent = `Problems: ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the comparison; failed runs are repeated. Error: the simulation's ` +
+    `largest of the cases${alone ? "" : ` + ${pairs.tolerance} rad/s, the tolerance of a solved problem`}. Bars across: interval of the success rate. Bars down: to the smallest error of the cases.`;
   element("pairs-chart").setAttribute("aria-label", `Error of the threshold over processor time, ${points.length} dots. ${element("pairs-finding").textContent}`);
   offerPairs(points);
 };

@@ -44,8 +44,7 @@ void add_scene_choice(CLI::App* command, SceneChoice& choice) {
   for (const carrier_track::Case& a_case : carrier_track::all_cases()) cases.push_back(a_case.id);
   command->add_option("--case", choice.case_id, "A case of the paper")
       ->type_name(fmt::format("CASE:{{{}}}", fmt::join(cases, ",")));
-  command
-      ->add_option("--scene", choice.scene_file, "A machine of your own, a TOML file; - reads it")
+  command->add_option("--scene", choice.scene_file, "A machine file (TOML); - is standard input")
       ->type_name("FILE");
 }
 
@@ -53,13 +52,13 @@ void add_request(CLI::App* command, QuietSpeedRequest& asked) {
   command->add_option("--fastest", asked.fastest, "End of the speed range [rad/s]")
       ->capture_default_str();
   command->add_option("--allow", asked.allow, "Limit: collisions in the window");
-  command->add_option("--allow-per-turn", asked.allow_per_turn, "Limit: collisions a turn");
+  command->add_option("--allow-per-turn", asked.allow_per_turn, "Limit: collisions per turn");
   command->add_option("--allow-energy", asked.allow_energy,
-                      "Limit: energy [J] that the walls take in the window");
+                      "Limit: energy [J] that the walls dissipate in the window");
   command->add_option("--allow-speed", asked.allow_speed,
                       "Limit: speed [m/s] of the fastest impact");
   command->add_option("--tolerance", asked.tolerance,
-                      "How uncertain every constant is [%]: the range of the answer");
+                      "Uncertainty of every constant [%]; prints the range of the answer");
 }
 
 std::vector<std::string> perturbations() {
@@ -92,7 +91,7 @@ class Program : public CommandLine {
  private:
   void add_simulate() {
     CLI::App* command =
-        add("simulate", "One run: impacts, peaks, count, certainty",
+        add("simulate", "Simulate one machine: impacts, peaks, count, certainty",
             "  ricochet simulate --case C1 --omega 5\n"
             "  ricochet simulate --scene machine.toml --plot path.svg --csv path.csv");
     add_scene_choice(command, simulate_.scene);
@@ -100,47 +99,49 @@ class Program : public CommandLine {
     command->add_option("--omega", simulate_.omega, "Speed [rad/s] in place of the scene's");
     std::set<std::string> levels;
     for (const auto& [name, level] : carrier_track::fidelity_names()) levels.emplace(name);
-    command->add_option("--fidelity", simulate_.fidelity, "Level of the model, for the scene's own")
+    command
+        ->add_option("--fidelity", simulate_.fidelity,
+                     "Level of the model, in place of the scene's")
         ->check(CLI::IsMember(levels));
     command->add_option("--smoothing", simulate_.smoothing, "Smoothing parameter of the surrogate")
         ->capture_default_str();
-    command->add_option("--csv", simulate_.csv, "File for the path: time, position, velocity")
+    command->add_option("--csv", simulate_.csv, "CSV file for the path: time, position, velocity")
         ->type_name("FILE");
-    command->add_option("--plot", simulate_.plot, "SVG file for a picture of the path")
+    command->add_option("--plot", simulate_.plot, "SVG file for a chart of the path")
         ->type_name("FILE");
     on_call(command, [this] { return simulate(simulate_); });
   }
 
   void add_threshold() {
-    CLI::App* command = add("threshold", "The fastest quiet speed, to 1e-3 rad/s",
+    CLI::App* command = add("threshold", "Find the fastest quiet speed, to 1e-3 rad/s",
                             "  ricochet threshold --scene machine.toml --plot staircase.svg\n"
                             "  ricochet threshold --all --format json");
     add_scene_choice(command, threshold_.scene);
     add_format(command, threshold_.json);
     command->add_flag("--all", threshold_.all, "Every case of the paper");
     add_request(command, threshold_.asked);
-    command->add_option("--plot", threshold_.plot, "SVG file for a picture of the staircase")
+    command->add_option("--plot", threshold_.plot, "SVG file for a chart of the counts")
         ->type_name("FILE");
     on_call(command, [this] { return threshold(threshold_); });
   }
 
   void add_machine() {
-    CLI::App* command = add("machine", "A machine of your own: new, check FILE, advise FILE",
+    CLI::App* command = add("machine", "Describe your own machine: new, check FILE, advise FILE",
                             "  ricochet machine new > machine.toml\n"
                             "  ricochet machine check machine.toml\n"
                             "  ricochet machine advise machine.toml --tolerance 5");
     command->require_subcommand(1);
-    CLI::App* fresh = command->add_subcommand("new", "Prints a file to start from");
+    CLI::App* fresh = command->add_subcommand("new", "Print a machine file to start from");
     on_call(fresh, [] { return new_machine(); });
     CLI::App* check = command->add_subcommand(
-        "check", "Every field with unit and range, and what looks like a slip");
-    check->add_option("file", machine_file_, "The machine, a TOML file; - reads it")
+        "check", "List every field with unit and range, and likely mistakes");
+    check->add_option("file", machine_file_, "A machine file (TOML); - is standard input")
         ->type_name("FILE")
         ->required();
     on_call(check, [this] { return check_machine(machine_file_); });
-    CLI::App* advise = command->add_subcommand(
-        "advise", "How fast it may turn, as a page: staircase, paths, wear, what to change");
-    advise->add_option("file", machine_file_, "The machine, a TOML file; - reads it")
+    CLI::App* advise =
+        command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change");
+    advise->add_option("file", machine_file_, "A machine file (TOML); - is standard input")
         ->type_name("FILE")
         ->required();
     advise->add_option("--out", advice_out_, "Folder for the page")
@@ -151,7 +152,7 @@ class Program : public CommandLine {
   }
 
   void add_scene() {
-    CLI::App* command = add("scene", "Prints a scene as TOML, to start a machine of your own",
+    CLI::App* command = add("scene", "Print a scene as a machine file",
                             "  ricochet scene --case C1 > machine.toml");
     add_scene_choice(command, scene_);
     on_call(command, [this] {
@@ -162,47 +163,52 @@ class Program : public CommandLine {
 
   void add_solve() {
     CLI::App* command =
-        add("solve", "One run of one solver on one problem, watched and judged",
+        add("solve", "Run one solver on one problem and score it",
             "  ricochet solve nlopt-cobyla top-speed-C1 --formulation penalised-count\n"
             "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg\n"
             "  ricochet solve ./mine.so count-C1\n"
             "  ricochet solve 'python3 mine.py' count-C1");
     command
         ->add_option("solver", solve_.solver,
-                     "One of ricochet list solvers; or your own, a library or a program")
+                     "A name of `ricochet list solvers`, a shared library or a program")
         ->required()
         ->type_name("SOLVER");
-    command->add_option("problem", solve_.problem, "One of ricochet list problems")
+    command->add_option("problem", solve_.problem, "A name of `ricochet list problems`")
         ->required()
-        ->type_name("QUESTION");
+        ->type_name("PROBLEM");
     command->add_option("--formulation", solve_.formulation,
-                        "That it is shown; else the first it accepts");
-    command->add_option("--perturbation", solve_.perturbation, "That disturbs what it is shown")
-        ->type_name(fmt::format("FEATURE:{{{}}}", fmt::join(perturbations(), ",")))
+                        "Formulation of the problem; default: the first that the solver accepts");
+    command->add_option("--perturbation", solve_.perturbation, "Perturbation of the problem")
+        ->type_name(fmt::format("PERTURBATION:{{{}}}", fmt::join(perturbations(), ",")))
         ->capture_default_str();
     command->add_option("--budget", solve_.budget, "Evaluations")->capture_default_str();
-    command->add_option("--instance", solve_.instance, "0: as stated; others: in another box")
+    command
+        ->add_option("--instance", solve_.instance,
+                     "0: the original problem; 1, 2, ...: moved and reflected")
         ->capture_default_str();
-    command->add_option("--seed", solve_.seed, "Number of the run")->capture_default_str();
+    command->add_option("--seed", solve_.seed, "Number of the run, which gives its random numbers")
+        ->capture_default_str();
     command->add_option("--trace", solve_.trace, "CSV file for the improvements")
         ->type_name("FILE");
-    command->add_option("--plot", solve_.plot, "SVG file for a picture of them")->type_name("FILE");
+    command->add_option("--plot", solve_.plot, "SVG file for a chart of the improvements")
+        ->type_name("FILE");
     add_limits(command, solve_.limits);
     add_format(command, solve_.json);
     on_call(command, [this] { return solve(solve_); });
   }
 
   void add_limits(CLI::App* command, Limits& limits) {
-    command->add_option("--run-seconds", limits.seconds, "After which a run is killed")
+    command
+        ->add_option("--run-seconds", limits.seconds,
+                     "Longest time of a run [s]; then it is killed")
         ->capture_default_str();
-    command->add_option("--run-megabytes", limits.megabytes, "Memory that a run may take")
+    command->add_option("--run-megabytes", limits.megabytes, "Most memory of a run [MB]")
         ->capture_default_str();
   }
 
   void add_compare() {
     CLI::App* command =
-        add("compare",
-            "Solvers against each other: who solves what, in which formulation, at what cost",
+        add("compare", "Compare solvers: success rates, costs and ranks, as a report",
             "  ricochet compare --quick\n"
             "  ricochet compare --problems 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
             "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'");
@@ -210,11 +216,12 @@ class Program : public CommandLine {
         add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
     on_call(command, [this, &options] { return compare(comparison_, options.quick, options.out); });
     command->add_option("--problems", comparison_.problems,
-                        "Patterns, with commas between; else the default comparison's");
-    command->add_option("--solvers", comparison_.solvers, "Patterns")->capture_default_str();
+                        "Patterns, separated by commas; default: those of the plan `default`");
+    command->add_option("--solvers", comparison_.solvers, "Patterns, separated by commas")
+        ->capture_default_str();
     command
         ->add_option("--solver", comparison_.added_solvers,
-                     "One more, such as your own, a library or a program; may be repeated")
+                     "A further solver: a shared library or a program; may be repeated")
         ->type_name("SOLVER")
         ->allow_extra_args(false);
     command
@@ -223,56 +230,58 @@ class Program : public CommandLine {
         ->capture_default_str();
     command
         ->add_option("--smoothings", comparison_.smoothings,
-                     "Smoothing parameters of surrogates, beside the usual one")
+                     "Further smoothing parameters of the surrogate")
         ->delimiter(',');
     command->add_option("--budget", comparison_.budgets, "Evaluations for each variable")
         ->delimiter(',');
-    command->add_option("--instances", comparison_.instances, "Of every problem")
+    command->add_option("--instances", comparison_.instances, "Instances of every problem")
         ->capture_default_str();
     add_limits(command, comparison_.limits);
   }
 
   void add_plan() {
-    CLI::App* command = add("plan", "What a campaign runs: new, check FILE, slurm FILE",
+    CLI::App* command = add("plan", "Prepare a campaign: new, check FILE, slurm FILE",
                             "  ricochet plan new > plan.toml\n"
                             "  ricochet plan check plan.toml\n"
                             "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
     command->require_subcommand(1);
-    CLI::App* fresh = command->add_subcommand("new", "Prints a plan to start from");
+    CLI::App* fresh = command->add_subcommand("new", "Print a plan to start from");
     on_call(fresh, [] { return new_plan(); });
-    CLI::App* check = command->add_subcommand("check", "What it would run, and for how long");
+    CLI::App* check =
+        command->add_subcommand("check", "Print what the plan would run, and for how long");
     add_plan_file(check);
     add_format(check, plan_json_);
     on_call(check, [this] { return check_plan(run_.plan, plan_json_); });
-    CLI::App* slurm = command->add_subcommand("slurm", "Prints a script for the Slurm manager");
+    CLI::App* slurm = command->add_subcommand("slurm", "Print a job script for Slurm");
     add_plan_file(slurm);
-    slurm->add_option("--jobs", slurm_jobs_, "So many, of one core each")->capture_default_str();
+    slurm->add_option("--jobs", slurm_jobs_, "Number of jobs, of one core each")
+        ->capture_default_str();
     on_call(slurm, [this] { return slurm_script(run_.plan, slurm_jobs_); });
   }
 
   void add_plan_file(CLI::App* command) {
     command
         ->add_option("plan", run_.plan,
-                     "A plan, a TOML file, - reads it; or quick, default, full, which come along")
+                     "A plan file (TOML), - for standard input; or quick, default, full")
         ->type_name("PLAN")
         ->required();
   }
 
   void add_run() {
-    CLI::App* command = add("run", "Carries out a plan; every finished run is kept at once",
+    CLI::App* command = add("run", "Run a plan; every finished run is stored at once",
                             "  ricochet run plan.toml --out mine\n"
                             "  ricochet run plan.toml --out mine --resume\n"
                             "  ricochet run plan.toml --out part-3 --shard 3/8\n"
                             "  mpirun -n 64 ricochet run plan.toml --out mine");
     add_plan_file(command);
-    command->add_option("--out", run_.out, "Folder for its store, runs.sqlite")
+    command->add_option("--out", run_.out, "Folder of the store, runs.sqlite")
         ->type_name("FOLDER")
         ->capture_default_str();
-    command->add_option("--shard", run_.shard, "Only the I-th of N shares of the runs")
+    command->add_option("--shard", run_.shard, "Only the I-th of N parts of the runs")
         ->type_name("I/N")
         ->capture_default_str();
-    command->add_flag("--resume", run_.resume, "Go on with what is there");
-    command->add_option("--jobs", run_.jobs, "Runs at once; 0: one on every core")
+    command->add_flag("--resume", run_.resume, "Continue the campaign in this folder");
+    command->add_option("--jobs", run_.jobs, "Runs in parallel; 0: as many as cores")
         ->capture_default_str();
     command->add_option("--serve", run_.serve, "What this process does under MPI")
         ->check(CLI::IsMember({"store", "runs"}))
@@ -282,21 +291,21 @@ class Program : public CommandLine {
 
   /// Adds the commands for a campaign's store.
   void add_stores() {
-    CLI::App* merge = add("merge", "Joins the stores of a campaign's shards",
+    CLI::App* merge = add("merge", "Join the stores of a campaign's shards",
                           "  ricochet merge runs.sqlite part-*/runs.sqlite");
     merge->add_option("out", store_, "The new store")->type_name("FILE")->required();
     merge->add_option("parts", store_parts_, "Stores of the same campaign")
         ->type_name("FILE")
         ->required();
     on_call(merge, [this] { return merge_stores(store_parts_, store_); });
-    CLI::App* digest = add("digest", "What a store has in 16 digits, times left out",
+    CLI::App* digest = add("digest", "Print a hash of a store's runs, times left out",
                            "  ricochet digest mine/runs.sqlite");
-    digest->add_option("store", store_, "")->type_name("FILE")->required();
+    digest->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
     on_call(digest, [this] { return print_digest(store_); });
-    CLI::App* again = add("replay", "A run of a store once more: is it the same, to the last bit?",
+    CLI::App* again = add("replay", "Repeat a stored run and compare it bit by bit",
                           "  ricochet replay mine/runs.sqlite 17");
-    again->add_option("store", store_, "")->type_name("FILE")->required();
-    again->add_option("run", replayed_, "Its number there")->required();
+    again->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
+    again->add_option("run", replayed_, "Number of the run")->required();
     add_format(again, replay_json_);
     on_call(again, [this] { return replay(store_, replayed_, replay_json_); });
     add_export();
@@ -312,11 +321,13 @@ class Program : public CommandLine {
       names.push_back(format.name);
       examples += fmt::format("  {:11}  {}\n", format.name, format.about);
     }
-    CLI::App* command = add(
-        "export", "What a store has, for other tools: tables, IOHanalyzer, COCO",
-        examples + "Parquet is none of them: no library here writes it. DuckDB makes it of CSV.");
-    command->add_option("store", export_.store, "")->type_name("FILE")->required();
-    command->add_option("--format", export_.format, "One of them")
+    CLI::App* command =
+        add("export", "Export a store: tables, IOHanalyzer, COCO",
+            examples + "For Parquet, convert the CSV files, for instance with DuckDB.");
+    command->add_option("store", export_.store, "A store, runs.sqlite")
+        ->type_name("FILE")
+        ->required();
+    command->add_option("--format", export_.format, "One of these formats")
         ->type_name(fmt::format("FORMAT:{{{}}}", fmt::join(names, ",")))
         ->required();
     command->add_option("--out", export_.out, "Folder, new or empty")
@@ -327,27 +338,29 @@ class Program : public CommandLine {
 
   void add_evaluate() {
     CLI::App* command = add(
-        "evaluate", "A problem for an optimiser outside: points in, values out, as JSON lines",
+        "evaluate", "Evaluate a problem at points, as JSON lines",
         "  ricochet evaluate profile-count-8-C4 --formulation surrogate --instance 1 --describe\n"
         "  echo '[5.0]' | ricochet evaluate top-speed-C1\n"
         "  ricochet evaluate hs-71 --derivatives < points.jsonl > values.jsonl\n"
-        "A line in is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}.");
-    command->add_option("problem", evaluate_.problem, "One of ricochet list problems")
+        "An input line is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}.");
+    command->add_option("problem", evaluate_.problem, "A name of `ricochet list problems`")
         ->required()
-        ->type_name("QUESTION");
+        ->type_name("PROBLEM");
     command
         ->add_option("--scene", evaluate_.scene_file,
-                     "The problem is asked of a machine of your own, a TOML file")
+                     "A machine file (TOML): problems of this machine")
         ->type_name("FILE");
     command->add_option("--formulation", evaluate_.formulation,
-                        "That it is shown in; else as it is judged");
-    command->add_option("--instance", evaluate_.instance, "0: as stated; others: in another box")
+                        "Formulation of the problem; default: the true objective");
+    command
+        ->add_option("--instance", evaluate_.instance,
+                     "0: the original problem; 1, 2, ...: moved and reflected")
         ->capture_default_str();
-    command->add_flag("--derivatives", evaluate_.derivatives,
-                      "Gradient and Jacobian, too, where a line does not say");
+    command->add_flag("--derivatives", evaluate_.derivatives, "Print gradient and Jacobian, too");
     command->add_flag("--replay", evaluate_.replay,
-                      "Every point twice: are the answers the same to the last bit?");
-    command->add_flag("--describe", evaluate_.describe, "What is asked, in one line; no points");
+                      "Evaluate every point twice and compare bit by bit");
+    command->add_flag("--describe", evaluate_.describe,
+                      "Print the problem in one line; evaluate nothing");
     on_call(command, [this] { return evaluate(evaluate_); });
   }
 
@@ -359,29 +372,27 @@ class Program : public CommandLine {
         ->required()
         ->check([](const std::string& what) { return renaming_of(what); })
         ->check(CLI::IsMember({"cases", "problems", "solvers", "interpretations"}));
-    command
-        ->add_option("--scene", list_.scene_file, "Of problems: a machine of your own, a TOML file")
+    command->add_option("--scene", list_.scene_file, "Problems of this machine file (TOML)")
         ->type_name("FILE");
-    command->add_option("--family", list_.family, "Of problems: those of this family")
-        ->type_name("FAMILY");
+    command->add_option("--family", list_.family, "Problems of this family")->type_name("FAMILY");
     command
         ->add_option("--solver-accepts", list_.solver,
-                     "Of problems: those with a formulation that this solver accepts")
+                     "Problems with a formulation that this solver accepts")
         ->type_name("SOLVER");
     add_format(command, list_.json);
     on_call(command, [this] { return list(list_); });
   }
 
   void add_report() {
-    CLI::App* command = add("report", "Draws a report again, or all of a folder, from the data",
-                            "  ricochet report reports/reproduction\n"
-                            "  ricochet report reports\n"
-                            "  ricochet report reports/reference --out elsewhere");
-    command->add_option("folder", report_from_, "Where its data.json is, or the reports are")
+    CLI::App* command =
+        add("report", "Draw a report again from its data, or all reports of a folder",
+            "  ricochet report reports/reproduction\n"
+            "  ricochet report reports\n"
+            "  ricochet report reports/reference --out elsewhere");
+    command->add_option("folder", report_from_, "Folder of data.json, or of the reports")
         ->type_name("FOLDER")
         ->required();
-    command->add_option("--out", report_out_, "Another folder for what is drawn")
-        ->type_name("FOLDER");
+    command->add_option("--out", report_out_, "Another folder for the pages")->type_name("FOLDER");
     on_call(command, [this] {
       const std::string& out = report_out_.empty() ? report_from_ : report_out_;
       const FolderLock alone(out);
@@ -421,7 +432,7 @@ class Program : public CommandLine {
   void add_descriptions() {
     CLI::App* command = add("describe", "Prints the manual, or the completion of a shell");
     command->group("");  // hidden
-    command->add_option("formulation", description_, "What to print")
+    command->add_option("form", description_, "What to print")
         ->required()
         ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
     on_call(command, [this] {

@@ -14,26 +14,27 @@ struct OtherCommand {
 
 /// The reproduction of the paper.
 inline constexpr OtherCommand reproduction = {
-    "reproduce", "ricochet-reproduce", "The main job: every case against the paper, as a report"};
+    "reproduce", "ricochet-reproduce",
+    "Reproduce the paper: every case against its claims, as a report"};
 
 /// The studies of the suite itself, and the speed measurements.
 inline constexpr OtherCommand other_commands[] = {
     {"calibrate", "ricochet-studies",
-     "Which interpretation of the paper, and which constants, give its thresholds"},
+     "Fit the unknown parameters to the paper's thresholds, as a report"},
     {"limits", "ricochet-studies",
-     "How near any interpretation can come to the paper, as a report"},
+     "How close any interpretation can come to the paper, as a report"},
     {"dynamics", "ricochet-studies",
-     "Contact laws, numerical methods, hard and compliant walls, as a report"},
+     "Contact laws, time integration, hard and compliant walls, as a report"},
     {"surrogate", "ricochet-studies",
-     "Where the smooth surrogate and its gradient can be trusted, as a report"},
+     "Where the surrogate and its gradient can be trusted, as a report"},
     {"fireworks", "ricochet-studies",
-     "The fireworks family beside what is published of it, as a report"},
-    {"verify", "ricochet-studies", "The impact model against an oracle in extended precision"},
-    {"stress", "ricochet-studies", "What every solver does on pathological problems, as a report"},
-    {"problems", "ricochet-studies", "What every problem asks, as a report"},
-    {"best-values", "ricochet-studies",
-     "The best known value of every problem, looked for at length"},
-    {"bench", "ricochet-bench", "The speed measurements; further flags are Google Benchmark's"},
+     "The fireworks family compared with published results, as a report"},
+    {"verify", "ricochet-studies",
+     "Check the impact model against an oracle in extended precision"},
+    {"stress", "ricochet-studies", "Run every solver on pathological problems, as a report"},
+    {"problems", "ricochet-studies", "Describe every problem, as a report"},
+    {"best-values", "ricochet-studies", "Search the best known value of every problem"},
+    {"bench", "ricochet-bench", "Measure speed; takes Google Benchmark's flags, too"},
 };
 
 /// Returns the summary of one of these commands. Throws std::out_of_range for any other.

@@ -64,7 +64,7 @@ Problem featured(const SolveOptions& options, const Problem& problem,
   const Perturbation perturbation = named(all_perturbations(), options.perturbation, "perturbation",
                                           [](const Perturbation& known) { return known.name; });
   if (!perturbation.applies(problem)) {
-    throw InputError(fmt::format("--perturbation {}: cannot be had of {}, shown {}: {}",
+    throw InputError(fmt::format("--perturbation {}: does not apply to {}, formulation {}: {}",
                                  perturbation.name, problem.name, formulation,
                                  perturbation.summary));
   }
@@ -154,8 +154,8 @@ Json json_of(const RunRecord& record, const Verdict& verdict, const std::string&
 
 void print(const RunRecord& record, const Verdict& verdict, const std::string& formulation,
            const std::string& perturbation, const Problem& problem) {
-  fmt::print("{} on {}, shown {}{}, instance {}: {}.\n", record.solver, record.problem, formulation,
-             perturbation == "plain" ? "" : ", " + perturbation, record.instance,
+  fmt::print("{} on {}, formulation {}{}, instance {}: {}.\n", record.solver, record.problem,
+             formulation, perturbation == "plain" ? "" : ", " + perturbation, record.instance,
              verdict.solved
                  ? fmt::format("solved after {} evaluations", *verdict.evaluations_to_solve)
              : verdict.feasible ? "not solved"

@@ -78,12 +78,12 @@ int replay(const std::string& file, std::int64_t number, bool json) {
   if (json) {
     fmt::print("{}\n", data.dump(2));
   } else {
-    fmt::print("{} on {}, shown {}, perturbation {}, instance {}, seed {}: {} evaluations{}.\n{}\n",
-               cell.solver, cell.problem, cell.formulation, cell.perturbation, stored->key.instance,
-               stored->key.run, again.ledger.charged,
-               again.failure.empty() ? "" : "; " + again.failure,
-               differs.empty() ? "The same, to the last bit."
-                               : "NOT the same as stored: it differs in " + differs + ".");
+    fmt::print(
+        "{} on {}, formulation {}, perturbation {}, instance {}, seed {}: {} evaluations{}.\n{}\n",
+        cell.solver, cell.problem, cell.formulation, cell.perturbation, stored->key.instance,
+        stored->key.run, again.ledger.charged, again.failure.empty() ? "" : "; " + again.failure,
+        differs.empty() ? "The same, to the last bit."
+                        : "NOT the same as stored: it differs in " + differs + ".");
   }
   return differs.empty() ? 0 : 1;
 }

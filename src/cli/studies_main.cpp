@@ -47,19 +47,19 @@ class Studies : public CommandLine {
                             "  ricochet calibrate --all-interpretations --check\n"
                             "  ricochet calibrate --variants");
     command->add_option("--interpretation", calibration_.interpretation,
-                        "One of ricochet list interpretations, for the default one");
+                        "A name of `ricochet list interpretations`, in place of the default");
     command->add_flag("--all-interpretations", calibration_.all_interpretations,
-                      "Every interpretation, compared");
+                      "Compare all interpretations");
     command->add_flag("--check", calibration_.check,
                       "Rank the interpretations by another seed and by another solver too");
     command->add_flag(
         "--converge", calibration_.converge,
-        "Search the best interpretations at length, from three seeds by two solvers: do they "
-        "end alike?");
+        "Search the best interpretations longer, with three seeds and two solvers, until they "
+        "agree");
     command->add_flag("--variants", calibration_.variants,
-                      "Fit twelve model variants, too, which no interpretation of the paper says");
-    command->add_option("--seed", calibration_.seed, "Of the searches")->capture_default_str();
-    command->add_option("--solver", calibration_.solver, "That searches the whole of the bounds")
+                      "Fit twelve model variants, too, which the paper does not contain");
+    command->add_option("--seed", calibration_.seed, "Seed of the searches")->capture_default_str();
+    command->add_option("--solver", calibration_.solver, "Solver that searches within the bounds")
         ->capture_default_str();
     StudyOptions& options = add_study_options(command, studies::calibration_study(calibration_));
     on_call(command, [this, &options] {
@@ -87,11 +87,11 @@ class Studies : public CommandLine {
     CLI::App* command = add("verify", summary_of("verify"),
                             "  ricochet verify --scenes 10000\n"
                             "  ricochet verify --scene-index 17");
-    command->add_option("--scenes", verification_.scenes, "How many random and hostile scenes")
+    command->add_option("--scenes", verification_.scenes, "Number of random and hostile scenes")
         ->capture_default_str();
-    command->add_option("--seed", verification_.seed, "Of the scenes")->capture_default_str();
+    command->add_option("--seed", verification_.seed, "Seed of the scenes")->capture_default_str();
     command->add_option("--scene-index", scene_index_,
-                        "Prints this scene and both lists of impacts instead");
+                        "Print this scene and both lists of impacts instead");
     add_format(command, verification_json_);
     StudyOptions& options = add_study_options(command, studies::verification_study(verification_));
     on_call(command, [this, &options] {
@@ -112,7 +112,7 @@ class Studies : public CommandLine {
         "  ricochet problems --scene machine.toml --out mine");
     command
         ->add_option("--scene", problems_scene_,
-                     "A machine of your own, a TOML file, for the paper's cases; - reads it")
+                     "A machine file (TOML) in place of the paper's cases; - is standard input")
         ->type_name("FILE");
   }
 
@@ -120,17 +120,18 @@ class Studies : public CommandLine {
     CLI::App* command = add("best-values", summary_of("best-values"),
                             "  ricochet best-values --problems 'robust-*-C4'\n"
                             "  ricochet best-values --seconds 600  # and the same again, to go on");
-    command->add_option("--problems,--problems", best_values_.problems,
-                        "A pattern such as robust-*-C4, or a part of their names");
+    command->add_option("--problems", best_values_.problems,
+                        "A pattern such as robust-*-C4, or a part of the names");
     command->add_option("--seconds", best_values_.seconds,
-                        "Begin nothing later; the same command then goes on");
+                        "Start no search after this time [s]; the same command continues");
     command->add_option("--out", best_values_.out, "The file of the values")
         ->type_name("FILE")
         ->capture_default_str();
     command
-        ->add_option("--hard-machines", best_values_.hard_machines,
-                     "Instead: look for machines whose fastest quiet speed is hard to find, into "
-                     "this file")
+        ->add_option(
+            "--hard-machines", best_values_.hard_machines,
+            "Instead: search machines whose fastest quiet speed is hard to find, and write "
+            "this file")
         ->type_name("FILE")
         ->excludes("--problems", "--seconds", "--out");
     on_call(command, [this] { return best_values(best_values_); });

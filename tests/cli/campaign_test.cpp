@@ -202,7 +202,7 @@ TEST_F(CampaignCommands, LeaveAStoreOfAnotherPlanAsItIs) {
   const auto other = write(folder_, "other.toml", std::string(small_plan) + "seeds = 2\n");
   expect_refusal(
       fmt::format("run {} --out {} --resume", other.string(), (folder_ / "one").string()),
-      "is of another plan: another --out begins anew");
+      "is of another plan: choose another --out");
   EXPECT_TRUE(read(store("one")) == before) << "it has changed";
   run("other", "--shard 1/2");
   expect_refusal(

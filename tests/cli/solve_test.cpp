@@ -26,7 +26,8 @@ TEST(Solve, RunsOneSolverAndJudgesIt) {
 TEST(Solve, SaysTheSameInWords) {
   const Outcome outcome = call("solve bisection top-speed-C1 --budget 30");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("bisection on top-speed-C1, shown count, instance 0: solved"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("bisection on top-speed-C1, formulation count, instance 0: solved"));
   const json same = json::parse(call("solve bisection top-speed-C1 --budget 30 --format json").out);
   const std::string speed = std::to_string(same["point"][0].get<double>());
   EXPECT_THAT(outcome.out, HasSubstr("Returned -" + speed.substr(0, 6)));
@@ -54,7 +55,7 @@ TEST(Solve, DisturbsWhatIsShownAndNotWhatIsJudged) {
   EXPECT_NE(turned["point"], plain["point"]);
   const Outcome words =
       call("solve random-search classic-sphere-5 --budget 50 --perturbation noisy");
-  EXPECT_THAT(words.out, HasSubstr("shown original, noisy, instance 0"));
+  EXPECT_THAT(words.out, HasSubstr("formulation original, noisy, instance 0"));
 }
 
 TEST(Solve, WritesTraceAndPicture) {
@@ -77,7 +78,7 @@ TEST(Solve, RefusesWhatIsNotThere) {
   expect_refusal("solve scan count-C1 --perturbation noise",
                  "noise: there is no such perturbation");
   expect_refusal("solve scan count-C1 --perturbation permuted",
-                 "--perturbation permuted: cannot be had of count-C1, shown count");
+                 "--perturbation permuted: does not apply to count-C1, formulation count");
   expect_refusal("solve scan count-C1 --budget 0", "--budget 0");
   expect_refusal("solve scan count-C1 --instance -1", "--instance -1");
 }

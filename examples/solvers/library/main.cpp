@@ -1,6 +1,7 @@
 #include <ricochet/families.h>
 #include <ricochet/run.h>
 #include <ricochet/solver.h>
+#include <ricochet/verdict.h>
 
 #include <cmath>
 #include <cstdio>

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/default_machine.h"
@@ -18,6 +19,7 @@
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
+#include "src/core/near_names.h"
 
 namespace ricochet::carrier_track::inline problems {
 namespace {
@@ -27,22 +29,47 @@ constexpr std::array grid_fidelities = {Fidelity::impact, Fidelity::compliant, F
 /// [rad/s] between scanned speeds with compliant walls.
 constexpr double coarse_step = 1e-2;
 
-std::vector<double> levels_of(const std::vector<double>& named, double own) {
-  return named.empty() ? std::vector{own} : named;
+void check_keys(const MachineLevels& levels) {
+  static const std::vector<std::string> known = {"restitution", "friction", "disturbance",
+                                                 "fidelity"};
+  for (const auto& [key, values] : levels) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    throw InputError(
+        fmt::format("machines: there is no key {}; {}", key, what_instead(key, known)));
+  }
 }
 
-/// The fidelities of these names; a single empty one if there are no names.
-std::vector<std::optional<Fidelity>> fidelities_of(const std::vector<std::string>& names) {
-  if (names.empty()) return {std::nullopt};
+/// The levels of a number; its own value if none are named.
+std::vector<double> levels_of(const MachineLevels& levels, const char* key, double own) {
+  const auto named = levels.find(key);
+  if (named == levels.end()) return {own};
+  std::vector<double> numbers;
+  for (const OptionValue& level : named->second) {
+    const double* number = std::get_if<double>(&level);
+    if (number == nullptr || *number < 0) {
+      throw InputError(fmt::format("machines, {} = {}: must be numbers >= 0", key, text_of(level)));
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+/// The fidelities that are named; a single empty one if there are none.
+std::vector<std::optional<Fidelity>> fidelities_of(const MachineLevels& all) {
+  const auto named = all.find("fidelity");
+  if (named == all.end()) return {std::nullopt};
   std::vector<std::optional<Fidelity>> levels;
-  for (const std::string& wanted : names) {
+  for (const OptionValue& wanted : named->second) {
     levels.emplace_back();
     for (const Fidelity level : grid_fidelities) {
-      if (wanted == name_of(fidelity_names(), level)) levels.back() = level;
+      if (wanted == OptionValue(std::string(name_of(fidelity_names(), level)))) {
+        levels.back() = level;
+      }
     }
     if (!levels.back()) {
-      throw InputError(fmt::format(
-          "machines, fidelity = {}: must be \"impact\", \"compliant\" or \"planar\"", wanted));
+      throw InputError(
+          fmt::format("machines, fidelity = {}: must be \"impact\", \"compliant\" or \"planar\"",
+                      text_of(wanted)));
     }
   }
   return levels;
@@ -132,10 +159,11 @@ std::vector<std::shared_ptr<GridMachine>> machines_of(const std::string& around,
                                                       const MachineLevels& levels) {
   const Case middle = find_case(around);
   std::vector<std::shared_ptr<GridMachine>> machines;
-  const auto fidelities = fidelities_of(levels.fidelity);
-  for (const double r : levels_of(levels.restitution, middle.restitution)) {
-    for (const double f : levels_of(levels.friction, middle.friction)) {
-      for (const double d : levels_of(levels.disturbance, middle.disturbance)) {
+  check_keys(levels);
+  const auto fidelities = fidelities_of(levels);
+  for (const double r : levels_of(levels, "restitution", middle.restitution)) {
+    for (const double f : levels_of(levels, "friction", middle.friction)) {
+      for (const double d : levels_of(levels, "disturbance", middle.disturbance)) {
         for (const auto& level : fidelities) {
           std::string id = fmt::format("{}-r{}-f{}-d{}", middle.id, r, f, d);
           Scene scene = scene_of({id, r, f, d, {}}, default_machine());

@@ -1,20 +1,18 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "problems/searched_problem.h"
+#include "src/core/option_value.h"
 
 namespace ricochet::carrier_track::inline problems {
 
-/// The levels that vary from machine to machine around a case of the paper; an empty list keeps the
-/// case's value.
-struct MachineLevels {
-  std::vector<double> restitution = {};    ///< of both walls
-  std::vector<double> friction = {};       ///< coefficient
-  std::vector<double> disturbance = {};    ///< [N]
-  std::vector<std::string> fidelity = {};  ///< "impact", "compliant" or "planar"
-};
+/// The levels of what varies from machine to machine around a case of the paper: "restitution" of
+/// both walls, "friction" (coefficient), "disturbance" [N], and "fidelity", which is "impact",
+/// "compliant" or "planar". A missing one keeps the case's value.
+using MachineLevels = std::map<std::string, std::vector<OptionValue>>;
 
 /// The problems of one variable for machines around a case of the paper, one machine for every
 /// combination of levels. "C1-r0.5-f0.2-d1" has restitution 0.5, friction 0.2 and a disturbance of
@@ -24,7 +22,7 @@ struct MachineLevels {
 /// carrier has the same clearance and pull across as along. A search finds the quiet limit as
 /// `ricochet threshold` does, at the machine's fidelity; for compliant walls, whose simulation
 /// takes a thousand times as long, it scans every tenth speed. It finds the best value in the same
-/// way (scan_step). Throws InputError for an unknown case or level, or an invalid machine.
+/// way (scan_step). Throws InputError for an unknown case, key or level, or an invalid machine.
 std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels);
 
 }  // namespace ricochet::carrier_track::inline problems

@@ -88,9 +88,10 @@ std::string told(const MeasuredLeader& one) {
   const std::string variables = one.least == one.most
                                     ? fmt::format("{}", one.most)
                                     : fmt::format("{} to {}", one.least, one.most);
-  return fmt::format("{} ({} variables, {} evaluations each): {}, shown {} (P(best) {:.2f})",
-                     one.leader.family, variables, one.leader.budget, one.leader.solver,
-                     one.leader.formulation, one.leader.best);
+  return fmt::format(
+      "{} ({} variables, {} evaluations each): {} on the {} formulation (P(best) {:.2f})",
+      one.leader.family, variables, one.leader.budget, one.leader.solver, one.leader.formulation,
+      one.leader.best);
 }
 
 /// Returns the nearest leaders: of the family whose problems have this number of variables, or else

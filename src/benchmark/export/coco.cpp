@@ -21,31 +21,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* coco_readme =
-    "A campaign of ricochet for the post-processing of COCO, https://github.com/numbbo/coco:\n"
-    "python -m cocopp FOLDER FOLDER ...\n"
-    "\n"
-    "Every folder is one algorithm: a solver, in the formulation it is shown, with a perturbation "
-    "that "
-    "disturbs\n"
-    "it, a gradient's price, and a budget in evaluations for each variable, as runs of another\n"
-    "budget are other runs. Every problem is one function of its own number of variables;\n"
-    "running_times.csv says which is which.\n"
-    "\n"
-    "The files pose as those of COCO's suite bbob-mixint, of which cocopp opens 5 and 6 variables\n"
-    "and functions 1 to 24 only. Problems of 5 and 6 variables have the first numbers; all "
-    "others\n"
-    "are here too, and take a cocopp that was told of them. Its names of functions are not ours.\n"
-    "\n"
-    "Values are optimality gaps, the true objective less the best known (fopt), of feasible points "
-    "only.\n"
-    "Until one is found they are 1e30. Evaluations are as charged, gradients at their price; "
-    "those\n"
-    "of constraints come with them and are not counted again. Coordinates are known of the best\n"
-    "point, else nan. cocopp's targets do not know the problems' tolerances: solved or not is in\n"
-    "running_times.csv, with expected running times until then, runs that did not get there "
-    "charged\n"
-    "in full, runs that are alike counted once, intervals of 95 %. Runs on the same instance have\n"
-    "other seeds. A run that ended before its first evaluation was charged stands here with one.\n";
+    R"(A campaign of ricochet for the post-processing of COCO, https://github.com/numbbo/coco:
+python -m cocopp FOLDER FOLDER ...
+
+Every folder is one algorithm: a solver-formulation pair with its perturbation, price of a gradient,
+and budget in evaluations per variable. Every problem is one function with its own number of
+variables; running_times.csv lists them.
+
+The files use the format of COCO's suite bbob-mixint, of which cocopp opens only 5 and 6 variables
+and functions 1 to 24. Problems of 5 and 6 variables have the first numbers. All others are here,
+too, for a cocopp that knows them. The function names in cocopp's pages are not ricochet's.
+
+Values are optimality gaps: the true objective minus the best known value (fopt), of feasible points
+only; 1e30 until there is one. Evaluations are as charged, gradients at their price; evaluations of
+constraints are included and not counted again. Coordinates are those of the best point, else nan.
+cocopp's targets do not know the problems' tolerances. See running_times.csv for solved runs and
+expected running times: unsolved runs count with all their evaluations, identical runs count once,
+intervals are 95 %. Runs on the same instance have different seeds. A run that ended before its
+first evaluation is listed with one evaluation.
+)";
 
 /// The next count at which every run has a row in .tdat: 1, 2, 5, 10, 20, ...
 std::int64_t after(std::int64_t count) {

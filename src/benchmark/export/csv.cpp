@@ -23,29 +23,25 @@ struct Column {
 };
 
 constexpr const char* csv_readme =
-    "What a campaign of ricochet stored, as CSV (RFC 4180, lines end with a line feed, UTF-8).\n"
-    "Numbers are the shortest decimals that read back to the same double; inf and nan are such.\n"
-    "What is missing is empty. In texts control characters are written as \\x0a, and of more than\n"
-    "4000 bytes the middle is left out.\n"
-    "\n"
-    "runs.csv: a row a run. `number` is that of `ricochet replay`; budget_per_variable is the\n"
-    "plan's, evaluations_allowed what it came to. values, derivatives, hessians: what was asked "
-    "of\n"
-    "the problem; charged: evaluations that this cost, gradients at their price; seconds are of\n"
-    "processor time. feasible, objective, optimality gap, solved: of the best point that was "
-    "evaluated, "
-    "by\n"
-    "its true objective, whatever the solver was shown; the handed_over ones: of what it returned. "
-    "optimality gap:\n"
-    "objective less the best known of the problem; solved: feasible, and optimality gap <= "
-    "tolerance.\n"
-    "exits: what the solver said at the end of its starts; failure: what was thrown. Points have\n"
-    "a blank between their coordinates.\n"
-    "improvements.csv: a row for every point of a run (its number) that was truly better than all\n"
-    "before it; less violation is better, then less objective. violation 0: feasible.\n"
-    "problems.csv: a row a problem; beside what all have, the factors of their machines.\n"
-    "\n"
-    "There is no Parquet here; DuckDB makes it: COPY 'runs.csv' TO 'runs.parquet'.\n";
+    R"(The stored runs of a campaign of ricochet, as CSV (RFC 4180, lines end with a line feed, UTF-8).
+Numbers are the shortest decimals that read back to the same double, or inf or nan. Missing values
+are empty. In texts, control characters are written as \x0a; texts of more than 4000 bytes lose
+their middle.
+
+runs.csv: one row per run. `number` is the argument of `ricochet replay`; budget_per_variable is the
+plan's, evaluations_allowed the budget of the run. values, derivatives, hessians: what the solver
+requested; charged: the evaluations that this cost, gradients at their price; seconds: processor
+time. feasible, objective, optimality_gap, solved: of the best evaluated point, scored on the true
+objective whatever the formulation; returned_...: of the point that the solver returned.
+optimality_gap: objective minus the best known value; solved: feasible, and optimality_gap <= the
+problem's tolerance. terminations: what the solver said at the end of its starts; failure: what was
+thrown. Coordinates of points are separated by blanks.
+improvements.csv: one row for every point of a run (its number) with a better true value than all
+points before it: less violation, or equal violation and a lower objective. violation 0: feasible.
+problems.csv: one row per problem, with the factors of its machine.
+
+For Parquet, use DuckDB: COPY 'runs.csv' TO 'runs.parquet'.
+)";
 
 std::string yes_or_no(bool value) {
   return value ? "1" : "0";

@@ -20,34 +20,26 @@ namespace fs = std::filesystem;
 using report::Json;
 
 constexpr const char* readme =
-    "A campaign of ricochet for IOHanalyzer, https://iohanalyzer.liacs.nl.\n"
-    "\n"
-    "Every folder is one algorithm, and to be loaded as such: a solver, in the formulation it is "
-    "shown,\n"
-    "with a perturbation that disturbs it, a gradient's price, and a budget in evaluations for "
-    "each\n"
-    "variable. Runs of another budget are other runs, so they are another algorithm. Every "
-    "problem\n"
-    "is one function; running_times.csv says which is which.\n"
-    "\n"
-    "evaluations: as charged, gradients at their price.\n"
-    "raw_y: optimality gap, the true objective less the best known, of the best feasible point so "
-    "far; to\n"
-    "  be minimised. Below 0 where the best known was beaten. Until a feasible point is found it "
-    "is\n"
-    "  1e30. best.x is then that of the least infeasible point.\n"
-    "time_s: processor time of the run in seconds; 0 where it is not known.\n"
-    "gevals: derivatives asked for in the whole run, the same in all its rows.\n"
-    "Runs on the same instance have other seeds. A run that ended before its first evaluation was\n"
-    "charged stands here with one.\n"
-    "\n"
-    "IOHanalyzer's expected running time is wrong where runs end at different numbers of\n"
-    "evaluations, as they do when a solver gives up or fails: it said 450 where 310 was true. "
-    "Ours\n"
-    "are in running_times.csv: evaluations until an optimality gap within the problem's tolerance, "
-    "runs\n"
-    "that did not get there charged in full, runs that are alike counted once, with intervals of\n"
-    "95 %.\n";
+    R"(A campaign of ricochet for IOHanalyzer, https://iohanalyzer.liacs.nl.
+
+Load every folder as one algorithm: a solver-formulation pair with its perturbation, price of a
+gradient, and budget in evaluations per variable. Another budget means other runs, hence another
+algorithm. Every problem is one function; running_times.csv lists them.
+
+evaluations: as charged, gradients at their price.
+raw_y: optimality gap, to be minimised: the true objective minus the best known value, of the best
+  feasible point so far. Below 0: better than the best known value. 1e30: no feasible point yet;
+  best.x is then the least infeasible point.
+time_s: processor time of the run [s]; 0 if unknown.
+gevals: derivatives requested in the whole run, the same in all its rows.
+Runs on the same instance have different seeds. A run that ended before its first evaluation is
+listed with one evaluation.
+
+IOHanalyzer's expected running time is wrong if runs end after different numbers of evaluations, as
+they do when a solver gives up or fails: in one example it gave 450 instead of 310. Use
+running_times.csv: evaluations until the optimality gap is within the problem's tolerance. Unsolved
+runs count with all their evaluations, identical runs count once, intervals are 95 %.
+)";
 
 /// Files of one algorithm on one problem.
 class Case {
@@ -119,10 +111,11 @@ class Case {
         {"maximization", false},
         {"algorithm",
          {{"name", numbering.algorithm(cell)},
-          {"info", fmt::format("{} {}, shown {}, perturbation {}, gradients at {}, {} evaluations "
-                               "for each variable",
-                               cell.solver, version, cell.formulation, cell.perturbation,
-                               cell.gradient_price, cell.budget)}}},
+          {"info",
+           fmt::format("{} {}, formulation {}, perturbation {}, gradients at {}, {} evaluations "
+                       "for each variable",
+                       cell.solver, version, cell.formulation, cell.perturbation,
+                       cell.gradient_price, cell.budget)}}},
         {"experiment_attributes", attributes},
         {"attributes", {"evaluations", "raw_y", "time_s", "gevals"}}};
   }

@@ -28,16 +28,15 @@ std::vector<std::string> summary_names() {
 }
 
 std::vector<std::string> summary_figures() {
-  return {"runs", "solved %", "95 % interval", "running time", "95 % interval", "failed"};
+  return {"runs", "solved %", "95 % interval", "ERT", "95 % interval", "failed"};
 }
 
 std::string summary_legend() {
-  return "Budgets are evaluations for each variable; price: evaluations that a gradient is "
-         "charged, "
-         "n: the number of variables. Solved: share of the runs that found a feasible point within "
-         "the problem's tolerance of its best known value, runs that are alike counted once, with "
-         "Wilson's interval. Running time: expected evaluations until then, runs that did not get "
-         "there charged in full. Failed: runs that ended in an exception or were killed.";
+  return "Budgets are evaluations per variable; price: evaluations charged for a gradient, n: the "
+         "number of variables. Solved: share of runs that evaluated a feasible point within the "
+         "problem's tolerance of its best known value; identical runs count once; Wilson's "
+         "interval. ERT: expected running time, evaluations until solved; unsolved runs count with "
+         "all their evaluations. Failed: runs that ended in an exception or were killed.";
 }
 
 SummaryRow summary_row(const comparison::JudgedCell& judged) {

@@ -41,7 +41,7 @@ FrontExcerpt excerpt_of(const report::Excerpt& from, const std::string& folder) 
 void add_excerpts(const report::Headline& headline, const std::string& folder, Front& front) {
   const std::map<std::string, std::vector<FrontExcerpt>*> topics = {{"speed", &front.speed},
                                                                     {"solver", &front.solver},
-                                                                    {"problem", &front.problem},
+                                                                    {"question", &front.question},
                                                                     {"entries", &front.entries}};
   for (const report::Excerpt& excerpt : headline.excerpts) {
     const auto topic = topics.find(excerpt.topic);
@@ -59,7 +59,7 @@ void add_places(const Comparison& comparison, Front& front) {
   FrontExcerpt places{
       .caption = "Places of solvers from outside",
       .columns = {
-          {"solver, shown", true}, {"problems", true}, {"budget", false}, {"place", false}}};
+          {"solver, formulation", true}, {"problems", true}, {"budget", false}, {"place", false}}};
   for (const Entry& entry : comparison.entries) {
     if (!entry.outside || entry.budget == 0 || entry.budget != largest[entry.family]) continue;
     places.rows.push_back({{{fmt::format("{}, {}", entry.solver, entry.formulation), "", "", true},

@@ -57,7 +57,7 @@ struct FrontCharts {
 
 /// The content of the front page.
 struct Front {
-  std::vector<FrontExcerpt> speed, solver, own, problem, entries;  ///< excerpts by their topic
+  std::vector<FrontExcerpt> speed, solver, own, question, entries;  ///< excerpts by their topic
   std::optional<Comparison> comparison;
   std::optional<FrontCharts> motion;
   std::optional<Pairs> pairs;
@@ -72,7 +72,7 @@ RICOCHET_WRITTEN_AS_JSON(FrontColumn, title, left);
 RICOCHET_WRITTEN_AS_JSON(FrontExcerpt, heading, text, links, caption, columns, rows);
 RICOCHET_WRITTEN_AS_JSON(Card, folder, label, title, finding, date, quick, seconds, command);
 RICOCHET_WRITTEN_AS_JSON(FrontCharts, folder, charts);
-RICOCHET_WRITTEN_AS_JSON(Front, speed, solver, own, problem, entries, comparison, motion, pairs,
+RICOCHET_WRITTEN_AS_JSON(Front, speed, solver, own, question, entries, comparison, motion, pairs,
                          cards, missing);
 
 /// Collects the headlines of the reports.

@@ -38,7 +38,7 @@ std::string inside_a_script(const std::string& json) {
 
 /// A question at the top of the page.
 struct Topic {
-  const char *id, *problem;
+  const char *id, *question;
   const char* none;  ///< shown if there are no excerpts
   const char* invitation;
   std::vector<const char*> commands;
@@ -60,8 +60,8 @@ const Topic topics[] = {
      &Front::solver},
     {"own",
      "Where does your solver stand?",
-     "Write it in any language; ricochet shows it what all solvers are shown, counts, stops and "
-     "judges it. One run, watched; then its place among the others, on this page:",
+     "Write it in any language. It gets the same formulation as every solver; ricochet counts its "
+     "evaluations, stops it and scores it. One run; then its place among the others, on this page:",
      "",
      {"./ricochet solve \"python3 mine.py\" top-speed-C3",
       "./ricochet compare --solver \"python3 mine.py\""},
@@ -79,7 +79,7 @@ Json answers(const Front& front) {
   return report::list_of(topics, [&](const Topic& topic) -> Json {
     Json excerpts = report::list_of(front.*topic.excerpts, excerpt_data);
     return {{"id", topic.id},
-            {"problem", topic.problem},
+            {"question", topic.question},
             {"none", topic.none},
             {"invitation", topic.invitation},
             {"has_commands", !topic.commands.empty()},
@@ -103,11 +103,11 @@ Json told(const Front& front, std::string (*write)(std::string_view)) {
   Json page = {{"has_comparison", front.comparison.has_value()},
                {"has_motion", front.motion.has_value()},
                {"has_pairs", front.pairs.has_value()},
-               {"has_problems", !front.problem.empty()},
+               {"has_questions", !front.question.empty()},
                {"has_missing", !front.missing.empty()},
                {"pairs_finding", front.pairs ? Json(finding_of(*front.pairs)) : Json()},
                {"answers", answers(front)},
-               {"problem", front.problem},
+               {"question", front.question},
                {"entries", front.entries},
                {"cards", front.cards},
                {"missing", front.missing}};

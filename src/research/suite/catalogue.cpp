@@ -17,8 +17,7 @@ Catalogue whole_catalogue() {
       all_solvers(),
       outside::outside_solver,
       [](const MachineGrid& grid) {
-        return carrier_track::grid_problems(
-            grid.around, {grid.restitution, grid.friction, grid.disturbance, grid.fidelity});
+        return carrier_track::grid_problems(grid.around, grid.levels);
       },
       carrier_track::drawn_problem,
       [](const VariedSolver& solver) { return varied(solver.of, solver.name, solver.options); }};

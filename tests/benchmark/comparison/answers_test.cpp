@@ -54,9 +54,10 @@ TEST(Answers, OnASolverSayWhatWasMeasuredNearest) {
   const Json answer = answer_to(comparison(), "Which solver for 16 variables and 500");
   EXPECT_EQ(
       answer["answer"],
-      "Not measured itself; nearest: few (2 to 8 variables, 30 evaluations each): near, shown "
-      "count (P(best) 0.50); many (32 to 64 variables, 30 evaluations each): large, shown "
-      "count (P(best) 0.50).");
+      "Not measured itself; nearest: few (2 to 8 variables, 30 evaluations each): near on the "
+      "count formulation (P(best) 0.50); many (32 to 64 variables, 30 evaluations each): large on "
+      "the "
+      "count formulation (P(best) 0.50).");
   ASSERT_EQ(answer["links"].size(), 2U);
   EXPECT_EQ(answer["links"][1]["to"], "many");
 }

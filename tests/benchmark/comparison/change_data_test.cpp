@@ -57,9 +57,10 @@ TEST_F(Changes, OfTheFidelityTurnTheOrderOver) {
       catalogue_of([](const std::string& problem) { return !problem.ends_with("planar"); });
   catalogue.grid_problems = [](const MachineGrid& grid) {
     std::vector<SearchedProblem> problems;
-    for (std::size_t k = 0; k < grid.fidelity.size(); ++k) {
-      Problem problem = bowl("bowl-" + grid.fidelity[k], 1);
-      problem.machine = grid.fidelity[k];
+    const std::vector<OptionValue>& levels = grid.levels.at("fidelity");
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      Problem problem = bowl("bowl-" + std::get<std::string>(levels[k]), 1);
+      problem.machine = std::get<std::string>(levels[k]);
       problem.factors = {{"fidelity", static_cast<double>(k)}, {"restitution", 0.5}};
       problems.push_back(searched(problem, nullptr));
     }

@@ -28,7 +28,8 @@ const SearchedProblem* found(const std::vector<SearchedProblem>& problems,
 
 /// All of one grid in one test: to scan for best values takes a second or two.
 TEST(MachineGrid, AsksOfEveryCombinationWhatItSays) {
-  const auto problems = grid_problems("C4", {{0.25, 0.75}, {}, {0.5}});
+  const auto problems =
+      grid_problems("C4", {{"restitution", {0.25, 0.75}}, {"disturbance", {0.5}}});
   const double friction = find_case("C4").friction;
   const std::string id = fmt::format("C4-r0.75-f{}-d0.5", friction);
   std::set<std::string> machines;
@@ -70,7 +71,7 @@ TEST(MachineGrid, AsksOfEveryCombinationWhatItSays) {
 }
 
 TEST(MachineGrid, SimulatesAtTheLevelThatItNames) {
-  const auto problems = grid_problems("C1", {.fidelity = {"planar", "impact"}});
+  const auto problems = grid_problems("C1", {{"fidelity", {"planar", "impact"}}});
   const auto problem = [](const std::vector<SearchedProblem>& all, const std::string& name) {
     const SearchedProblem* one = found(all, name);
     return one == nullptr ? nullptr : &one->problem;
@@ -99,9 +100,12 @@ TEST(MachineGrid, SimulatesAtTheLevelThatItNames) {
 
 TEST(MachineGrid, RefusesACaseThatIsNoneAndAMachineThatIsNone) {
   EXPECT_THROW(grid_problems("C99", {}), InputError);
-  EXPECT_THROW(grid_problems("C1", {{1.5}}), InputError);
-  EXPECT_THROW(grid_problems("C1", {{}, {-0.5}}), InputError);
-  EXPECT_THROW(grid_problems("C1", {.fidelity = {"auto"}}), InputError);
+  EXPECT_THROW(grid_problems("C1", {{"restitution", {1.5}}}), InputError);
+  EXPECT_THROW(grid_problems("C1", {{"restitution", {"much"}}}), InputError);
+  EXPECT_THROW(grid_problems("C1", {{"friction", {-0.5}}}), InputError);
+  EXPECT_THROW(grid_problems("C1", {{"fidelity", {"auto"}}}), InputError);
+  EXPECT_THROW(grid_problems("C1", {{"fidelity", {1.0}}}), InputError);
+  EXPECT_THROW(grid_problems("C1", {{"frictoin", {0.5}}}), InputError);
 }
 
 }  // namespace

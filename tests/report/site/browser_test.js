@@ -46,7 +46,7 @@ const open = async (name, {width = 1440, scheme = "light", script = true} = {}) 
   page.on("pageerror", (error) => check(false, `${name}: ${error}`));
   page.on("request", (request) => check(/^(file|data|blob):/.test(request.url()), `${name}: asks for ${request.url()}`));
   await page.setViewport({width, height: 900});
-  await page.emulateMediaPerturbations([{name: "prefers-color-scheme", value: scheme}]);
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: scheme}]);
   await page.setJavaScriptEnabled(script);
   await page.goto(pathToFileURL(path.join(folder, name)).href);
   return page;
@@ -92,7 +92,7 @@ const lookAt = async (name) => {
   await shorten(page);
   await page.evaluate(axe);
   await audit(page, name);
-  await page.emulateMediaPerturbations([{name: "prefers-color-scheme", value: "dark"}]);
+  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: "dark"}]);
   await audit(page, `${name}, dark`, ["color-contrast"]);
   await page.close();
 };
@@ -158,7 +158,7 @@ for (const scheme of ["light", "dark"]) {
   await page.close();
 }
 const turned = await open("advice/index.html");
-const sizes = explorer.knobs.map((knob) => knob.levels.length), answered = () => turned.$eval(".explorer .answer", (p) => p.textContent);
+const sizes = explorer.design_parameters.map(({levels}) => levels.length), answered = () => turned.$eval(".explorer .answer", (p) => p.textContent);
 check((await turned.$$(".explorer input")).length === sizes.length, "not every constant has a slider");
 check((await answered()).includes(explorer.own.quiet.toFixed(3)), "the explorer does not begin with the machine's own");
 const saidAt = await turned.$eval(".explorer", (block, levels, many) => {
@@ -373,7 +373,7 @@ await hoverAndClick("motion-chart", data.motion.folder);
 await hoverAndClick("pairs-chart", data.pairs.folder);
 await page.close();
 
-// What a stranger asks: a click on the problem, and at most two screens below where it leads the answer.
+// What a stranger asks: a click on the question, and at most two screens below where it leads the answer.
 const walks = [];
 const answersTo = {
   "How fast may C3 run?": ["#thresholds tbody th", /^C3$/],
@@ -382,12 +382,12 @@ const answersTo = {
   "Where does Ipopt fail?": ["#map svg text", /^ipopt$/],
   "Is the planar model needed for my machine?": ["#levels p", /Both directions are needed only where/],
 };
-for (const [problem, [selector, words]] of Object.entries(answersTo)) {
+for (const [question, [selector, words]] of Object.entries(answersTo)) {
   const walk = await open(front);
   await walk.setViewport({width: 1280, height: 800});
-  await walk.emulateMediaPerturbations([{name: "prefers-reduced-motion", value: "reduce"}]);
-  const link = await walk.evaluateHandle((text) => [...document.querySelectorAll("a")].find((a) => a.textContent === text), problem);
-  if (!link.asElement()) { check(false, `nobody asks: ${problem}`); await walk.close(); continue; }
+  await walk.emulateMediaFeatures([{name: "prefers-reduced-motion", value: "reduce"}]);
+  const link = await walk.evaluateHandle((text) => [...document.querySelectorAll("a")].find((a) => a.textContent === text), question);
+  if (!link.asElement()) { check(false, `nobody asks: ${question}`); await walk.close(); continue; }
   const before = await link.evaluate((a) => a.getBoundingClientRect().bottom / innerHeight);
   await Promise.all([walk.waitForNavigation(), link.click()]);
   await new Promise((resolve) => setTimeout(resolve, 200));
@@ -395,9 +395,9 @@ for (const [problem, [selector, words]] of Object.entries(answersTo)) {
     const words = new RegExp(source);
     return parts.filter((part) => words.test(part.textContent.trim())).map((part) => part.getBoundingClientRect().bottom / innerHeight)[0] ?? null;
   }, words.source);
-  check(after !== null, `${problem} is not answered on ${walk.url()}`);
-  check(before <= 2 && after <= 2, `${problem}: ${before.toFixed(1)} screens to the click, ${after?.toFixed(1)} after it`);
-  walks.push(`${problem} 1 click; screens: ${before.toFixed(1)} to it, ${after?.toFixed(1)} to the answer`);
+  check(after !== null, `${question} is not answered on ${walk.url()}`);
+  check(before <= 2 && after <= 2, `${question}: ${before.toFixed(1)} screens to the click, ${after?.toFixed(1)} after it`);
+  walks.push(`${question} 1 click; screens: ${before.toFixed(1)} to it, ${after?.toFixed(1)} to the answer`);
   await walk.close();
 }
 

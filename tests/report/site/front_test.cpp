@@ -14,7 +14,7 @@ FoundReport telling() {
   report.headline->finding = "All is well.";
   report.headline->excerpts = {
       {"speed", "8 rad/s", "in all", {{"cases", "#thresholds"}}, {}},
-      {"problem", "How fast?", "So.", {{"a page", "count#there"}, {"its own", ""}}, {}},
+      {"question", "How fast?", "So.", {{"a page", "count#there"}, {"its own", ""}}, {}},
       {"nobody's", "lost", "", {}, {}}};
   report.headline->excerpts[0].table = {"Speeds",
                                         {{"cases", report::Alignment::left}, {"speed"}},
@@ -32,10 +32,10 @@ TEST(Front, PutsExcerptsUnderTheirTopics) {
   EXPECT_EQ(front.speed[0].rows[0].cells[0].folder, "first");
   EXPECT_EQ(front.speed[0].rows[0].cells[0].anchor, "#c1");
   EXPECT_EQ(front.speed[0].rows[0].cells[1].folder, "");
-  ASSERT_EQ(front.problem.size(), 1U);
-  EXPECT_EQ(front.problem[0].links[0].folder, "first/count");
-  EXPECT_EQ(front.problem[0].links[0].anchor, "#there");
-  EXPECT_EQ(front.problem[0].links[1].folder, "first");
+  ASSERT_EQ(front.question.size(), 1U);
+  EXPECT_EQ(front.question[0].links[0].folder, "first/count");
+  EXPECT_EQ(front.question[0].links[0].anchor, "#there");
+  EXPECT_EQ(front.question[0].links[1].folder, "first");
 }
 
 TEST(Front, HasTheExcerptsOfFurtherPagesToo) {

@@ -12,14 +12,15 @@ namespace {
 
 MachineGrid grid_from(const toml::table& table, const std::string& place) {
   const PlanTable in(table, place);
-  in.check_keys({"around", "restitution", "friction", "disturbance", "fidelity"});
   in.need("around");
   MachineGrid grid;
   in.read("around", grid.around);
-  in.read("restitution", grid.restitution, true);
-  in.read("friction", grid.friction, true);
-  in.read("disturbance", grid.disturbance, true);
-  in.read("fidelity", grid.fidelity);
+  for (const auto& [key, node] : table) {
+    if (key == "around") continue;
+    std::vector<OptionValue>& levels = grid.levels[std::string(key.str())];
+    in.read(key.str(), levels);
+    if (levels.empty()) in.refuse(key.str(), node, "a list of one or more");
+  }
   return grid;
 }
 
@@ -199,12 +200,11 @@ std::string text_of(const PlanPart& part) {
   if (!part.machines.around.empty()) {
     const MachineGrid& grid = part.machines;
     std::string inside = "around = " + quoted(grid.around);
-    for (const auto& [key, values] :
-         {std::pair("restitution", &grid.restitution), std::pair("friction", &grid.friction),
-          std::pair("disturbance", &grid.disturbance)}) {
-      if (!values->empty()) inside += fmt::format(", {} = {}", key, list_of(*values));
+    for (const auto& [key, values] : grid.levels) {
+      std::vector<std::string> texts;
+      for (const OptionValue& value : values) texts.push_back(toml_of(value));
+      inside += fmt::format(", {} = [{}]", quoted(key), fmt::join(texts, ", "));
     }
-    if (!grid.fidelity.empty()) inside += ", fidelity = " + list_of(grid.fidelity);
     line("machines", "{ " + inside + " }");
   }
   if (part.drawn_machines > 0) line("drawn_machines", std::to_string(part.drawn_machines));

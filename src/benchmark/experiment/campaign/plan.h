@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +11,11 @@
 
 namespace ricochet {
 
-/// Machines around one of the paper's, for every combination of the listed values. An empty list
-/// keeps the machine's own value.
+/// Machines around a given one, for every combination of the levels. The catalogue knows what may
+/// vary.
 struct MachineGrid {
-  std::string around;  ///< id of a case, e.g. "C1"; empty: no grid
-  std::vector<double> restitution, friction, disturbance;
-  std::vector<std::string> fidelity;  ///< levels of the simulation, by name
+  std::string around;                                      ///< e.g. "C1"; empty: no grid
+  std::map<std::string, std::vector<OptionValue>> levels;  ///< of what varies, by name
 
   bool operator==(const MachineGrid&) const = default;
 };

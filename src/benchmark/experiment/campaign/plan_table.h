@@ -62,15 +62,12 @@ class PlanTable {
 
   /// Any finite number, or a non-empty text; required.
   void read(std::string_view key, OptionValue& target) const {
-    const toml::node& node = *table_.get(key);
-    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
-    if (number && std::isfinite(*number)) {
-      target = *number + 0.0;  // no -0
-    } else if (node.is_string() && !node.as_string()->get().empty()) {
-      target = node.as_string()->get();
-    } else {
-      refuse(key, node, "a finite number or a text");
-    }
+    target = number_or_text(key, *table_.get(key));
+  }
+
+  /// One of them or a list.
+  void read(std::string_view key, std::vector<OptionValue>& target) const {
+    read_list(key, target, [&](const toml::node& node) { return number_or_text(key, node); });
   }
 
   void read(std::string_view key, std::optional<bool>& target) const {
@@ -137,6 +134,13 @@ class PlanTable {
       refuse(key, node, may_be_zero ? "finite numbers >= 0" : "finite numbers > 0");
     }
     return *number + 0.0;  // no -0
+  }
+
+  OptionValue number_or_text(std::string_view key, const toml::node& node) const {
+    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+    if (number && std::isfinite(*number)) return *number + 0.0;  // no -0
+    if (node.is_string() && !node.as_string()->get().empty()) return node.as_string()->get();
+    refuse(key, node, "a finite number or a text");
   }
 
   std::int64_t whole(std::string_view key, const toml::node& node, std::int64_t least,

@@ -34,7 +34,7 @@ CampaignDescription description_of(const Campaign& campaign, const Provenance& p
 StoredCampaign resumed(const Plan& plan, const Catalogue& catalogue,
                        const std::filesystem::path& file, const Provenance& provenance) {
   const auto refuse = [&](const char* what) {
-    throw InputError(fmt::format("{}: is {}: another --out begins anew", file.string(), what));
+    throw InputError(fmt::format("{}: is {}: choose another --out", file.string(), what));
   };
   Store found = Store::open(file, Store::For::reading);
   CampaignDescription theirs = found.description();

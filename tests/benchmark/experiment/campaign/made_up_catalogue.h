@@ -12,6 +12,15 @@
 
 namespace ricochet {
 
+/// The levels of the restitution that a plan names.
+inline std::vector<double> restitutions(const MachineGrid& grid) {
+  std::vector<double> numbers;
+  const auto levels = grid.levels.find("restitution");
+  if (levels == grid.levels.end()) return numbers;
+  for (const OptionValue& level : levels->second) numbers.push_back(std::get<double>(level));
+  return numbers;
+}
+
 /// The sum of (x_i - 0.3)^2; with one constraint, x_0 <= 1/2, where wanted.
 inline Problem bowl(const std::string& name, Eigen::Index n, bool constrained = false) {
   Problem problem;
@@ -86,7 +95,7 @@ inline Catalogue made_up_catalogue() {
   };
   catalogue.grid_problems = [](const MachineGrid& grid) {
     std::vector<SearchedProblem> problems;
-    for (const double r : grid.restitution) {
+    for (const double r : restitutions(grid)) {
       problems.push_back(
           searched(bowl("bowl-" + grid.around + "-" + std::to_string(r), 1), nullptr));
     }
@@ -100,7 +109,7 @@ inline Catalogue searched_catalogue(const std::shared_ptr<int>& searches) {
   Catalogue catalogue = made_up_catalogue();
   catalogue.grid_problems = [searches](const MachineGrid& grid) {
     std::vector<SearchedProblem> problems;
-    for (const double r : grid.restitution) {
+    for (const double r : restitutions(grid)) {
       problems.push_back(
           searched(bowl("bowl-" + grid.around + "-" + std::to_string(r), 1), searches));
       if (grid.around != "nowhere" || r < 1) continue;

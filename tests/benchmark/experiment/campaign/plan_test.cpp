@@ -50,8 +50,14 @@ PlanPart any_part(Random& random) {
   if (yes()) part.name = "part-" + std::to_string(++parts);
   part.problems = any_list(random, 1, text);
   if (yes()) {
-    part.machines = {any_text(random), any_list(random, 0, level), any_list(random, 0, level),
-                     any_list(random, 0, level), any_list(random, 0, text)};
+    const auto number_or_text = [&]() -> OptionValue {
+      if (yes()) return level();
+      return text();
+    };
+    part.machines.around = any_text(random);
+    for (const char* key : {"fidelity", "friction", "restitution"}) {
+      if (yes()) part.machines.levels[key] = any_list(random, 1, number_or_text);
+    }
   }
   if (part.machines.around.empty() && yes()) {
     part.drawn_machines = static_cast<int>(whole(random, 1, 9));
@@ -163,10 +169,10 @@ TEST(Plan, RefusesAValueWithPlaceValueAndRange) {
            {"machines = 1", place, "machines = 1", "a table"},
            {"machines = {}", place + ", machines", "around", "is missing"},
            {"machines = {around = 1}", place + ", machines", "around = 1", "a text"},
-           {"machines = {around = \"C1\", friction = [-1]}", place + ", machines", "friction = -1",
-            "finite numbers >= 0"},
-           {"machines = {around = \"C1\", frictoin = 1}", place + ", machines", "frictoin",
-            "friction"},
+           {"machines = {around = \"C1\", friction = [true]}", place + ", machines",
+            "friction = true", "a finite number or a text"},
+           {"machines = {around = \"C1\", friction = []}", place + ", machines", "friction = []",
+            "a list of one or more"},
            {"drawn_machines = 0", place, "drawn_machines = 0", "a whole number from 1"},
            {"relocated_optimum = 1", place, "relocated_optimum = 1", "true or false"},
            {"drawn_machines = 1\nmachines = {around = \"C1\"}", place, "drawn_machines = 1",

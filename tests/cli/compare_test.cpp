@@ -27,17 +27,16 @@ TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
   EXPECT_EQ(data["pages"], (Json{"top-speed", "profile-count"}));
   const Json family = report::data_in(read(folder / "top-speed" / "data.json"));
   std::set<std::string> cobyla;
-  for (const Json& standing : family["standings"]) {
-    if (standing["solver"] == "nlopt-cobyla")
-      cobyla.insert(standing["formulation"].get<std::string>());
-    EXPECT_EQ(standing["runs"], 2);
-    EXPECT_LE(standing["found"]["lower"], standing["found"]["share"]);
+  for (const Json& result : family["results"]) {
+    if (result["solver"] == "nlopt-cobyla") cobyla.insert(result["formulation"].get<std::string>());
+    EXPECT_EQ(result["runs"], 2);
+    EXPECT_LE(result["found"]["lower"], result["found"]["share"]);
   }
   EXPECT_EQ(cobyla, (std::set<std::string>{"count", "surrogate", "penalised-count",
                                            "penalised-surrogate"}));
   EXPECT_EQ(family["ceilings"].size(), 1U);
   EXPECT_FALSE(family["formulations"].empty());
-  EXPECT_FALSE(data["twins"].empty());
+  EXPECT_FALSE(data["relocated_optima"].empty());
   EXPECT_EQ(data["relocated"][0]["problems"], 1);
 }
 
@@ -56,7 +55,7 @@ TEST(Compare, AnnouncesAndStoresAllOfItsRunsAndReadsThemAlone) {
   for (const Json& row : data["orders"]) whats.insert(row["what"].get<std::string>());
   EXPECT_TRUE(whats.contains("machines drawn around the cases")) << data["orders"];
   EXPECT_TRUE(whats.contains("other seeds"));
-  EXPECT_FALSE(data["twins"].empty());
+  EXPECT_FALSE(data["relocated_optima"].empty());
   const Outcome again = call(command);
   EXPECT_THAT(again.err, testing::HasSubstr(runs + " are there already"));
   Json same = report::data_in(read(folder / "data.json"));
@@ -72,7 +71,7 @@ TEST(Compare, ChoosesFormulations) {
       folder.string());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json data = report::data_in(read(folder / "top-speed" / "data.json"));
-  EXPECT_EQ(data["standings"].size(), 2U);
+  EXPECT_EQ(data["results"].size(), 2U);
 }
 
 TEST(Compare, RefusesWhatNothingFits) {

@@ -41,7 +41,7 @@ TEST(Description, IsCompletedByBash) {
 
 TEST(Description, HasEveryCommandForTheOtherShellsAndTheManual) {
   EXPECT_THAT(call("describe zsh").out,
-              AllOf(HasSubstr("#compdef ricochet"), HasSubstr("'calibrate:Which interpretation"),
+              AllOf(HasSubstr("#compdef ricochet"), HasSubstr("'calibrate:Fit the unknown"),
                     HasSubstr("'--format[What to print: text or json]:value:(text json)'"),
                     HasSubstr("'--all-interpretations[")));
   EXPECT_THAT(call("describe fish").out,

@@ -91,9 +91,9 @@ TEST(OwnSolver, IsComparedWithOthers) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const report::Json data = report::data_in(read(folder / "count" / "data.json"));
   std::set<std::string> names;
-  for (const report::Json& standing : data["standings"]) {
-    names.insert(standing["solver"].get<std::string>());
-    EXPECT_EQ(standing["failed"], 0);
+  for (const report::Json& result : data["results"]) {
+    names.insert(result["solver"].get<std::string>());
+    EXPECT_EQ(result["failed"], 0);
   }
   EXPECT_EQ(names, (std::set<std::string>{"mine", "hill-climber", "scan", "nlopt-crs2"}));
 }

@@ -175,7 +175,7 @@ Json group_data(const Comparison& comparison, const std::vector<Group>& groups,
                    {"problems", std::move(problems)},
                    {"shares", share_rows(comparison, group, last["ratings"])},
                    {"few", few},
-                   {"standings", std::move(rows)}});
+                   {"results", std::move(rows)}});
   }
   return all;
 }

@@ -13,7 +13,7 @@ using namespace ricochet::comparison;
 /// - `perturbations`: a row for each perturbation: means over solvers with and without it, the
 ///   number of solvers that it harms significantly, the most harmed ones, and the one that solves
 ///   most under it;
-/// - `feature_rows`: a row for each solver, with a success rate for each perturbation;
+/// - `perturbation_rows`: a row for each solver, with a success rate for each perturbation;
 /// - `atlas`: for every machine and perturbation the outcomes of the runs, and a command that
 ///   repeats one of the failed ones.
 /// Lists are empty if the campaign has no perturbation but "plain".

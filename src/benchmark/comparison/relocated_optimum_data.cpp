@@ -64,7 +64,7 @@ Json relocated_optimum_data(const Campaign& campaign, const std::vector<CellResu
     variables["problems"] = problems.size();
     parts.push_back(std::move(variables));
   }
-  return {{"twins", std::move(rows)}, {"relocated", std::move(parts)}};
+  return {{"relocated_optima", std::move(rows)}, {"relocated", std::move(parts)}};
 }
 
 }  // namespace ricochet::studies::comparison

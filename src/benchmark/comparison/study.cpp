@@ -46,7 +46,7 @@ using report::Json;
 
 /// Problems of the default comparison: the paper's, and those of 2 to 32 variables that separate
 /// solvers well.
-constexpr const char* standing_problems =
+constexpr const char* default_problems =
     "count-*,top-speed-*,hard-top-speed-*,profile-count-[28]-C[14],profile-count-32-C4,"
     "design-count-C[149],robust-worst-C4";
 
@@ -176,7 +176,7 @@ Json results_of(const Campaign& campaign, const std::vector<CellResult>& results
                {"most", asked.budgets.back()},
                {"two_budgets", asked.budgets.size() > 1},
                {"instances", asked.instances},
-               {"standings", comparison.results.size()}});
+               {"results", comparison.results.size()}});
   return {{"plans", Json::array({plan})},
           {"leaders", leaders_of(group_rows)},
           {"groups", group_rows},
@@ -239,7 +239,7 @@ Plan comparison_plan(const ComparisonOptions& options, bool quick, const Catalog
   plan.name = quick ? "compare --quick" : "compare";
   plan.limits = options.limits;
   PlanPart one;
-  const std::string patterns = options.problems.empty() ? standing_problems : options.problems;
+  const std::string patterns = options.problems.empty() ? default_problems : options.problems;
   one.problems = split_patterns(patterns);
   one.solvers = solvers_of(options, catalogue);
   one.formulations = split_patterns(options.formulations);

@@ -156,7 +156,7 @@ Json frontier_row(const RankedFit& r, const std::vector<Unknown>& fitted_before)
   }
   const Appraisal& a = r.appraisal;
   Json row = data_of(r);
-  row["name"] = names.empty() ? "nothing held" : "held:" + names;
+  row["name"] = names.empty() ? "nothing fixed" : "fixed:" + names;
   row["held"] = std::move(held);
   row["reached"] = {{"within", a.within == 10},         {"exact_counts", a.exact_counts == 10},
                     {"purity", a.purity >= 0.9},        {"misclassified", a.misclassified <= 0.02},

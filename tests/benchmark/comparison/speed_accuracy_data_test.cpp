@@ -37,7 +37,7 @@ Campaign campaign_of(const std::string& problems, const std::string& solvers) {
 
 /// All cells with two runs each: chance-a solves one of the first problem after 10 evaluations,
 /// and both of others after 40; chance-b all after 50; luck none.
-std::vector<CellResult> standings_of(const Campaign& campaign) {
+std::vector<CellResult> results_of(const Campaign& campaign) {
   return made_up_results(campaign, [](const PlannedCell& cell) {
     if (cell.cell.solver == "luck") return std::vector{run_solved_after({}), run_solved_after({})};
     if (cell.cell.solver == "chance-b") {
@@ -62,7 +62,7 @@ Json row_of(const Json& rows, const std::string& solver) {
 
 TEST(SpeedAccuracy, IsWhatTheRunsCountUpTo) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"bowl-2\"", "\"*\"");
-  const auto results = standings_of(campaign);
+  const auto results = results_of(campaign);
   const Json data = speed_accuracy_data(campaign, entry_sets_of(campaign, results));
   ASSERT_EQ(data["speed_accuracy"].size(), 3);
   const Json a = row_of(data["speed_accuracy"], "chance-a");
@@ -90,7 +90,7 @@ TEST(SpeedAccuracy, IsWhatTheRunsCountUpTo) {
 
 TEST(SpeedAccuracy, LeavesWhoTakesSomeOnlyOffTheFront) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"bowl-2\"", "\"*\"");
-  auto results = standings_of(campaign);
+  auto results = results_of(campaign);
   std::erase_if(results, [](const CellResult& s) {
     return s.cell->cell.solver == "chance-a" && s.cell->cell.problem == "bowl-1";
   });
@@ -103,7 +103,7 @@ TEST(SpeedAccuracy, LeavesWhoTakesSomeOnlyOffTheFront) {
 
 TEST(SpeedAccuracy, JoinsFamiliesOfWhichEachSolverTakesAll) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"cup-s\"", "\"*\"");
-  const auto results = standings_of(campaign);
+  const auto results = results_of(campaign);
   const Json data = speed_accuracy_data(campaign, entry_sets_of(campaign, results));
   const Json& all = data["speed_accuracy"][0];
   EXPECT_EQ(all["family"], "all");
@@ -116,7 +116,7 @@ TEST(SpeedAccuracy, OfNothingOrOneIsNothingOrOne) {
   const Campaign campaign = campaign_of("\"bowl-1\"", "\"luck\"");
   const Json none = speed_accuracy_data(campaign, {});
   EXPECT_TRUE(none["speed_accuracy"].empty());
-  const auto results = standings_of(campaign);
+  const auto results = results_of(campaign);
   const auto sets = entry_sets_of(campaign, results);
   const Json one = speed_accuracy_data(campaign, sets);
   EXPECT_EQ(one["speed_accuracy"].size(), 1);
@@ -127,7 +127,7 @@ TEST(SpeedAccuracy, OfNothingOrOneIsNothingOrOne) {
 
 TEST(Profiles, AreOfTheRatiosToTheLeast) {
   const Campaign campaign = campaign_of("\"bowl-1\", \"bowl-2\"", "\"*\"");
-  const auto results = standings_of(campaign);
+  const auto results = results_of(campaign);
   const Json data = profile_data(campaign, entry_sets_of(campaign, results));
   ASSERT_EQ(data.size(), 1);
   // Expected running times: 110 and 20 of chance-a, 50 and 25 of chance-b.
@@ -148,7 +148,7 @@ TEST(Profiles, AreOfTheRatiosToTheLeast) {
 
 TEST(Pairs, SayWhoIsBetterAndWhere) {
   const Campaign campaign = campaign_of("\"bowl-*\"", "\"chance-b\", \"luck\"");
-  const auto results = standings_of(campaign);
+  const auto results = results_of(campaign);
   const Json data = pair_data(campaign, entry_sets_of(campaign, results));
   ASSERT_EQ(data.size(), 1);
   ASSERT_EQ(data[0]["pairs"].size(), 1);

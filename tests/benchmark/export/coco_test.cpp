@@ -36,7 +36,7 @@ TEST_F(Coco, OpensEveryAlgorithmWithAllOfItsRuns) {
   EXPECT_THAT(complaints, IsEmpty());
   EXPECT_EQ(algorithms, 12);
   EXPECT_EQ(runs, records.size());
-  EXPECT_THAT(text_of(out / "README.txt"), HasSubstr("functions 1 to 24 only"));
+  EXPECT_THAT(text_of(out / "README.txt"), HasSubstr("functions 1 to 24."));
 }
 
 TEST_F(Coco, RowsAreWhatTheRecordsSay) {

@@ -35,7 +35,7 @@ TEST_F(IohAnalyzer, OpensEveryAlgorithmWithAllOfItsRuns) {
   EXPECT_THAT(complaints, IsEmpty());
   EXPECT_EQ(algorithms, 12) << "3 solvers, 2 perturbations, 2 budgets";
   EXPECT_EQ(runs, records.size());
-  EXPECT_THAT(text_of(out / "README.txt"), HasSubstr("450 where 310 was true"));
+  EXPECT_THAT(text_of(out / "README.txt"), HasSubstr("450 instead of 310"));
 }
 
 TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {

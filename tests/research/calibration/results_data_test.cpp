@@ -264,7 +264,7 @@ TEST(ResultsData, EndTheCommandWithTheRankedTable) {
   const std::string longer = drawing_of(more).epilogue;
   EXPECT_NE(longer.find("\n\nmodel variant  "), std::string::npos) << longer;
   EXPECT_NE(longer.find("\n1 of 3 come nearer than what they change"), std::string::npos) << longer;
-  EXPECT_NE(longer.find("from every seed\n\nThresholds that"), std::string::npos) << longer;
+  EXPECT_NE(longer.find("from every seed\n\nThresholds "), std::string::npos) << longer;
 }
 
 TEST(ResultsData, LeaveOutWhatOneInterpretationDoesNotHave) {

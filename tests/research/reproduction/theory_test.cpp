@@ -250,7 +250,7 @@ TEST(TheorySection, NamesTheSpeedOfTheModelThatTheThresholdIs) {
 
 TEST(TheorySection, SaysWhetherTheCarrierHasTheRoom) {
   auto cases = made_cases();
-  EXPECT_THAT(theory_section(cases).paragraphs.back(), HasSubstr("So it has not"));
+  EXPECT_THAT(theory_section(cases).paragraphs.back(), HasSubstr("So it has no room"));
   for (CaseStudy& c : cases) c.scene.wall_upper = 1e3;
   EXPECT_THAT(theory_section(cases).paragraphs.back(), HasSubstr("can move as the formula"));
   for (CaseStudy& c : cases) c.scene.pull_rotates = true;

@@ -6,7 +6,7 @@
 #include "ricochet/vector.h"
 
 /// Random numbers computed from a generator's bits alone, so that every standard library gives the
-/// same ones; the distributions of <random> differ.
+/// same ones; its own distributions may differ.
 namespace ricochet {
 
 using Random = std::mt19937_64;

@@ -215,9 +215,8 @@ std::optional<SolverTermination> converse(LineProgram& program, Evaluator& evalu
   send(program, description_of(evaluator, start, seed));
   int asked_when_over = 0;
   for (;;) {
-    std::optional<Patience> limit;
-    if (evaluator.over()) limit = Patience{patience, "it was told to stop"};
-    const auto line = program.line(limit);
+    const auto line =
+        program.line(evaluator.over() ? Patience{patience, "it was told to stop"} : Patience{});
     if (!line && program.lines() == lines_before) return std::nullopt;
     if (!line && evaluator.over()) return SolverTermination{stopped_by_evaluator};
     if (!line)

@@ -2,10 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <pthread.h>
-#include <sys/prctl.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,11 +15,15 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "src/core/one_line.h"
+#include "src/core/waiting.h"
+
 namespace ricochet::outside {
 namespace {
 
 constexpr std::size_t longest_line = 4 << 20;  // bytes
 constexpr std::size_t chunk = 1 << 16;         // bytes: the capacity of a pipe
+constexpr std::size_t kept_of_a_line = 80;     // bytes
 constexpr int grace = 1000;                    // ms, for a program to end by itself
 constexpr int forever = -1;
 
@@ -60,16 +63,13 @@ void open_pipe(Descriptor& end_to_read, Descriptor& end_to_write) {
 
 /// Replaces this process by the program. Between fork and exec only async-signal-safe calls are
 /// allowed.
-[[noreturn]] void become(char* const* arguments, int input, int output, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // if the run is killed, a hanging solver ends too
-  if (getppid() != parent) _exit(127);
+[[noreturn]] void become(char* const* arguments, int input, int output) {
   dup2(input, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);
-  std::signal(SIGINT, SIG_IGN);  // a Ctrl-C ends ricochet, which then ends this program
   execvp(arguments[0], arguments);
   _exit(errno == ENOENT ? 127 : 126);
 }
@@ -87,7 +87,9 @@ void Descriptor::take(int number) {
 }
 
 LineProgram::LineProgram(std::vector<std::string> arguments)
-    : maker_(getpid()), thread_(std::this_thread::get_id()) {
+    : maker_(getpid()),
+      thread_(std::this_thread::get_id()),
+      command_(one_line(fmt::to_string(fmt::join(arguments, " ")))) {
   Descriptor its_input, its_output;
   open_pipe(its_input, input_);
   open_pipe(output_, its_output);
@@ -96,43 +98,27 @@ LineProgram::LineProgram(std::vector<std::string> arguments)
   pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  child_ = fork();
-  if (child_ < 0) refuse("fork");
-  if (child_ == 0) become(pointers.data(), its_input.number(), its_output.number(), maker_);
-  // By its number: glibc 2.36 does not declare pidfd_open for C++. It returns -1 on an old kernel;
-  // then the end of the output signals the end of the program.
-  process_.take(static_cast<int>(syscall(SYS_pidfd_open, child_, 0)));
+  process_.emplace([&] { become(pointers.data(), its_input.number(), its_output.number()); });
 }
 
 LineProgram::~LineProgram() {
   if (getpid() != maker_) return;  // in a forked copy of the process that started it
   input_.close();
   output_.close();  // so that a program that is still writing also ends
-  if (!ends_within(grace)) {
-    kill(child_, SIGKILL);
-    waitpid(child_, nullptr, 0);
-  }
+  process_->ends_within(grace);
 }
 
 bool LineProgram::is_of_this_thread() const {
   return getpid() == maker_ && std::this_thread::get_id() == thread_;
 }
 
-bool LineProgram::ends_within(int milliseconds) {
-  if (ended_) return true;
-  pollfd process{process_.number(), POLLIN, 0};
-  poll(&process, 1, milliseconds);
-  ended_ = waitpid(child_, &status_, WNOHANG) != 0;
-  return ended_;
-}
-
 std::string LineProgram::how_it_ended() {
-  if (!ends_within(grace)) return "closed its standard output";
-  if (WIFSIGNALED(status_)) {
-    return fmt::format("was ended by signal {}, {}", WTERMSIG(status_),
-                       strsignal(WTERMSIG(status_)));
+  if (!process_->ends_within(grace)) return "closed its standard output";
+  const int status = process_->end();
+  if (WIFSIGNALED(status)) {
+    return fmt::format("was ended by signal {}, {}", WTERMSIG(status), strsignal(WTERMSIG(status)));
   }
-  const int code = WEXITSTATUS(status_);
+  const int code = WEXITSTATUS(status);
   const char* usual = code == 127   ? ": there is no such program"
                       : code == 126 ? ": it cannot be run"
                                     : "";
@@ -145,7 +131,7 @@ bool LineProgram::read_more(int limit_in_milliseconds) {
   read_.erase(0, begin_);
   begin_ = 0;
   // A process that the program started may keep the output open after the program has ended.
-  pollfd ends[] = {{output_.number(), POLLIN, 0}, {process_.number(), POLLIN, 0}};
+  pollfd ends[] = {{output_.number(), POLLIN, 0}, {process_->descriptor(), POLLIN, 0}};
   if (poll(ends, 2, limit_in_milliseconds) == 0) return false;
   if (ends[0].revents == 0 && poll(ends, 1, 0) == 0) {  // nothing written just before either
     at_end_ = true;
@@ -158,24 +144,40 @@ bool LineProgram::read_more(int limit_in_milliseconds) {
   return true;
 }
 
-std::optional<std::string_view> LineProgram::line(const std::optional<Patience>& patience) {
-  const int milliseconds = patience ? static_cast<int>(patience->limit.count()) * 1000 : forever;
+std::string LineProgram::last_line() const {
+  return lines_ == 0 ? "no line received yet" : "last line received: " + one_line(last_);
+}
+
+/// Waits for output as long as the patience lasts. Returns false at its end.
+bool LineProgram::waited_for_more(const Patience& patience) {
+  const auto notice = static_cast<int>(patience.notice.count());
+  const int limit = patience.limit ? static_cast<int>(patience.limit->count()) * 1000 : forever;
+  if (limit != forever && limit <= notice) return read_more(limit);
+  if (read_more(notice)) return true;
+  tell_waiting(fmt::format("waiting for {}; {}", command_, last_line()));
+  const bool more = read_more(limit == forever ? forever : limit - notice);
+  if (more) tell_waiting("");
+  return more;
+}
+
+std::optional<std::string_view> LineProgram::line(const Patience& patience) {
   std::size_t searched = 0;  // from begin_ on
   for (;;) {
     const std::size_t end = read_.find('\n', begin_ + searched);
     if (end != std::string::npos || (at_end_ && begin_ < read_.size())) {
       const auto found = std::string_view(read_).substr(begin_, end - begin_);
       begin_ = std::min(end, read_.size() - 1) + 1;
+      last_ = found.substr(0, kept_of_a_line);
       ++lines_;
       return found;
     }
     if (at_end_) return std::nullopt;
     searched = read_.size() - begin_;
     if (searched > longest_line) throw std::runtime_error("a line of more than 4 MiB");
-    if (!read_more(milliseconds)) {
+    if (!waited_for_more(patience)) {
       throw std::runtime_error(
-          fmt::format("wrote nothing for {} s after {}; are its lines flushed?",
-                      patience->limit.count(), patience->after));
+          fmt::format("wrote nothing for {} s after {}; {}; are its lines flushed?",
+                      patience.limit->count(), patience.after, last_line()));
     }
   }
 }

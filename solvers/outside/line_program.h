@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "src/core/supervised_process.h"
+
 namespace ricochet::outside {
 
 /// A file descriptor that is closed on destruction.
@@ -27,18 +29,19 @@ class Descriptor {
   int number_;  // -1: none
 };
 
-/// Time limit for a line, and the event it is counted from.
+/// How long a line is waited for.
 struct Patience {
-  std::chrono::seconds limit;
-  const char* after;  ///< e.g. "it was started"
+  std::optional<std::chrono::seconds> limit = {};  ///< none: without end
+  const char* after = "";                          ///< what it is counted from: "it was started"
+  std::chrono::milliseconds notice{10'000};        ///< until tell_waiting() is called
 };
 
 /// A program that exchanges lines with ricochet through its standard input and output. Its standard
-/// error is that of ricochet. Only the thread that started it may use it; the program ends at the
-/// latest with that thread.
+/// error is that of ricochet. Only the thread that started it may use it; the program, and whatever
+/// it has started, ends at the latest with that thread.
 ///
 /// A program that writes without reading, ends, or closes its streams blocks no one. One that does
-/// nothing is waited for, unless there is a limit.
+/// nothing is waited for, unless there is a limit; tell_waiting() reports it meanwhile.
 class LineProgram {
  public:
   /// Starts arguments[0], found on PATH. Throws std::system_error if the system has no resources
@@ -57,7 +60,7 @@ class LineProgram {
   /// The program's next line, without the newline, valid until the next call of line() or send();
   /// nothing if the program has ended. Throws std::runtime_error if a line is longer than 4 MiB, or
   /// if none comes within the limit.
-  std::optional<std::string_view> line(const std::optional<Patience>& patience = std::nullopt);
+  std::optional<std::string_view> line(const Patience& patience = {});
 
   /// The number of lines written by the program and read so far.
   int lines() const { return lines_; }
@@ -74,17 +77,19 @@ class LineProgram {
 
  private:
   bool read_more(int limit_in_milliseconds);
+  bool waited_for_more(const Patience& patience);
   void wait_to_send();
-  bool ends_within(int milliseconds);
+
+  /// The last line received, in words.
+  std::string last_line() const;
 
   const pid_t maker_;
   const std::thread::id thread_;
-  pid_t child_ = 0;
-  bool ended_ = false;  // and its exit status was collected
-  int status_ = 0;
-  Descriptor process_;  // readable once the program has ended
+  const std::string command_;
+  std::optional<SupervisedProcess> process_;
   Descriptor input_, output_;
   std::string read_;  // read but not yet returned, from begin_ on
+  std::string last_;  // the beginning of the line returned last
   std::size_t begin_ = 0;
   bool at_end_ = false;  // of its output
   int lines_ = 0;

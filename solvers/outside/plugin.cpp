@@ -4,18 +4,26 @@
 #include <fmt/format.h>
 #include <ricochet/ricochet.h>
 
+#include <chrono>
 #include <exception>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "ricochet/error.h"
 #include "solvers/outside/claims.h"
 #include "solvers/unit_box.h"
+#include "src/core/isolated_call.h"
 #include "src/core/one_line.h"
 #include "src/interface/seen_problem.h"
 
 namespace ricochet::outside {
 namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::chrono::seconds longest_load{10};
+constexpr double most_memory = 2000;  // [MB]
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
   throw InputError(path + ": " + reason);
@@ -39,13 +47,34 @@ const ricochet_solver& exported_by(const std::string& path) {
   return *exported;
 }
 
-Claims claims_of(const ricochet_solver& exported, const std::string& path) {
-  return {exported.name != nullptr ? exported.name : std::filesystem::path(path).stem().string(),
-          exported.version != nullptr ? exported.version : "",
-          exported.takes_constraints,
-          exported.needs_derivatives != 0,
-          exported.needs_residuals != 0,
-          exported.stochastic != 0};
+/// The claims of a library as JSON text. To be called where a library may do what it likes: its
+/// constructors run, and its pointers are followed.
+std::string claims_text(const std::string& path) {
+  const ricochet_solver& exported = exported_by(path);
+  const Json claims = {
+      {"name", exported.name != nullptr ? std::string(exported.name)
+                                        : std::filesystem::path(path).stem().string()},
+      {"version", exported.version != nullptr ? exported.version : ""},
+      {"takes_constraints", exported.takes_constraints},
+      {"needs_derivatives", exported.needs_derivatives != 0},
+      {"needs_residuals", exported.needs_residuals != 0},
+      {"stochastic", exported.stochastic != 0}};
+  return claims.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The claims of a library, which is loaded for this in another process.
+Claims claims_of(const std::string& path) {
+  try {
+    const Json claims = Json::parse(
+        called_in_isolation([&] { return claims_text(path); }, longest_load, most_memory));
+    return {claims.at("name").get<std::string>(),      claims.at("version").get<std::string>(),
+            claims.at("takes_constraints").get<int>(), claims.at("needs_derivatives").get<bool>(),
+            claims.at("needs_residuals").get<bool>(),  claims.at("stochastic").get<bool>()};
+  } catch (const std::runtime_error& error) {
+    const std::string reason = error.what();
+    if (reason.starts_with(path)) throw InputError(reason);
+    refuse(path, "cannot be loaded: the process that tried it " + reason);
+  }
 }
 
 /// An exception thrown from here holds no reference to the library.
@@ -63,10 +92,9 @@ const char* solved(const ricochet_solver& exported, ricochet_problem* problem, V
 }  // namespace
 
 Solver plugin(const std::string& path) {
-  const ricochet_solver& exported = exported_by(path);
-  Solver solver = solver_as_claimed(claims_of(exported, path), path);
-  solver.solve = [&exported, path](Evaluator& evaluator, const Vector& start, Random& random) {
-    return solve_by(exported, path, evaluator, start, random);
+  Solver solver = solver_as_claimed(claims_of(path), path);
+  solver.solve = [path](Evaluator& evaluator, const Vector& start, Random& random) {
+    return solve_by(exported_by(path), path, evaluator, start, random);
   };
   return solver;
 }

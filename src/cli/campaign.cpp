@@ -22,6 +22,7 @@
 #include "src/cli/cores.h"
 #include "src/cli/other_program.h"
 #include "src/cli/plan.h"
+#include "src/cli/programs.h"
 #include "src/cli/provenance.h"
 #include "src/cli/tell.h"
 #include "src/cli/version.h"
@@ -103,6 +104,7 @@ bool started_with_other_ranks() {
                                         "--jobs",
                                         std::to_string(std::max(1, options.jobs))};
   if (options.resume) arguments.emplace_back("--resume");
+  if (options.allow_programs) arguments.emplace_back("--allow-programs");
   hand_over(mpi, arguments);
 }
 
@@ -116,16 +118,16 @@ int run_plan(const RunOptions& options) {
   if (options.jobs > 0) {
     limited.emplace(tbb::global_control::max_allowed_parallelism, options.jobs);
   }
+  const Plan plan = plan_named(options.plan);
+  if (options.serve == "runs") Progress::silence();  // the process with the store shows progress
+  announce_programs(programs_of(plan), options.allow_programs, options.plan);
   if (options.serve == "runs") {
-    Progress::silence();  // the process that holds the store shows progress
-    const Campaign campaign =
-        searched_campaign(plan_named(options.plan), studies::whole_catalogue());
+    const Campaign campaign = searched_campaign(plan, studies::whole_catalogue());
     fcntl(frames_out, F_SETFD, FD_CLOEXEC);  // child processes of the runs must not inherit it
     serve_runs(campaign, shard, STDIN_FILENO, frames_out);
     return 0;
   }
-  const auto [campaign, store] =
-      carried_out(plan_named(options.plan), studies::whole_catalogue(), shard, options);
+  const auto [campaign, store] = carried_out(plan, studies::whole_catalogue(), shard, options);
   std::string digest;
   std::vector<std::string> failures;
   if (store.size() == campaign.runs()) {

@@ -267,6 +267,11 @@ class Program : public CommandLine {
         ->required();
   }
 
+  void add_allowance(CLI::App* command, bool& allowed) {
+    command->add_flag("--allow-programs", allowed,
+                      "Start the programs and shared libraries that the file names as solvers");
+  }
+
   void add_run() {
     CLI::App* command = add("run", "Run a plan; every finished run is stored at once",
                             "  ricochet run plan.toml --out mine\n"
@@ -281,6 +286,7 @@ class Program : public CommandLine {
         ->type_name("I/N")
         ->capture_default_str();
     command->add_flag("--resume", run_.resume, "Continue the campaign in this folder");
+    add_allowance(command, run_.allow_programs);
     command->add_option("--jobs", run_.jobs, "Runs in parallel; 0: as many as cores")
         ->capture_default_str();
     command->add_option("--serve", run_.serve, "What this process does under MPI")
@@ -306,8 +312,9 @@ class Program : public CommandLine {
                           "  ricochet replay mine/runs.sqlite 17");
     again->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
     again->add_option("run", replayed_, "Number of the run")->required();
+    add_allowance(again, run_.allow_programs);
     add_format(again, replay_json_);
-    on_call(again, [this] { return replay(store_, replayed_, replay_json_); });
+    on_call(again, [this] { return replay(store_, replayed_, run_.allow_programs, replay_json_); });
     add_export();
   }
 

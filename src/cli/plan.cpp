@@ -17,8 +17,9 @@
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/cli/campaign_size.h"
 #include "src/cli/cores.h"
+#include "src/cli/programs.h"
+#include "src/core/one_line.h"
 #include "src/report/filled_text.h"
-#include "src/research/suite/catalogue.h"
 
 namespace ricochet::cli {
 namespace {
@@ -98,7 +99,8 @@ int new_plan() {
 }
 
 int check_plan(const std::string& plan, bool json) {
-  const Campaign campaign(plan_named(plan), studies::whole_catalogue());
+  const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
+  const std::vector<std::string> programs = programs_of(campaign.plan());
   Json size = size_of(campaign);
   const double seconds = foretold_seconds(campaign);
   size["seconds"] = seconds;
@@ -108,11 +110,19 @@ int check_plan(const std::string& plan, bool json) {
     with_options.push_back(varied_solver(v));
   }
   size["varied_solvers"] = with_options;
+  size["programs"] = programs;
   if (json) {
     fmt::print("{}\n", size.dump(2));
   } else {
     fmt::print("{}; about {} on {} cores\n", in_words(size), duration(seconds / cores()), cores());
     for (const Json& varied : with_options) fmt::print("{}\n", described(varied));
+    for (const std::string& program : programs) {
+      fmt::print("run would start: {}\n", one_line(program));
+    }
+    if (!programs.empty()) {
+      fmt::print(
+          "Programs are not started here: the numbers count all that they might be given.\n");
+    }
   }
   return 0;
 }
@@ -122,10 +132,15 @@ int slurm_script(const std::string& plan, int jobs) {
     throw InputError(fmt::format("--jobs {}: must be from 1 to 10000", jobs));
   }
   if (plan == "-") throw InputError("the jobs read the plan: it must be a file");
-  const Campaign campaign(plan_named(plan), studies::whole_catalogue());
+  const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
+  const std::vector<std::string> programs = programs_of(campaign.plan());
   const double hours = foretold_seconds(campaign) / jobs / 3600;
+  Json shown_programs = Json::array();
+  for (const std::string& program : programs) shown_programs.push_back(one_line(program));
   const Json data = {{"plan", in_shell_quotes(plan)},
                      {"jobs", jobs},
+                     {"programs", shown_programs},
+                     {"allow", programs.empty() ? "" : " --allow-programs"},
                      {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
   fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
   return 0;

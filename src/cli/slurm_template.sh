@@ -2,6 +2,9 @@
 # Carries out a plan as {{jobs}} jobs of one core each, and joins what they stored in campaign/:
 #   sbatch THIS_SCRIPT
 # Where it was interrupted, submit it again: finished runs are kept.
+{{#programs}}
+# It starts: {{.}}
+{{/programs}}
 #SBATCH --job-name=ricochet
 #SBATCH --array=1-{{jobs}}
 #SBATCH --cpus-per-task=1
@@ -10,7 +13,7 @@ set -eu
 plan={{plan}}
 ricochet=${RICOCHET:-ricochet}
 part=campaign/part-$SLURM_ARRAY_TASK_ID
-"$ricochet" run "$plan" --shard "$SLURM_ARRAY_TASK_ID/{{jobs}}" --jobs 1 --resume --out "$part"
+"$ricochet" run "$plan" --shard "$SLURM_ARRAY_TASK_ID/{{jobs}}" --jobs 1 --resume{{allow}} --out "$part"
 # The last one to end joins all; one at a time looks whether it is the last.
 (
   flock 9

@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "ricochet/error.h"
+#include "ricochet/solvers.h"
+#include "solvers/outside/outside.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
+#include "src/cli/programs.h"
 #include "src/report/json.h"
 #include "src/research/suite/catalogue.h"
 
@@ -21,10 +25,29 @@ using report::Json;
 
 namespace {
 
-/// Repeats a run; nothing if the plan has no such run.
+/// The programs that one of them must be the solver of this name: its own if the store says so,
+/// none if the name is of the suite or the plan.
+std::vector<std::string> programs_for(const std::string& solver,
+                                      const CampaignDescription& description, const Plan& plan) {
+  for (const Solver& known : all_solvers()) {
+    if (known.name == solver) return {};
+  }
+  for (const VariedSolver& varied : plan.solvers) {
+    if (varied.name == solver) return {};
+  }
+  const auto own = description.made.find(StoredCampaign::program_key(solver));
+  return own != description.made.end() ? std::vector{own->second} : programs_of(plan);
+}
+
+/// Repeats a run; nothing if the plan has no such run. Starts these programs only.
 std::optional<RunRecord> made_again(const CampaignDescription& description, const Plan& plan,
-                                    const RunKey& key) {
-  const Campaign campaign = campaign_of(description, plan, studies::whole_catalogue());
+                                    const RunKey& key, const std::vector<std::string>& programs) {
+  Catalogue catalogue = studies::whole_catalogue();
+  catalogue.own_solver = [&programs](const std::string& text) {
+    const bool needed = std::find(programs.begin(), programs.end(), text) != programs.end();
+    return needed ? outside::outside_solver(text) : outside::unstarted_solver(text);
+  };
+  const Campaign campaign = campaign_of(description, plan, catalogue);
   const PlannedRuns planned(campaign, key);
   std::optional<RunRecord> again;
   if (planned.all().empty()) return again;
@@ -47,7 +70,7 @@ int print_digest(const std::string& store) {
   return 0;
 }
 
-int replay(const std::string& file, std::int64_t number, bool json) {
+int replay(const std::string& file, std::int64_t number, bool allow_programs, bool json) {
   const Store store = Store::open(file, Store::For::reading);
   const auto stored = store.find(number);
   if (!stored) {
@@ -55,7 +78,11 @@ int replay(const std::string& file, std::int64_t number, bool json) {
                                  file, store.size()));
   }
   const CampaignDescription& description = store.description();
-  const auto found = made_again(description, plan_from(description.plan, file), stored->key);
+  const Plan plan = plan_from(description.plan, file);
+  const std::vector<std::string> programs =
+      programs_for(stored->key.cell.solver, description, plan);
+  announce_programs(programs, allow_programs, file);
+  const auto found = made_again(description, plan, stored->key, programs);
   if (!found) throw InputError(fmt::format("{}: run {} is none of its plan's", file, number));
   const RunRecord& again = *found;
   const std::string differs = difference(parts_of(again), parts_of(stored->record));

@@ -13,6 +13,7 @@ int merge_stores(const std::vector<std::string>& parts, const std::string& out);
 int print_digest(const std::string& store);
 
 /// Repeats a stored run and says whether the results are identical to the bit: exit code 0, or 1.
-int replay(const std::string& store, std::int64_t number, bool json);
+/// Starts only the run's own solver, and that only if it is of the suite or programs are allowed.
+int replay(const std::string& store, std::int64_t number, bool allow_programs, bool json);
 
 }  // namespace ricochet::cli

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "src/core/waiting.h"
 #include "tests/outside/scripts.h"
 
 namespace ricochet::outside {
@@ -28,7 +29,7 @@ std::vector<std::string> shell(const std::string& lines) {
   return {"sh", "-c", lines};
 }
 
-std::string reason_of(LineProgram& program, const std::optional<Patience>& patience = {}) {
+std::string reason_of(LineProgram& program, const Patience& patience = {}) {
   try {
     program.line(patience);
   } catch (const std::runtime_error& error) {
@@ -118,8 +119,40 @@ TEST(LineProgram, BoundsWhatIsWrittenWithoutReading) {
 
 TEST(LineProgram, WaitsNoLongerThanItIsTold) {
   LineProgram program(shell("exec sleep 30"));
-  EXPECT_EQ(reason_of(program, Patience{std::chrono::seconds(1), "it was started"}),
-            "wrote nothing for 1 s after it was started; are its lines flushed?");
+  EXPECT_EQ(
+      reason_of(program, Patience{std::chrono::seconds(1), "it was started"}),
+      "wrote nothing for 1 s after it was started; no line received yet; are its lines flushed?");
+}
+
+TEST(LineProgram, IsReportedWhileItIsWaitedFor) {
+  std::vector<std::string> told;
+  on_waiting([&told](const std::string& text) { told.push_back(text); });
+  LineProgram program(shell("echo one; sleep 0.6; echo two; sleep 30"));
+  const Patience impatient{std::chrono::seconds(2), "it was asked", std::chrono::milliseconds(300)};
+  EXPECT_THAT(program.line(impatient), Optional(std::string_view("one")));
+  EXPECT_THAT(program.line(impatient), Optional(std::string_view("two")));
+  const std::string command = "sh -c echo one; sleep 0.6; echo two; sleep 30";
+  EXPECT_THAT(told,
+              testing::ElementsAre("waiting for " + command + "; last line received: one", ""))
+      << "and told when the wait is over";
+  EXPECT_EQ(reason_of(program, impatient),
+            "wrote nothing for 2 s after it was asked; last line received: two; are its lines "
+            "flushed?");
+  EXPECT_EQ(told.back(), "waiting for " + command + "; last line received: two");
+  on_waiting({});
+}
+
+TEST(LineProgram, LeavesNothingBehindAWrapper) {
+  const auto folder = fresh_folder();
+  for (const std::string how : {"", "setsid "}) {
+    pid_t hidden = 0;
+    {
+      LineProgram program(shell(how + "sh -c 'echo $$; exec sleep 1000' & wait"));
+      hidden = std::stoi(std::string(*program.line()));
+      EXPECT_EQ(kill(hidden, 0), 0);
+    }
+    EXPECT_EQ(kill(hidden, 0), -1) << how;
+  }
 }
 
 TEST(LineProgram, EndsWithItsObject) {

@@ -65,6 +65,9 @@ class Campaign {
   /// The family of a problem.
   const std::string& family_of(std::size_t problem) const { return families_[problem]; }
 
+  /// The plan's texts for the user's solvers, by name.
+  const std::map<std::string, std::string>& own_texts() const { return own_texts_; }
+
   /// Null if the plan has no such cell.
   const PlannedCell* find(const Cell& cell) const;
 
@@ -97,7 +100,7 @@ class Campaign {
   std::vector<PlannedCell> cells_;
   std::map<Cell, std::size_t> places_;  ///< indices of the cells
   std::map<std::string, std::size_t> problem_places_, solver_places_;
-  std::map<std::string, std::string> own_texts_;  ///< texts of the plan for the user's solvers
+  std::map<std::string, std::string> own_texts_;
 };
 
 }  // namespace ricochet

@@ -28,6 +28,9 @@ CampaignDescription description_of(const Campaign& campaign, const Provenance& p
   CampaignDescription description = campaign.description();
   description.program = provenance.program;
   description.made = provenance.made;
+  for (const auto& [name, text] : campaign.own_texts()) {
+    description.made[StoredCampaign::program_key(name)] = text;
+  }
   return description;
 }
 

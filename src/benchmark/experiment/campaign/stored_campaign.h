@@ -16,6 +16,9 @@ struct Provenance {
 
 /// A campaign and the store of its runs.
 struct StoredCampaign {
+  /// The key in CampaignDescription::made of the plan's text for a user's solver of this name.
+  static std::string program_key(const std::string& solver) { return "program of " + solver; }
+
   Campaign campaign;
   Store store;
 };

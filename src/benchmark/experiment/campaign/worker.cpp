@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,12 +11,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/record_text.h"
+#include "src/core/resource_limits.h"
 #include "src/core/seed.h"
+#include "src/core/waiting.h"
 
 namespace ricochet {
 namespace {
@@ -26,37 +25,14 @@ namespace {
 // The head of a message: its length and its kind. The content follows.
 struct Head {
   std::uint64_t length;
-  enum class Kind : std::uint64_t { improvement, record } kind;
+  enum class Kind : std::uint64_t { improvement, waiting, record } kind;
 };
 
 /// A record is much shorter; a longer message comes from a broken process.
 constexpr std::uint64_t longest_message = 1ULL << 30;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
-
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
-}
-
-/// Address space of this process now [bytes].
-double address_space() {
-  std::int64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return static_cast<double>(pages * sysconf(_SC_PAGESIZE));
-}
-
-/// Limits the memory of this process; not with sanitizers, whose own memory is unlimited.
-void limit_memory(double megabytes) {
-  if (sanitized) return;
-  const auto most = static_cast<rlim_t>(address_space() + 1e6 * std::min(megabytes, 1e9));
-  const rlimit limit{most, most};
-  setrlimit(RLIMIT_AS, &limit);
 }
 
 RunRecord nothing_run_of(const Job& job) {
@@ -103,15 +79,14 @@ RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on
 }
 
 /// The main function of the process.
-[[noreturn]] void work(const std::vector<Job>& jobs, const Limits& limits, pid_t parent,
-                       int descriptor) {
-  setpgid(0, 0);  // so that it can be killed with whatever it starts
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
-  limit_memory(limits.megabytes);
-  dup2(STDERR_FILENO, STDOUT_FILENO);  // output of a solver must not get into results
+[[noreturn]] void work(const std::vector<Job>& jobs, const Limits& limits, int descriptor) {
+  limit_resources(limits.megabytes);
+  // A solver must neither read what this process was given nor write into results.
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  dup2(nothing, STDIN_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  on_waiting(
+      [descriptor](const std::string& text) { tell(descriptor, Head::Kind::waiting, text); });
   try {
     while (const auto job = next_job(descriptor)) {
       RunRecord record = make(jobs[*job], [&](const Improvement& step) {
@@ -124,11 +99,6 @@ RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on
     _exit(1);
   }
   _exit(0);  // without the parent's exit handlers
-}
-
-std::string in_words(int status) {
-  if (WIFSIGNALED(status)) return fmt::format("crashed: {}", strsignal(WTERMSIG(status)));
-  return fmt::format("ended the process, with exit status {}", WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -147,27 +117,25 @@ Worker::Worker(const std::vector<Job>& jobs, const Limits& limits)
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail("socketpair");
   std::fflush(nullptr);  // buffered output is the parent's to write
-  const pid_t parent = getpid();
-  process_ = fork();
-  if (process_ == 0) {
-    close(ends[0]);
-    work(jobs, limits, parent, ends[1]);
-  }
-  const int error = errno;
-  close(ends[1]);
   descriptor_ = ends[0];
-  if (process_ < 0) {
-    close(descriptor_);
-    errno = error;
-    fail("fork");
+  try {
+    process_.emplace([&] {
+      close(ends[0]);
+      work(jobs, limits, ends[1]);
+    });
+  } catch (...) {
+    close(ends[0]);
+    close(ends[1]);
+    throw;
   }
-  setpgid(process_, process_);  // here and in the child, whichever is first
+  close(ends[1]);
 }
 
 void Worker::begin(std::size_t job) {
   job_ = job;
   ++runs_;
   trace_.clear();
+  waiting_.clear();
   record_.reset();
   deadline_ = std::chrono::steady_clock::now() +
               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -181,7 +149,7 @@ std::chrono::steady_clock::duration Worker::age() const {
 }
 
 Worker::~Worker() {
-  kill_and_wait();
+  process_.reset();
   close(descriptor_);
 }
 
@@ -201,6 +169,8 @@ bool Worker::listen() {
     try {
       if (head.kind == Head::Kind::improvement) {
         trace_.push_back(improvement_from(text));
+      } else if (head.kind == Head::Kind::waiting) {
+        waiting_ = text;
       } else {
         record_ = record_from(text);
       }
@@ -213,18 +183,15 @@ bool Worker::listen() {
   return !record_;
 }
 
-/// Kills the process and those it has started. Returns how it ended.
+/// Kills the process and all that it has started. Returns how it ended.
 std::string Worker::kill_and_wait() {
-  if (process_ < 0) return {};
   const bool late = std::chrono::steady_clock::now() >= deadline_;
-  kill(-process_, SIGKILL);
-  kill(process_, SIGKILL);
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  process_ = -1;
+  const int status = process_->end();
+  process_.reset();
   killed_from_outside_ = !late && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
-  return late ? fmt::format("killed: it took more than {} s", limits_.seconds) : in_words(status);
+  return late ? fmt::format("killed: it took more than {} s{}{}", limits_.seconds,
+                            waiting_.empty() ? "" : "; ", waiting_)
+              : ending_in_words(status);
 }
 
 RunRecord Worker::record() {

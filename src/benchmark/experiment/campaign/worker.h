@@ -1,7 +1,5 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -10,6 +8,7 @@
 
 #include "ricochet/run.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
+#include "src/core/supervised_process.h"
 
 namespace ricochet {
 
@@ -39,7 +38,7 @@ class Worker {
   /// The jobs must outlive it. Throws std::system_error if no process can be started.
   Worker(const std::vector<Job>& jobs, const Limits& limits);
 
-  /// Kills the process.
+  /// Kills the process and all that it has started.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
@@ -64,7 +63,7 @@ class Worker {
   /// `failure`, and is charged the whole budget; the process is dead then.
   RunRecord record();
 
-  bool alive() const { return process_ >= 0; }
+  bool alive() const { return process_.has_value(); }
 
   /// Returns true if the process was killed from outside, e.g. for lack of memory.
   bool killed_from_outside() const { return killed_from_outside_; }
@@ -80,7 +79,7 @@ class Worker {
   const std::vector<Job>& jobs_;
   Limits limits_;
   std::chrono::steady_clock::time_point born_;
-  pid_t process_ = -1;
+  std::optional<SupervisedProcess> process_;
   int descriptor_ = -1;
   std::size_t job_ = 0;
   int runs_ = 0;
@@ -88,6 +87,7 @@ class Worker {
   std::chrono::steady_clock::time_point deadline_;
   std::string unread_;  // of an incomplete message
   std::vector<Improvement> trace_;
+  std::string waiting_;  // what the run waits for, if it has said so; see tell_waiting()
   std::optional<RunRecord> record_;
 };
 

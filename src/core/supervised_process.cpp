@@ -1,0 +1,198 @@
+#include "src/core/supervised_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+namespace ricochet {
+namespace {
+
+/// A process that nobody may kill, such as one of another user, is left alone after so long.
+constexpr std::chrono::seconds killing_limit(5);
+
+void close_all_descriptors() {
+  syscall(SYS_close_range, 0U, ~0U, 0U);  // by its number: for C libraries before 2.34
+}
+
+/// The processes whose parent this process is, as far as the kernel tells them.
+std::string children() {
+  std::string text;
+  const int file = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
+  if (file < 0) return text;
+  char piece[1024];
+  for (;;) {
+    const ssize_t count = read(file, piece, sizeof piece);
+    if (count <= 0) break;
+    text.append(piece, static_cast<std::size_t>(count));
+  }
+  close(file);
+  return text;
+}
+
+/// Kills every child with its process group. Orphans become children, for the next call.
+void kill_children() {
+  const std::string text = children();
+  const char* place = text.c_str();
+  for (;;) {
+    char* end = nullptr;
+    const auto child = static_cast<pid_t>(std::strtol(place, &end, 10));
+    if (end == place) return;
+    place = end;
+    const pid_t group = getpgid(child);
+    if (group > 0 && group != getpgrp()) kill(-group, SIGKILL);
+    kill(child, SIGKILL);
+  }
+}
+
+/// Collects those that have ended. Returns false if no child is left.
+bool reap(pid_t child, bool& gone, int& status) {
+  for (;;) {
+    int how = 0;
+    const pid_t ended = waitpid(-1, &how, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR)) return true;
+    if (ended < 0) return false;
+    if (ended != child) continue;
+    gone = true;
+    status = how;
+  }
+}
+
+/// Ends this process as the child has ended, so that its parent sees the same.
+[[noreturn]] void end_like(int status) {
+  if (WIFSIGNALED(status)) {
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    const int number = WTERMSIG(status);
+    std::signal(number, SIG_DFL);
+    sigset_t only;
+    sigemptyset(&only);
+    sigaddset(&only, number);
+    sigprocmask(SIG_UNBLOCK, &only, nullptr);
+    kill(getpid(), number);
+  }
+  _exit(WEXITSTATUS(status));
+}
+
+/// Waits until the child has ended or the owner has asked for its end or died, then kills the rest.
+[[noreturn]] void watch(pid_t child) {
+  sigset_t news;
+  sigemptyset(&news);
+  sigaddset(&news, SIGCHLD);
+  sigaddset(&news, SIGTERM);
+  bool gone = false;
+  int status = 0;
+  while (reap(child, gone, status) && !gone && sigwaitinfo(&news, nullptr) != SIGTERM) {
+  }
+  if (!gone) kill(-child, SIGKILL);
+  const auto limit = std::chrono::steady_clock::now() + killing_limit;
+  const timespec pause{0, 10'000'000};
+  while (reap(child, gone, status) && std::chrono::steady_clock::now() < limit) {
+    kill_children();
+    sigtimedwait(&news, nullptr, &pause);
+  }
+  end_like(status);
+}
+
+/// The supervisor. `failure` takes the error number if no child can be started.
+[[noreturn]] void supervise(pid_t owner, int failure, const std::function<void()>& work) {
+  sigset_t all;
+  sigset_t inherited;
+  sigfillset(&all);
+  sigprocmask(SIG_SETMASK, &all, &inherited);
+  std::signal(SIGCHLD, SIG_DFL);
+  char name[16] = {};
+  prctl(PR_GET_NAME, name);
+  setsid();  // neither the terminal nor a signal to the owner's group reaches it
+  prctl(PR_SET_NAME, "supervisor");  // so that `pkill ricochet` does not reach it either
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != owner) _exit(1);
+  const pid_t own = getpid();
+  const pid_t child = fork();
+  if (child == 0) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != own) _exit(1);
+    prctl(PR_SET_NAME, name);
+    close(failure);
+    sigprocmask(SIG_SETMASK, &inherited, nullptr);
+    work();
+    _exit(1);
+  }
+  const int error = errno;
+  if (child < 0) {
+    static_cast<void>(write(failure, &error, sizeof error));
+    _exit(1);
+  }
+  setpgid(child, child);  // here and in the child, whichever is first
+  close_all_descriptors();
+  watch(child);
+}
+
+}  // namespace
+
+std::string ending_in_words(int status) {
+  if (WIFSIGNALED(status)) return fmt::format("crashed: {}", strsignal(WTERMSIG(status)));
+  return fmt::format("ended the process, with exit status {}", WEXITSTATUS(status));
+}
+
+SupervisedProcess::SupervisedProcess(const std::function<void()>& work) : owner_(getpid()) {
+  int ends[2] = {};
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  supervisor_ = fork();
+  if (supervisor_ == 0) {
+    close(ends[0]);
+    supervise(owner_, ends[1], work);
+  }
+  int error = supervisor_ < 0 ? errno : 0;
+  close(ends[1]);
+  if (supervisor_ > 0) {
+    while (read(ends[0], &error, sizeof error) < 0 && errno == EINTR) {
+    }
+  }
+  close(ends[0]);
+  if (error != 0) {
+    if (supervisor_ > 0) waitpid(supervisor_, nullptr, 0);
+    throw std::system_error(error, std::generic_category(), "fork");
+  }
+  // By its number: glibc 2.36 does not declare pidfd_open for C++.
+  descriptor_ = static_cast<int>(syscall(SYS_pidfd_open, supervisor_, 0));
+}
+
+SupervisedProcess::~SupervisedProcess() {
+  if (getpid() == owner_) end();
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+bool SupervisedProcess::ends_within(int milliseconds) {
+  if (ended_) return true;
+  pollfd process{descriptor_, POLLIN, 0};
+  poll(&process, 1, milliseconds);
+  ended_ = waitpid(supervisor_, &status_, WNOHANG) != 0;
+  return ended_;
+}
+
+int SupervisedProcess::end() {
+  if (!ended_) {
+    kill(supervisor_, SIGTERM);
+    while (waitpid(supervisor_, &status_, 0) < 0 && errno == EINTR) {
+    }
+    ended_ = true;
+  }
+  return status_;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,27 @@
+#include "src/core/waiting.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace ricochet {
+namespace {
+
+std::function<void(const std::string&)>& listener() {
+  static std::function<void(const std::string&)> listener;
+  return listener;
+}
+
+}  // namespace
+
+void tell_waiting(const std::string& text) {
+  if (!text.empty()) fmt::print(stderr, "{}\n", text);
+  if (listener()) listener()(text);
+}
+
+void on_waiting(std::function<void(const std::string&)> told) {
+  listener() = std::move(told);
+}
+
+}  // namespace ricochet

@@ -137,5 +137,36 @@ TEST(Plugin, IsRefusedWhereItIsNone) {
   refused(library("without_solve"), "solve is NULL");
 }
 
+std::string refusal_of(const std::string& path) {
+  try {
+    plugin(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(Plugin, IsRefusedWhereLoadingItCrashes) {
+  const std::string tried = ": cannot be loaded: the process that tried it crashed: ";
+  EXPECT_EQ(refusal_of(library("aborts_on_load")), library("aborts_on_load") + tried + "Aborted");
+  EXPECT_THAT(refusal_of(library("bad_name")), HasSubstr("cannot be loaded: the process that"));
+}
+
+TEST(Plugin, IsRefusedWhereItsFileIsCutOff) {
+  const auto cut = fresh_folder() / "cut.so";
+  const std::string whole = read(library("keeps_its_start"));
+  for (const double share : {0.05, 0.3, 0.6}) {
+    const auto size = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
+    std::ofstream(cut, std::ios::binary) << whole.substr(0, size);
+    EXPECT_THAT(refusal_of(cut.string()), HasSubstr(cut.string())) << share;
+  }
+}
+
+TEST(Plugin, IsRefusedWhereLoadingItNeverEnds) {
+  EXPECT_EQ(refusal_of(library("hangs_on_load")),
+            library("hangs_on_load") +
+                ": cannot be loaded: the process that tried it took more than 10 s");
+}
+
 }  // namespace
 }  // namespace ricochet::outside

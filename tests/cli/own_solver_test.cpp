@@ -98,6 +98,24 @@ TEST(OwnSolver, IsComparedWithOthers) {
   EXPECT_EQ(names, (std::set<std::string>{"mine", "hill-climber", "scan", "nlopt-crs2"}));
 }
 
+/// Expects a good run of an example in another language; skips where that is not installed.
+void expect_of_language(const std::string& probe, const std::string& solver) {
+  if (std::system((probe + " >/dev/null 2>&1").c_str()) != 0) GTEST_SKIP() << probe << " fails";
+  expect_a_good_run("\"" + solver + "\"", "classic-sphere-5", 300);
+  EXPECT_EQ(run_of("\"" + solver + "\" count-C1 --budget 50")["evaluations"], 50);
+}
+
+TEST(OwnSolver, InOctaveSpendsItsBudget) {
+  expect_of_language("octave-cli --version",
+                     "octave-cli --quiet --no-init-file " RICOCHET_SOURCE
+                     "/examples/solvers/random_search.m");
+}
+
+TEST(OwnSolver, InRSpendsItsBudget) {
+  expect_of_language("Rscript -e 'library(jsonlite)'",
+                     "Rscript " RICOCHET_SOURCE "/examples/solvers/random_search.R");
+}
+
 TEST(OwnSolver, IsRefusedInOneLine) {
   expect_refusal("solve ./nothing.so count-C1", "./nothing.so: cannot open shared object file");
   expect_refusal("solve ./nothing count-C1", "./nothing: there is no such file");

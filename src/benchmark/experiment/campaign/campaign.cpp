@@ -275,12 +275,12 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
           if (!solver.accepts(seen)) continue;
           combinations.push_back({&problem, &family, formulation, &perturbation, &solver});
           cells += cells_of_combination;
-          check_number(cells, "cells and more", most_cells, place);
-          check_number(cells * part.instances * part.seeds, "runs and more", most_runs, place);
         }
       }
     }
   }
+  check_number(cells, "cells", most_cells, place);
+  check_number(cells * part.instances * part.seeds, "runs", most_runs, place);
   for (const Combination& each : combinations) {
     add(*each.problem, *each.family, each.formulation, *each.perturbation, *each.solver);
   }

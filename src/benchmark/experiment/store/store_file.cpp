@@ -34,8 +34,9 @@ namespace fs = std::filesystem;
 constexpr int patience = 10'000;  // [ms], while others have the file locked
 constexpr const char* first_look = "SELECT count(*) FROM sqlite_schema";
 
+/// Absolute, so that SQLite takes no path for one of its special names.
 std::unique_ptr<SQLite::Database> opened(const fs::path& file, int flags) {
-  return std::make_unique<SQLite::Database>(file.string(), flags, patience);
+  return std::make_unique<SQLite::Database>(fs::absolute(file).string(), flags, patience);
 }
 
 /// Opens it as an immutable file: without locks, recovery and files beside it.
@@ -46,7 +47,8 @@ std::unique_ptr<SQLite::Database> opened_as_it_is(const fs::path& file) {
     address +=
         std::isalnum(byte) != 0 || c == '/' ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
-  return opened(address + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+  return std::make_unique<SQLite::Database>(address + "?immutable=1",
+                                            SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience);
 }
 
 /// Called before SQLite opens the file: SQLite would block on a pipe, and take an empty file for a
@@ -78,7 +80,7 @@ std::set<std::tuple<std::string, std::string, std::string>> tables(
 }
 
 std::unique_ptr<SQLite::Database> empty_store() {
-  auto store = opened(":memory:", SQLite::OPEN_READWRITE);
+  auto store = std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE);
   store->exec(embedded::schema);
   return store;
 }

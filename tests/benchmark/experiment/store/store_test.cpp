@@ -176,6 +176,20 @@ TEST_F(StoreFile, SaysThatRunsAreBeingAdded) {
   EXPECT_THAT(caution(file), HasSubstr("another ricochet is adding runs"));
 }
 
+TEST_F(StoreFile, HasAnyName) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  for (const char* name : {":memory:", "file:x?mode=memory"}) {
+    {
+      Store store = Store::create(name, a_description());
+      store.add(a_key(0), {});
+    }
+    EXPECT_EQ(Store::open(folder_ / name, Store::For::reading).size(), 1) << name;
+    EXPECT_EQ(Store::open(name, Store::For::reading).size(), 1) << name;
+  }
+  fs::current_path(before);
+}
+
 TEST_F(StoreFile, TakesMoreRunsLater) {
   const auto added = filled(3);
   {

@@ -6,6 +6,7 @@
 #include "src/benchmark/export/formats.h"
 #include "src/benchmark/export/output_folder.h"
 #include "src/cli/named.h"
+#include "src/cli/stored_runs.h"
 
 namespace ricochet::cli {
 
@@ -13,6 +14,7 @@ int export_store(const ExportOptions& options) {
   const exports::Format format = named(exports::all_formats(), options.format, "format",
                                        [](const exports::Format& known) { return known.name; });
   const Store store = Store::open(options.store, Store::For::reading);
+  warn_of_missing_runs(options.store);
   exports::OutputFolder out(options.out);
   format.write(store, out.draft());
   out.commit();

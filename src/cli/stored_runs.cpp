@@ -58,20 +58,29 @@ std::optional<RunRecord> made_again(const CampaignDescription& description, cons
 
 }  // namespace
 
+void warn_of_missing_runs(const std::string& store) {
+  const std::string warning = caution(store);
+  if (!warning.empty()) fmt::print(stderr, "ricochet: {}\n", warning);
+}
+
 int merge_stores(const std::vector<std::string>& parts, const std::string& out) {
   merge({parts.begin(), parts.end()}, out);
   const Store store = Store::open(out, Store::For::reading);
+  for (const std::string& part : parts) warn_of_missing_runs(part);
   fmt::print("{} runs: {}\ndigest {}\n", store.size(), out, store.digest());
   return 0;
 }
 
 int print_digest(const std::string& store) {
-  fmt::print("{}\n", Store::open(store, Store::For::reading).digest());
+  const Store opened = Store::open(store, Store::For::reading);
+  warn_of_missing_runs(store);
+  fmt::print("{}\n", opened.digest());
   return 0;
 }
 
 int replay(const std::string& file, std::int64_t number, bool allow_programs, bool json) {
   const Store store = Store::open(file, Store::For::reading);
+  warn_of_missing_runs(file);
   const auto stored = store.find(number);
   if (!stored) {
     throw InputError(fmt::format("{}: there is no run {}: {} has runs 1 to {}", number, number,

@@ -6,6 +6,9 @@
 
 namespace ricochet::cli {
 
+/// Writes to standard error why runs may be missing in a store, if so.
+void warn_of_missing_runs(const std::string& store);
+
 /// Joins the stores of a campaign's parts into a new one.
 int merge_stores(const std::vector<std::string>& parts, const std::string& out);
 

@@ -53,6 +53,26 @@ class CampaignCommands : public testing::Test {
     return (folder_ / out / "runs.sqlite").string();
   }
 
+  /// The store's file and what lies beside it under its name.
+  std::vector<std::string> files_of_store(const std::string& out) const {
+    std::vector<std::string> names;
+    for (const auto& file : std::filesystem::directory_iterator(folder_ / out)) {
+      const std::string name = file.path().filename();
+      if (name.starts_with("runs.sqlite")) names.push_back(name);
+    }
+    return names;
+  }
+
+  /// What digest says once the processes that made runs have noticed that the program was killed.
+  Outcome digest_after_kill(const std::string& out) const {
+    Outcome outcome = call("digest " + store(out));
+    for (int k = 0; k < 100 && outcome.err.find("is adding runs") != std::string::npos; ++k) {
+      static_cast<void>(std::system("sleep 0.1"));
+      outcome = call("digest " + store(out));
+    }
+    return outcome;
+  }
+
   std::string digest(const std::string& out) const { return out_of("digest " + store(out)); }
 
   std::filesystem::path folder_ = fresh_folder();
@@ -156,12 +176,33 @@ TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
                                            RICOCHET_PROGRAM, command(signal, "--resume --quiet"));
       const int status = std::system((call + " >/dev/null 2>&1").c_str());
       if (status == 0) break;
-      if (std::filesystem::exists(store(signal))) ++interruptions;
+      if (!std::filesystem::exists(store(signal))) continue;
+      ++interruptions;
+      if (signal == "KILL") digest_after_kill(signal);
+      EXPECT_EQ(files_of_store(signal), std::vector<std::string>{"runs.sqlite"}) << signal;
     }
     EXPECT_GT(interruptions, 0) << signal;
     run(signal, "--resume");
     EXPECT_EQ(digest(signal), digest("whole")) << signal;
   }
+}
+
+TEST_F(CampaignCommands, WarnOfRunsThatMayBeMissing) {
+  const auto plan = write(folder_, "long.toml",
+                          "[[part]]\nproblems = \"count-C4\"\nsolvers = \"random-search\"\n"
+                          "budgets = 100\ninstances = 100000");
+  call_interrupted(
+      "KILL", fmt::format("run {} --out {} --quiet", plan.string(), (folder_ / "long").string()),
+      3);
+  std::filesystem::create_directory(folder_ / "copy");
+  std::filesystem::copy(store("long"), store("copy"));
+  for (const std::string& command :
+       {"digest " + store("copy"), fmt::format("merge {}.merged {}", store("copy"), store("copy")),
+        fmt::format("export {} --format csv --out {}/tables", store("copy"), folder_.string())}) {
+    EXPECT_THAT(call(command).err, HasSubstr("runs may be missing")) << command;
+  }
+  EXPECT_EQ(digest_after_kill("long").err, "");
+  EXPECT_EQ(files_of_store("long"), std::vector<std::string>{"runs.sqlite"});
 }
 
 TEST_F(CampaignCommands, SayHowToGoOn) {

@@ -48,9 +48,9 @@ struct PlannedCell {
 /// A plan with all data for carrying it out.
 class Campaign {
  public:
-  /// Throws InputError, naming part and key, for a pattern without a match, and for a part without
-  /// runs. Leaves out problems whose best value is neither known nor searched for, and those whose
-  /// search has no result in `found`.
+  /// Throws InputError, naming part and key, for a pattern without a match, for a part without
+  /// runs, and for more cells, runs or machines than fit into memory. Leaves out problems whose
+  /// best value is neither known nor searched for, and those whose search has no result in `found`.
   Campaign(Plan plan, const Catalogue& catalogue, const AllFindings& found = {});
 
   /// Problems that are missing in `found`. Until they are searched, the campaign can only count its

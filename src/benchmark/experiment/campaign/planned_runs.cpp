@@ -82,12 +82,10 @@ void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
   const AtInterruption kept([] {}, "finished runs are kept: --resume goes on");
   Progress progress("running", std::max(work, 1.0));
   run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
-    {
-      const Uninterrupted whole;
-      store.add(planned.all()[j].key, record);
-    }
+    store.add(planned.all()[j].key, record);
     progress.advance(planned.all()[j].length);
   });
+  store.finish();
 }
 
 }  // namespace ricochet

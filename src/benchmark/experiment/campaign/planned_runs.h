@@ -50,8 +50,9 @@ class PlannedRuns {
   std::vector<PlannedRun> runs_;
 };
 
-/// Makes the runs of a shard that the store lacks, in other processes, and adds each as it ends.
-/// Except for times, the resulting store does not depend on processes, shards and interruptions.
+/// Makes the runs of a shard that the store lacks, in other processes, and adds each as it ends,
+/// then finishes the store. Except for times, the resulting store does not depend on processes,
+/// shards and interruptions.
 void make_runs(const Campaign& campaign, const Shard& shard, Store& store);
 
 }  // namespace ricochet

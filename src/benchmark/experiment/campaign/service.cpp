@@ -60,16 +60,16 @@ bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int
   const AtInterruption kept([] {}, "finished runs are kept: --resume goes on");
   Progress progress("running", std::max(work, 1.0));
   while (const auto message = read_frame(in)) {
-    if (message->empty()) return true;
+    if (message->empty()) {
+      store.finish();
+      return true;
+    }
     const Place place = places_in(message->substr(0, sizeof(Place)), planned.all().size()).at(0);
     const PlannedRun& run = planned.all()[place];
     const RunRecord record = record_from(message->substr(sizeof(Place)));
     if (!is_of(record, run.job)) throw InputError("the processes have different plans");
     if (!done.insert(run.key).second) continue;  // from a rank that was taken for dead
-    {
-      const Uninterrupted whole;
-      store.add(run.key, record);
-    }
+    store.add(run.key, record);
     progress.advance(run.length);
   }
   return false;

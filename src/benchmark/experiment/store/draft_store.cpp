@@ -47,7 +47,7 @@ DraftStore::DraftStore(fs::path file, const CampaignDescription& description)
     } while (fs::exists(fs::symlink_status(draft_)));
   }
   try {
-    database_ = std::make_unique<SQLite::Database>(draft_.string(),
+    database_ = std::make_unique<SQLite::Database>(fs::absolute(draft_).string(),
                                                    SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     // If this process dies, the draft is worthless, so it needs no journal on disk.
     database_->exec("PRAGMA journal_mode = MEMORY; PRAGMA foreign_keys = ON");

@@ -13,6 +13,7 @@
 #include "src/benchmark/experiment/store/store_file.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/benchmark/experiment/store/writer_lock.h"
+#include "src/core/interruption.h"
 #include "src/core/text_file.h"
 
 namespace ricochet {
@@ -25,15 +26,23 @@ struct Store::Database {
   std::unique_ptr<SQLite::Database> connection;
   CampaignDescription description;
   std::unique_ptr<RunRows> rows;
+  std::optional<AtInterruption> interrupted;
 
-  ~Database() {
-    rows.reset();
-    if (lock && connection) close(std::move(connection));
+  ~Database() { finish(); }
+
+  void finish() {
+    const Uninterrupted whole;
+    if (!lock) return;
+    if (connection) close(*connection);
+    lock.reset();
   }
 
   /// Everything that `work` reads is from one moment: that of the enclosing read, if there is one.
+  /// A store that is open for adding cannot be closed meanwhile.
   template <class Work>
   auto reading(const Work& work) const {
+    std::optional<Uninterrupted> whole(std::in_place);
+    if (!lock) whole.reset();
     try {
       std::optional<SQLite::Transaction> moment;
       if (sqlite3_get_autocommit(connection->getHandle()) != 0) moment.emplace(*connection);
@@ -63,7 +72,13 @@ Store Store::open(const fs::path& file, For purpose) {
     database->connection = opened_for_reading(file);
   } else {
     check_is_store(file);
-    database->lock = std::make_unique<WriterLock>(file);
+    database->interrupted.emplace([held = database.get()] { held->finish(); });
+    {
+      const Uninterrupted made_and_known;
+      database->lock = std::make_unique<WriterLock>(file);
+    }
+    check_store(file);
+    const Uninterrupted made_and_known;
     database->connection = opened_for_adding(file);
   }
   database->reading([&] {
@@ -78,6 +93,7 @@ const CampaignDescription& Store::description() const {
 }
 
 void Store::add(const RunKey& key, const RunRecord& record) {
+  const Uninterrupted whole;
   RunRows& rows = *database_->rows;
   try {
     SQLite::Transaction transaction(*database_->connection, SQLite::TransactionBehavior::IMMEDIATE);
@@ -94,6 +110,10 @@ void Store::add(const RunKey& key, const RunRecord& record) {
     rows.forget();
     throw;
   }
+}
+
+void Store::finish() {
+  database_->finish();
 }
 
 std::set<RunKey> Store::keys() const {

@@ -62,9 +62,10 @@ struct StoredRun {
 /// The runs of a campaign in one SQLite file, whose tables are described in schema.sql. Every run
 /// is a transaction: if the program is killed, all runs added before are kept. If the machine
 /// crashes, the latest runs may be missing, but the file is intact. Only one process writes at a
-/// time; others may read meanwhile. A closed store is this one file. Beside a store whose program
-/// was killed there are files with its name and -wal, -shm, -lock; -wal is part of the
-/// store.
+/// time; others may read meanwhile. A closed store is this one file; an interruption closes it.
+/// Beside a store whose program was killed by SIGKILL there are files with its name and -wal, -shm,
+/// -lock; -wal is part of the store. The next open closes it, unless others read it or its folder
+/// is read-only.
 class Store {
  public:
   /// Makes a new file. Throws InputError if it exists or cannot be made.
@@ -86,6 +87,9 @@ class Store {
   /// Adds a run. Throws InputError if it already exists or the description lacks its problem or
   /// solver, OutputError if the disk is full; then the store stays unchanged.
   void add(const RunKey& key, const RunRecord& record);
+
+  /// Closes a store that was opened for adding, which from now on can only be read.
+  void finish();
 
   // Members that read runs throw InputError for one that differs from what was added: each run is
   // stored with its checksum.
@@ -109,6 +113,10 @@ class Store {
   explicit Store(std::unique_ptr<Database> database);
   std::unique_ptr<Database> database_;
 };
+
+/// Says why runs may be missing in what is read from the file of a store: another process is adding
+/// runs, or the file is a copy without the -wal that lay beside it. Empty if all runs are there.
+std::string caution(const std::filesystem::path& file);
 
 /// Joins stores of parts of one campaign into a new file. Throws InputError, naming the file and
 /// the difference, if one is of another campaign, or if two have the same run with different

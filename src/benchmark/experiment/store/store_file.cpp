@@ -21,6 +21,9 @@
 #include "embedded/schema.h"
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/store/sqlite_values.h"
+#include "src/benchmark/experiment/store/store.h"
+#include "src/benchmark/experiment/store/writer_lock.h"
+#include "src/core/interruption.h"
 #include "src/core/suite_version.h"
 
 namespace ricochet {
@@ -31,8 +34,9 @@ namespace fs = std::filesystem;
 constexpr int patience = 10'000;  // [ms], while others have the file locked
 constexpr const char* first_look = "SELECT count(*) FROM sqlite_schema";
 
+/// Absolute, so that SQLite takes no path for one of its special names.
 std::unique_ptr<SQLite::Database> opened(const fs::path& file, int flags) {
-  return std::make_unique<SQLite::Database>(file.string(), flags, patience);
+  return std::make_unique<SQLite::Database>(fs::absolute(file).string(), flags, patience);
 }
 
 /// Opens it as an immutable file: without locks, recovery and files beside it.
@@ -43,7 +47,8 @@ std::unique_ptr<SQLite::Database> opened_as_it_is(const fs::path& file) {
     address +=
         std::isalnum(byte) != 0 || c == '/' ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
-  return opened(address + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+  return std::make_unique<SQLite::Database>(address + "?immutable=1",
+                                            SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience);
 }
 
 /// Called before SQLite opens the file: SQLite would block on a pipe, and take an empty file for a
@@ -75,7 +80,7 @@ std::set<std::tuple<std::string, std::string, std::string>> tables(
 }
 
 std::unique_ptr<SQLite::Database> empty_store() {
-  auto store = opened(":memory:", SQLite::OPEN_READWRITE);
+  auto store = std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE);
   store->exec(embedded::schema);
   return store;
 }
@@ -84,11 +89,12 @@ std::unique_ptr<SQLite::Database> empty_store() {
 struct Header {
   std::uint32_t user_version;
   std::uint32_t application_id;
+  bool is_open;  ///< its latest runs are in a file beside it, with -wal after its name
 };
 
 /// Reads the header without SQLite, which would first complete what a killed writer has left; but
 /// files of other programs must not be changed. These numbers do not change after the store is
-/// made.
+/// made; it is open while runs are added, and after its writer was killed.
 Header header_of(const fs::path& file) {
   std::array<char, 72> bytes{};
   std::ifstream in(file, std::ios::binary);
@@ -103,7 +109,19 @@ Header header_of(const fs::path& file) {
     }
     return number;
   };
-  return {number_at(60), number_at(68)};
+  constexpr std::size_t write_version = 18;
+  constexpr char of_a_log = 2;
+  return {number_at(60), number_at(68), bytes[write_version] == of_a_log};
+}
+
+bool is_beside(const fs::path& file, const char* ending) {
+  std::error_code none;
+  return fs::exists(fs::canonical(file, none).string() + ending, none);
+}
+
+/// Returns true for a copy made before the store was closed, without the latest runs beside it.
+bool lacks_its_log(const fs::path& file) {
+  return header_of(file).is_open && !is_beside(file, "-wal") && !is_beside(file, "-lock");
 }
 
 void check_identity(const fs::path& file, const SQLite::Database& model) {
@@ -141,6 +159,7 @@ bool has_pending_changes(const fs::path& file) {
 
 /// The database for readers, after its identity is checked.
 std::unique_ptr<SQLite::Database> readable(const fs::path& file) {
+  if (lacks_its_log(file)) return opened_as_it_is(file);  // else SQLite would make an empty one
   auto database = opened(file, SQLite::OPEN_READONLY);
   if (database->tryExec(first_look) == SQLITE_OK) return database;
   const int error = database->getErrorCode();
@@ -174,6 +193,14 @@ std::unique_ptr<SQLite::Database> writable(const fs::path& file) {
   return database;
 }
 
+/// Closes a store whose writer was killed. Does nothing if a process is adding runs, or nothing can
+/// be written in its folder.
+void close_what_is_left(const fs::path& file) {
+  const Uninterrupted whole;
+  const auto lock = WriterLock::taken_if_free(file);
+  if (lock && ::access(file.c_str(), W_OK) == 0) close(*opened(file, SQLite::OPEN_READWRITE));
+}
+
 template <class Work>
 auto explained(const fs::path& file, const Work& work) {
   try {
@@ -193,18 +220,40 @@ void check_is_store(const fs::path& file) {
   explained(file, [&] { check_identity(file, *empty_store()); });
 }
 
+void check_store(const fs::path& file) {
+  explained(file, [&] { checked(file); });
+}
+
 std::unique_ptr<SQLite::Database> opened_for_reading(const fs::path& file) {
-  return explained(file, [&] { return checked(file); });
+  return explained(file, [&] {
+    auto database = checked(file);
+    if (!is_beside(file, "-wal") && !is_beside(file, "-lock")) return database;
+    database.reset();
+    close_what_is_left(file);
+    return readable(file);
+  });
 }
 
 std::unique_ptr<SQLite::Database> opened_for_adding(const fs::path& file) {
-  opened_for_reading(file).reset();
   return explained(file, [&] { return writable(file); });
 }
 
-void close(std::unique_ptr<SQLite::Database> database) {
-  database->tryExec("PRAGMA busy_timeout = 0; PRAGMA wal_checkpoint(TRUNCATE)");
-  database->tryExec("PRAGMA journal_mode = DELETE");
+void close(SQLite::Database& database) {
+  database.tryExec("PRAGMA busy_timeout = 0; PRAGMA wal_checkpoint(TRUNCATE)");
+  database.tryExec("PRAGMA journal_mode = DELETE");
+  database.tryExec("PRAGMA query_only = ON");
+}
+
+std::string caution(const fs::path& file) {
+  if (WriterLock::is_taken(file)) {
+    return fmt::format("{}: another ricochet is adding runs to it: later ones are missing",
+                       file.string());
+  }
+  if (!lacks_its_log(file)) return "";
+  return fmt::format(
+      "{0}: runs may be missing: it was copied while it was open, without {1}-wal: copy that, too, "
+      "or let ricochet digest close it first",
+      file.string(), file.filename().string());
 }
 
 }  // namespace ricochet

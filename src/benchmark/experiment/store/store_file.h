@@ -11,15 +11,18 @@ namespace ricochet {
 /// page. Writes nothing, and makes no file beside it.
 void check_is_store(const std::filesystem::path& file);
 
-/// Opens the file of a store to read it. Throws InputError as Store::open does. Writes nothing to
-/// it, except that an interrupted change is rolled back.
+/// Throws InputError as Store::open does. Takes some seconds for a million runs.
+void check_store(const std::filesystem::path& file);
+
+/// Opens the file of a store to read it, after these checks. Closes what a killed writer left open,
+/// and rolls back what it left half changed; else writes nothing.
 std::unique_ptr<SQLite::Database> opened_for_reading(const std::filesystem::path& file);
 
-/// Opens it to add runs, after the same checks; the caller must hold a WriterLock.
+/// Opens it to add runs; the caller must have checked it, and hold a WriterLock.
 std::unique_ptr<SQLite::Database> opened_for_adding(const std::filesystem::path& file);
 
-/// Closes a database to which runs were added, so that all of it is in one file that can be read in
-/// a read-only folder; skipped while others read it.
-void close(std::unique_ptr<SQLite::Database> database);
+/// Moves all runs into the one file, which can be read in a read-only folder, and lets the database
+/// read only. Leaves the runs in two files while others read them. Never waits.
+void close(SQLite::Database& database);
 
 }  // namespace ricochet

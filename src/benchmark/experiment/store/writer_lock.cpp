@@ -12,9 +12,15 @@
 #include "ricochet/error.h"
 
 namespace ricochet {
+namespace {
 
-WriterLock::WriterLock(const std::filesystem::path& file)
-    : lock_(std::filesystem::canonical(file).string() + "-lock") {
+std::filesystem::path lock_of(const std::filesystem::path& file) {
+  return std::filesystem::canonical(file).string() + "-lock";
+}
+
+}  // namespace
+
+WriterLock::WriterLock(const std::filesystem::path& file) : lock_(lock_of(file)) {
   for (;;) {
     descriptor_ =
         ::open(lock_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
@@ -32,6 +38,23 @@ WriterLock::WriterLock(const std::filesystem::path& file)
     if (is_there()) return;
     ::close(descriptor_);  // its previous owner removed it meanwhile
   }
+}
+
+std::unique_ptr<WriterLock> WriterLock::taken_if_free(const std::filesystem::path& file) {
+  try {
+    return std::make_unique<WriterLock>(file);
+  } catch (const InputError&) {
+    return nullptr;
+  }
+}
+
+bool WriterLock::is_taken(const std::filesystem::path& file) {
+  const int descriptor =
+      ::open(lock_of(file).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool taken = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return taken;
 }
 
 WriterLock::~WriterLock() {

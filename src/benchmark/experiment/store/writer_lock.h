@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 
 namespace ricochet {
 
@@ -11,9 +12,14 @@ class WriterLock {
  public:
   /// Throws InputError if another process has the lock, or no file can be made beside the file.
   explicit WriterLock(const std::filesystem::path& file);
+  /// Null instead of an error.
+  static std::unique_ptr<WriterLock> taken_if_free(const std::filesystem::path& file);
   ~WriterLock();
   WriterLock(const WriterLock&) = delete;
   WriterLock& operator=(const WriterLock&) = delete;
+
+  /// Returns true if a process has the lock.
+  static bool is_taken(const std::filesystem::path& file);
 
  private:
   bool is_there() const;

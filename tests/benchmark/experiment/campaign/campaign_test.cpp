@@ -50,6 +50,20 @@ TEST(Campaign, ChoosesSolversFormulationsAndPerturbationsByPattern) {
   EXPECT_THAT(names(campaign, &Cell::perturbation), UnorderedElementsAre("plain", "noisy"));
 }
 
+TEST(Campaign, OfTooManyRunsCellsOrMachinesIsRefusedBeforeItIsBuilt) {
+  const auto expect_refused = [](const std::string& part, const std::string& reason) {
+    EXPECT_THAT([&] { campaign_of(part); }, testing::ThrowsMessage<InputError>(testing::AllOf(
+                                                testing::StartsWith("part 1"), HasSubstr(reason))));
+  };
+  expect_refused(part_of("\"*\"", "seeds = 1000000"), " runs: must be at most 5000000");
+  expect_refused(part_of("\"*\"", "drawn_machines = 1000000"), "must be at most 10000");
+  std::string levels;
+  for (int k = 1; k <= 101; ++k) levels += std::to_string(k) + ",";
+  expect_refused(part_of("\"*\"", "machines = {around = \"C1\", friction = [" + levels +
+                                      "], restitution = [" + levels + "]}"),
+                 "1.02e+04 combinations: must be at most 10000");
+}
+
 TEST(Campaign, AddsWidthsToWhatCanBeSmoothed) {
   const Campaign campaign =
       campaign_of(part_of("[\"cup-s\", \"bowl-1\"]", "smoothings = [0.125, 0.5]"));

@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "ricochet/error.h"
+#include "src/core/interruption.h"
 #include "src/core/text_file.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
@@ -58,6 +59,26 @@ class StoreFile : public TemporaryFolder {
   }
 
   void write(const std::string& text) const { std::ofstream(file, std::ios::binary) << text; }
+
+  /// Adds so many runs in another process, which then sends itself the signal.
+  void add_and_end(int runs, int signal) const {
+    const pid_t writer = fork();
+    ASSERT_GE(writer, 0);
+    if (writer == 0) {
+      end_tidily_when_interrupted();
+      std::mt19937_64 random(6);
+      Store store = Store::open(file, Store::For::adding);
+      for (int k = 0; k < runs; ++k) store.add(a_key(k), any_record(random));
+      kill(getpid(), signal);
+      for (;;) pause();
+    }
+    waitpid(writer, nullptr, 0);
+  }
+
+  /// How many files there are in the folder.
+  auto files() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+  }
 
   /// Neither way to open it does more than refuse.
   void expect_refused(const std::string& reason) const {
@@ -101,6 +122,72 @@ TEST_F(StoreFile, KeepsEveryBitOfAnyRun) {
 TEST_F(StoreFile, IsOneFileOnceItIsClosed) {
   filled(3);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(StoreFile, IsOneFileAfterAnInterruption) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    fs::remove(file);
+    Store::create(file, a_description());
+    add_and_end(30, signal);
+    EXPECT_EQ(files(), 1) << signal;
+    EXPECT_EQ(caution(file), "");
+    EXPECT_EQ(Store::open(file, Store::For::reading).size(), 30);
+  }
+}
+
+TEST_F(StoreFile, IsOneFileAfterItIsReadIfItsWriterWasKilled) {
+  Store::create(file, a_description());
+  add_and_end(30, SIGKILL);
+  EXPECT_GT(files(), 1);
+  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 30);
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(StoreFile, CanOnlyBeReadOnceItIsFinished) {
+  Store store = Store::create(file, a_description());
+  store.add(a_key(0), {});
+  store.finish();
+  EXPECT_EQ(files(), 1);
+  EXPECT_EQ(store.size(), 1);
+  EXPECT_THROW(store.add(a_key(1), {}), OutputError);
+  EXPECT_NO_THROW(Store::open(file, Store::For::adding));
+}
+
+TEST_F(StoreFile, SaysThatRunsMayBeMissingInACopyOfItAlone) {
+  Store::create(file, a_description());
+  add_and_end(30, SIGKILL);
+  const fs::path copies = folder_ / "copies";
+  fs::create_directory(copies);
+  const fs::path copy = copies / file.filename();
+  fs::copy(file, copy);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_LT(Store::open(copy, Store::For::reading).size(), 30);
+    EXPECT_THAT(caution(copy), HasSubstr("runs may be missing"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(copies), fs::directory_iterator()), 1);
+  }
+  fs::copy(file.string() + "-wal", copy.string() + "-wal");
+  EXPECT_EQ(Store::open(copy, Store::For::reading).size(), 30);
+  EXPECT_EQ(caution(copy), "");
+}
+
+TEST_F(StoreFile, SaysThatRunsAreBeingAdded) {
+  const Store writer = Store::create(file, a_description());
+  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 0);
+  EXPECT_THAT(caution(file), HasSubstr("another ricochet is adding runs"));
+}
+
+TEST_F(StoreFile, HasAnyName) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  for (const char* name : {":memory:", "file:x?mode=memory"}) {
+    {
+      Store store = Store::create(name, a_description());
+      store.add(a_key(0), {});
+    }
+    EXPECT_EQ(Store::open(folder_ / name, Store::For::reading).size(), 1) << name;
+    EXPECT_EQ(Store::open(name, Store::For::reading).size(), 1) << name;
+  }
+  fs::current_path(before);
 }
 
 TEST_F(StoreFile, TakesMoreRunsLater) {

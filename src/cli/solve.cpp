@@ -181,7 +181,7 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
   if (!record.trace.empty()) {
     const Vector& x = record.trace.back().x;
     const double violation = record.trace.back().true_values.violation;
-    fmt::print("Best evaluated at{}:",
+    fmt::print("Best evaluated point{}:",
                violation > 0 ? fmt::format(", not feasible by {:.3g}", violation) : "");
     for (Eigen::Index i = 0; i < std::min<Eigen::Index>(x.size(), 8); ++i)
       fmt::print(" {:.9g}", x[i]);

@@ -77,7 +77,7 @@ TEST(Solve, TakesNamesInAnyCase) {
 
 TEST(Solve, SaysByHowMuchAPointIsNotFeasible) {
   EXPECT_THAT(call("solve random-search hs-71 --budget 1").out,
-              HasSubstr("Best evaluated at, not feasible by "));
+              HasSubstr("Best evaluated point, not feasible by "));
 }
 
 TEST(Solve, RefusesWhatIsNotThere) {

@@ -104,17 +104,18 @@ std::vector<MissingSolver> missing_solvers() {
 
 Solver solver_named(const std::string& name, const std::string& asked_by) {
   std::vector<std::string> known;
-  for (const Solver& solver : all_solvers()) {
-    if (solver.name == name) return solver;
-    known.push_back(solver.name);
+  const std::vector<Solver> solvers = all_solvers();
+  for (const Solver& solver : solvers) known.push_back(solver.name);
+  if (const std::string* found = match(name, known)) {
+    return solvers[static_cast<std::size_t>(found - known.data())];
   }
   for (const MissingSolver& missing : missing_solvers()) {
     if (missing.solver != name) continue;
-    throw InputError(fmt::format("{} {}: this build has no {}; allowed: {}", asked_by, name,
-                                 missing.library, fmt::join(known, ", ")));
+    throw InputError(fmt::format("{} {}: this build has no {}; see `ricochet list solvers`",
+                                 asked_by, name, missing.library));
   }
-  throw InputError(
-      fmt::format("{} {}: there is no such solver; {}", asked_by, name, what_instead(name, known)));
+  throw InputError(fmt::format("{} {}: there is no such solver; {}", asked_by, name,
+                               what_instead(name, known, "`ricochet list solvers`")));
 }
 
 }  // namespace ricochet

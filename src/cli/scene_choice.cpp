@@ -19,7 +19,10 @@ ChosenScene in_default_interpretation(const Case& a_case) {
 }  // namespace
 
 ChosenScene choose_scene(const SceneChoice& choice) {
-  if (choice.case_id.empty() == choice.scene_file.empty()) {
+  if (!choice.case_id.empty() && !choice.scene_file.empty()) {
+    throw InputError("give only one of --case and --scene, not both");
+  }
+  if (choice.case_id.empty() && choice.scene_file.empty()) {
     throw InputError("which scene? give --case ID (see `ricochet list cases`) or --scene FILE");
   }
   if (!choice.case_id.empty()) return in_default_interpretation(find_case(choice.case_id));

@@ -7,6 +7,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "ricochet/error.h"
@@ -32,7 +33,9 @@ using report::Json;
 Solver solver_of(const std::string& wanted) {
   const std::optional<Solver> brought = outside::outside_solver(wanted);
   if (brought) return *brought;
-  return named(all_solvers(), wanted, "solver", [](const Solver& s) { return s.name; });
+  return named(
+      all_solvers(), wanted, "solver", [](const Solver& s) { return s.name; },
+      "`ricochet list solvers`");
 }
 
 /// The formulation asked for, or the first that the solver accepts.
@@ -161,7 +164,7 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
              : verdict.feasible ? "not solved"
                                 : "nothing feasible found");
   if (verdict.objective) {
-    fmt::print("Found {:.9g}", *verdict.objective);
+    fmt::print("Best evaluated: {:.9g}", *verdict.objective);
     if (verdict.optimality_gap)
       fmt::print(", {:.3g} from the best known, {:.9g}", *verdict.optimality_gap,
                  *problem.best_known);
@@ -170,24 +173,31 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
   if (!record.returned) {
     fmt::print("Returned: nothing.\n");
   } else if (record.returned->true_values.violation > 0) {
-    fmt::print("Returned: a point that is not feasible.\n");
+    fmt::print("Returned: a point that is not feasible, by {:.3g}.\n",
+               record.returned->true_values.violation);
   } else {
-    fmt::print("Returned {:.9g}.\n", record.returned->true_values.objective);
+    fmt::print("Returned: {:.9g}.\n", record.returned->true_values.objective);
   }
   if (!record.trace.empty()) {
     const Vector& x = record.trace.back().x;
-    fmt::print("At");
+    const double violation = record.trace.back().true_values.violation;
+    fmt::print("Best evaluated point{}:",
+               violation > 0 ? fmt::format(", not feasible by {:.3g}", violation) : "");
     for (Eigen::Index i = 0; i < std::min<Eigen::Index>(x.size(), 8); ++i)
       fmt::print(" {:.9g}", x[i]);
     fmt::print("{}.\n", x.size() > 8 ? fmt::format(" ... ({} variables)", x.size()) : "");
   }
-  fmt::print("{} evaluations, {:.3g} ms of processor time, {} starts:", record.ledger.charged,
-             1e3 * record.ledger.seconds, record.terminations.size());
+  fmt::print("{} evaluations, {:.3g} ms of processor time, ", record.ledger.charged,
+             1e3 * record.ledger.seconds);
+  if (record.terminations.empty()) {
+    fmt::print("no start ended");
+  } else {
+    fmt::print("{} starts:", record.terminations.size());
+  }
   std::map<std::string, int> terminations;
   for (const SolverTermination& exit : record.terminations) ++terminations[exit.reason];
   for (const auto& [reason, times] : terminations) fmt::print(" {} times \"{}\"", times, reason);
   fmt::print(".\n");
-  if (!record.failure.empty()) fmt::print("Failed: {}\n", record.failure);
 }
 
 }  // namespace
@@ -201,8 +211,9 @@ int solve(const SolveOptions& options) {
   if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
   check(options.limits);
   const Solver solver = solver_of(options.solver);
-  const Problem asked = named(every_problem(suite_families()), options.problem, "problem",
-                              [](const Problem& q) { return q.name; });
+  const Problem asked = named(
+      every_problem(suite_families()), options.problem, "problem",
+      [](const Problem& q) { return q.name; }, "`ricochet list problems`");
   const Formulation formulation = formulation_of(options, asked, solver);
   const std::string formulation_name = asked.name_of(formulation);
   const Problem problem = featured(
@@ -229,6 +240,7 @@ int solve(const SolveOptions& options) {
     print(record, verdict, formulation_name, options.perturbation, problem);
   }
   report::require_none(plot.failures);
+  if (!record.failure.empty()) throw std::runtime_error(record.failure);
   return 0;
 }
 

@@ -71,4 +71,23 @@ std::string what_instead(std::string_view wanted, const std::vector<std::string>
                       : fmt::format("did you mean {}?", fmt::join(near, " or "));
 }
 
+std::string what_instead(std::string_view wanted, const std::vector<std::string>& known,
+                         std::string_view listing) {
+  const std::vector<std::string> near = near_names(wanted, known);
+  return near.empty() ? fmt::format("see {}", listing)
+                      : fmt::format("did you mean {}?", fmt::join(near, " or "));
+}
+
+const std::string* match(std::string_view wanted, const std::vector<std::string>& known) {
+  const auto exact = std::find(known.begin(), known.end(), wanted);
+  if (exact != known.end()) return &*exact;
+  const std::string* found = nullptr;
+  for (const std::string& name : known) {
+    if (!equal_in_any_case(name, wanted)) continue;
+    if (found != nullptr) return nullptr;
+    found = &name;
+  }
+  return found;
+}
+
 }  // namespace ricochet

@@ -19,4 +19,13 @@ std::vector<std::string> near_names(std::string_view wanted, const std::vector<s
 /// The hint for an unknown name: "did you mean ...?", or else the allowed names.
 std::string what_instead(std::string_view wanted, const std::vector<std::string>& known);
 
+/// The same for names too many to print: without a near name, it gives only the command that lists
+/// them.
+std::string what_instead(std::string_view wanted, const std::vector<std::string>& known,
+                         std::string_view listing);
+
+/// Returns the known name that equals `wanted`, or else the only one that does apart from letter
+/// case, or else nullptr.
+const std::string* match(std::string_view wanted, const std::vector<std::string>& known);
+
 }  // namespace ricochet

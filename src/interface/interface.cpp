@@ -34,8 +34,8 @@ const Problem& problem_named(const std::string& name) {
     if (problem.name == name) return problem;
     known.push_back(problem.name);
   }
-  throw InputError(
-      fmt::format("{}: there is no such problem; {}", name, what_instead(name, known)));
+  throw InputError(fmt::format("{}: there is no such problem; {}", name,
+                               what_instead(name, known, "`ricochet list problems`")));
 }
 
 /// All open problems; detects a pointer that is not one of them.

@@ -129,8 +129,15 @@ TEST(OwnSolver, IsRefusedInOneLine) {
 TEST(OwnSolver, ThatFailsIsSaidTo) {
   const auto folder = fresh_folder();
   write(folder, "mine.sh", "echo '{\"name\": \"mine\"}'; read -r problem; echo oops");
-  const json run = run_of("\"sh " + (folder / "mine.sh").string() + "\" count-C1");
+  const std::string arguments = "\"sh " + (folder / "mine.sh").string() + "\" count-C1";
+  const Outcome outcome = call("solve --format json " + arguments);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("mine.sh: output line 2 is no JSON"));
+  const json run = json::parse(outcome.out);
   EXPECT_THAT(run["failure"].get<std::string>(), HasSubstr("mine.sh: output line 2 is no JSON"));
+  const Outcome words = call("solve " + arguments);
+  EXPECT_EQ(words.exit_code, 1);
+  EXPECT_THAT(words.out, HasSubstr("no start ended."));
 }
 
 TEST(OwnSolver, ThatHangsEndsWithRicochet) {

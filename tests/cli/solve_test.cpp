@@ -30,7 +30,7 @@ TEST(Solve, SaysTheSameInWords) {
               HasSubstr("bisection on top-speed-C1, formulation count, instance 0: solved"));
   const json same = json::parse(call("solve bisection top-speed-C1 --budget 30 --format json").out);
   const std::string speed = std::to_string(same["point"][0].get<double>());
-  EXPECT_THAT(outcome.out, HasSubstr("Returned -" + speed.substr(0, 6)));
+  EXPECT_THAT(outcome.out, HasSubstr("Returned: -" + speed.substr(0, 6)));
 }
 
 TEST(Solve, IsAnotherRunWithAnotherSeedAndTheSameWithTheSame) {
@@ -69,9 +69,22 @@ TEST(Solve, WritesTraceAndPicture) {
   EXPECT_THAT(read(folder / "trace.svg"), HasSubstr("best true objective"));
 }
 
+TEST(Solve, TakesNamesInAnyCase) {
+  const Outcome outcome = call("solve BISECTION top-speed-c1 --budget 30 --format json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["problem"], "top-speed-C1");
+}
+
+TEST(Solve, SaysByHowMuchAPointIsNotFeasible) {
+  EXPECT_THAT(call("solve random-search hs-71 --budget 1").out,
+              HasSubstr("Best evaluated point, not feasible by "));
+}
+
 TEST(Solve, RefusesWhatIsNotThere) {
   expect_refusal("solve coblya top-speed-C1", "coblya: there is no such solver");
   expect_refusal("solve scan top-sped-C1", "top-sped-C1: there is no such problem");
+  expect_refusal("solve zzzzzz top-speed-C1", "no such solver; see `ricochet list solvers`");
+  expect_refusal("solve scan zzzzzz", "no such problem; see `ricochet list problems`");
   expect_refusal("solve bisection top-speed-C1 --formulation penalised",
                  "there is no such formulation");
   expect_refusal("solve bisection count-C1", "accepts no formulation of count-C1");

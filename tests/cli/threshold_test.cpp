@@ -140,6 +140,7 @@ TEST(Threshold, RefusesRangesAndCombinationsThatMakeNoSense) {
   expect_refusal("threshold --case C1 --fastest nan", "--fastest");
   expect_refusal("threshold --all --case C1", "--all");
   expect_refusal("threshold", "--case");
+  expect_refusal("threshold --case C1 --scene f", "only one of --case and --scene");
   expect_refusal("threshold --all --allow 3", "--all");
   expect_refusal("threshold --case C1 --allow 3 --allow-speed 1", "--allow-speed");
   expect_refusal("threshold --case C1 --allow -1", "-1");

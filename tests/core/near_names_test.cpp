@@ -38,5 +38,18 @@ TEST(WhatInstead, NamesWhatIsAllowedWhereNothingIsNear) {
   EXPECT_EQ(what_instead("weight", {"mass", "pull"}), "allowed: mass, pull");
 }
 
+TEST(WhatInstead, PointsToTheListOfManyNames) {
+  EXPECT_EQ(what_instead("masss", {"mass", "pull"}, "`ricochet list`"), "did you mean mass?");
+  EXPECT_EQ(what_instead("weight", {"mass", "pull"}, "`ricochet list`"), "see `ricochet list`");
+}
+
+TEST(Match, IsExactOrTheOnlyOneInAnyCase) {
+  const std::vector<std::string> known = {"count-C1", "Mass", "mass"};
+  EXPECT_EQ(match("COUNT-c1", known), &known[0]);
+  EXPECT_EQ(match("mass", known), &known[2]);
+  EXPECT_EQ(match("MASS", known), nullptr);
+  EXPECT_EQ(match("count", known), nullptr);
+}
+
 }  // namespace
 }  // namespace ricochet

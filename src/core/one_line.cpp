@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace ricochet {
 namespace {
@@ -10,8 +12,17 @@ namespace {
 constexpr std::size_t longest_start = 3000;
 constexpr std::size_t longest_end = 1000;
 
-/// The length in bytes of the text's first character; 0 if it is invalid UTF-8 or a control
-/// character.
+/// Returns true for line and paragraph separators and for controls of the writing direction, which
+/// reorder what a terminal shows.
+bool steers_lines(std::string_view character) {
+  constexpr std::string_view steering[] = {"\u061c", "\u200e", "\u200f", "\u2028", "\u2029",
+                                           "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
+                                           "\u2066", "\u2067", "\u2068", "\u2069"};
+  return std::ranges::find(steering, character) != std::end(steering);
+}
+
+/// The length in bytes of the text's first character; 0 if it is invalid UTF-8 or steers a
+/// terminal.
 std::size_t size_of_first(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t first = byte(0);
@@ -21,7 +32,8 @@ std::size_t size_of_first(std::string_view text) {
   for (std::size_t i = 1; i < size; ++i) {
     if ((byte(i) & 0xc0U) != 0x80) return 0;
   }
-  return first == 0xc2 && byte(1) < 0xa0 ? 0 : size;
+  if (first == 0xc2 && byte(1) < 0xa0) return 0;
+  return steers_lines(text.substr(0, size)) ? 0 : size;
 }
 
 void append_escaped(std::string& line, std::string_view text) {

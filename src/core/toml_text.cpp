@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include "ricochet/error.h"
 
@@ -50,6 +51,10 @@ toml::table parse_toml(const std::string& text, const std::string& origin) {
 }
 
 toml::table parse_toml_file(const std::filesystem::path& path) {
+  std::error_code none;
+  if (std::filesystem::status(path, none).type() == std::filesystem::file_type::not_found) {
+    throw InputError(fmt::format("{}: there is no such file", path.string()));
+  }
   std::ifstream stream(path, std::ios::binary);
   if (std::filesystem::is_directory(path) || !stream) {
     throw InputError(fmt::format("{}: cannot be read: it must be a TOML file", path.string()));

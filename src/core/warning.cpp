@@ -6,13 +6,15 @@
 #include <mutex>
 #include <set>
 
+#include "src/core/one_line.h"
+
 namespace ricochet {
 
 void warn(const std::string& text) {
   static std::mutex mutex;
   static std::set<std::string> given;
   const std::lock_guard lock(mutex);
-  if (given.insert(text).second) fmt::print(stderr, "warning: {}\n", text);
+  if (given.insert(text).second) fmt::print(stderr, "warning: {}\n", one_line(text));
 }
 
 }  // namespace ricochet

@@ -17,6 +17,11 @@ TEST(OneLine, EscapesWhatSteersATerminal) {
   EXPECT_EQ(one_line("\xff\xc3"), "\\xff\\xc3");
 }
 
+TEST(OneLine, EscapesWhatReordersALine) {
+  EXPECT_EQ(one_line("a\u202eb\u2066\u200f"), "a\\xe2\\x80\\xaeb\\xe2\\x81\\xa6\\xe2\\x80\\x8f");
+  EXPECT_EQ(one_line("\u061c\u2028"), "\\xd8\\x9c\\xe2\\x80\\xa8");
+}
+
 TEST(OneLine, LeavesTheMiddleOfALongTextOut) {
   const std::string line = one_line("start" + std::string(10'000'000, 'x') + "end");
   EXPECT_LT(line.size(), 5000U);

@@ -69,5 +69,14 @@ TEST(TomlText, ReadsNoMoreOfAFileThanItMayHave) {
   EXPECT_TRUE(parse_toml_file("/dev/null").empty());
 }
 
+TEST(TomlText, SaysThatThereIsNoFile) {
+  try {
+    parse_toml_file("/nowhere/scene.toml");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/scene.toml: there is no such file");
+  }
+}
+
 }  // namespace
 }  // namespace ricochet

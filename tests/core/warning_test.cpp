@@ -15,5 +15,11 @@ TEST(Warning, IsWrittenOnceForEachText) {
             "warning: b.toml: count.slowest is now called counting_limit\n");
 }
 
+TEST(Warning, SteersNoTerminal) {
+  testing::internal::CaptureStderr();
+  warn("a\x1b[31m.toml: too long");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "warning: a\\x1b[31m.toml: too long\n");
+}
+
 }  // namespace
 }  // namespace ricochet

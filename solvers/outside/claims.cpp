@@ -2,31 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "ricochet/error.h"
+#include "src/core/name.h"
 #include "src/core/one_line.h"
 
 namespace ricochet::outside {
-namespace {
-
-constexpr std::size_t longest_name = 60;
-
-bool may_stand_in_a_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-         c == '_' || c == '.' || c == '+';
-}
-
-}  // namespace
-
 Solver solver_as_claimed(const Claims& claims, const std::string& source) {
   const std::string& name = claims.name;
-  if (name.empty() || name.size() > longest_name ||
-      !std::all_of(name.begin(), name.end(), may_stand_in_a_name)) {
-    throw InputError(fmt::format(
-        "{}: name \"{}\"; allowed are 1 to {} letters, digits and the characters - _ . +", source,
-        name, longest_name));
+  if (!is_name(name)) {
+    throw InputError(fmt::format("{}: name \"{}\"; allowed are {}", source, name, names_in_words));
   }
   if (claims.takes_constraints < 0 || claims.takes_constraints > 2) {
     throw InputError(fmt::format("{}: takes_constraints {}; allowed are 0, 1 and 2", source,

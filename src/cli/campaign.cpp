@@ -27,6 +27,7 @@
 #include "src/cli/tell.h"
 #include "src/cli/version.h"
 #include "src/core/folder_lock.h"
+#include "src/core/one_line.h"
 #include "src/core/progress.h"
 #include "src/research/suite/catalogue.h"
 
@@ -140,7 +141,7 @@ int run_plan(const RunOptions& options) {
     digest = store.digest();
   }
   fmt::print("{} runs: {}\ndigest {}\n", store.size(),
-             (std::filesystem::path(options.out) / "runs.sqlite").string(), digest);
+             one_line((std::filesystem::path(options.out) / "runs.sqlite").string()), digest);
   report::require_none(failures);
   return 0;
 }

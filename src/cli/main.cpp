@@ -25,14 +25,12 @@
 #include "src/cli/old_names.h"
 #include "src/cli/other_program.h"
 #include "src/cli/plan.h"
+#include "src/cli/report.h"
 #include "src/cli/simulate.h"
 #include "src/cli/solve.h"
 #include "src/cli/stored_runs.h"
 #include "src/cli/threshold.h"
-#include "src/core/folder_lock.h"
-#include "src/report/drawn_chart.h"
-#include "src/report/report.h"
-#include "src/report/site/site.h"
+#include "src/report/json.h"
 
 namespace ricochet::cli {
 namespace {
@@ -400,18 +398,7 @@ class Program : public CommandLine {
         ->type_name("FOLDER")
         ->required();
     command->add_option("--out", report_out_, "Another folder for the pages")->type_name("FOLDER");
-    on_call(command, [this] {
-      const std::string& out = report_out_.empty() ? report_from_ : report_out_;
-      const FolderLock alone(out);
-      auto failures = site::redraw_site(report_from_, out);
-      if (!failures) {
-        failures = report::redraw_report(report_from_, out).failures;
-        const std::vector<std::string> above = site::write_site_above(out);
-        failures->insert(failures->end(), above.begin(), above.end());
-      }
-      report::require_none(*failures);
-      return 0;
-    });
+    on_call(command, [this] { return draw_again(report_from_, report_out_); });
   }
 
   /// All arguments after the command are passed to the other program, including --help.

@@ -41,7 +41,7 @@ std::string in_shell_quotes(const std::string& word) {
 
 Json json_of(const OptionValue& value) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? Json(*number) : Json(std::get<std::string>(value));
+  return number != nullptr ? Json(*number) : Json(one_line(std::get<std::string>(value)));
 }
 
 std::string value_in_words(const Json& value) {

@@ -7,7 +7,6 @@
 
 #include "ricochet/error.h"
 #include "solvers/outside/outside.h"
-#include "src/core/one_line.h"
 #include "src/core/progress.h"
 #include "src/research/suite/catalogue.h"
 
@@ -39,7 +38,7 @@ void announce_programs(const std::vector<std::string>& programs, bool allowed,
                     "you trust them",
                     origin, fmt::join(programs, "; ")));
   }
-  for (const std::string& program : programs) Progress::announce("starts " + one_line(program));
+  for (const std::string& program : programs) Progress::announce("starts " + program);
 }
 
 }  // namespace ricochet::cli

@@ -16,6 +16,7 @@
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/cli/programs.h"
+#include "src/core/one_line.h"
 #include "src/report/json.h"
 #include "src/research/suite/catalogue.h"
 
@@ -67,7 +68,7 @@ int merge_stores(const std::vector<std::string>& parts, const std::string& out) 
   merge({parts.begin(), parts.end()}, out);
   const Store store = Store::open(out, Store::For::reading);
   for (const std::string& part : parts) warn_of_missing_runs(part);
-  fmt::print("{} runs: {}\ndigest {}\n", store.size(), out, store.digest());
+  fmt::print("{} runs: {}\ndigest {}\n", store.size(), one_line(out), store.digest());
   return 0;
 }
 
@@ -115,9 +116,12 @@ int replay(const std::string& file, std::int64_t number, bool allow_programs, bo
     fmt::print("{}\n", data.dump(2));
   } else {
     fmt::print(
-        "{} on {}, formulation {}, perturbation {}, instance {}, seed {}: {} evaluations{}.\n{}\n",
-        cell.solver, cell.problem, cell.formulation, cell.perturbation, stored->key.instance,
-        stored->key.run, again.ledger.charged, again.failure.empty() ? "" : "; " + again.failure,
+        "{}\n{}\n",
+        one_line(fmt::format(
+            "{} on {}, formulation {}, perturbation {}, instance {}, seed {}: {} evaluations{}.",
+            cell.solver, cell.problem, cell.formulation, cell.perturbation, stored->key.instance,
+            stored->key.run, again.ledger.charged,
+            again.failure.empty() ? "" : "; " + again.failure)),
         differs.empty() ? "The same, to the last bit."
                         : "NOT the same as stored: it differs in " + differs + ".");
   }

@@ -39,8 +39,8 @@ std::string answer_of(const std::function<std::string()>& work) {
 [[noreturn]] void work_and_answer(const std::function<std::string()>& work, double megabytes,
                                   int descriptor) {
   limit_resources(megabytes);
-  dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
-  dup2(STDERR_FILENO, STDOUT_FILENO);
+  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, stream);
   const std::string answer = answer_of(work);
   for (std::size_t done = 0; done < answer.size();) {
     const ssize_t count = write(descriptor, answer.data() + done, answer.size() - done);

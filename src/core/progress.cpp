@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cstdio>
 
+#include "src/core/one_line.h"
+
 namespace ricochet {
 namespace {
 
@@ -17,7 +19,7 @@ std::atomic<bool> silent = false;
 }  // namespace
 
 void Progress::announce(std::string_view line) {
-  if (!silent) fmt::print(stderr, "{}\n", line);
+  if (!silent) fmt::print(stderr, "{}\n", one_line(line));
 }
 
 void Progress::silence() {

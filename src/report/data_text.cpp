@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ricochet/error.h"
 #include "src/report/record_table.h"
 
 namespace ricochet::report {
@@ -19,6 +20,8 @@ Json rounded(double number, int digits) {
   if (whole(kept)) return static_cast<std::int64_t>(kept);
   return kept;
 }
+
+constexpr int deepest_data = 100;  // functions here call themselves for every level
 
 /// NOTE: an entry of a list is rounded by the name of the list.
 Json rounded(Json data, const Digits& known, int digits) {
@@ -93,7 +96,12 @@ std::string data_text(const Json& data, const Digits& digits) {
 }
 
 Json data_in(const std::string& text) {
-  return unpacked(Json::parse(text));
+  const auto shallow = [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest_data)
+      throw InputError(fmt::format("is nested deeper than {}", deepest_data));
+    return true;
+  };
+  return unpacked(Json::parse(text, shallow));
 }
 
 }  // namespace ricochet::report

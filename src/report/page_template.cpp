@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "src/core/csv_field.h"
+#include "src/core/name.h"
 #include "src/report/chart_template.h"
 #include "src/report/headline_template.h"
 #include "src/report/table_template.h"
@@ -30,14 +32,9 @@ std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
   return paragraphs;
 }
 
-std::string csv_field(const Json& data) {
+std::string field_of(const Json& data) {
   if (data.is_null()) return "";
-  if (!data.is_string()) return data.dump();
-  const auto& text = data.get_ref<const std::string&>();
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
+  return data.is_string() ? csv_field(data.get_ref<const std::string&>()) : data.dump();
 }
 
 /// Returns the rows with all their members, including nested ones; the header has every name.
@@ -53,7 +50,7 @@ std::string csv_of(const Json& rows) {
   for (const std::string& name : names) {
     std::string title = name.substr(1);
     std::replace(title.begin(), title.end(), '/', '.');
-    text += (text.empty() ? "" : ",") + title;
+    text += (text.empty() ? "" : ",") + csv_field(title);
   }
   text += "\n";
   for (const Json& row : rows) {
@@ -61,7 +58,7 @@ std::string csv_of(const Json& rows) {
     std::string line;
     for (const std::string& name : names) {
       if (&name != &names.front()) line += ",";
-      if (flat.contains(name)) line += csv_field(flat[name]);
+      if (flat.contains(name)) line += field_of(flat[name]);
     }
     text += line + "\n";
   }
@@ -107,6 +104,7 @@ Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, Dr
       section.tables.push_back(table_of(table, place));
       if (!table.has("csv")) continue;
       const std::string name = filled(table.text("csv"), place) + ".csv";
+      if (!is_name(name)) throw std::logic_error(name + " is no name of a file for a table");
       if (!result.tables.emplace(name, csv_of(found_in(place, table.text("rows")))).second) {
         throw std::logic_error("two tables of a template have the file " + name);
       }

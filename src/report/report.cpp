@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "embedded/template_advice.h"
@@ -22,6 +23,7 @@
 #include "embedded/template_surrogate.h"
 #include "embedded/template_verification.h"
 #include "ricochet/error.h"
+#include "src/core/name.h"
 #include "src/report/data_text.h"
 #include "src/report/page_template.h"
 #include "src/report/template_part.h"
@@ -84,6 +86,22 @@ WrittenReport draw_page(Json data, const fs::path& folder) {
   return {drawing.epilogue, write_page(drawing.page, folder, std::move(files))};
 }
 
+/// A std::logic_error whose message names the file.
+class MismatchError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// The folders of further pages, below that of the report.
+std::vector<std::string> pages_of(const Json& data) {
+  auto pages = data.value("pages", std::vector<std::string>());
+  for (const std::string& page : pages) {
+    if (!is_name(page))
+      throw std::logic_error("pages: " + Json(page).dump() + " is no folder's name");
+  }
+  return pages;
+}
+
 }  // namespace
 
 WrittenReport write_report(const Json& data, const fs::path& folder) {
@@ -95,19 +113,24 @@ WrittenReport write_report(const Json& data, const fs::path& folder) {
 WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
   const fs::path file = from / data_file;
   const std::string text = text_of(file);
+  Json data;
+  std::vector<std::string> failures;
   try {
-    const Json data = data_in(text);
-    std::vector<std::string> failures;
-    for (const Json& page : data.value("pages", Json::array())) {
-      const std::string name = page.get<std::string>();
+    data = data_in(text);
+    for (const std::string& name : pages_of(data)) {
       const WrittenReport further = redraw_report(from / name, folder / name);
       for (const std::string& line : further.failures) failures.push_back(name + ": " + line);
     }
-    WrittenReport written = draw_page(data, folder);
+    WrittenReport written = draw_page(std::move(data), folder);
     written.failures.insert(written.failures.begin(), failures.begin(), failures.end());
     return written;
   } catch (const Json::exception& error) {
     throw InputError(
+        fmt::format("{}: must be the data of a report: {}", file.string(), error.what()));
+  } catch (const MismatchError&) {
+    throw;
+  } catch (const std::logic_error& error) {
+    throw MismatchError(
         fmt::format("{}: must be the data of a report: {}", file.string(), error.what()));
   }
 }

@@ -106,9 +106,8 @@ void expect_of_language(const std::string& probe, const std::string& solver) {
 }
 
 TEST(OwnSolver, InOctaveSpendsItsBudget) {
-  expect_of_language("octave-cli --version",
-                     "octave-cli --quiet --no-init-file " RICOCHET_SOURCE
-                     "/examples/solvers/random_search.m");
+  expect_of_language("octave-cli --version", "octave-cli --quiet --no-init-file " RICOCHET_SOURCE
+                                             "/examples/solvers/random_search.m");
 }
 
 TEST(OwnSolver, InRSpendsItsBudget) {

@@ -1,5 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
 #include "src/report/data_text.h"
 #include "tests/cli/tool.h"
 
@@ -15,16 +19,49 @@ TEST(ReportCommand, FailsWhereAChartCannotBeDrawnAndDrawsAllOthers) {
   data["paper_curve"][0]["y"] = 1e200;
   write(folder, "data.json", report::data_text(data));
   const Outcome outcome = call("report " + folder.string());
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err,
-            "ricochet: failed: chart response could not be drawn: "
-            "series \"the paper\", sample 0: 1e+200 is beyond 1e100\n");
+  EXPECT_EQ(outcome.exit_code, 2) << "the data are the input";
+  EXPECT_EQ(outcome.err, "ricochet: " + (folder / "data.json").string() +
+                             ": chart response could not be drawn: "
+                             "series \"the paper\", sample 0: 1e+200 is beyond 1e100\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "response.svg"));
   EXPECT_TRUE(std::filesystem::exists(folder / "relief.svg"));
   const std::string page = read(folder / "index.html");
   EXPECT_THAT(page, HasSubstr("1e+200 is beyond 1e100</p>"));
   EXPECT_THAT(page, HasSubstr(read(folder / "relief.svg")));
   EXPECT_THAT(read(folder / "summary.md"), Not(HasSubstr("(response.svg)")));
+}
+
+/// What `report` says of the reference's limits after this change of their text.
+Outcome after(const std::string& from, const std::string& to) {
+  const auto folder = fresh_folder();
+  std::string text = read(RICOCHET_SOURCE "/reports/reference/limits/data.json");
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  text.replace(place, from.size(), to);
+  const auto file = write(folder, "data.json", text);
+  Outcome outcome = call("report " + folder.string());
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_THAT(outcome.err, testing::StartsWith("ricochet: " + file.string() + ": "));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  return outcome;
+}
+
+TEST(ReportCommand, RefusesDamagedDataWithFileAndKey) {
+  EXPECT_THAT(after("{", "").err, HasSubstr("parse error"));
+  EXPECT_THAT(after("\"report\":\"limits\"", "\"report\":7").err, HasSubstr("(/report)"));
+  EXPECT_THAT(after("\"report\":\"limits\"", "\"report\":\"none\"").err,
+              HasSubstr("no such report"));
+  EXPECT_THAT(after("\"paper_curve\":", "\"paper_curv\":").err, HasSubstr("paper_curve"));
+  EXPECT_THAT(after("\"report\":\"limits\"", "\"report\":\"limits\",\"pages\":7").err,
+              HasSubstr("(/pages)"));
+  const std::string deep(100'000, '[');
+  EXPECT_THAT(after("\"report\":\"limits\"", "\"report\":\"limits\",\"deep\":" + deep).err,
+              HasSubstr("nested deeper than 100"));
+}
+
+TEST(ReportCommand, WritesOnlyBelowItsFolder) {
+  EXPECT_THAT(after("\"report\":\"limits\"", "\"report\":\"limits\",\"pages\":[\"../other\"]").err,
+              HasSubstr("pages: \"../other\" is no folder's name"));
 }
 
 }  // namespace

@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "src/core/csv_field.h"
+
 namespace ricochet::exports {
 
 std::string csv_row(const std::vector<std::string>& fields) {
   std::string row;
   for (const std::string& field : fields) {
     if (&field != &fields.front()) row += ',';
-    if (field.find_first_of(",\"\r\n") == std::string::npos) {
-      row += field;
-      continue;
-    }
-    row += '"';
-    for (const char c : field) row.append(c == '"' ? 2 : 1, c);
-    row += '"';
+    row += csv_field(field);
   }
   return row + '\n';
 }

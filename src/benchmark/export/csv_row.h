@@ -6,8 +6,8 @@
 
 namespace ricochet::exports {
 
-/// A line with these fields; those with a comma, a quote or a line break are quoted (RFC 4180). The
-/// line ends with a newline and without a carriage return, as in all exports here.
+/// A line with these fields, see csv_field(). It ends with a newline and without a carriage return,
+/// as in all exports here.
 std::string csv_row(const std::vector<std::string>& fields);
 
 /// The shortest decimal text that reads back to the number; also "inf", "-inf" and "nan".

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "src/benchmark/experiment/campaign/plan_table.h"
+#include "src/core/name.h"
 #include "src/core/toml_text.h"
 #include "src/core/warning.h"
 
@@ -102,7 +103,7 @@ VariedSolver solver_from(const toml::table& table, const std::string& place) {
   VariedSolver solver;
   in.read("name", solver.name);
   in.read("of", solver.of);
-  if (solver.name.empty()) in.refuse("name", *table.get("name"), "a text that is not empty");
+  if (!is_name(solver.name)) in.refuse("name", *table.get("name"), names_in_words);
   const toml::table* options = table.get("options")->as_table();
   if (options == nullptr)
     in.refuse("options", *table.get("options"), "a table of numbers and texts");

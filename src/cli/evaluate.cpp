@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -60,14 +61,22 @@ Json description_of(const Problem& asked, const Formulation& formulation, const 
       {"tolerance", asked.tolerance}};
 }
 
+bool is_blank(char letter) {
+  return letter == ' ' || letter == '\t' || letter == '\r';
+}
+
 /// Reads the next line of standard input, without its end; of a line that is too long only the
-/// beginning. Returns false at the end of the input.
+/// beginning and its last letter that is not blank. Returns false at the end of the input.
 bool read_line(std::string& line) {
   line.clear();
   int letter = getc_unlocked(stdin);
   if (letter == EOF) return false;
   for (; letter != EOF && letter != '\n'; letter = getc_unlocked(stdin)) {
-    if (line.size() <= longest_line) line.push_back(static_cast<char>(letter));
+    if (line.size() <= longest_line) {
+      line.push_back(static_cast<char>(letter));
+    } else if (!is_blank(static_cast<char>(letter))) {
+      line.back() = static_cast<char>(letter);
+    }
   }
   return true;
 }
@@ -148,7 +157,7 @@ int evaluate(const EvaluateOptions& options) {
   Service service(problem, options);
   std::string line;
   for (std::int64_t number = 1; read_line(line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (std::all_of(line.begin(), line.end(), is_blank)) continue;
     print_line(service.answer_or_error(line, number));
   }
   if (std::ferror(stdin) != 0) {

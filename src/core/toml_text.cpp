@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -51,16 +52,17 @@ toml::table parse_toml(const std::string& text, const std::string& origin) {
 }
 
 toml::table parse_toml_file(const std::filesystem::path& path) {
-  std::error_code none;
-  if (std::filesystem::status(path, none).type() == std::filesystem::file_type::not_found) {
-    throw InputError(fmt::format("{}: there is no such file", path.string()));
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (std::filesystem::is_directory(path) || !stream) {
-    throw InputError(fmt::format("{}: cannot be read: it must be a TOML file", path.string()));
-  }
   std::string text(longest_toml + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!stream.is_open() || stream.bad()) {
+    const int error = errno;
+    throw InputError(
+        fmt::format("{}: {}", path.string(),
+                    error == ENOENT ? "there is no such file"
+                                    : "cannot be read: " + std::generic_category().message(error)));
+  }
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return parse_toml(text, path.string());
 }

@@ -172,6 +172,15 @@ TEST(Evaluate, SurvivesLongLines) {
             "line 1: is longer than 1048576 bytes");
 }
 
+TEST(Evaluate, AnswersALineThatBeginsWithBlanksAndNoneThatIsBlank) {
+  const std::string blank(2'000'000, ' ');
+  EXPECT_EQ(error_of(blank + "[1, 1, 1, 1]"), "line 1: is longer than 1048576 bytes");
+  EXPECT_EQ(error_of(blank + "[1, 1, 1, 1]" + blank), "line 1: is longer than 1048576 bytes");
+  const Dialogue dialogue = asked("hs-71", blank + "\n[1, 1, 1, 1]\n");
+  EXPECT_EQ(dialogue.outcome.exit_code, 0);
+  EXPECT_EQ(dialogue.answers.size(), 1U);
+}
+
 TEST(Evaluate, HasNoAnswerButNullForWhatIsNoNumber) {
   const Dialogue dialogue = asked("hs-71", "[1e300, 1e300, 1e300, -1e308]\n");
   EXPECT_EQ(dialogue.outcome.exit_code, 0);

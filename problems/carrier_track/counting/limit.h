@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/threshold.h"
 
 /// A limit that a user sets on the collisions, the energy or the impact speed of a machine.

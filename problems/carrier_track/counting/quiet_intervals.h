@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/threshold.h"
 
 /// The quiet ranges of speeds of a staircase that rises and falls.

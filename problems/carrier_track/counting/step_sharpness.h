@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/threshold.h"
 
 /// Tests whether the count makes a step at a threshold, as the paper says: "the number of

@@ -18,8 +18,6 @@
 #include "problems/carrier_track/problems/scanned_best.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
-#include "ricochet/error.h"
-#include "src/core/near_names.h"
 
 namespace ricochet::carrier_track::inline problems {
 namespace {
@@ -29,28 +27,12 @@ constexpr std::array grid_fidelities = {Fidelity::impact, Fidelity::compliant, F
 /// [rad/s] between scanned speeds with compliant walls.
 constexpr double coarse_step = 1e-2;
 
-void check_keys(const MachineLevels& levels) {
-  static const std::vector<std::string> known = {"restitution", "friction", "disturbance",
-                                                 "fidelity"};
-  for (const auto& [key, values] : levels) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    throw InputError(
-        fmt::format("machines: there is no key {}; {}", key, what_instead(key, known)));
-  }
-}
-
 /// The levels of a number; its own value if none are named.
 std::vector<double> levels_of(const MachineLevels& levels, const char* key, double own) {
   const auto named = levels.find(key);
   if (named == levels.end()) return {own};
   std::vector<double> numbers;
-  for (const OptionValue& level : named->second) {
-    const double* number = std::get_if<double>(&level);
-    if (number == nullptr || *number < 0) {
-      throw InputError(fmt::format("machines, {} = {}: must be numbers >= 0", key, text_of(level)));
-    }
-    numbers.push_back(*number);
-  }
+  for (const OptionValue& level : named->second) numbers.push_back(std::get<double>(level));
   return numbers;
 }
 
@@ -60,17 +42,12 @@ std::vector<std::optional<Fidelity>> fidelities_of(const MachineLevels& all) {
   if (named == all.end()) return {std::nullopt};
   std::vector<std::optional<Fidelity>> levels;
   for (const OptionValue& wanted : named->second) {
-    levels.emplace_back();
-    for (const Fidelity level : grid_fidelities) {
-      if (wanted == OptionValue(std::string(name_of(fidelity_names(), level)))) {
-        levels.back() = level;
-      }
-    }
-    if (!levels.back()) {
-      throw InputError(
-          fmt::format("machines, fidelity = {}: must be \"impact\", \"compliant\" or \"planar\"",
-                      text_of(wanted)));
-    }
+    const auto level =
+        std::find_if(grid_fidelities.begin(), grid_fidelities.end(), [&](Fidelity each) {
+          return name_of(fidelity_names(), each) == std::get<std::string>(wanted);
+        });
+    if (level == grid_fidelities.end()) throw std::logic_error("a fidelity that is not allowed");
+    levels.emplace_back(*level);
   }
   return levels;
 }
@@ -159,7 +136,6 @@ std::vector<std::shared_ptr<GridMachine>> machines_of(const std::string& around,
                                                       const MachineLevels& levels) {
   const Case middle = find_case(around);
   std::vector<std::shared_ptr<GridMachine>> machines;
-  check_keys(levels);
   const auto fidelities = fidelities_of(levels);
   for (const double r : levels_of(levels, "restitution", middle.restitution)) {
     for (const double f : levels_of(levels, "friction", middle.friction)) {
@@ -182,6 +158,14 @@ std::vector<std::shared_ptr<GridMachine>> machines_of(const std::string& around,
 }
 
 }  // namespace
+
+std::map<std::string, std::vector<std::string>> machine_keys() {
+  std::vector<std::string> fidelities;
+  for (const Fidelity level : grid_fidelities) {
+    fidelities.emplace_back(name_of(fidelity_names(), level));
+  }
+  return {{"restitution", {}}, {"friction", {}}, {"disturbance", {}}, {"fidelity", fidelities}};
+}
 
 std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels) {
   std::vector<SearchedProblem> problems;

@@ -9,9 +9,12 @@
 
 namespace ricochet::carrier_track::inline problems {
 
-/// The levels of what varies from machine to machine around a case of the paper: "restitution" of
-/// both walls, "friction" (coefficient), "disturbance" [N], and "fidelity", which is "impact",
-/// "compliant" or "planar". A missing one keeps the case's value.
+/// What may vary from machine to machine around a case of the paper: "restitution" of both walls,
+/// "friction" (coefficient), "disturbance" [N], which are numbers >= 0, and "fidelity", with its
+/// texts: "impact", "compliant" or "planar".
+std::map<std::string, std::vector<std::string>> machine_keys();
+
+/// The levels of what varies, by key. A missing key keeps the case's value.
 using MachineLevels = std::map<std::string, std::vector<OptionValue>>;
 
 /// The problems of one variable for machines around a case of the paper, one machine for every
@@ -22,7 +25,8 @@ using MachineLevels = std::map<std::string, std::vector<OptionValue>>;
 /// carrier has the same clearance and pull across as along. A search finds the quiet limit as
 /// `ricochet threshold` does, at the machine's fidelity; for compliant walls, whose simulation
 /// takes a thousand times as long, it scans every tenth speed. It finds the best value in the same
-/// way (scan_step). Throws InputError for an unknown case, key or level, or an invalid machine.
+/// way (scan_step). The keys and levels must be allowed, see machine_keys().
+/// Throws InputError for an unknown case or an invalid machine.
 std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels);
 
 }  // namespace ricochet::carrier_track::inline problems

@@ -62,7 +62,7 @@ StoredCampaign opened(const Plan& plan, const Catalogue& catalogue, const Compar
 /// The problems and solvers of the plan. Problems of the literature are left out: compiling them
 /// would double the time to the first report.
 Catalogue paper_catalogue() {
-  return {case_families(), all_solvers(), {}, {}, {}, {}};
+  return {case_families(), all_solvers(), {}, {}, {}, {}, {}};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ Catalogue whole_catalogue() {
       suite_families(),
       all_solvers(),
       outside::outside_solver,
+      carrier_track::machine_keys(),
       [](const MachineGrid& grid) {
         return carrier_track::grid_problems(grid.around, grid.levels);
       },

@@ -1,9 +1,11 @@
 #include "src/research/suite/catalogue.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "ricochet/error.h"
 #include "ricochet/evaluator.h"
 
 namespace ricochet::studies {
@@ -35,6 +37,30 @@ TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
   }
   EXPECT_EQ(measured, (std::map<std::string, std::int64_t>{
                           {"profile-wear-16-C4", 3}, {"top-speed-C1", 1}, {"hs-71", 1}}));
+}
+
+TEST(Catalogue, NamesThePlaceOfAMachineThatItDoesNotKnow) {
+  const auto said = [](const std::string& machines) -> std::string {
+    try {
+      const Campaign campaign(
+          plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"scan\"\nbudgets = 9\n"
+                    "machines = {around = " +
+                        machines + "}",
+                    "test"),
+          whole_catalogue());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  using testing::StartsWith;
+  EXPECT_EQ(said("\"C1\", frictoin = 0.5"),
+            "part 1, machines: there is no key frictoin; did you mean friction?");
+  EXPECT_THAT(said("\"C1\", friction = -1"),
+              StartsWith("part 1, machines: friction = -1: must be"));
+  EXPECT_THAT(said("\"C1\", fidelity = \"auto\""), StartsWith("part 1, machines: fidelity = auto"));
+  EXPECT_THAT(said("\"C1\", restitution = 1.5"), StartsWith("part 1, machines: C1-r1.5"));
+  EXPECT_THAT(said("\"C99\""), StartsWith("part 1, machines: C99"));
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 #include "src/benchmark/experiment/campaign/campaign.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/data_hash.h"
 #include "src/benchmark/experiment/campaign/relocated_optimum.h"
+#include "src/core/near_names.h"
 #include "src/core/patterns.h"
 
 namespace ricochet {
@@ -29,13 +32,54 @@ void check_number(double number, const char* what, double most, const std::strin
       place, number, what, most, number * kilobytes / 1e6, number * microseconds / 1e6));
 }
 
+/// Throws InputError for a level that a key of the grid does not allow; without texts it allows
+/// numbers >= 0.
+void check_level(const std::string& key, const OptionValue& level,
+                 const std::vector<std::string>& texts, const std::string& place) {
+  const auto* number = std::get_if<double>(&level);
+  if (texts.empty() ? number != nullptr && *number >= 0
+                    : number == nullptr && std::find(texts.begin(), texts.end(),
+                                                     std::get<std::string>(level)) != texts.end()) {
+    return;
+  }
+  throw InputError(fmt::format(
+      "{}: {} = {}: must be {}", place, key, text_of(level),
+      texts.empty() ? "numbers >= 0" : fmt::format("\"{}\"", fmt::join(texts, "\", \""))));
+}
+
+/// Throws InputError if the grid has a key or level that is not allowed.
+void check_levels(const MachineGrid& grid, const Catalogue& catalogue, const std::string& place) {
+  std::vector<std::string> known;
+  for (const auto& [key, texts] : catalogue.grid_keys) known.push_back(key);
+  for (const auto& [key, levels] : grid.levels) {
+    const auto allowed = catalogue.grid_keys.find(key);
+    if (allowed == catalogue.grid_keys.end()) {
+      throw InputError(
+          fmt::format("{}: there is no key {}; {}", place, key, what_instead(key, known)));
+    }
+    for (const OptionValue& level : levels) check_level(key, level, allowed->second, place);
+  }
+}
+
 /// Throws InputError if the grid has too many machines; before they are made.
 void check_size(const MachineGrid& grid, const std::string& place) {
   double machines = 1;
   for (const auto& [key, values] : grid.levels) machines *= static_cast<double>(values.size());
   if (machines <= most_machines) return;
-  throw InputError(fmt::format("{}, machines: {:.3g} combinations: must be at most {:.0f}", place,
-                               machines, most_machines));
+  throw InputError(fmt::format("{}: {:.3g} combinations: must be at most {:.0f}", place, machines,
+                               most_machines));
+}
+
+/// The problems for the grid of a part. Throws InputError with the grid's place.
+std::vector<SearchedProblem> problems_of_grid(const MachineGrid& grid, const Catalogue& catalogue,
+                                              const std::string& place) {
+  check_levels(grid, catalogue, place);
+  check_size(grid, place);
+  try {
+    return catalogue.grid_problems(grid);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", place, error.what()));
+  }
 }
 
 /// Throws InputError for a pattern that matches none of the names.
@@ -185,8 +229,8 @@ std::vector<Campaign::Chosen> Campaign::problems_of(const PlanPart& part,
   std::vector<Chosen> chosen;
   std::vector<std::string> names;
   if (!part.machines.around.empty()) {
-    check_size(part.machines, place);
-    for (const SearchedProblem& problem : catalogue.grid_problems(part.machines)) {
+    for (const SearchedProblem& problem :
+         problems_of_grid(part.machines, catalogue, place + ", machines")) {
       names.push_back(problem.problem.name);
       if (asks_for(part, problem.problem)) add_searched(chosen, problem);
     }

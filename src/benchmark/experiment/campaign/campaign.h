@@ -21,7 +21,11 @@ struct Catalogue {
   std::vector<Solver> solvers;
   /// A user's solver, a library or a program; nothing if the text names none.
   std::function<std::optional<Solver>(const std::string&)> own_solver;
-  /// The problems for a grid of machines.
+  /// What may vary from machine to machine of a grid: by key, the texts that it allows; numbers >=
+  /// 0 if there are none.
+  std::map<std::string, std::vector<std::string>> grid_keys;
+  /// The problems for a grid of machines, whose keys and levels are allowed. Throws InputError if
+  /// there is no machine to vary, or a machine is invalid.
   std::function<std::vector<SearchedProblem>(const MachineGrid&)> grid_problems;
   /// The problem for a machine drawn around its own one; nothing if it has no machine.
   std::function<std::optional<SearchedProblem>(const Problem&, int number)> drawn_problem;
@@ -48,9 +52,10 @@ struct PlannedCell {
 /// A plan with all data for carrying it out.
 class Campaign {
  public:
-  /// Throws InputError, naming part and key, for a pattern without a match, for a part without
-  /// runs, and for more cells, runs or machines than fit into memory. Leaves out problems whose
-  /// best value is neither known nor searched for, and those whose search has no result in `found`.
+  /// Throws InputError, naming part and key, for a pattern without a match, for a key or level that
+  /// a grid does not allow, for a part without runs, and for more cells, runs or machines than fit
+  /// into memory. Leaves out problems whose best value is neither known nor searched for, and those
+  /// whose search has no result in `found`.
   Campaign(Plan plan, const Catalogue& catalogue, const AllFindings& found = {});
 
   /// Problems that are missing in `found`. Until they are searched, the campaign can only count its

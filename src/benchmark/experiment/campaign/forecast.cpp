@@ -5,6 +5,7 @@
 
 #include "ricochet/stopwatch.h"
 #include "src/benchmark/experiment/campaign/runner.h"
+#include "src/core/progress.h"
 
 namespace ricochet {
 namespace {
@@ -32,8 +33,12 @@ double seconds_of(const Problem& problem) {
 double foretold_seconds(const Campaign& campaign) {
   const auto& cells = campaign.cells();
   std::vector<double> of_problem;
-  for (const Problem& problem : campaign.problems()) {
-    of_problem.push_back(seconds_of(problem));
+  {
+    Progress progress("timing problems", static_cast<double>(campaign.problems().size()));
+    for (const Problem& problem : campaign.problems()) {
+      of_problem.push_back(seconds_of(problem));
+      progress.advance(1);
+    }
   }
   // The cell with the shortest run of every solver.
   std::vector<const PlannedCell*> shortest(campaign.solvers().size());

@@ -140,6 +140,23 @@ TEST(Campaign, RefusesAPatternThatNothingFits) {
               HasSubstr("part 1, perturbations noise: nothing fits"));
 }
 
+TEST(Campaign, RefusesAGridThatIsNotAllowedWithItsPlace) {
+  const auto said = [](const std::string& machines) {
+    return complaint(part_of("\"bowl-1\"") +
+                     part_of("\"bowl-*\"", "machines = {around = " + machines + "}"));
+  };
+  const std::string place = "part 2, machines: ";
+  EXPECT_EQ(said("\"C1\", frictoin = 0.5"),
+            place + "there is no key frictoin; did you mean friction?");
+  EXPECT_EQ(said("\"C1\", friction = -1"), place + "friction = -1: must be numbers >= 0");
+  EXPECT_EQ(said("\"C1\", friction = [0.5, \"much\"]"),
+            place + "friction = much: must be numbers >= 0");
+  const std::string words = R"(: must be "impact", "compliant", "planar")";
+  EXPECT_EQ(said("\"C1\", fidelity = \"auto\""), place + "fidelity = auto" + words);
+  EXPECT_EQ(said("\"C1\", fidelity = [\"impact\", 1]"), place + "fidelity = 1" + words);
+  EXPECT_EQ(said("\"C99\""), place + "there is no case C99");
+}
+
 TEST(Campaign, RefusesAPartOfWhichNothingIsLeft) {
   EXPECT_THAT(complaint(part_of("\"bowl-1\"", "variables = 2")), HasSubstr("part 1: none of"));
   EXPECT_THAT(complaint(part_of("\"cup-2\"", "formulations = \"original\"")),

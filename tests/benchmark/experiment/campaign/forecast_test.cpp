@@ -1,7 +1,11 @@
 #include "src/benchmark/experiment/campaign/forecast.h"
 
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <string>
 #include <thread>
 
 #include "ricochet/stopwatch.h"
@@ -44,6 +48,20 @@ TEST(Forecast, HasItsShareForEveryRun) {
   const double one = foretold(0, 0, "budgets = 2\ninstances = 1000");
   EXPECT_GT(one, 0.9);
   EXPECT_LT(one, 5);
+}
+
+TEST(Forecast, ShowsItsProgressOnATerminal) {
+  int ours = -1;
+  int terminal = -1;
+  ASSERT_EQ(openpty(&ours, &terminal, nullptr, nullptr, nullptr), 0);
+  const int standard_error = dup(STDERR_FILENO);
+  dup2(terminal, STDERR_FILENO);
+  foretold(0, 0, "budgets = 2");
+  dup2(standard_error, STDERR_FILENO);
+  std::string shown(1000, '\0');
+  shown.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(ours, shown.data(), 1000))));
+  EXPECT_NE(shown.find("timing problems"), std::string::npos) << shown;
+  for (const int each : {ours, terminal, standard_error}) close(each);
 }
 
 TEST(Forecast, OutlivesAProblemThatThrows) {

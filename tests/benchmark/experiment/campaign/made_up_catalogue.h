@@ -93,7 +93,12 @@ inline Catalogue made_up_catalogue() {
     if (varied.of != "luck") throw InputError(varied.of + " has no options");
     return chance(varied.name);
   };
+  catalogue.grid_keys = {{"restitution", {}},
+                         {"friction", {}},
+                         {"disturbance", {}},
+                         {"fidelity", {"impact", "compliant", "planar"}}};
   catalogue.grid_problems = [](const MachineGrid& grid) {
+    if (grid.around == "C99") throw InputError("there is no case C99");
     std::vector<SearchedProblem> problems;
     for (const double r : restitutions(grid)) {
       problems.push_back(

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -397,11 +398,14 @@ class Program : public CommandLine {
       const std::string& out = report_out_.empty() ? report_from_ : report_out_;
       const FolderLock alone(out);
       auto failures = site::redraw_site(report_from_, out);
+      const char* what = failures ? "The reports" : "The report";
       if (!failures) {
         failures = report::redraw_report(report_from_, out).failures;
         const std::vector<std::string> above = site::write_site_above(out);
         failures->insert(failures->end(), above.begin(), above.end());
       }
+      fmt::print("{}: {}\n", what,
+                 (std::filesystem::absolute(out) / "index.html").lexically_normal().string());
       report::require_none(*failures);
       return 0;
     });

@@ -27,5 +27,16 @@ TEST(ReportCommand, FailsWhereAChartCannotBeDrawnAndDrawsAllOthers) {
   EXPECT_THAT(read(folder / "summary.md"), Not(HasSubstr("(response.svg)")));
 }
 
+TEST(ReportCommand, SaysWhatItWrote) {
+  const auto folder = fresh_folder();
+  const auto page = [&folder](const char* of) { return (folder / of / "index.html").string(); };
+  const std::string from = RICOCHET_SOURCE "/reports/reference";
+  EXPECT_EQ(call("report " + from + "/limits --out " + (folder / "one").string()).out,
+            "The report: " + page("one") + "\n");
+  EXPECT_EQ(call("report " + from + " --out " + (folder / "all").string()).out,
+            "The reports: " + page("all") + "\n");
+  EXPECT_TRUE(std::filesystem::exists(page("all")));
+}
+
 }  // namespace
 }  // namespace ricochet::cli

@@ -12,6 +12,7 @@
 #include <ctime>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
@@ -27,6 +28,7 @@
 #include "src/cli/tell.h"
 #include "src/cli/version.h"
 #include "src/core/folder_lock.h"
+#include "src/core/interruption.h"
 #include "src/core/one_line.h"
 #include "src/core/progress.h"
 #include "src/research/suite/catalogue.h"
@@ -50,9 +52,10 @@ Shard shard_of(const std::string& text) {
       fmt::format("--shard {}: must be I/N, two whole numbers with 1 <= I <= N", text));
 }
 
-/// Makes the runs that are missing in the folder's store, or has the other ranks make them.
+/// Makes the runs that are missing in the folder's store, or has the other ranks make them. If that
+/// is interrupted, `continuation` is what goes on.
 StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const Shard& shard,
-                           const RunOptions& options) {
+                           const RunOptions& options, std::string_view continuation) {
   const FolderLock alone(options.out);
   const auto file = std::filesystem::path(options.out) / "runs.sqlite";
   if (std::filesystem::exists(file) && !options.resume) {
@@ -66,6 +69,7 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
   Progress::announce(in_words(size_of(campaign)));
   if (before > 0) Progress::announce(fmt::format("{} runs are there already", before));
   if (options.serve.empty() && before == campaign.runs()) return stored;
+  const AtInterruption kept([] {}, fmt::format("finished runs are kept: {} goes on", continuation));
   if (options.serve.empty()) {
     if (before == 0) {
       const double seconds = foretold_seconds(campaign) / shard.count / cores();
@@ -73,7 +77,8 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
     }
     make_runs(campaign, shard, stored.store);
   } else if (!serve_store(campaign, shard, stored.store, STDIN_FILENO, frames_out)) {
-    throw std::runtime_error("not all runs were made; finished ones are kept: --resume goes on");
+    throw std::runtime_error(
+        fmt::format("not all runs were made; finished ones are kept: {} goes on", continuation));
   }
   return stored;
 }
@@ -128,7 +133,8 @@ int run_plan(const RunOptions& options) {
     serve_runs(campaign, shard, STDIN_FILENO, frames_out);
     return 0;
   }
-  const auto [campaign, store] = carried_out(plan, studies::whole_catalogue(), shard, options);
+  const auto [campaign, store] =
+      carried_out(plan, studies::whole_catalogue(), shard, options, "--resume");
   std::string digest;
   std::vector<std::string> failures;
   if (store.size() == campaign.runs()) {
@@ -152,7 +158,7 @@ int compare(const studies::ComparisonOptions& options, bool quick, const std::st
   RunOptions here;
   here.out = out;
   here.resume = true;
-  const auto [campaign, store] = carried_out(plan, catalogue, {}, here);
+  const auto [campaign, store] = carried_out(plan, catalogue, {}, here, "the same command");
   tell(studies::run(studies::comparison_study(campaign, store), quick, out));
   return 0;
 }

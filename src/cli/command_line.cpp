@@ -98,6 +98,16 @@ void append_options(const CLI::App& command, Json& options) {
   }
 }
 
+/// Returns the arguments after the program's name; "help COMMAND" is read as "COMMAND --help".
+std::vector<std::string> arguments_of(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (!arguments.empty() && arguments.front() == "help") {
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+  }
+  return arguments;
+}
+
 /// An empty value is usually a shell variable that was never set.
 void refuse_empty_values(const CLI::App& called) {
   for (const CLI::Option* option : called.get_options()) {
@@ -117,13 +127,13 @@ CommandLine::CommandLine()
           "ricochet") {
   app_.require_subcommand(1);
   app_.set_version_flag("--version", version);
-  app_.footer(fmt::format("{}\nricochet COMMAND --help shows what a command takes, with examples.",
+  app_.footer(fmt::format("{}\nricochet help COMMAND shows what a command takes, with examples.",
                           exit_codes));
 }
 
 CLI::App* CommandLine::add(const std::string& command, const std::string& summary,
                            const std::string& examples) {
-  CLI::App* added = app_.add_subcommand(command, summary);
+  CLI::App* added = app_.add_subcommand(command, summary)->group(group_);
   added->add_flag_callback("--quiet", Progress::silence, "No progress on standard error");
   added
       ->add_option("--color", color_,
@@ -170,17 +180,19 @@ CLI::App* CommandLine::add_study(const std::string& command, const std::string& 
 int CommandLine::run(int argc, char** argv) {
   fill_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error, not the end
-  return finish_output(carry_out(argc, argv));
+  return finish_output(carry_out(arguments_of(argc, argv)));
 }
 
-int CommandLine::carry_out(int argc, char** argv) {
+int CommandLine::carry_out(std::vector<std::string> arguments) {
   try {
-    app_.parse(argc, argv);
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 reads a vector
+    app_.parse(arguments);
     refuse_empty_values(app_);
     end_tidily_when_interrupted();
     return work_();
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app_.exit(error);  // --help, --version
+    const bool informs = error.get_exit_code() == 0;  // --help, --version
+    if (informs && !names_no_command()) return app_.exit(error);
     return fail(bad_input, explanation(error) + "; see ricochet --help");
   } catch (const InputError& error) {
     return fail(bad_input, error.what());
@@ -220,6 +232,12 @@ int CommandLine::finish_output(int exit_code) const {
   return fail(failure, "standard output: " + reason);
 }
 
+/// Returns true if the first word that is not known stands in the place of the command.
+bool CommandLine::names_no_command() const {
+  const std::vector<std::string> extra = app_.remaining();
+  return app_.get_subcommands().empty() && !extra.empty() && !extra.front().starts_with('-');
+}
+
 /// Returns CLI11's message; for an unknown command or option it adds a suggestion.
 std::string CommandLine::explanation(const CLI::ParseError& error) const {
   const std::vector<std::string> extra = app_.remaining(true);
@@ -228,13 +246,15 @@ std::string CommandLine::explanation(const CLI::ParseError& error) const {
   const CLI::App* called = &app_;
   while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
   std::vector<std::string> known = names_of(called->get_subcommands(nullptr));
-  if (!known.empty()) {
+  if (!known.empty() && !extra.front().starts_with('-')) {
     return fmt::format("{} is no command; {}", extra.front(), what_instead(extra.front(), known));
   }
+  known.clear();
   for (const CLI::Option* option : called->get_options()) {
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
-  return fmt::format("{}: {} is not expected; {}", called->get_name(), extra.front(),
+  const std::string place = called == &app_ ? "" : called->get_name() + ": ";
+  return fmt::format("{}{} is not expected; {}", place, extra.front(),
                      what_instead(extra.front().substr(0, extra.front().find('=')), known));
 }
 

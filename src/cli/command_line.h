@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "src/report/json.h"
 #include "src/report/site/study.h"
@@ -27,6 +28,9 @@ class CommandLine {
   int run(int argc, char** argv);
 
  protected:
+  /// Starts a group of the help: the commands that are added from now on.
+  void start_group(const std::string& title) { group_ = title; }
+
   /// Adds a command. `examples`: one line each, for its help.
   CLI::App* add(const std::string& command, const std::string& summary,
                 const std::string& examples = "");
@@ -53,12 +57,14 @@ class CommandLine {
   report::Json description() const;
 
  private:
-  int carry_out(int argc, char** argv);
+  int carry_out(std::vector<std::string> arguments);
+  bool names_no_command() const;
   int fail(int exit_code, const std::string& reason) const;
   int finish_output(int exit_code) const;
   std::string explanation(const CLI::ParseError& error) const;
 
   CLI::App app_;
+  std::string group_ = "Commands";
   std::deque<StudyOptions> studies_;  // addresses must remain valid
   std::function<int()> work_;
   std::string color_ = "auto";

@@ -1,10 +1,13 @@
 #include "src/cli/list.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -144,9 +147,17 @@ std::vector<Column> columns_of(const std::string& what, const Json& rows) {
   return columns;
 }
 
-/// Prints a line for each row, at most 100 columns wide: the last cell is truncated.
+/// The columns of the terminal that standard output is; nothing if it is none, or does not say.
+std::optional<std::size_t> terminal_width() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  return size.ws_col;
+}
+
+/// Prints a line for each row, cut at the edge of the terminal; whole if there is none.
 void print_table(const Json& rows, const std::vector<Column>& columns) {
-  constexpr std::size_t longest = 100;
+  constexpr std::string_view cut = "...";
+  const std::optional<std::size_t> longest = terminal_width();
   std::vector<std::size_t> widths;
   for (const Column& column : columns) {
     std::size_t width = column.title.size();
@@ -159,7 +170,10 @@ void print_table(const Json& rows, const std::vector<Column>& columns) {
       line += fmt::format("{:<{}}  ", text(columns[i]), widths[i]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
-    if (line.size() > longest) line = line.substr(0, longest - 3) + "...";
+    if (longest && line.size() > *longest) {
+      line.resize(*longest - std::min(*longest, cut.size()));
+      line += cut;
+    }
     fmt::print("{}\n", line);
   };
   print_line([](const Column& column) { return column.title; });

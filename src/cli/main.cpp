@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -68,19 +69,22 @@ std::vector<std::string> perturbations() {
 class Program : public CommandLine {
  public:
   Program() {
-    add_other(reproduction);
+    start_group("machine");
+    add_machine();
     add_simulate();
     add_threshold();
-    add_machine();
     add_scene();
+    start_group("solve");
+    add_list();
     add_solve();
+    add_evaluate();
     add_compare();
+    start_group("campaign");
     add_plan();
     add_run();
     add_stores();
-    add_evaluate();
-    add_list();
     add_report();
+    add_other(reproduction);
     for (const OtherCommand& other : other_commands) add_other(other);
     add_moved("trials", "calibrate --variants");
     add_descriptions();
@@ -295,6 +299,13 @@ class Program : public CommandLine {
 
   /// Adds the commands for a campaign's store.
   void add_stores() {
+    CLI::App* again = add("replay", "Repeat a stored run and compare it bit by bit",
+                          "  ricochet replay mine/runs.sqlite 17");
+    again->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
+    again->add_option("run", replayed_, "Number of the run")->required();
+    add_allowance(again, run_.allow_programs);
+    add_format(again, replay_json_);
+    on_call(again, [this] { return replay(store_, replayed_, run_.allow_programs, replay_json_); });
     CLI::App* merge = add("merge", "Join the stores of a campaign's shards",
                           "  ricochet merge runs.sqlite part-*/runs.sqlite");
     merge->add_option("out", store_, "The new store")->type_name("FILE")->required();
@@ -306,13 +317,6 @@ class Program : public CommandLine {
                            "  ricochet digest mine/runs.sqlite");
     digest->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
     on_call(digest, [this] { return print_digest(store_); });
-    CLI::App* again = add("replay", "Repeat a stored run and compare it bit by bit",
-                          "  ricochet replay mine/runs.sqlite 17");
-    again->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
-    again->add_option("run", replayed_, "Number of the run")->required();
-    add_allowance(again, run_.allow_programs);
-    add_format(again, replay_json_);
-    on_call(again, [this] { return replay(store_, replayed_, run_.allow_programs, replay_json_); });
     add_export();
   }
 
@@ -403,6 +407,7 @@ class Program : public CommandLine {
 
   /// All arguments after the command are passed to the other program, including --help.
   void add_other(const OtherCommand& other) {
+    start_group(other.group);
     CLI::App* command = add(other.command, other.summary);
     if (other.command == std::string("best-values")) command->alias("certify");  // its old name
     command->set_help_flag();

@@ -10,31 +10,33 @@ struct OtherCommand {
   const char* command;
   const char* program;  ///< file name, in ricochet's folder
   const char* summary;
+  const char* group = "";  ///< of the help
 };
 
 /// The reproduction of the paper.
 inline constexpr OtherCommand reproduction = {
     "reproduce", "ricochet-reproduce",
-    "Reproduce the paper: every case against its claims, as a report"};
+    "Reproduce the paper: every case against its claims, as a report", "paper"};
 
 /// The studies of the suite itself, and the speed measurements.
 inline constexpr OtherCommand other_commands[] = {
     {"calibrate", "ricochet-studies",
-     "Fit the unknown parameters to the paper's thresholds, as a report"},
+     "Fit the unknown parameters to the paper's thresholds, as a report", "paper"},
     {"limits", "ricochet-studies",
-     "How close any interpretation can come to the paper, as a report"},
+     "How close any interpretation can come to the paper, as a report", "paper"},
     {"dynamics", "ricochet-studies",
-     "Contact laws, time integration, hard and compliant walls, as a report"},
+     "Contact laws, time integration, hard and compliant walls, as a report", "paper"},
     {"surrogate", "ricochet-studies",
-     "Where the surrogate and its gradient can be trusted, as a report"},
+     "Where the surrogate and its gradient can be trusted, as a report", "paper"},
     {"fireworks", "ricochet-studies",
-     "The fireworks family compared with published results, as a report"},
-    {"verify", "ricochet-studies",
-     "Check the impact model against an oracle in extended precision"},
-    {"stress", "ricochet-studies", "Run every solver on pathological problems, as a report"},
-    {"problems", "ricochet-studies", "Describe every problem, as a report"},
-    {"best-values", "ricochet-studies", "Search the best known value of every problem"},
-    {"bench", "ricochet-bench", "Measure speed; takes Google Benchmark's flags, too"},
+     "The fireworks family compared with published results, as a report", "paper"},
+    {"verify", "ricochet-studies", "Check the impact model against an oracle in extended precision",
+     "suite"},
+    {"stress", "ricochet-studies", "Run every solver on pathological problems, as a report",
+     "suite"},
+    {"problems", "ricochet-studies", "Describe every problem, as a report", "suite"},
+    {"best-values", "ricochet-studies", "Search the best known value of every problem", "suite"},
+    {"bench", "ricochet-bench", "Measure speed; takes Google Benchmark's flags, too", "suite"},
 };
 
 /// Returns the summary of one of these commands. Throws std::out_of_range for any other.

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <vector>
 
 #include "ricochet/error.h"
 #include "src/core/folder_lock.h"
+#include "src/core/one_line.h"
 #include "src/report/json.h"
 #include "src/report/report.h"
 #include "src/report/site/site.h"
@@ -15,12 +17,18 @@
 namespace ricochet::cli {
 namespace {
 
-/// Returns a line for each chart that could not be drawn.
+/// Says what it has drawn. Returns a line for each chart that could not be drawn.
 std::vector<std::string> drawn_again(const std::string& from, const std::string& out) {
-  if (const auto failures = site::redraw_site(from, out)) return *failures;
+  const std::string page =
+      one_line((std::filesystem::absolute(out) / "index.html").lexically_normal().string());
+  if (const auto failures = site::redraw_site(from, out)) {
+    fmt::print("The reports: {}\n", page);
+    return *failures;
+  }
   std::vector<std::string> failures = report::redraw_report(from, out).failures;
   const std::vector<std::string> above = site::write_site_above(out);
   failures.insert(failures.end(), above.begin(), above.end());
+  fmt::print("The report: {}\n", page);
   return failures;
 }
 

@@ -31,13 +31,14 @@ std::vector<std::string> split_patterns(const std::string& list) {
 }
 
 void require_fit(const std::vector<std::string>& patterns, const std::vector<std::string>& names,
-                 const std::string& place) {
+                 const std::string& place, const std::string& listing) {
   const bool any = std::any_of(names.begin(), names.end(),
                                [&](const std::string& name) { return fits_any(name, patterns); });
   if (any) return;
   const std::string wanted = fmt::format("{}", fmt::join(patterns, ","));
-  throw InputError(
-      fmt::format("{} {}: nothing fits; {}", place, wanted, what_instead(wanted, names)));
+  throw InputError(fmt::format(
+      "{} {}: nothing fits; {}", place, wanted,
+      listing.empty() ? what_instead(wanted, names) : what_instead(wanted, names, listing)));
 }
 
 }  // namespace ricochet

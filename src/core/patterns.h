@@ -14,8 +14,8 @@ bool fits_any(const std::string& name, const std::vector<std::string>& patterns)
 std::vector<std::string> split_patterns(const std::string& list);
 
 /// Throws InputError if no name matches any of the patterns: "`place` <patterns>: nothing fits",
-/// with similar names.
+/// with similar names, or else with `listing`, where they are listed, or else with all names.
 void require_fit(const std::vector<std::string>& patterns, const std::vector<std::string>& names,
-                 const std::string& place);
+                 const std::string& place, const std::string& listing = "");
 
 }  // namespace ricochet

@@ -217,6 +217,19 @@ TEST_F(CampaignCommands, SayHowToGoOn) {
               EndsWith("ricochet: interrupted; finished runs are kept: --resume goes on\n"));
 }
 
+TEST_F(CampaignCommands, SayThatTheSameComparisonGoesOn) {
+  const Outcome outcome =
+      call_interrupted("INT",
+                       fmt::format("compare --problems hs-71 --solvers random-search --budget 1000 "
+                                   "--instances 10000 --quiet --out {}",
+                                   (folder_ / "long").string()),
+                       2);
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_THAT(
+      outcome.err,
+      EndsWith("ricochet: interrupted; finished runs are kept: the same command goes on\n"));
+}
+
 TEST_F(CampaignCommands, MakeARunAgainToTheLastBit) {
   run("one");
   for (const int number : {1, 17, 50}) {

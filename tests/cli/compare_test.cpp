@@ -77,6 +77,9 @@ TEST(Compare, ChoosesFormulations) {
 TEST(Compare, RefusesWhatNothingFits) {
   expect_refusal("compare --problems top-sped-C1", "--problems top-sped-C1: nothing fits");
   expect_refusal("compare --solvers coblya", "--solvers coblya: nothing fits");
+  expect_refusal("compare --problems xylophone", "nothing fits; see `ricochet list problems`");
+  expect_refusal("compare --solvers xylophone", "nothing fits; see `ricochet list solvers`");
+  expect_refusal("compare --solver xylophone", "no such solver; see `ricochet list solvers`");
   expect_refusal("compare --budget 20,10", "--budget 10");
   expect_refusal("compare --budget 0", "--budget 0");
   expect_refusal("compare --instances 0", "--instances 0");

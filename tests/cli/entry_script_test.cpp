@@ -107,9 +107,11 @@ TEST_F(EntryScript, BuildsForTheMainJobItsOwnProgramAlone) {
 TEST_F(EntryScript, ListsTheCommandsOfTheProgramBeforeItIsBuilt) {
   fs::remove_all(root_ / "checkout/build");
   const std::string help = call("--help").out;
-  const std::size_t first = help.find("\n  reproduce ");
+  const std::size_t first = help.find("\nmachine:\n");
   ASSERT_NE(first, std::string::npos);
-  const std::string commands = help.substr(first, help.find("\n\n", first) - first);
+  const std::string commands = help.substr(first, help.find("\n\nExit codes", first) - first);
+  EXPECT_THAT(script("checkout/ricochet help"), HasSubstr(commands + "\n"));
+  EXPECT_THAT(script("checkout/ricochet help reproduce"), HasSubstr("reproduce is not built yet"));
   EXPECT_THAT(script("checkout/ricochet --help"), HasSubstr(commands + "\n"));
   EXPECT_THAT(script("checkout/ricochet reproduce --help"),
               AllOf(HasSubstr(commands + "\n"), HasSubstr("reproduce is not built yet")));
@@ -120,6 +122,8 @@ TEST_F(EntryScript, BuildsNothingForHelp) {
   const fs::path folder = root_ / "checkout/build/release/src/cli";
   EXPECT_EQ(script("checkout/ricochet list --help"), (folder / "ricochet").string() + "\n");
   EXPECT_EQ(script("checkout/ricochet --help"), (folder / "ricochet").string() + "\n");
+  EXPECT_EQ(script("checkout/ricochet help list"), (folder / "ricochet").string() + "\n");
+  EXPECT_THAT(script("checkout/ricochet help test"), HasSubstr("test --sanitize"));
   EXPECT_THAT(script("checkout/ricochet limits -h"), HasSubstr("limits is not built yet"));
   make_executable(folder / "ricochet-studies", "#!/bin/sh\n");
   EXPECT_EQ(script("checkout/ricochet limits -h"), (folder / "ricochet").string() + "\n");

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/cli/tool.h"
 
@@ -62,10 +65,38 @@ TEST(List, PrintsATableForPeople) {
   EXPECT_NE(outcome.out.find("projected-constant-revolutions-weight"), std::string::npos);
 }
 
-TEST(List, FitsIntoAHundredColumns) {
+/// The lines of a list on a terminal of that many columns.
+std::vector<std::string> lines_on_terminal(const std::string& what, int columns) {
+  const auto file = fresh_folder() / "screen";
+  const int status =
+      std::system(fmt::format("script -qec 'stty cols {} && {} list {}' /dev/null </dev/null >{}",
+                              columns, RICOCHET_PROGRAM, what, file.string())
+                      .c_str());
+  EXPECT_EQ(status, 0);
+  std::istringstream screen(read(file));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(screen, line);) {
+    lines.push_back(line.substr(0, line.find('\r')));
+  }
+  return lines;
+}
+
+TEST(List, IsAsWideAsTheTerminal) {
   for (const char* what : {"cases", "problems", "solvers", "interpretations"}) {
-    std::istringstream lines(call(std::string("list ") + what).out);
-    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+    const auto whole = lines_on_terminal(what, 1000);
+    const auto cut = lines_on_terminal(what, 60);
+    ASSERT_EQ(cut.size(), whole.size());
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+      EXPECT_EQ(cut[i], whole[i].size() <= 60 ? whole[i] : whole[i].substr(0, 57) + "...");
+    }
+  }
+}
+
+TEST(List, IsNeverCutElsewhere) {
+  for (const char* what : {"cases", "problems", "solvers", "interpretations"}) {
+    std::string whole;
+    for (const std::string& line : lines_on_terminal(what, 1000)) whole += line + "\n";
+    EXPECT_EQ(call(std::string("list ") + what).out, whole);
   }
 }
 

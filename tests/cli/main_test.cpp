@@ -22,6 +22,45 @@ TEST(Main, NamesEveryCommandInItsHelp) {
   EXPECT_THAT(help.out, HasSubstr("bench"));  // whose program need not be there
 }
 
+TEST(Main, GroupsTheCommandsInItsHelp) {
+  const std::string help = call("--help").out;
+  std::size_t last = 0;
+  for (const char* line : {"machine:\n  machine ",
+                           "  simulate ",
+                           "  threshold ",
+                           "  scene ",
+                           "solve:\n  list ",
+                           "  solve ",
+                           "  evaluate ",
+                           "  compare ",
+                           "campaign:\n  plan ",
+                           "  run ",
+                           "  replay ",
+                           "  merge ",
+                           "  digest ",
+                           "  export ",
+                           "  report ",
+                           "paper:\n  reproduce ",
+                           "  calibrate ",
+                           "suite:\n  verify ",
+                           "  stress ",
+                           "  problems ",
+                           "  best-values, certify ",
+                           "  bench "}) {
+    const std::size_t at = help.find(std::string("\n") + line, last);
+    ASSERT_NE(at, std::string::npos) << line << help;
+    last = at;
+  }
+}
+
+TEST(Main, HelpsWithAWordToo) {
+  EXPECT_EQ(call("help").out, call("--help").out);
+  EXPECT_EQ(call("help simulate").out, call("simulate --help").out);
+  EXPECT_EQ(call("help machine check").out, call("machine check --help").out);
+  EXPECT_EQ(call("help calibrate").out, call("calibrate --help").out);
+  expect_refusal("help simulat", "simulat is no command; did you mean simulate?");
+}
+
 TEST(Main, TellsItsVersion) {
   const std::string text = call("--version").out;
   EXPECT_THAT(text, testing::StartsWith("ricochet 0.2.0 (commit "));
@@ -32,7 +71,7 @@ TEST(Main, TellsItsVersion) {
 
 TEST(Main, RefusesWhatItDoesNotKnow) {
   expect_refusal("", "ommand");
-  expect_refusal("hammer", "hammer is no command; allowed: reproduce, simulate");
+  expect_refusal("hammer", "hammer is no command; allowed: machine, simulate");
   expect_refusal("simulate --case C1 --speed 3", "--speed");
   expect_refusal("simulate --case C1 --omega fast", "--omega");
   expect_refusal("threshold --case C1 --format xml", "--format");
@@ -40,6 +79,7 @@ TEST(Main, RefusesWhatItDoesNotKnow) {
 
 TEST(Main, SaysWhatMayHaveBeenMeant) {
   expect_refusal("simulat", "simulat is no command; did you mean simulate?");
+  expect_refusal("--versoin", "ricochet: --versoin is not expected; did you mean --version?");
   expect_refusal("simulate --case C1 --omga 3", "did you mean --omega?");
   expect_refusal("simulate --case C1 --omega=3 --plt=x", "did you mean --plot?");
 }

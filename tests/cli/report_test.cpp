@@ -64,5 +64,16 @@ TEST(ReportCommand, WritesOnlyBelowItsFolder) {
               HasSubstr("pages: \"../other\" is no folder's name"));
 }
 
+TEST(ReportCommand, SaysWhatItWrote) {
+  const auto folder = fresh_folder();
+  const auto page = [&folder](const char* of) { return (folder / of / "index.html").string(); };
+  const std::string from = RICOCHET_SOURCE "/reports/reference";
+  EXPECT_EQ(call("report " + from + "/limits --out " + (folder / "one").string()).out,
+            "The report: " + page("one") + "\n");
+  EXPECT_EQ(call("report " + from + " --out " + (folder / "all").string()).out,
+            "The reports: " + page("all") + "\n");
+  EXPECT_TRUE(std::filesystem::exists(page("all")));
+}
+
 }  // namespace
 }  // namespace ricochet::cli

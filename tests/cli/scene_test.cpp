@@ -42,7 +42,7 @@ TEST(Scene, IsRefusedIfMissingTruncatedOrAFolder) {
 
 TEST(Scene, MustBeOneAndKnown) {
   expect_refusal("simulate", "--case ID");
-  expect_refusal("simulate --case C1 --scene machine.toml", "--case ID");
+  expect_refusal("simulate --case C1 --scene machine.toml", "only one of --case and --scene");
   expect_refusal("simulate --case C13",
                  "C13: there is no such case; did you mean C1 or C3 or C10?");
   expect_refusal("simulate --case X99", "X99: there is no such case; allowed: C1, C2");
@@ -68,7 +68,7 @@ TEST(Scene, WithAMistypedKeyIsToldWhatWasMeant) {
   text.replace(text.find("friction"), 8, "fricton");
   const auto file = write(fresh_folder(), "machine.toml", text);
   expect_refusal("scene --scene " + file.string(),
-                 "scene.fricton is not a key; did you mean friction or");
+                 "there is no key scene.fricton; did you mean friction or");
 }
 
 TEST(Scene, ThatCannotBeReachedIsRefused) {

@@ -43,5 +43,14 @@ TEST(Patterns, AreRefusedWhereNothingFits) {
   EXPECT_THROW(require_fit({"*"}, {}, "solvers"), InputError);
 }
 
+TEST(Patterns, ThatNothingFitsArePointedToTheList) {
+  try {
+    require_fit({"simplex"}, {"cobyla", "scan"}, "--solvers", "`ricochet list solvers`");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--solvers simplex: nothing fits; see `ricochet list solvers`");
+  }
+}
+
 }  // namespace
 }  // namespace ricochet

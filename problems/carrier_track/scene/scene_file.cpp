@@ -38,6 +38,19 @@ const EnumNames<ContactLaw>& names_of(ContactLaw /*value*/) {
 /// The word in a file instead of a number that is not given.
 constexpr std::string_view open_number = "each";
 
+/// Makes the keys of a table known.
+struct KeyList {
+  TomlTable& table;
+
+  template <class Member>
+  void operator()(const Field& field, const Member& /*member*/) const {
+    table.know(field.key);
+  }
+  void operator()(const Field& field, const Walls<double>& /*member*/) const {
+    table.know_walls(field.key);
+  }
+};
+
 /// Reads the fields of a table, each according to its type.
 struct FieldReader {
   TomlTable& table;
@@ -67,7 +80,6 @@ void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
   double count = 0;
   const bool turns = table.has("revolutions");
   const bool time = table.has("seconds");
-  table.finish();
   if (turns == time) {
     throw InputError(origin + ": window: must have one of revolutions and seconds");
   }
@@ -148,6 +160,19 @@ struct FieldWriter {
   }
 };
 
+/// An unknown key is usually a mistyped one: it must be told before the missing key that it is.
+void refuse_unknown_keys(TomlTable& scene, TomlTable& across, TomlTable& window, TomlTable& count,
+                         TomlTable& model) {
+  Scene any;
+  visit_scene_fields(KeyList{scene}, any);
+  visit_across_fields(KeyList{across}, any.across.emplace());
+  window.know("revolutions");
+  window.know("seconds");
+  visit_count_fields(KeyList{count}, any);
+  visit_model_fields(KeyList{model}, any);
+  for (const TomlTable* table : {&scene, &across, &window, &count, &model}) table->finish();
+}
+
 Scene scene_of(const toml::table& file, const std::string& origin) {
   static constexpr std::array<std::string_view, 5> tables = {"scene", "across", "window", "count",
                                                              "model"};
@@ -165,16 +190,13 @@ Scene scene_of(const toml::table& file, const std::string& origin) {
   TomlTable model(file, "model", origin);
   if (!scene.exists()) throw InputError(origin + ": the table [scene] is missing");
   if (!window.exists()) throw InputError(origin + ": the table [window] is missing");
-  visit_scene_fields(FieldReader{scene}, result);
-  scene.finish();
-  if (across.exists()) visit_across_fields(FieldReader{across}, result.across.emplace());
-  across.finish();
-  read_window(window, origin, result);
   count.renamed("slowest", "counting_limit");
+  refuse_unknown_keys(scene, across, window, count, model);
+  visit_scene_fields(FieldReader{scene}, result);
+  if (across.exists()) visit_across_fields(FieldReader{across}, result.across.emplace());
+  read_window(window, origin, result);
   visit_count_fields(FieldReader{count}, result);
-  count.finish();
   visit_model_fields(FieldReader{model}, result);
-  model.finish();
   if (result.contact_law == ContactLaw::kelvin_voigt && !model.has("contact_exponent")) {
     result.contact_exponent = 1;
   }

@@ -14,8 +14,12 @@ TomlTable::TomlTable(const toml::table& file, std::string name, std::string orig
 }
 
 bool TomlTable::has(std::string_view key) {
-  known_.insert(std::string(key));
+  know(key);
   return table_ && table_->contains(key);
+}
+
+void TomlTable::know_walls(std::string_view key) {
+  for (const char* wall : {"", "_lower", "_upper"}) know(fmt::format("{}{}", key, wall));
 }
 
 void TomlTable::need(std::string_view key) {
@@ -105,7 +109,7 @@ void TomlTable::finish() const {
   if (!table_) return;
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
-    throw InputError(fmt::format("{}: {}.{} is not a key; {}", origin_, name_, key.str(),
+    throw InputError(fmt::format("{}: there is no key {}.{}; {}", origin_, name_, key.str(),
                                  what_instead(key.str(), {known_.begin(), known_.end()})));
   }
 }

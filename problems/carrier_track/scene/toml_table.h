@@ -14,14 +14,21 @@
 namespace ricochet::carrier_track::inline scene {
 
 /// One table of a TOML file. Every key that a member function reads is known; finish() rejects all
-/// others. An invalid entry throws InputError with origin (the file), table, key, value and the
-/// allowed values.
+/// others. Keys may be made known before, so that an unknown one is told before a missing one. An
+/// invalid entry throws InputError with origin (the file), table, key, value and the allowed
+/// values.
 class TomlTable {
  public:
   TomlTable(const toml::table& file, std::string name, std::string origin);
 
   bool exists() const { return table_.has_value(); }
   bool has(std::string_view key);
+
+  /// Makes a key known without reading it.
+  void know(std::string_view key) { known_.emplace(key); }
+
+  /// The same with those that walls() reads.
+  void know_walls(std::string_view key);
 
   /// Reads `old_key`, as version 1 had it, in the place of `key`, with a warning.
   void renamed(std::string_view old_key, std::string_view key);

@@ -14,7 +14,7 @@ std::vector<Problem> chosen_problems(const std::vector<Problem>& all, const std:
     names.push_back(problem.name);
     if (fits_any(problem.name, list)) chosen.push_back(problem);
   }
-  require_fit(list, names, option);
+  require_fit(list, names, option, "`ricochet list problems`");
   return chosen;
 }
 
@@ -27,7 +27,7 @@ std::vector<Solver> chosen_solvers(const std::vector<Solver>& all, const std::st
     names.push_back(solver.name);
     if (fits_any(solver.name, list)) chosen.push_back(solver);
   }
-  require_fit(list, names, option);
+  require_fit(list, names, option, "`ricochet list solvers`");
   return chosen;
 }
 

@@ -105,8 +105,8 @@ std::vector<std::string> solvers_of(const ComparisonOptions& options, const Cata
           fmt::format("--solver {}: there is another solver of its name, {}", text, name));
     }
     if (!own && !is_known) {
-      throw InputError(
-          fmt::format("--solver {}: there is no such solver; {}", text, what_instead(text, names)));
+      throw InputError(fmt::format("--solver {}: there is no such solver; {}", text,
+                                   what_instead(text, names, "`ricochet list solvers`")));
     }
     if (own) names.push_back(name);
     solvers.push_back(text);

@@ -84,8 +84,8 @@ std::vector<SearchedProblem> problems_of_grid(const MachineGrid& grid, const Cat
 
 /// Throws InputError for a pattern that matches none of the names.
 void check_patterns(const std::vector<std::string>& patterns, const std::vector<std::string>& names,
-                    const std::string& place) {
-  for (const std::string& pattern : patterns) require_fit({pattern}, names, place);
+                    const std::string& place, const std::string& listing = "") {
+  for (const std::string& pattern : patterns) require_fit({pattern}, names, place, listing);
 }
 
 std::vector<Formulation> formulations_of(const Problem& problem, const PlanPart& part) {
@@ -132,7 +132,7 @@ std::vector<Solver> solvers_of(const PlanPart& part, const Catalogue& catalogue,
       patterns.push_back(text);
     }
   }
-  check_patterns(patterns, names, place + ", solvers");
+  check_patterns(patterns, names, place + ", solvers", "`ricochet list solvers`");
   std::vector<Solver> chosen;
   for (const Solver& solver : catalogue.solvers) {
     if (fits_any(solver.name, patterns)) chosen.push_back(solver);
@@ -234,7 +234,7 @@ std::vector<Campaign::Chosen> Campaign::problems_of(const PlanPart& part,
       names.push_back(problem.problem.name);
       if (asks_for(part, problem.problem)) add_searched(chosen, problem);
     }
-    check_patterns(part.problems, names, place + ", problems");
+    check_patterns(part.problems, names, place + ", problems", "`ricochet list problems`");
     return chosen;
   }
   double drawn_in_all = 0;
@@ -257,7 +257,7 @@ std::vector<Campaign::Chosen> Campaign::problems_of(const PlanPart& part,
       }
     }
   }
-  check_patterns(part.problems, names, place + ", problems");
+  check_patterns(part.problems, names, place + ", problems", "`ricochet list problems`");
   return chosen;
 }
 

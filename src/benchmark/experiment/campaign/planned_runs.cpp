@@ -79,7 +79,6 @@ void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
     jobs.push_back(run.job);
     work += run.length;
   }
-  const AtInterruption kept([] {}, "finished runs are kept: --resume goes on");
   Progress progress("running", std::max(work, 1.0));
   run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
     store.add(planned.all()[j].key, record);

@@ -57,7 +57,6 @@ bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int
     work += run.length;
   }
   if (!write_frame(out, opening)) return false;
-  const AtInterruption kept([] {}, "finished runs are kept: --resume goes on");
   Progress progress("running", std::max(work, 1.0));
   while (const auto message = read_frame(in)) {
     if (message->empty()) {

@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "ricochet/families.h"
+#include "ricochet/solvers.h"
 #include "src/cli/description.h"
+#include "src/research/suite/families.h"
 
 namespace ricochet::cli {
 namespace {
@@ -29,8 +32,30 @@ std::string words_of(const Json& list) {
   return fmt::format("{}", fmt::join(list.get<std::vector<std::string>>(), " "));
 }
 
+/// Returns true if the value may be a file, be it besides a name.
 bool is_file(const Json& option) {
-  return option.at("value") == "FILE" || option.at("value") == "FOLDER";
+  const std::string value = text_of(option, "value");
+  return value == "FILE" || value == "FOLDER" || value == "PLAN" || value == "SOLVER";
+}
+
+/// Adds the names of problems, families and solvers, too many for the help, to the options whose
+/// values they are.
+Json with_names(Json commands) {
+  Json problems = Json::array(), families = Json::array(), solvers = Json::array();
+  for (const Family& family : suite_families("")) {
+    families.push_back(family.name);
+    for (const Problem& problem : family.problems) problems.push_back(problem.name);
+  }
+  for (const Solver& solver : all_solvers()) solvers.push_back(solver.name);
+  for (Json& command : commands) {
+    for (Json& option : command.at("options")) {
+      const std::string value = text_of(option, "value");
+      if (value.starts_with("PROBLEM")) option["choices"] = problems;
+      if (value.starts_with("SOLVER")) option["choices"] = solvers;
+      if (value == "FAMILY") option["choices"] = families;
+    }
+  }
+  return commands;
 }
 
 bool is_positional(const Json& option) {
@@ -39,9 +64,9 @@ bool is_positional(const Json& option) {
 
 /// The words that can follow a command's name and, if given, an option that takes a value.
 std::string bash_case(const std::string& pattern, const Json& option) {
-  if (is_file(option)) return fmt::format("    {}) files=yes ;;\n", pattern);
-  return fmt::format("    {}) words={} ;;\n", pattern,
-                     shell_quoted(words_of(option.at("choices"))));
+  return fmt::format("    {}) words={}{} ;;\n", pattern,
+                     shell_quoted(words_of(option.at("choices"))),
+                     is_file(option) ? " files=yes" : "");
 }
 
 std::string bash(const Json& commands) {
@@ -81,9 +106,9 @@ complete -F _ricochet ricochet
 
 /// Possible values of an option, in the syntax of zsh's _arguments.
 std::string zsh_value(const Json& option) {
-  if (is_file(option)) return ":file:_files";
-  return option.at("choices").empty() ? ":value: "
-                                      : fmt::format(":value:({})", words_of(option.at("choices")));
+  const std::string words = words_of(option.at("choices"));
+  if (is_file(option)) return words.empty() ? ":file:_files" : ":value:_ricochet_or_file " + words;
+  return words.empty() ? ":value: " : fmt::format(":value:({})", words);
 }
 
 std::string zsh(const Json& commands) {
@@ -105,6 +130,10 @@ std::string zsh(const Json& commands) {
     cases += fmt::format("    {})\n      _arguments{} ;;\n", name, arguments);
   }
   return fmt::format(R"(#compdef ricochet
+_ricochet_or_file() {{
+  compadd "$@"
+  _files
+}}
 _ricochet() {{
   local -a commands=(
 {}  )
@@ -129,9 +158,8 @@ std::string fish_quoted(const std::string& text) {
 
 /// Possible values of an option, in the syntax of fish.
 std::string fish_value(const Json& option) {
-  if (is_file(option)) return " -r -F";
-  return option.at("choices").empty() ? " -x"
-                                      : " -x -a " + fish_quoted(words_of(option.at("choices")));
+  const std::string words = words_of(option.at("choices"));
+  return (is_file(option) ? " -r -F" : " -x") + (words.empty() ? "" : " -a " + fish_quoted(words));
 }
 
 std::string fish(const Json& commands) {
@@ -144,9 +172,9 @@ std::string fish(const Json& commands) {
         fmt::format("complete -c ricochet -n '__fish_seen_subcommand_from {}'", name);
     for (const Json& option : command.at("options")) {
       if (is_positional(option)) {
-        text += start +
-                (is_file(option) ? " -F" : " -a " + fish_quoted(words_of(option.at("choices")))) +
-                "\n";
+        const std::string words = words_of(option.at("choices"));
+        text += start + (is_file(option) ? " -F" : "") +
+                (words.empty() ? "" : " -a " + fish_quoted(words)) + "\n";
         continue;
       }
       for (const Json& each : option.at("names")) {
@@ -164,7 +192,8 @@ std::string fish(const Json& commands) {
 }  // namespace
 
 std::string completion(const std::string& shell, const Json& commands) {
-  return shell == "bash" ? bash(commands) : shell == "zsh" ? zsh(commands) : fish(commands);
+  const Json named = with_names(commands);
+  return shell == "bash" ? bash(named) : shell == "zsh" ? zsh(named) : fish(named);
 }
 
 }  // namespace ricochet::cli

@@ -6,8 +6,8 @@
 
 namespace ricochet::cli {
 
-/// A script that completes the commands of the description and their options, for "bash", "zsh" or
-/// "fish".
+/// A script for "bash", "zsh" or "fish" that completes the commands of the description, their
+/// options, and the names of problems, families, solvers, plans and cases.
 std::string completion(const std::string& shell, const report::Json& commands);
 
 }  // namespace ricochet::cli

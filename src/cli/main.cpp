@@ -217,9 +217,12 @@ class Program : public CommandLine {
     StudyOptions& options =
         add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
     on_call(command, [this, &options] { return compare(comparison_, options.quick, options.out); });
-    command->add_option("--problems", comparison_.problems,
-                        "Patterns, separated by commas; default: those of the plan `default`");
+    command
+        ->add_option("--problems", comparison_.problems,
+                     "Patterns, separated by commas; default: those of the plan `default`")
+        ->type_name("PROBLEMS");
     command->add_option("--solvers", comparison_.solvers, "Patterns, separated by commas")
+        ->type_name("SOLVERS")
         ->capture_default_str();
     command
         ->add_option("--solver", comparison_.added_solvers,
@@ -265,7 +268,7 @@ class Program : public CommandLine {
     command
         ->add_option("plan", run_.plan,
                      "A plan file (TOML), - for standard input; or quick, default, full")
-        ->type_name("PLAN")
+        ->type_name("PLAN:{quick,default,full}")
         ->required();
   }
 

@@ -120,8 +120,10 @@ class Studies : public CommandLine {
     CLI::App* command = add("best-values", summary_of("best-values"),
                             "  ricochet best-values --problems 'robust-*-C4'\n"
                             "  ricochet best-values --seconds 600  # and the same again, to go on");
-    command->add_option("--problems", best_values_.problems,
-                        "A pattern such as robust-*-C4, or a part of the names");
+    command
+        ->add_option("--problems", best_values_.problems,
+                     "A pattern such as robust-*-C4, or a part of the names")
+        ->type_name("PROBLEMS");
     command->add_option("--seconds", best_values_.seconds,
                         "Start no search after this time [s]; the same command continues");
     command->add_option("--out", best_values_.out, "The file of the values")

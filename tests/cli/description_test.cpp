@@ -39,6 +39,28 @@ TEST(Description, IsCompletedByBash) {
   EXPECT_EQ(completed_by_bash("ricochet simulate --scene m", 3), "machine one.toml,");
 }
 
+TEST(Description, CompletesNamesOfProblemsSolversPlansAndCases) {
+  EXPECT_EQ(completed_by_bash("ricochet solve random-sear", 2), "random-search,");
+  EXPECT_EQ(completed_by_bash("ricochet solve nlopt-cobyla top-speed-C12", 3), "top-speed-C12,");
+  EXPECT_EQ(completed_by_bash("ricochet evaluate hs-71", 2), "hs-71,");
+  EXPECT_EQ(completed_by_bash("ricochet compare --problems top-speed-C12", 3), "top-speed-C12,");
+  EXPECT_EQ(completed_by_bash("ricochet compare --solvers random-sear", 3), "random-search,");
+  EXPECT_EQ(completed_by_bash("ricochet compare --solver m", 3), "mads,machine one.toml,");
+  EXPECT_EQ(completed_by_bash("ricochet list problems --family top-s", 4), "top-speed,");
+  EXPECT_EQ(completed_by_bash("ricochet list problems --solver-accepts random-sear", 4),
+            "random-search,");
+  EXPECT_EQ(completed_by_bash("ricochet best-values --problems hs-71", 3), "hs-71,");
+  EXPECT_EQ(completed_by_bash("ricochet run def", 2), "default,");
+  EXPECT_EQ(completed_by_bash("ricochet plan check m", 3), "machine one.toml,");
+  EXPECT_EQ(completed_by_bash("ricochet threshold --case C12", 3), "C12,");
+  EXPECT_THAT(call("describe zsh").out,
+              AllOf(HasSubstr(":value:_ricochet_or_file "), HasSubstr(" nlopt-cobyla "),
+                    HasSubstr(" top-speed-C12 ")));
+  EXPECT_THAT(call("describe fish").out, AllOf(HasSubstr("from run' -F -a 'quick default full'"),
+                                               HasSubstr("-l solver-accepts -r -F -a '")));
+  EXPECT_THAT(call("describe man").out, testing::Not(HasSubstr("top\\-speed\\-C12")));
+}
+
 TEST(Description, HasEveryCommandForTheOtherShellsAndTheManual) {
   EXPECT_THAT(call("describe zsh").out,
               AllOf(HasSubstr("#compdef ricochet"), HasSubstr("'calibrate:Fit the unknown"),

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -98,6 +99,7 @@ TEST(List, IsNeverCutElsewhere) {
     for (const std::string& line : lines_on_terminal(what, 1000)) whole += line + "\n";
     EXPECT_EQ(call(std::string("list ") + what).out, whole);
   }
+  EXPECT_THAT(call("list interpretations").out, testing::Not(testing::HasSubstr("...")));
 }
 
 TEST(List, HasTheProblemsOfAFamilyAndThoseThatASolverAccepts) {

@@ -35,7 +35,8 @@ struct AdjustableSolver {
   std::string name;
   std::vector<SolverOption> options;
   /// Makes the solver with these options, whose values are allowed; with none it is the suite's
-  /// solver. Throws std::invalid_argument if the options contradict each other.
+  /// solver. Throws std::invalid_argument if the options contradict each other, or this build of
+  /// the solver cannot use one.
   std::function<Solver(const GivenOptions&)> with;
 };
 

@@ -1,13 +1,22 @@
 #include "solvers/ipopt.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <IpIpoptApplication.hpp>
 #include <IpRegOptions.hpp>
 #include <IpTNLP.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -214,19 +223,16 @@ constexpr Choice own_choice{"ipopt", Settings::own, Hessian::limited_memory};
 constexpr Choice tuned_choice{"ipopt-tuned", Settings::tuned, Hessian::limited_memory};
 constexpr Choice exact_choice{"ipopt-exact", Settings::own, Hessian::exact};
 
-SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choice& choice,
-                           const GivenOptions& given) {
-  const Settings settings = choice.settings;
-  const Hessian hessian = choice.hessian;
-  const std::lock_guard lock(ipopt_mutex);
-  const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, hessian);
+/// Solves with a new Ipopt. The caller holds the mutex.
+Ipopt::ApplicationReturnStatus solve(const Ipopt::SmartPtr<UnitProblem>& problem,
+                                     const Choice& choice, const GivenOptions& given) {
   // false: no console, so no banner and no log.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   const auto options = application->Options();
-  if (hessian == Hessian::limited_memory) {
+  if (choice.hessian == Hessian::limited_memory) {
     options->SetStringValue("hessian_approximation", "limited-memory");
   }
-  if (settings == Settings::tuned) {
+  if (choice.settings == Settings::tuned) {
     // Without second derivatives Ipopt adapts its barrier freely. It then often fails on a
     // constraint as curved as that of a surrogate. Also, a start may be near the optimum.
     options->SetStringValue("mu_strategy", tuned_strategy);
@@ -236,8 +242,15 @@ SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choi
   options->SetNumericValue("bound_relax_factor", 0.0);
   give(*application, given);
   // "": no options file, not even one in the working directory.
-  Ipopt::ApplicationReturnStatus status = application->Initialize("");
-  if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(GetRawPtr(problem));
+  const Ipopt::ApplicationReturnStatus status = application->Initialize("");
+  return status == Ipopt::Solve_Succeeded ? application->OptimizeTNLP(GetRawPtr(problem)) : status;
+}
+
+SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choice& choice,
+                           const GivenOptions& given) {
+  const std::lock_guard lock(ipopt_mutex);
+  const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, choice.hessian);
+  const Ipopt::ApplicationReturnStatus status = solve(problem, choice, given);
   return {evaluator.over() ? stopped_by_evaluator : in_words(status), problem->final_point()};
 }
 
@@ -251,6 +264,70 @@ Solver made(const Choice& choice, const GivenOptions& given) {
     return minimise(evaluator, start, choice, given);
   };
   return solver;
+}
+
+/// The shortest vector (x, y) with x + y <= -1, within [-2, 2]^2.
+Problem tiny_problem() {
+  Problem problem;
+  problem.name = "tiny";
+  problem.lower = Vector::Constant(2, -2);
+  problem.upper = problem.start = Vector::Constant(2, 2);
+  problem.constraints = 1;
+  problem.evaluate = [](const Vector& x) {
+    return Values{x.squaredNorm(), Vector::Constant(1, x.sum() + 1)};
+  };
+  problem.differentiate = [evaluate = problem.evaluate](const Vector& x) {
+    return Derivatives{evaluate(x), 2 * x, Matrix::Ones(1, 2)};
+  };
+  problem.lagrangian_hessian = [](const Vector&, double factor, const Vector&) -> Matrix {
+    return 2 * factor * Matrix::Identity(2, 2);
+  };
+  return problem;
+}
+
+/// Returns true if this build of Ipopt can use the options, whether it solves with them or not. The
+/// caller holds the mutex.
+bool takes(const Choice& choice, const GivenOptions& given) {
+  const Problem problem = tiny_problem();
+  Evaluator evaluator(problem, {1000});
+  const Ipopt::SmartPtr<UnitProblem> posed =
+      new UnitProblem(evaluator, problem.start, choice.hessian);
+  const Ipopt::ApplicationReturnStatus status = solve(posed, choice, given);
+  return evaluator.over() ||
+         (status != Ipopt::Invalid_Option && status != Ipopt::Unrecoverable_Exception &&
+          status != Ipopt::NonIpopt_Exception_Thrown);
+}
+
+/// The same in a process of its own, since Ipopt ends the process where it lacks a routine.
+bool is_usable(const Choice& choice, const GivenOptions& given) {
+  constexpr unsigned patience = 30;  // [s]
+  const std::lock_guard lock(ipopt_mutex);
+  std::fflush(nullptr);  // buffered output is the parent's to write
+  const pid_t process = fork();
+  if (process == 0) {
+    std::atexit([] { _exit(1); });  // without the parent's exit handlers
+    alarm(patience);
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    _exit(takes(choice, given) ? 0 : 1);
+  }
+  int status = 0;
+  while (process > 0 && waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return process < 0 || status == 0;
+}
+
+/// Throws std::invalid_argument for options that Ipopt lists, but this build of it cannot use, such
+/// as a linear solver that it lacks.
+void check_usable(const Choice& choice, const GivenOptions& given) {
+  if (given.empty() || is_usable(choice, given)) return;
+  for (const auto& [name, value] : given) {
+    if (is_usable(choice, {{name, value}})) continue;
+    throw std::invalid_argument(
+        fmt::format("{} = {}: this build of Ipopt cannot use it", name, text_of(value)));
+  }
+  throw std::invalid_argument("this build of Ipopt cannot use these options together");
 }
 
 /// Options that the adapter sets itself, that write files or print, or that depend on the clock.
@@ -332,8 +409,10 @@ std::vector<AdjustableSolver> adjustable_ipopt() {
       tell_own(options, "mu_strategy", tuned_strategy);
       tell_own(options, "mu_init", text_of(OptionValue(tuned_barrier)));
     }
-    solvers.push_back({choice.name, options,
-                       [choice](const GivenOptions& given) { return made(choice, given); }});
+    solvers.push_back({choice.name, options, [choice](const GivenOptions& given) {
+                         check_usable(choice, given);
+                         return made(choice, given);
+                       }});
   }
   return solvers;
 }

@@ -81,7 +81,7 @@ Solver varied(const std::string& of, const std::string& name, const GivenOptions
       solver.version += fmt::format(" {} {}", option, text_of(value));
     }
     return solver;
-  } catch (const std::invalid_argument& error) {  // options that contradict each other
+  } catch (const std::invalid_argument& error) {  // contradictory or unusable options
     throw InputError(error.what());
   }
 }

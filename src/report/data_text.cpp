@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
 
-#include "ricochet/error.h"
 #include "src/report/record_table.h"
 
 namespace ricochet::report {
@@ -98,7 +98,7 @@ std::string data_text(const Json& data, const Digits& digits) {
 Json data_in(const std::string& text) {
   const auto shallow = [](int depth, Json::parse_event_t, const Json&) {
     if (depth > deepest_data)
-      throw InputError(fmt::format("is nested deeper than {}", deepest_data));
+      throw std::logic_error(fmt::format("is nested deeper than {}", deepest_data));
     return true;
   };
   return unpacked(Json::parse(text, shallow));

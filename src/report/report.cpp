@@ -113,10 +113,9 @@ WrittenReport write_report(const Json& data, const fs::path& folder) {
 WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
   const fs::path file = from / data_file;
   const std::string text = text_of(file);
-  Json data;
   std::vector<std::string> failures;
   try {
-    data = data_in(text);
+    Json data = data_in(text);
     for (const std::string& name : pages_of(data)) {
       const WrittenReport further = redraw_report(from / name, folder / name);
       for (const std::string& line : further.failures) failures.push_back(name + ": " + line);
@@ -141,7 +140,8 @@ std::string page_template(const std::string& name) {
     if (own == name) return text;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", own);
   }
-  throw InputError(fmt::format("report \"{}\": there is no such report; allowed: {}", name, known));
+  throw std::logic_error(
+      fmt::format("report \"{}\": there is no such report; allowed: {}", name, known));
 }
 
 std::vector<ReportKind> report_kinds() {

@@ -167,6 +167,15 @@ TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
   expect_refusal("plan check " + bad.string(), "solver s: scan: no such solver has options");
 }
 
+TEST_F(CampaignCommands, SayThatTooFewFilesMayBeOpen) {
+  const auto script =
+      write(folder_, "script", "ulimit -n 12\nexec " RICOCHET_PROGRAM " " + command("few") + "\n");
+  const Outcome outcome = call("--version >/dev/null; bash " + script.string());
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("ricochet: too many open files: the limit is 12; raise it "
+                                     "with ulimit -n "));
+}
+
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
   run("whole");
   for (const std::string signal : {"INT", "KILL"}) {

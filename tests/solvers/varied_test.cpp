@@ -235,5 +235,30 @@ TEST(Varied, RefusesWhatIpoptWould) {
   EXPECT_GT(options_of("ipopt").size(), 200U);
 }
 
+TEST(Varied, RefusesWhatThisIpoptWasBuiltWithout) {
+  if (!is_there("ipopt")) GTEST_SKIP();
+  for (const char* solver : {"ipopt", "ipopt-exact", "ipopt-tuned"}) {
+    int usable = 0;
+    for (const SolverOption& option : options_of(solver)) {
+      if (option.name != "linear_solver" && option.name != "linear_system_scaling" &&
+          option.name != "nlp_scaling_method") {
+        continue;
+      }
+      for (const std::string& word : option.words) {
+        const std::string said = complaint(solver, {{option.name, word}, {"max_iter", 100.0}});
+        if (said == "nothing") {
+          const RunRecord record =
+              run(disc(), varied(solver, "mine", {{option.name, word}}), {1000}, 1);
+          EXPECT_NE(record.terminations.back().reason, "failure") << option.name << word;
+          ++usable;
+        } else {
+          EXPECT_EQ(said, option.name + " = " + word + ": this build of Ipopt cannot use it");
+        }
+      }
+    }
+    EXPECT_GE(usable, 3) << solver;
+  }
+}
+
 }  // namespace
 }  // namespace ricochet

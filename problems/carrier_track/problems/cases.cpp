@@ -31,8 +31,7 @@ Case find_case(const std::string& id) {
     if (equal_in_any_case(a_case.id, id)) return a_case;
     known.push_back(a_case.id);
   }
-  throw InputError(
-      fmt::format("--case {}: there is no such case; {}", id, what_instead(id, known)));
+  throw InputError(fmt::format("{}: there is no such case; {}", id, what_instead(id, known)));
 }
 
 Scene scene_of(const Case& a_case, const Scene& machine) {

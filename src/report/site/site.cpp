@@ -29,7 +29,8 @@ bool is_site(const fs::path& folder) {
   std::ifstream stream(folder / data_file, std::ios::binary);
   if (!stream) return false;
   const Json data = Json::parse(stream, nullptr, false);
-  return data.is_object() && data.value("report", "") == "site";
+  const auto kind = data.is_object() ? data.find("report") : data.end();
+  return kind != data.end() && *kind == "site";
 }
 
 std::vector<std::string> write_site(const fs::path& folder) {

@@ -1,6 +1,7 @@
 #include "src/benchmark/experiment/store/draft_store.h"
 
 #include <SQLiteCpp/Transaction.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -42,13 +43,19 @@ DraftStore::DraftStore(fs::path file, const CampaignDescription& description)
   if (::access(folder_of(file_).c_str(), W_OK | X_OK) != 0) fail(file_, errno);
   {
     const Uninterrupted made_and_known;
+    fs::path draft;
+    int descriptor = -1;
     do {  // a killed process may have left a file with this name
-      draft_ = folder_of(file_) / fmt::format(".ricochet.{}.{}.store.part", getpid(), drafts++);
-    } while (fs::exists(fs::symlink_status(draft_)));
+      draft = folder_of(file_) / fmt::format(".ricochet.{}.{}.store.part", getpid(), drafts++);
+      descriptor = ::open(draft.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (descriptor < 0 && errno == EEXIST);
+    if (descriptor < 0) fail(file_, errno);
+    ::close(descriptor);
+    draft_ = std::move(draft);
   }
   try {
-    database_ = std::make_unique<SQLite::Database>(fs::absolute(draft_).string(),
-                                                   SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    database_ =
+        std::make_unique<SQLite::Database>(fs::absolute(draft_).string(), SQLite::OPEN_READWRITE);
     // If this process dies, the draft is worthless, so it needs no journal on disk.
     database_->exec("PRAGMA journal_mode = MEMORY; PRAGMA foreign_keys = ON");
     SQLite::Transaction all(*database_);

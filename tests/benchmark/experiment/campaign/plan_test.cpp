@@ -1,5 +1,6 @@
 #include "src/benchmark/experiment/campaign/plan.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ PlanPart any_part(Random& random) {
 }
 
 VariedSolver any_solver(Random& random) {
-  VariedSolver solver{any_text(random), any_text(random), {}};
+  VariedSolver solver{fmt::format("solver-{}", random() % 1000), any_text(random), {}};
   for (auto left = random() % 3; left > 0; --left) {
     OptionValue& value = solver.options[any_text(random)];
     value = static_cast<double>(random()) * 1e-19 - 0.5;

@@ -271,6 +271,19 @@ TEST_F(StoreFile, SaysWhenTheDiskIsFull) {
   EXPECT_NO_THROW(Store::open(file, Store::For::reading));
 }
 
+TEST_F(StoreFile, IsNotBegunWhereNoMoreFilesMayBeOpen) {
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const int next = dup(STDERR_FILENO);
+  close(next);
+  const rlimit all_taken = {static_cast<rlim_t>(next), before.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &all_taken);
+  EXPECT_THAT([&] { Store::create(file, a_description()); },
+              ThrowsMessage<OutputError>(HasSubstr("cannot be made: Too many open files")));
+  setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
 TEST_F(StoreFile, OfAnotherKindIsRefusedUntouched) {
   expect_refused("No such file");
   write("");

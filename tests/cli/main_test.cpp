@@ -116,8 +116,8 @@ TEST(Main, NeedsNoOutputWhereThereIsNone) {
 
 TEST(Main, ColoursErrorsWhereAsked) {
   const std::string wrong = "simulate --case C77 --color ";
-  EXPECT_THAT(call(wrong + "always").err, HasSubstr("\x1b[31mricochet:\x1b[m --case C77"));
-  EXPECT_THAT(call(wrong + "never").err, testing::StartsWith("ricochet: --case"));
+  EXPECT_THAT(call(wrong + "always").err, HasSubstr("\x1b[31mricochet:\x1b[m C77: "));
+  EXPECT_THAT(call(wrong + "never").err, testing::StartsWith("ricochet: C77: "));
   EXPECT_THAT(call("calibrate --color always --interpretation sideways").err,
               HasSubstr("\x1b[31mricochet:\x1b[m --interpretation"))
       << "returned";

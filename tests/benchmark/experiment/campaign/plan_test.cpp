@@ -202,8 +202,11 @@ TEST(Plan, RefusesASolverThatIsNone) {
   EXPECT_THAT(said(whole + "options = { sparks = inf }"), HasSubstr("must be a finite number"));
   EXPECT_THAT(said(whole + "option = { sparks = 1 }"), HasSubstr("there is no key option"));
   EXPECT_THAT(said("[[solver]]\nof = \"efwa\"\noptions = {}"), HasSubstr("name is missing"));
-  EXPECT_THAT(said("[[solver]]\nname = \"\"\nof = \"efwa\"\noptions = {}"),
-              HasSubstr("name = '': must be a text that is not empty"));
+  for (const std::string name : {"", "a b", "a/b", "=cmd|x", "@SUM(1)", "\\u001b[31m", "\\u202e"}) {
+    EXPECT_THAT(said("[[solver]]\nname = \"" + name + "\"\nof = \"efwa\"\noptions = {}"),
+                HasSubstr(": must be 1 to 60 letters, digits and the characters - _ . +"))
+        << name;
+  }
   EXPECT_THAT(said("[solver]"), HasSubstr("one or more tables [[solver]]"));
 }
 

@@ -155,7 +155,7 @@ TEST(Plugin, IsRefusedWhereLoadingItCrashes) {
 TEST(Plugin, IsRefusedWhereItsFileIsCutOff) {
   const auto cut = fresh_folder() / "cut.so";
   const std::string whole = read(library("keeps_its_start"));
-  for (const double share : {0.05, 0.3, 0.6}) {
+  for (const double share : {0.02, 0.1, 0.3}) {  // with debug information the rest is not loaded
     const auto size = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
     std::ofstream(cut, std::ios::binary) << whole.substr(0, size);
     EXPECT_THAT(refusal_of(cut.string()), HasSubstr(cut.string())) << share;

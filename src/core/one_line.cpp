@@ -15,9 +15,11 @@ constexpr std::size_t longest_end = 1000;
 /// Returns true for line and paragraph separators and for controls of the writing direction, which
 /// reorder what a terminal shows.
 bool steers_lines(std::string_view character) {
-  constexpr std::string_view steering[] = {"\u061c", "\u200e", "\u200f", "\u2028", "\u2029",
-                                           "\u202a", "\u202b", "\u202c", "\u202d", "\u202e",
-                                           "\u2066", "\u2067", "\u2068", "\u2069"};
+  // As bytes: U+061C, U+200E, U+200F, U+2028, U+2029, U+202A to U+202E, U+2066 to U+2069.
+  constexpr std::string_view steering[] = {
+      "\xd8\x9c",     "\xe2\x80\x8e", "\xe2\x80\x8f", "\xe2\x80\xa8", "\xe2\x80\xa9",
+      "\xe2\x80\xaa", "\xe2\x80\xab", "\xe2\x80\xac", "\xe2\x80\xad", "\xe2\x80\xae",
+      "\xe2\x81\xa6", "\xe2\x81\xa7", "\xe2\x81\xa8", "\xe2\x81\xa9"};
   return std::ranges::find(steering, character) != std::end(steering);
 }
 

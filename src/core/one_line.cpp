@@ -15,12 +15,12 @@ constexpr std::size_t longest_end = 1000;
 /// Returns true for line and paragraph separators and for controls of the writing direction, which
 /// reorder what a terminal shows.
 bool steers_lines(std::string_view character) {
-  // As bytes: U+061C, U+200E, U+200F, U+2028, U+2029, U+202A to U+202E, U+2066 to U+2069.
-  constexpr std::string_view steering[] = {
-      "\xd8\x9c",     "\xe2\x80\x8e", "\xe2\x80\x8f", "\xe2\x80\xa8", "\xe2\x80\xa9",
-      "\xe2\x80\xaa", "\xe2\x80\xab", "\xe2\x80\xac", "\xe2\x80\xad", "\xe2\x80\xae",
-      "\xe2\x81\xa6", "\xe2\x81\xa7", "\xe2\x81\xa8", "\xe2\x81\xa9"};
-  return std::ranges::find(steering, character) != std::end(steering);
+  if (character == "\xd8\x9c") return true;  // U+061C
+  if (character.size() != 3 || character[0] != '\xe2') return false;
+  const auto bits = [&](std::size_t i) { return static_cast<unsigned>(character[i]) & 0x3fU; };
+  const unsigned code = 0x2000U | bits(1) << 6U | bits(2);
+  return code == 0x200e || code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
 }
 
 /// The length in bytes of the text's first character; 0 if it is invalid UTF-8 or steers a

@@ -26,8 +26,8 @@ using report::Json;
 
 namespace {
 
-/// The programs that one of them must be the solver of this name: its own if the store says so,
-/// none if the name is of the suite or the plan.
+/// The programs of which one is the solver of this name: that one if the store says so; none if
+/// the solver is of the suite or the plan.
 std::vector<std::string> programs_for(const std::string& solver,
                                       const CampaignDescription& description, const Plan& plan) {
   for (const Solver& known : all_solvers()) {
@@ -61,7 +61,7 @@ std::optional<RunRecord> made_again(const CampaignDescription& description, cons
 
 void warn_of_missing_runs(const std::string& store) {
   const std::string warning = caution(store);
-  if (!warning.empty()) fmt::print(stderr, "ricochet: {}\n", warning);
+  if (!warning.empty()) fmt::print(stderr, "ricochet: {}\n", one_line(warning));
 }
 
 int merge_stores(const std::vector<std::string>& parts, const std::string& out) {

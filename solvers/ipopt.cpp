@@ -1,16 +1,13 @@
 #include "solvers/ipopt.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <IpIpoptApplication.hpp>
 #include <IpRegOptions.hpp>
 #include <IpTNLP.hpp>
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
+#include <chrono>
 #include <cstdlib>
 #include <limits>
 #include <mutex>
@@ -18,9 +15,11 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <variant>
 
 #include "solvers/unit_box.h"
+#include "src/core/isolated_call.h"
 
 namespace ricochet {
 namespace {
@@ -300,22 +299,20 @@ bool takes(const Choice& choice, const GivenOptions& given) {
 
 /// The same in a process of its own, since Ipopt ends the process where it lacks a routine.
 bool is_usable(const Choice& choice, const GivenOptions& given) {
-  constexpr unsigned patience = 30;  // [s]
+  constexpr std::chrono::seconds patience{30};
+  constexpr double megabytes = 2000;
   const std::lock_guard lock(ipopt_mutex);
-  std::fflush(nullptr);  // buffered output is the parent's to write
-  const pid_t process = fork();
-  if (process == 0) {
+  const auto answer = [&] {
     std::atexit([] { _exit(1); });  // without the parent's exit handlers
-    alarm(patience);
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    _exit(takes(choice, given) ? 0 : 1);
+    return std::string(takes(choice, given) ? "usable" : "");
+  };
+  try {
+    return !called_in_isolation(answer, patience, megabytes).empty();
+  } catch (const std::system_error&) {  // no process can be started
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
   }
-  int status = 0;
-  while (process > 0 && waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return process < 0 || status == 0;
 }
 
 /// Throws std::invalid_argument for options that Ipopt lists, but this build of it cannot use, such

@@ -10,14 +10,23 @@ namespace ricochet::carrier_track::inline counting {
 /// leave with all its energy.
 inline constexpr double wear_smoothing = 0.25;
 
-/// Sums the kinetic energy [J] that impacts dissipate: an impact of approach speed v loses
-/// mass (1 - restitution^2) v^2 / 2, with the restitution reduced by contact friction.
+/// mass (1 - restitution^2) / 2, with a wall's restitution reduced by contact friction: times the
+/// square of the approach speed it is the energy [J] that an impact on that wall dissipates.
+template <class Scalar>
+Scalar impact_loss(const BasicScene<Scalar>& scene, Wall wall) {
+  const Scalar restitution =
+      wall == Wall::lower ? lower_restitution(scene) : upper_restitution(scene);
+  const Scalar half = constant<Scalar>(0.5);
+  return half * scene.mass * (constant<Scalar>(1.0) - restitution * restitution);
+}
+
+/// Sums the kinetic energy [J] that impacts dissipate.
 template <class Scalar>
 class EnergyLost : public Observer {
  public:
   explicit EnergyLost(const BasicScene<Scalar>& scene)
-      : lower_(share_lost(scene, lower_restitution(scene))),
-        upper_(share_lost(scene, upper_restitution(scene))),
+      : lower_(impact_loss(scene, Wall::lower)),
+        upper_(impact_loss(scene, Wall::upper)),
         duration_(duration_of(scene)) {}
 
   void impact(const Scalar& time, Wall wall, const Scalar& speed) {
@@ -28,11 +37,6 @@ class EnergyLost : public Observer {
   const Scalar& sum() const { return sum_; }
 
  private:
-  static Scalar share_lost(const BasicScene<Scalar>& scene, const Scalar& restitution) {
-    const Scalar half = constant<Scalar>(0.5);
-    return half * scene.mass * (constant<Scalar>(1.0) - restitution * restitution);
-  }
-
   Scalar lower_, upper_;
   Scalar duration_;
   Scalar sum_ = constant<Scalar>(0.0);

@@ -1,0 +1,82 @@
+#pragma once
+
+/// @file
+/// The regimes of a machine: what its carrier does in the long run, over the speed.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ricochet/scene.h"
+
+namespace ricochet::carrier_track::inline regimes {
+
+/// What ends a regime at its fast end.
+enum class RegimeEnd {
+  release,         ///< the forces start, or cease, to beat friction
+  counting_limit,  ///< an impact passes the counting limit
+  grazing,         ///< the carrier starts, or ceases, to touch a wall
+  end_of_rest,     ///< the carrier ceases to come to rest in each period
+  start_of_rest,   ///< it begins to
+  flip,            ///< period doubling: an eigenvalue passes -1
+  fold,            ///< the orbit meets an unstable one and vanishes: an eigenvalue reaches +1
+  irregular,       ///< the motion ceases, or begins, to repeat
+  range            ///< the end of the range asked for
+};
+
+/// The name as it stands in JSON: "counting-limit".
+std::string name_of(RegimeEnd end);
+
+/// What a carrier does in the long run at one speed.
+struct LongRun {
+  /// The machine at that speed: it starts on the motion, and its window is one period.
+  Scene orbit;
+  double collisions_per_turn;  ///< mean
+  double energy_per_turn;      ///< [J], that the walls take
+  double fastest_impact;       ///< [m/s]; 0 without impacts
+  double share_at_rest;        ///< of the time, in [0, 1]
+};
+
+/// A range of speeds in which a motion keeps its period, its collisions per turn, and whether it
+/// rests.
+struct Regime {
+  double from, to;             ///< [rad/s]
+  double collisions_per_turn;  ///< mean; exact where nothing disturbs the carrier
+  /// Collisions in a turn over the phase of a disturbance that does not repeat; else both are the
+  /// mean.
+  double least_per_turn, most_per_turn;
+  LongRun first, last;  ///< at both ends
+  int turns;            ///< of one period; 0 if the motion does not repeat
+  bool rests;           ///< comes to rest in every period
+  bool moves;           ///< false: friction holds the carrier
+  /// False if the motion does not repeat within some hundred turns: the numbers are averages, and
+  /// borders within the regime may be missed.
+  bool certain;
+  /// The largest modulus of the eigenvalues of a period: how much of a small disturbance is left
+  /// after it, at the regime's fast end. 0 where a rest on a wall erases memory.
+  double memory;
+  RegimeEnd ends_by;
+};
+
+/// Allowed speeds [rad/s].
+inline constexpr double slowest_speed = 1e-3;
+inline constexpr double fastest_speed = 1000;
+
+struct RegimeOptions {
+  double from = 0.01;  ///< [rad/s]
+  double to = 18;      ///< [rad/s], > from
+};
+
+/// Throws InputError, with one line that begins with `origin`, if regimes_of() knows no regimes of
+/// such a scene: if the rule is not `impacts`, or the fidelity neither `impact` nor `auto` (which
+/// is taken as impact).
+void check_regimes_exist(const Scene& scene, const std::string& origin);
+
+/// The regimes of a machine in the long run, by increasing speed, without gaps. The carrier starts
+/// at the scene's start at the slowest speed, and the speed rises slowly: where several motions are
+/// possible at a speed, it keeps the one it has until that ends. The scene's omega and window are
+/// not used. Throws InputError if the scene or an option is invalid, if the speed is a profile, or
+/// as check_regimes_exist() does.
+std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options = {});
+
+}  // namespace ricochet::carrier_track::inline regimes

@@ -1,0 +1,201 @@
+#include "problems/carrier_track/regimes/border.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "problems/carrier_track/regimes/fold.h"
+#include "problems/carrier_track/regimes/release.h"
+
+namespace ricochet::carrier_track::inline regimes {
+namespace {
+
+constexpr double narrow = 1e-13;     // relative width at which a bracket is a border
+constexpr double blurred = 1e-5;     // the same beside a motion that does not repeat
+constexpr double continuous = 1e-5;  // a margin so small on both sides passes 0 without a jump
+constexpr double near_bifurcation = 1e-2;  // of eigenvalue conditions, at the end of a bisection
+constexpr double just_beyond = 1e-4;  // relative, where a new motion is large enough to be seen
+
+bool is_narrow(double a, double b) {
+  return std::abs(b - a) <= narrow * std::abs(b);
+}
+
+/// Motions on both sides of a border.
+template <class Motion>
+struct Bracket {
+  Motion before, after;
+
+  double from() const { return before.omega(); }
+  double to() const { return after.omega(); }
+  bool upwards() const { return from() < to(); }
+};
+
+/// Narrows a bracket to the sign change of a margin of the motion.
+template <class Motion, class Of>
+Bracket<Motion> sign_change(Bracket<Motion> bracket, const Of& margin) {
+  const bool side = margin(bracket.before) > 0;
+  const auto at = [&](double omega) {
+    Motion motion = followed(bracket.before, omega);
+    const double there = margin(motion);
+    ((there > 0) == side ? bracket.before : bracket.after) = std::move(motion);
+    return there;
+  };
+  const bool up = bracket.upwards();
+  const Motion low = up ? bracket.before : bracket.after;
+  const Motion high = up ? bracket.after : bracket.before;
+  std::uintmax_t evaluations = 100;
+  boost::math::tools::toms748_solve(at, low.omega(), high.omega(), margin(low), margin(high),
+                                    is_narrow, evaluations);
+  // The solver stops at a margin of exactly 0, on one side of the border.
+  for (double step = narrow / 8; !is_narrow(bracket.from(), bracket.to()) && step < 1; step *= 4) {
+    at(bracket.from() * (up ? 1 + step : 1 - step));
+  }
+  return bracket;
+}
+
+/// Narrows a bracket to the place where the motion becomes one of another kind.
+template <class Motion>
+Bracket<Motion> change_of_kind(Bracket<Motion> bracket) {
+  const Signature kind = signature_of(bracket.before);
+  for (;;) {
+    const double width = std::abs(bracket.to() - bracket.from());
+    // What settles slowly has no sharper border.
+    const bool settled = bracket.before.settled && bracket.after.settled;
+    if (width <= (settled ? narrow : blurred) * bracket.to()) return bracket;
+    const double middle = 0.5 * (bracket.from() + bracket.to());
+    if (middle == bracket.from() || middle == bracket.to()) return bracket;
+    Motion motion = followed(bracket.before, middle);
+    (signature_of(motion).same_kind(kind) ? bracket.before : bracket.after) = std::move(motion);
+  }
+}
+
+double position_of(const SteadyMotion& still) {
+  return still.orbit.start_position;
+}
+double position_of(const DisturbedMotion& still) {
+  return still.machine.start_position;
+}
+const Scene& machine_of(const SteadyMotion& motion) {
+  return motion.orbit;
+}
+const Scene& machine_of(const DisturbedMotion& motion) {
+  return motion.machine;
+}
+
+/// The speed at which the carrier of a motion without motion starts to move.
+template <class Motion>
+double release_speed(const Motion& still, double until) {
+  const auto margin = [&](double omega) {
+    return release_margin(at_speed(machine_of(still), omega), position_of(still));
+  };
+  const double low = std::min(still.omega(), until);
+  const double high = std::max(still.omega(), until);
+  std::uintmax_t evaluations = 100;
+  const auto [a, b] = boost::math::tools::toms748_solve(margin, low, high, margin(low),
+                                                        margin(high), is_narrow, evaluations);
+  return 0.5 * (a + b);
+}
+
+template <class Motion>
+Border<Motion> release(const Bracket<Motion>& bracket) {
+  const double omega = release_speed(bracket.before, bracket.to());
+  const double away = bracket.upwards() ? 1 : -1;
+  return {omega, RegimeEnd::release, followed(bracket.before, omega * (1 - 1e-12 * away)),
+          followed(bracket.before, omega * (1 + just_beyond * away))};
+}
+
+/// What changes between motions of different kind, if it is no bifurcation of an orbit.
+RegimeEnd change_of(const Signature& before, const Signature& after) {
+  if (before.moves != after.moves) return RegimeEnd::release;
+  if (before.settled != after.settled) return RegimeEnd::irregular;
+  if (before.rests && !after.rests) return RegimeEnd::end_of_rest;
+  if (!before.rests && after.rests) return RegimeEnd::start_of_rest;
+  return RegimeEnd::grazing;
+}
+
+/// The border at the end of a narrow bracket.
+Border<SteadyMotion> solved(const Bracket<SteadyMotion>& bracket) {
+  const SteadyMotion& end = bracket.before;
+  const auto beyond = [&] {
+    Scene scene =
+        at_speed(end.orbit, end.omega() * (bracket.upwards() ? 1 + just_beyond : 1 - just_beyond));
+    scene.start_velocity *= 1 + just_beyond;
+    return steady_motion(scene);
+  };
+  if (end.settled && end.rest == Rest::never) {
+    if (end.flip_margin() < near_bifurcation) {
+      return {end.omega(), RegimeEnd::flip, end, beyond()};
+    }
+    if (end.fold_margin() < near_bifurcation) {
+      return {fold_near(end).value_or(end.omega()), RegimeEnd::fold, end, beyond()};
+    }
+  }
+  return {bracket.to(), change_of(signature_of(end), signature_of(bracket.after)), end,
+          bracket.after};
+}
+
+Border<DisturbedMotion> solved(const Bracket<DisturbedMotion>& bracket) {
+  return {bracket.to(), change_of(signature_of(bracket.before), signature_of(bracket.after)),
+          bracket.before, bracket.after};
+}
+
+template <class Motion>
+Border<Motion> border_within(const Bracket<Motion>& bracket);
+
+template <class Motion>
+Border<Motion> border_of_kind(const Bracket<Motion>& bracket) {
+  const Signature kind = signature_of(bracket.before);
+  if (!kind.moves) return release(bracket);
+  const Bracket<Motion> end = change_of_kind(bracket);
+  // The count may have changed before the kind did.
+  if (!(signature_of(end.before) == kind))
+    return border_within<Motion>({bracket.before, end.before});
+  return solved(end);
+}
+
+template <class Motion>
+Border<Motion> border_of_count(const Bracket<Motion>& bracket, int rank, Extreme extreme) {
+  const auto margin = [&](const Motion& motion) { return rank_margin(motion, rank, extreme); };
+  const Bracket<Motion> end = sign_change(bracket, margin);
+  // The kind may have changed, and changed back, on the way.
+  if (!signature_of(end.before).same_kind(signature_of(bracket.before))) {
+    return border_of_kind<Motion>({bracket.before, end.before});
+  }
+  const bool passes =
+      std::abs(margin(end.before)) < continuous && std::abs(margin(end.after)) < continuous;
+  return {end.to(), passes ? RegimeEnd::counting_limit : RegimeEnd::grazing, end.before, end.after};
+}
+
+template <class Motion>
+Border<Motion> border_within(const Bracket<Motion>& bracket) {
+  const Signature a = signature_of(bracket.before);
+  const Signature b = signature_of(bracket.after);
+  if (!a.same_kind(b)) return border_of_kind(bracket);
+  std::vector<Border<Motion>> found;
+  if (a.most != b.most) {
+    found.push_back(border_of_count(bracket, b.most > a.most ? a.most + 1 : a.most, Extreme::most));
+  }
+  if (a.least != b.least && (found.empty() || a.least != a.most || b.least != b.most)) {
+    found.push_back(
+        border_of_count(bracket, b.least > a.least ? a.least + 1 : a.least, Extreme::least));
+  }
+  return *std::min_element(found.begin(), found.end(), [&](const auto& x, const auto& y) {
+    return std::abs(x.omega - bracket.from()) < std::abs(y.omega - bracket.from());
+  });
+}
+
+}  // namespace
+
+Border<SteadyMotion> first_border(const SteadyMotion& near, const SteadyMotion& far) {
+  return border_within<SteadyMotion>({near, far});
+}
+
+Border<DisturbedMotion> first_border(const DisturbedMotion& near, const DisturbedMotion& far) {
+  return border_within<DisturbedMotion>({near, far});
+}
+
+}  // namespace ricochet::carrier_track::inline regimes

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "ricochet/scene.h"
+
+/// The motion of a machine in the long run under a disturbance that does not repeat with the driver
+/// plate. In every turn the disturbance has another phase; over many turns all phases are equally
+/// frequent.
+namespace ricochet::carrier_track::inline regimes {
+
+/// One turn of the driver plate.
+struct DisturbedTurn {
+  double phase;                ///< [rad], of the disturbance at the start of the motion before
+  std::vector<double> speeds;  ///< [m/s], of the impacts, the fastest first
+  int collisions;
+  double energy;         ///< [J]
+  double share_at_rest;  ///< of the time
+};
+
+/// Which of the phases a margin is taken at.
+enum class Extreme { least, most };
+
+struct DisturbedMotion {
+  /// At the speed; it starts at rest on a wall, where every turn starts, or `turns_before` turns
+  /// earlier, whose rests erase the start.
+  Scene machine;
+  int turns_before;
+  bool settled;  ///< a turn depends on its phase alone, because a rest erases what was before
+  bool moves;
+  std::vector<DisturbedTurn>
+      turns;        ///< over evenly spaced phases; or successive ones, if not settled
+  int least, most;  ///< collisions in a turn, over all phases
+
+  double omega() const { return machine.omega; }
+  double mean_collisions() const;
+};
+
+/// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
+DisturbedMotion disturbed_motion(const Scene& scene);
+
+/// The turn at another phase [rad] of the disturbance, of a motion that is settled.
+DisturbedTurn turn_at(const DisturbedMotion& motion, double phase);
+
+/// ln(speed / counting limit) of the rank-th fastest impact of a turn, rank 1 the fastest, at the
+/// phase at which it is least or most; exact near 0, else by a parabola through three phases. At
+/// least lowest_margin.
+double rank_margin(const DisturbedMotion& motion, int rank, Extreme extreme);
+
+/// What stands for the margin of an impact that is not there.
+inline constexpr double lowest_margin = -6;
+
+}  // namespace ricochet::carrier_track::inline regimes

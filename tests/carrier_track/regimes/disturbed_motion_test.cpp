@@ -1,0 +1,72 @@
+#include "problems/carrier_track/regimes/disturbed_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "problems/carrier_track/problems/default_machine.h"
+#include "tests/carrier_track/regimes/random_machine.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+Scene disturbed(double disturbance, double omega) {
+  Scene machine = default_machine();
+  machine.disturbance = disturbance;
+  machine.omega = omega;
+  return machine;
+}
+
+TEST(DisturbedMotion, CountsAsManyAsALongSimulation) {
+  for (const double omega : {2.6123, 5.0123, 7.7123, 9.8123, 15.0123}) {
+    const DisturbedMotion motion = disturbed_motion(disturbed(1.0, omega));
+    ASSERT_TRUE(motion.settled) << omega;
+    EXPECT_DOUBLE_EQ(collisions_in_the_long_run(motion.machine, omega, 700, 600),
+                     motion.mean_collisions());
+    EXPECT_EQ(motion.least, motion.most);
+  }
+}
+
+TEST(DisturbedMotion, KnowsTheLeastAndTheMostOfAllPhases) {
+  // Between 8.06 and 8.09 rad/s the phase decides which rebounds count.
+  const Scene machine = disturbed(1.0, 8.0779);
+  const DisturbedMotion motion = disturbed_motion(machine);
+  ASSERT_TRUE(motion.settled);
+  int least = 100;
+  int most = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const DisturbedTurn turn = turn_at(motion, 2 * std::numbers::pi * k / 2000);
+    least = std::min(least, turn.collisions);
+    most = std::max(most, turn.collisions);
+  }
+  EXPECT_EQ(motion.least, least);
+  EXPECT_EQ(motion.most, most);
+  EXPECT_LT(least, most);
+}
+
+TEST(DisturbedMotion, FindsTheExtremeOfAMarginBetweenItsPhases) {
+  const DisturbedMotion motion = disturbed_motion(disturbed(1.0, 8.0779));
+  for (const Extreme extreme : {Extreme::least, Extreme::most}) {
+    double best = extreme == Extreme::least ? 10 : -10;
+    for (int k = 0; k < 5000; ++k) {
+      const DisturbedTurn turn = turn_at(motion, 2 * std::numbers::pi * k / 5000);
+      const double margin = std::log(turn.speeds.at(2) / motion.machine.counting_limit);
+      best = extreme == Extreme::least ? std::min(best, margin) : std::max(best, margin);
+    }
+    EXPECT_NEAR(rank_margin(motion, 3, extreme), best, 1e-8);
+  }
+}
+
+TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {
+  const double held = 0.1 * 11.772 + 0.01;  // friction and pull of the machine [N]
+  const double radius =
+      default_machine().centrifugal_mass_radius - default_machine().slider_mass_radius;
+  const double release = std::sqrt((held - 0.5) / radius);
+  EXPECT_FALSE(disturbed_motion(disturbed(0.5, release * (1 - 1e-9))).moves);
+  EXPECT_TRUE(disturbed_motion(disturbed(0.5, release * (1 + 1e-9))).moves);
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -1,0 +1,150 @@
+#include "ricochet/regimes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/scene/window.h"
+#include "ricochet/error.h"
+#include "tests/carrier_track/regimes/random_machine.h"
+
+namespace ricochet::carrier_track {
+namespace {
+
+constexpr double beside = 1e-6;  // relative
+
+/// How many random machines: more in a longer study.
+int machines() {
+  const char* asked = std::getenv("RICOCHET_REGIME_MACHINES");
+  return asked == nullptr ? 25 : std::atoi(asked);
+}
+
+/// Turns that are a multiple of every period up to 8.
+int observed_turns(const Regime& regime) {
+  return regime.turns * (100 / regime.turns);
+}
+
+TEST(Regimes, OfTheDefaultMachineAreALadder) {
+  const auto regimes = regimes_of(default_machine());
+  const std::vector<double> collisions = {0, 0, 1, 2, 3, 4};
+  ASSERT_EQ(regimes.size(), collisions.size());
+  for (std::size_t i = 0; i < regimes.size(); ++i) {
+    EXPECT_EQ(regimes[i].collisions_per_turn, collisions[i]);
+    EXPECT_TRUE(regimes[i].certain);
+    if (i > 0) {
+      EXPECT_EQ(regimes[i].from, regimes[i - 1].to);
+    }
+  }
+  EXPECT_FALSE(regimes[0].moves);
+  EXPECT_EQ(regimes[0].ends_by, RegimeEnd::release);
+  EXPECT_EQ(regimes[3].ends_by, RegimeEnd::counting_limit);
+  EXPECT_NEAR(regimes[3].to, 8.08, 0.005);
+  EXPECT_EQ(regimes.back().to, 18);
+  EXPECT_EQ(regimes.back().ends_by, RegimeEnd::range);
+}
+
+TEST(Regimes, HaveBordersThatLongSimulationsBracket) {
+  int borders = 0;
+  for (int seed = 1; seed <= machines(); ++seed) {
+    const Scene machine = random_machine(static_cast<std::uint64_t>(seed));
+    const auto regimes = regimes_of(machine, {0.3, 18});
+    for (std::size_t i = 0; i + 1 < regimes.size(); ++i) {
+      const Regime& slow = regimes[i];
+      const Regime& fast = regimes[i + 1];
+      if (slow.certain && slow.to - slow.from > 2 * beside * slow.to) {
+        EXPECT_DOUBLE_EQ(slow.collisions_per_turn,
+                         collisions_in_the_long_run(slow.last.orbit, slow.to * (1 - beside), 300,
+                                                    observed_turns(slow)))
+            << "machine " << seed << " below " << slow.to << ", " << name_of(slow.ends_by);
+      }
+      if (fast.certain && fast.to - fast.from > 2 * beside * fast.to) {
+        EXPECT_DOUBLE_EQ(fast.collisions_per_turn,
+                         collisions_in_the_long_run(fast.first.orbit, slow.to * (1 + beside), 300,
+                                                    observed_turns(fast)))
+            << "machine " << seed << " above " << slow.to << ", " << name_of(slow.ends_by);
+      }
+      ++borders;
+    }
+  }
+  EXPECT_GT(borders, 5 * machines());
+}
+
+/// A machine whose speed rises in small steps, and what it counts at each.
+class Ramp {
+ public:
+  explicit Ramp(const Scene& machine) : machine_(machine) {}
+
+  double collisions_per_turn(double omega) {
+    constexpr int turns = 80;
+    constexpr int observed = 40;
+    machine_ = at_speed(machine_, omega);
+    machine_.window = Revolutions{turns};
+    LateCollisions late(duration_of(machine_) * (turns - observed) / turns,
+                        machine_.counting_limit);
+    const End<double> end = ImpactModel<double>(machine_).run(late);
+    machine_.start_position = end.position;
+    machine_.start_velocity = end.velocity;
+    return static_cast<double>(late.count()) / observed;
+  }
+
+ private:
+  Scene machine_;
+};
+
+TEST(Regimes, MissNoneThatAnEvenScanFinds) {
+  int compared = 0;
+  for (int seed = 1; seed <= std::max(1, machines() / 5); ++seed) {
+    const Scene machine = random_machine(static_cast<std::uint64_t>(seed));
+    const auto regimes = regimes_of(machine, {0.3, 18});
+    Ramp ramp(machine);
+    std::size_t i = 0;
+    for (double omega = 0.3; omega < 18; omega *= 1.001) {
+      const double counted = ramp.collisions_per_turn(omega);
+      while (omega > regimes[i].to) ++i;
+      // The ramp is late by a step.
+      const bool at_a_border = omega < regimes[i].from * 1.002 || omega > regimes[i].to * 0.999;
+      if (!regimes[i].certain || at_a_border) continue;
+      EXPECT_NEAR(regimes[i].collisions_per_turn, counted, 0.026)
+          << "machine " << seed << " at " << omega;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+TEST(Regimes, OfADisturbedMachineHaveBlurredBorders) {
+  Scene machine = default_machine();
+  machine.disturbance = 1;
+  const auto regimes = regimes_of(machine, {7.5, 8.5});
+  ASSERT_GE(regimes.size(), 3U);
+  EXPECT_EQ(regimes.front().most_per_turn, 2);
+  EXPECT_EQ(regimes.back().least_per_turn, 4);
+  for (std::size_t i = 1; i + 1 < regimes.size(); ++i) {
+    EXPECT_LT(regimes[i].least_per_turn, regimes[i].most_per_turn);
+  }
+  // At 1 N in 0.58 kg m 8.08^2 rad^2/s^2 = 38 N the border is blurred by some 0.3 %.
+  EXPECT_NEAR(regimes.front().to, 8.065, 0.002);
+  EXPECT_NEAR(regimes.back().from, 8.094, 0.002);
+}
+
+TEST(Regimes, RefuseWhatTheyCannotTell) {
+  const Scene machine = default_machine();
+  EXPECT_THROW(regimes_of(machine, {0, 18}), InputError);
+  EXPECT_THROW(regimes_of(machine, {5, 5}), InputError);
+  EXPECT_THROW(regimes_of(machine, {5, 1e6}), InputError);
+  Scene peaks = machine;
+  peaks.rule = CountRule::peaks;
+  EXPECT_THROW(regimes_of(peaks), InputError);
+  Scene soft = machine;
+  soft.fidelity = Fidelity::compliant;
+  EXPECT_THROW(regimes_of(soft), InputError);
+  Scene profile = machine;
+  profile.profile = {{0, 1}, {1, 2}};
+  EXPECT_THROW(regimes_of(profile), InputError);
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track

@@ -55,7 +55,11 @@ TEST(DisturbedMotion, FindsTheExtremeOfAMarginBetweenItsPhases) {
       const double margin = std::log(turn.speeds.at(2) / motion.machine.counting_limit);
       best = extreme == Extreme::least ? std::min(best, margin) : std::max(best, margin);
     }
-    EXPECT_NEAR(rank_margin(motion, 3, extreme), best, 1e-8);
+    // At a kink, where two impacts change places, the even phases miss the extreme by their slope.
+    const double beyond =
+        (rank_margin(motion, 3, extreme) - best) * (extreme == Extreme::least ? -1 : 1);
+    EXPECT_GT(beyond, -1e-9);
+    EXPECT_LT(beyond, 2e-6);
   }
 }
 

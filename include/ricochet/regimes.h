@@ -79,4 +79,10 @@ void check_regimes_exist(const Scene& scene, const std::string& origin);
 /// as check_regimes_exist() does.
 std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options = {});
 
+/// The fastest speed [rad/s] up to which no turn in the long run has more than `at_most`
+/// collisions: the end of the last such regime, before the first that is louder. Nothing if the
+/// first regime is louder; options.to if none is.
+std::optional<double> quiet_up_to(const Scene& scene, double at_most,
+                                  const RegimeOptions& options = {});
+
 }  // namespace ricochet::carrier_track::inline regimes

@@ -26,6 +26,7 @@
 #include "src/cli/old_names.h"
 #include "src/cli/other_program.h"
 #include "src/cli/plan.h"
+#include "src/cli/regimes.h"
 #include "src/cli/report.h"
 #include "src/cli/simulate.h"
 #include "src/cli/solve.h"
@@ -73,6 +74,7 @@ class Program : public CommandLine {
     add_machine();
     add_simulate();
     add_threshold();
+    add_regimes();
     add_scene();
     start_group("solve");
     add_list();
@@ -125,6 +127,22 @@ class Program : public CommandLine {
     command->add_option("--plot", threshold_.plot, "SVG file for a chart of the counts")
         ->type_name("FILE");
     on_call(command, [this] { return threshold(threshold_); });
+  }
+
+  void add_regimes() {
+    CLI::App* command =
+        add("regimes", "Show what the carrier does in the long run, over the speed",
+            "  ricochet regimes --case C1\n"
+            "  ricochet regimes --scene machine.toml --to 10 --plot regimes.svg");
+    add_scene_choice(command, regimes_.scene);
+    add_format(command, regimes_.json);
+    command->add_option("--from", regimes_.range.from, "Start of the speed range [rad/s]")
+        ->capture_default_str();
+    command->add_option("--to", regimes_.range.to, "End of the speed range [rad/s]")
+        ->capture_default_str();
+    command->add_option("--plot", regimes_.plot, "SVG file for a chart of the collisions a turn")
+        ->type_name("FILE");
+    on_call(command, [this] { return regimes(regimes_); });
   }
 
   void add_machine() {
@@ -474,6 +492,7 @@ class Program : public CommandLine {
   EvaluateOptions evaluate_;
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
+  RegimesOptions regimes_;
   SceneChoice scene_;
   std::string machine_file_;
   QuietSpeedRequest advice_;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "ricochet/threshold.h"
 
@@ -19,7 +18,6 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
 constexpr int drawn_machines = 200;
 
 std::string text_of(const Limit& limit) {

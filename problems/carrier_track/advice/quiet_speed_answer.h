@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,9 @@ QuietSpeedAnswer answer_quiet_speed(const std::string& name, const carrier_track
 
 /// A speed of a scan, a multiple of its step, without rounding errors in its last digits.
 std::optional<double> rounded(const std::optional<double>& speed);
+
+/// Revolutions per minute of 1 rad/s.
+inline constexpr double rpm = 30 / std::numbers::pi;
 
 /// "7.2 rad/s (68.8 rpm)"
 std::string both_units(double omega);

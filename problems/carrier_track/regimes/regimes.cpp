@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
@@ -62,11 +63,13 @@ class Walk {
  public:
   Walk(const Motion& start, double to) : here_(start), margins_(margins_of(start)), to_(to) {}
 
-  std::vector<Regime> regimes() {
+  /// The regimes, up to the first in which a turn has more than `at_most` collisions.
+  std::vector<Regime> regimes(double at_most) {
     open(here_, here_.omega());
-    while (here_.omega() < to_) {
+    while (here_.omega() < to_ && !(regimes_.back().most_per_turn > at_most)) {
       if (!advance()) step_ /= 2;
     }
+    if (here_.omega() < to_) to_ = here_.omega();
     close(here_, to_, RegimeEnd::range);
     return regimes_;
   }
@@ -191,7 +194,9 @@ void check_regimes_exist(const Scene& scene, const std::string& origin) {
   }
 }
 
-std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options) {
+namespace {
+
+std::vector<Regime> walked(const Scene& scene, const RegimeOptions& options, double at_most) {
   check(scene, "scene");
   check_constant_speed(scene, "scene");
   check_regimes_exist(scene, "scene");
@@ -204,8 +209,21 @@ std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options)
   hard.fidelity = Fidelity::impact;
   const Scene slow = at_speed(hard, options.from);
   const bool disturbed = scene.disturbance != 0 && scene.disturbance_frequency != 0;
-  return disturbed ? Walk(disturbed_motion(slow), options.to).regimes()
-                   : Walk(steady_motion(slow), options.to).regimes();
+  return disturbed ? Walk(disturbed_motion(slow), options.to).regimes(at_most)
+                   : Walk(steady_motion(slow), options.to).regimes(at_most);
+}
+
+}  // namespace
+
+std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options) {
+  return walked(scene, options, std::numeric_limits<double>::infinity());
+}
+
+std::optional<double> quiet_up_to(const Scene& scene, double at_most,
+                                  const RegimeOptions& options) {
+  const Regime last = walked(scene, options, at_most).back();
+  if (!(last.most_per_turn > at_most)) return last.to;
+  return last.from > options.from ? std::optional(last.from) : std::nullopt;
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -16,8 +16,11 @@ constexpr double far_below = 3;
 /// derivative.
 constexpr double slope_step = 1e-5;
 
-/// The place in `impacts` of the rank-th fastest.
-std::size_t place_of(const std::vector<Impact>& impacts, int rank) {
+}  // namespace
+
+std::optional<std::size_t> place_of_rank(const SteadyMotion& motion, int rank) {
+  const std::vector<Impact>& impacts = motion.impacts;
+  if (rank < 1 || rank > static_cast<int>(impacts.size())) return std::nullopt;
   std::vector<std::size_t> places(impacts.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
   const auto nth = places.begin() + (rank - 1);
@@ -26,12 +29,6 @@ std::size_t place_of(const std::vector<Impact>& impacts, int rank) {
   });
   return *nth;
 }
-
-bool has(const SteadyMotion& motion, int rank) {
-  return rank >= 1 && rank <= static_cast<int>(motion.impacts.size());
-}
-
-}  // namespace
 
 Signature signature_of(const SteadyMotion& motion) {
   const bool settled = motion.settled && (motion.rest != Rest::never || motion.stable());
@@ -46,8 +43,9 @@ Signature signature_of(const SteadyMotion& motion) {
 }
 
 double rank_margin(const SteadyMotion& motion, int rank, Extreme /*extreme*/) {
-  if (!has(motion, rank)) return lowest_margin;
-  const double speed = motion.impacts[place_of(motion.impacts, rank)].speed;
+  const std::optional<std::size_t> place = place_of_rank(motion, rank);
+  if (!place) return lowest_margin;
+  const double speed = motion.impacts[*place].speed;
   return std::max(std::log(speed / motion.orbit.counting_limit), lowest_margin);
 }
 
@@ -65,11 +63,11 @@ std::vector<Margin> margins_of(const SteadyMotion& motion) {
   if (!motion.settled || motion.rest == Rest::always) return margins;
   std::optional<OrbitMap> map;
   for (const int rank : {motion.collisions, motion.collisions + 1}) {
-    if (!has(motion, rank) || rank_margin(motion, rank) < -far_below) continue;
+    const std::optional<std::size_t> place = place_of_rank(motion, rank);
+    if (!place || rank_margin(motion, rank) < -far_below) continue;
     if (!map) map = map_of(motion.orbit, motion.rest);
-    const std::size_t place = place_of(motion.impacts, rank);
-    if (place >= map->speeds.size()) continue;
-    const auto& speed = map->speeds[place];
+    if (*place >= map->speeds.size()) continue;
+    const auto& speed = map->speeds[*place];
     const double slope = AlongOrbit(*map, motion.rest)(speed, OrbitMap::omega_index);
     margins.push_back({rank_margin(motion, rank), slope / speed.a * motion.omega()});
   }

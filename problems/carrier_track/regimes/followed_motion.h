@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "problems/carrier_track/regimes/disturbed_motion.h"
@@ -34,6 +36,10 @@ struct Margin {
 
 Signature signature_of(const SteadyMotion& motion);
 Signature signature_of(const DisturbedMotion& motion);
+
+/// The place among a period's impacts of the `rank`-th fastest, rank 1 the fastest; nothing if
+/// there are fewer.
+std::optional<std::size_t> place_of_rank(const SteadyMotion& motion, int rank);
 
 /// ln(speed / counting limit) of the `rank`-th fastest impact of a period, rank 1 the fastest: it
 /// counts if that is > 0. At least lowest_margin.

@@ -11,6 +11,7 @@
 #include "bench/lanes_bench.h"
 #include "bench/memory_bench.h"
 #include "bench/overhead_bench.h"
+#include "bench/regimes_bench.h"
 #include "bench/roofline_bench.h"
 #include "bench/simulation_bench.h"
 #include "src/core/one_line.h"
@@ -45,6 +46,7 @@ int main(int argc, char** argv) {
   ricochet::bench::add_lanes_benchmarks();
   ricochet::bench::add_memory_benchmarks();
   ricochet::bench::add_overhead_benchmarks();
+  ricochet::bench::add_regime_benchmarks();
   ricochet::bench::add_roofline_benchmarks();
   benchmark::Initialize(&flag_count, flags.data());
   if (flag_count > 1) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double narrow = 1e-13;     // relative width at which a bracket is a border
 constexpr double blurred = 1e-5;     // the same beside a motion that does not repeat
+constexpr double beside = 1e-10;     // relative, on both sides of a root that is known
 constexpr double continuous = 1e-5;  // a margin so small on both sides passes 0 without a jump
 constexpr double near_bifurcation = 1e-2;  // of eigenvalue conditions, at the end of a bisection
 constexpr double just_beyond = 1e-4;  // relative, where a new motion is large enough to be seen
@@ -55,6 +56,43 @@ Bracket<Motion> sign_change(Bracket<Motion> bracket, const Of& margin) {
     at(bracket.from() * (up ? 1 + step : 1 - step));
   }
   return bracket;
+}
+
+Bracket<SteadyMotion> count_change(const Bracket<SteadyMotion>& bracket, int rank,
+                                   Extreme /*extreme*/) {
+  return sign_change(bracket,
+                     [rank](const SteadyMotion& motion) { return rank_margin(motion, rank); });
+}
+
+/// The same for an impact at the phase at which it is slowest or fastest, which changes little
+/// within the bracket.
+Bracket<DisturbedMotion> count_change(const Bracket<DisturbedMotion>& bracket, int rank,
+                                      Extreme extreme) {
+  const auto margin_of = [&](const DisturbedMotion& motion) {
+    return rank_margin(motion, rank, extreme);
+  };
+  const double before = margin_of(bracket.before);
+  const double after = margin_of(bracket.after);
+  const bool nearer = std::abs(before) < std::abs(after);
+  ExtremeMargin margin(nearer ? bracket.before : bracket.after, rank, extreme);
+  const double low = std::min(bracket.from(), bracket.to());
+  const double high = std::max(bracket.from(), bracket.to());
+  const double at_low = margin.at(low);
+  const double at_high = margin.at(high);
+  if ((at_low > 0) != (at_high > 0)) {
+    std::uintmax_t evaluations = 60;
+    const auto root =
+        boost::math::tools::toms748_solve([&](double omega) { return margin.at(omega); }, low, high,
+                                          at_low, at_high, is_narrow, evaluations);
+    const double away = bracket.upwards() ? beside : -beside;
+    const double omega = 0.5 * (root.first + root.second);
+    const Bracket<DisturbedMotion> end{followed(bracket.before, omega * (1 - away)),
+                                       followed(bracket.before, omega * (1 + away))};
+    const bool passes =
+        (margin_of(end.before) > 0) == (before > 0) && (margin_of(end.after) > 0) == (after > 0);
+    if (passes) return end;
+  }
+  return sign_change(bracket, margin_of);  // another phase becomes the extreme one
 }
 
 /// Narrows a bracket to the place where the motion becomes one of another kind.
@@ -160,7 +198,7 @@ Border<Motion> border_of_kind(const Bracket<Motion>& bracket) {
 template <class Motion>
 Border<Motion> border_of_count(const Bracket<Motion>& bracket, int rank, Extreme extreme) {
   const auto margin = [&](const Motion& motion) { return rank_margin(motion, rank, extreme); };
-  const Bracket<Motion> end = sign_change(bracket, margin);
+  const Bracket<Motion> end = count_change(bracket, rank, extreme);
   // The kind may have changed, and changed back, on the way.
   if (!signature_of(end.before).same_kind(signature_of(bracket.before))) {
     return border_of_kind<Motion>({bracket.before, end.before});

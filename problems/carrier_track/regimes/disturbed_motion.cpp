@@ -24,6 +24,7 @@ constexpr double full_circle = 2 * std::numbers::pi;
 constexpr int phases = 16;
 constexpr int erasing_turns = 2;      // whose rests erase the start, if it is not where turns start
 constexpr int irregular_turns = 120;  // observed where they do not, after as many
+constexpr int phase_bits = 24;        // of an extreme phase: its margin has twice as many
 constexpr double refined_within = 0.02;  // margins nearer to 0 are searched, not interpolated
 
 /// What happens in the last turns of a window.
@@ -143,37 +144,72 @@ void take_turns(DisturbedMotion& motion) {
   motion.turns = run(machine, machine.disturbance_phase, irregular_turns, irregular_turns).turns;
 }
 
-/// The place of a motion's turn with the extreme margin, and the sign that makes it least.
-struct Extremum {
-  std::size_t place;
-  double sign;
-};
-
-Extremum extremum_of(const DisturbedMotion& motion, int rank, Extreme extreme) {
-  const double sign = extreme == Extreme::most ? -1 : 1;
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < motion.turns.size(); ++k) {
-    const double margin = sign * margin_of(motion.machine, motion.turns[k], rank);
-    if (margin < least) {
-      least = margin;
-      best = k;
-    }
-  }
-  return {best, sign};
+/// The least value of the parabola through the values at -1, 0 and 1, of which that at 0 is the
+/// least.
+double vertex_of(double before, double here, double after) {
+  const double bend = before - 2 * here + after;
+  if (!(bend > 0)) return here;
+  const double place = (before - after) / (2 * bend);
+  return here - bend * place * place / 2;
 }
 
-/// The least value, and its place in steps, of the parabola through the values at -1, 0 and 1, of
-/// which that at 0 is the least.
-struct Vertex {
-  double value, place;
+/// The margins of an impact over the phases, with a sign that makes the extreme one the least.
+class Margins {
+ public:
+  Margins(const DisturbedMotion& motion, int rank, Extreme extreme)
+      : sign_(extreme == Extreme::most ? -1 : 1) {
+    for (const DisturbedTurn& turn : motion.turns) {
+      values_.push_back(sign_ * margin_of(motion.machine, turn, rank));
+    }
+    interpolates_ = motion.settled && values_.size() > 2;
+  }
+
+  double sign() const { return sign_; }
+  double at(std::size_t k) const { return values_[k % values_.size()]; }
+  std::size_t deepest() const {
+    return static_cast<std::size_t>(std::min_element(values_.begin(), values_.end()) -
+                                    values_.begin());
+  }
+
+  /// Phases lower than both neighbours, the deepest first.
+  std::vector<std::size_t> valleys() const {
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      if (at(k) <= at(k + values_.size() - 1) && at(k) <= at(k + 1)) found.push_back(k);
+    }
+    std::sort(found.begin(), found.end(),
+              [&](std::size_t a, std::size_t b) { return at(a) < at(b); });
+    return found;
+  }
+
+  /// The least, between the phases by parabolas.
+  double least() const {
+    double least = at(deepest());
+    if (!interpolates_ || std::abs(least) >= -lowest_margin) return least;
+    for (const std::size_t k : valleys()) {
+      least = std::min(least, vertex_of(at(k + values_.size() - 1), at(k), at(k + 1)));
+    }
+    return least;
+  }
+
+ private:
+  double sign_;
+  bool interpolates_;
+  std::vector<double> values_;
 };
 
-Vertex vertex_of(double before, double here, double after) {
-  const double bend = before - 2 * here + after;
-  if (!(bend > 0)) return {here, 0};
-  const double place = (before - after) / (2 * bend);
-  return {here - bend * place * place / 2, place};
+struct Valley {
+  double phase, value;
+};
+
+/// The least margin, with that sign, within a step of the phases of `phase`.
+Valley least_near(const DisturbedMotion& motion, int rank, double sign, double phase) {
+  const double reach = full_circle / phases;
+  std::uintmax_t evaluations = 40;
+  const auto [at, value] = boost::math::tools::brent_find_minima(
+      [&](double there) { return sign * margin_of(motion.machine, turn_at(motion, there), rank); },
+      phase - reach, phase + reach, phase_bits, evaluations);
+  return {at, value};
 }
 
 }  // namespace
@@ -188,36 +224,37 @@ DisturbedTurn turn_at(const DisturbedMotion& motion, double phase) {
   return run(motion.machine, phase, motion.turns_before, 1).turns.front();
 }
 
+double sampled_margin(const DisturbedMotion& motion, int rank, Extreme extreme) {
+  const Margins margins(motion, rank, extreme);
+  return margins.sign() * margins.least();
+}
+
 double rank_margin(const DisturbedMotion& motion, int rank, Extreme extreme) {
-  const auto [best, sign] = extremum_of(motion, rank, extreme);
-  const std::size_t count = motion.turns.size();
-  const auto at = [&, sign = sign](std::size_t k) {
-    return sign * margin_of(motion.machine, motion.turns[k % count], rank);
-  };
-  double least = at(best);
-  if (!motion.settled || count < 3 || std::abs(least) >= -lowest_margin) return sign * least;
-  std::vector<std::size_t> valleys;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double before = at(k + count - 1);
-    const double after = at(k + 1);
-    if (at(k) > before || at(k) > after) continue;
-    valleys.push_back(k);
-    least = std::min(least, vertex_of(before, at(k), after).value);
+  const Margins margins(motion, rank, extreme);
+  if (!motion.settled || std::abs(margins.least()) > refined_within) {
+    return margins.sign() * margins.least();
   }
-  if (std::abs(least) > refined_within) return sign * least;
-  double refined = at(best);
-  for (const std::size_t k : valleys) {
-    if (at(k) > refined + refined_within) continue;
-    const double reach = full_circle / phases;
-    std::uintmax_t evaluations = 40;
-    const auto valley = boost::math::tools::brent_find_minima(
-        [&, sign = sign](double phase) {
-          return sign * margin_of(motion.machine, turn_at(motion, phase), rank);
-        },
-        motion.turns[k].phase - reach, motion.turns[k].phase + reach, 26, evaluations);
-    refined = std::min(refined, valley.second);
+  double refined = std::numeric_limits<double>::infinity();
+  for (const std::size_t k : margins.valleys()) {
+    if (margins.at(k) > refined + refined_within) continue;
+    refined =
+        std::min(refined, least_near(motion, rank, margins.sign(), motion.turns[k].phase).value);
   }
-  return sign * refined;
+  return margins.sign() * refined;
+}
+
+ExtremeMargin::ExtremeMargin(const DisturbedMotion& motion, int rank, Extreme extreme)
+    : motion_(motion), rank_(rank) {
+  const Margins margins(motion, rank, extreme);
+  sign_ = margins.sign();
+  phase_ = motion.turns[margins.deepest()].phase;
+}
+
+double ExtremeMargin::at(double omega) {
+  motion_.machine = at_speed(motion_.machine, omega);
+  const Valley valley = least_near(motion_, rank_, sign_, phase_);
+  phase_ = valley.phase;
+  return sign_ * valley.value;
 }
 
 DisturbedMotion disturbed_motion(const Scene& scene) {

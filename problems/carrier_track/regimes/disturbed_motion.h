@@ -47,6 +47,24 @@ DisturbedTurn turn_at(const DisturbedMotion& motion, double phase);
 /// least lowest_margin.
 double rank_margin(const DisturbedMotion& motion, int rank, Extreme extreme);
 
+/// The same by the parabola alone.
+double sampled_margin(const DisturbedMotion& motion, int rank, Extreme extreme);
+
+/// That margin of motions at other speeds nearby, by a search near the phase at which it was
+/// extreme before.
+class ExtremeMargin {
+ public:
+  ExtremeMargin(const DisturbedMotion& motion, int rank, Extreme extreme);
+
+  double at(double omega);
+
+ private:
+  DisturbedMotion motion_;
+  int rank_;
+  double sign_;   // that makes the extreme the least
+  double phase_;  // [rad]
+};
+
 /// What stands for the margin of an impact that is not there.
 inline constexpr double lowest_margin = -6;
 

@@ -83,9 +83,9 @@ std::vector<Margin> margins_of(const DisturbedMotion& motion) {
   for (const Extreme extreme : {Extreme::least, Extreme::most}) {
     const int collisions = extreme == Extreme::least ? motion.least : motion.most;
     for (const int rank : {collisions, collisions + 1}) {
-      const double here = rank_margin(motion, rank, extreme);
+      const double here = sampled_margin(motion, rank, extreme);
       if (rank == 0 || here < -far_below) continue;
-      margins.push_back({here, (rank_margin(faster, rank, extreme) - here) / slope_step});
+      margins.push_back({here, (sampled_margin(faster, rank, extreme) - here) / slope_step});
     }
   }
   return margins;

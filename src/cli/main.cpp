@@ -28,6 +28,7 @@
 #include "src/cli/plan.h"
 #include "src/cli/regimes.h"
 #include "src/cli/report.h"
+#include "src/cli/scene.h"
 #include "src/cli/simulate.h"
 #include "src/cli/solve.h"
 #include "src/cli/stored_runs.h"
@@ -39,6 +40,15 @@ namespace {
 
 using report::Json;
 
+void add_settings(CLI::App* command, std::vector<std::string>& settings) {
+  command
+      ->add_option("--set", settings,
+                   "Change a key of the scene, such as friction=0.3 or 'wall_upper=0.9 mm'; may be "
+                   "repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
 void add_scene_choice(CLI::App* command, SceneChoice& choice) {
   std::vector<std::string> cases;
   for (const carrier_track::Case& a_case : carrier_track::all_cases()) cases.push_back(a_case.id);
@@ -46,6 +56,14 @@ void add_scene_choice(CLI::App* command, SceneChoice& choice) {
       ->type_name(fmt::format("CASE:{{{}}}", fmt::join(cases, ",")));
   command->add_option("--scene", choice.scene_file, "A machine file (TOML); - is standard input")
       ->type_name("FILE");
+  add_settings(command, choice.settings);
+}
+
+void add_machine_file(CLI::App* command, SceneChoice& choice) {
+  command->add_option("file", choice.scene_file, "A machine file (TOML); - is standard input")
+      ->type_name("FILE")
+      ->required();
+  add_settings(command, choice.settings);
 }
 
 void add_request(CLI::App* command, QuietSpeedRequest& asked) {
@@ -97,7 +115,8 @@ class Program : public CommandLine {
     CLI::App* command =
         add("simulate", "Simulate one machine: impacts, peaks, count, certainty",
             "  ricochet simulate --case C1 --omega 5\n"
-            "  ricochet simulate --scene machine.toml --plot path.svg --csv path.csv");
+            "  ricochet simulate --scene machine.toml --plot path.svg --csv path.csv\n"
+            "  ricochet simulate --scene machine.toml --set friction=0.3 --set 'omega=60 rpm'");
     add_scene_choice(command, simulate_.scene);
     add_format(command, simulate_.json);
     command->add_option("--omega", simulate_.omega, "Speed [rad/s] in place of the scene's");
@@ -155,30 +174,24 @@ class Program : public CommandLine {
     on_call(fresh, [] { return new_machine(); });
     CLI::App* check = command->add_subcommand(
         "check", "List every field with unit and range, and likely mistakes");
-    check->add_option("file", machine_file_, "A machine file (TOML); - is standard input")
-        ->type_name("FILE")
-        ->required();
-    on_call(check, [this] { return check_machine(machine_file_); });
+    add_machine_file(check, machine_);
+    on_call(check, [this] { return check_machine(machine_); });
     CLI::App* advise =
         command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change");
-    advise->add_option("file", machine_file_, "A machine file (TOML); - is standard input")
-        ->type_name("FILE")
-        ->required();
+    add_machine_file(advise, machine_);
     advise->add_option("--out", advice_out_, "Folder for the page")
         ->type_name("FOLDER")
         ->capture_default_str();
     add_request(advise, advice_);
-    on_call(advise, [this] { return advise_machine(machine_file_, advice_, advice_out_); });
+    on_call(advise, [this] { return advise_machine(machine_, advice_, advice_out_); });
   }
 
   void add_scene() {
     CLI::App* command = add("scene", "Print a scene as a machine file",
-                            "  ricochet scene --case C1 > machine.toml");
+                            "  ricochet scene --case C1 > machine.toml\n"
+                            "  ricochet scene --scene machine.toml --set 'path_radius=80 mm'");
     add_scene_choice(command, scene_);
-    on_call(command, [this] {
-      std::fputs(carrier_track::write_scene(choose_scene(scene_).scene).c_str(), stdout);
-      return 0;
-    });
+    on_call(command, [this] { return print_scene(scene_); });
   }
 
   void add_solve() {
@@ -494,7 +507,7 @@ class Program : public CommandLine {
   ThresholdOptions threshold_;
   RegimesOptions regimes_;
   SceneChoice scene_;
-  std::string machine_file_;
+  SceneChoice machine_;
   QuietSpeedRequest advice_;
   std::string advice_out_ = "reports/advice";
   ListOptions list_;

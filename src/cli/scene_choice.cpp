@@ -1,6 +1,10 @@
 #include "src/cli/scene_choice.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <filesystem>
+#include <utility>
 
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
@@ -13,7 +17,14 @@ using namespace carrier_track;
 
 ChosenScene in_default_interpretation(const Case& a_case) {
   const FittedInterpretation& interpretation = default_interpretation();
-  return {a_case.id, interpretation.name, scene_of(a_case, interpretation.scene), a_case.claim};
+  return {a_case.id, interpretation.name, scene_of(a_case, interpretation.scene), a_case.claim, {}};
+}
+
+/// A machine of the user's own: a file, or a case with settings.
+ChosenScene own_machine(std::string name, SceneFile source, const SceneChoice& choice) {
+  if (!choice.settings.empty()) name += fmt::format(" with {}", fmt::join(choice.settings, ", "));
+  Scene scene = source.scene;
+  return {std::move(name), "own", std::move(scene), {}, std::move(source)};
 }
 
 }  // namespace
@@ -25,9 +36,15 @@ ChosenScene choose_scene(const SceneChoice& choice) {
   if (choice.case_id.empty() && choice.scene_file.empty()) {
     throw InputError("which scene? give --case ID (see `ricochet list cases`) or --scene FILE");
   }
-  if (!choice.case_id.empty()) return in_default_interpretation(find_case(choice.case_id));
+  if (!choice.case_id.empty()) {
+    ChosenScene chosen = in_default_interpretation(find_case(choice.case_id));
+    if (choice.settings.empty()) return chosen;
+    return own_machine(chosen.name,
+                       parse_scene_file(write_scene(chosen.scene), chosen.name, choice.settings),
+                       choice);
+  }
   const std::filesystem::path path = choice.scene_file;
-  return {path.stem().string(), "own", read_scene(path), {}};
+  return own_machine(path.stem().string(), read_scene_file(path, choice.settings), choice);
 }
 
 std::vector<ChosenScene> every_case() {

@@ -124,30 +124,36 @@ report::Plot plot_of(const ChosenScene& chosen, const Recording& recording) {
   return report::plot_of(charts);
 }
 
-/// Prints a line for each element, up to a limit.
+/// Prints a line for each element, those that count first, up to a limit.
 template <class Element, class Print>
-void print_first(const std::vector<Element>& all, const Print& print) {
+void print_features(const std::vector<Element>& all, const std::vector<Feature>& features,
+                    const Print& print) {
   constexpr std::size_t shown = 40;
-  for (std::size_t i = 0; i < std::min(shown, all.size()); ++i) print(all[i]);
+  std::size_t printed = 0;
+  for (const bool counts : {true, false}) {
+    for (std::size_t i = 0; i < all.size() && printed < shown; ++i) {
+      if (features[i].counts != counts) continue;
+      print(all[i], counts ? "  counts" : "");
+      ++printed;
+    }
+  }
   if (all.size() <= shown) return;
   fmt::print("... and {} more; --format json lists all\n", all.size() - shown);
 }
 
-/// Prints the impacts or the maxima, whichever the rule uses, and marks those that count.
+/// Prints the impacts or the maxima, whichever the rule uses.
 void print_features(const Scene& scene, const Recording& recording) {
   const std::vector<Feature> features = features_of(scene, recording);
-  auto feature = features.begin();
-  const auto mark = [&feature] { return feature++->counts ? "  counts" : ""; };
   if (scene.rule == CountRule::impacts) {
     fmt::print("{:>14} {:>6} {:>13}\n", "time [s]", "wall", "speed [m/s]");
-    print_first(recording.impacts, [&](const Impact& impact) {
+    print_features(recording.impacts, features, [](const Impact& impact, const char* mark) {
       fmt::print("{:>14.8f} {:>6} {:>13.6g}{}\n", impact.time, name_of(impact.wall), impact.speed,
-                 mark());
+                 mark);
     });
   } else {
     fmt::print("{:>14} {:>13}\n", "time [s]", "maximum [m]");
-    print_first(recording.peaks, [&](const Peak& peak) {
-      fmt::print("{:>14.8f} {:>13.6g}{}\n", peak.time, peak.position, mark());
+    print_features(recording.peaks, features, [](const Peak& peak, const char* mark) {
+      fmt::print("{:>14.8f} {:>13.6g}{}\n", peak.time, peak.position, mark);
     });
   }
 }
@@ -170,8 +176,8 @@ void print(const ChosenScene& chosen, const Recording& recording) {
     fmt::print("nearest missed wall: the {}, by {:.3g} m at {:.6g} s\n",
                name_of(certainty.graze->wall), certainty.graze->distance, certainty.graze->time);
   }
-  fmt::print("{} impacts, slow ones included; {} maxima of x\n", recording.impacts.size(),
-             recording.peaks.size());
+  fmt::print("{} impacts, slow ones included; {} maxima of x; those that count come first\n",
+             recording.impacts.size(), recording.peaks.size());
   print_features(chosen.scene, recording);
 }
 

@@ -160,6 +160,9 @@ int threshold(const ThresholdOptions& options) {
     if (!(options.scene.case_id.empty() && options.scene.scene_file.empty())) {
       throw InputError("--all stands alone: it takes neither --case nor --scene");
     }
+    if (!options.scene.settings.empty()) {
+      throw InputError("--all has the paper's cases as they are: it takes no --set");
+    }
     if (asked.limit || options.asked.tolerance > 0) {
       throw InputError("--all is by the paper's rule: it takes no limit and no tolerance");
     }
@@ -170,9 +173,10 @@ int threshold(const ThresholdOptions& options) {
   carrier_track::check_constant_speed(chosen.scene, chosen.name);
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
   const auto start = std::chrono::steady_clock::now();
-  const QuietSpeedAnswer output =
-      answer_quiet_speed(chosen.name, chosen.scene, asked, options.asked.tolerance / 100);
-  const bool by_the_paper = !asked.limit && !options.scene.case_id.empty();
+  const QuietSpeedAnswer output = answer_quiet_speed(chosen.name, chosen.scene, asked,
+                                                     options.asked.tolerance / 100, chosen.source);
+  const bool by_the_paper =
+      !asked.limit && !options.scene.case_id.empty() && options.scene.settings.empty();
   Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, output.answer.fine,
                                                     scan.stride)
                              : score_of(output.answer);

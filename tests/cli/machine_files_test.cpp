@@ -7,8 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "problems/carrier_track/scene/quantity.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "tests/cli/tool.h"
 
@@ -65,12 +67,25 @@ std::string in_words(carrier_track::Range range) {
   return "";
 }
 
+TEST(MachineFiles, DocumentEveryUnit) {
+  const std::string page = read(RICOCHET_SOURCE "/docs/machine-files.md");
+  for (const char* unit : {"m", "m/s", "kg", "kg m", "N", "s", "rad", "rad/s"}) {
+    std::string row = fmt::format("| {} |", unit);
+    for (const std::string_view name : carrier_track::units_for(unit)) {
+      row += fmt::format("{}`{}`", row.ends_with('|') ? " " : ", ", name);
+    }
+    EXPECT_THAT(page, testing::HasSubstr(row + " |\n"));
+  }
+}
+
 TEST(MachineFiles, DocumentEveryFieldOfAScene) {
   const std::map<std::string, Row> rows = rows_of_scene_keys();
-  // What the list of fields has not as keys of their own: the window, and one restitution a wall.
-  std::set<std::string> keys = {"window.revolutions",       "window.seconds",
-                                "scene.restitution_lower",  "scene.restitution_upper",
-                                "across.restitution_lower", "across.restitution_upper"};
+  // What the list of fields has not as keys of their own: the window, one restitution a wall, and
+  // another way to give a field.
+  std::set<std::string> keys = {"scene.path_radius",       "window.revolutions",
+                                "window.seconds",          "scene.restitution_lower",
+                                "scene.restitution_upper", "across.restitution_lower",
+                                "across.restitution_upper"};
   const auto expect_row_in = [&](const std::string& table) {
     return [&rows, &keys, table](const carrier_track::Field& field) {
       const std::string key = fmt::format("{}.{}", table, field.key);
@@ -90,6 +105,7 @@ TEST(MachineFiles, DocumentEveryFieldOfAScene) {
     };
   };
   carrier_track::visit_scene_fields(expect_row_in("scene"));
+  expect_row_in("scene")(carrier_track::path_radius);
   carrier_track::visit_across_fields(expect_row_in("across"));
   carrier_track::visit_count_fields(expect_row_in("count"));
   carrier_track::visit_model_fields(expect_row_in("model"));

@@ -19,6 +19,35 @@ TEST(Scene, IsPrintedAsAFileThatSimulatesTheSame) {
   EXPECT_GT(nlohmann::json::parse(mine)["count"], 0);
 }
 
+TEST(Scene, SaysWhatOfACaseIsFitted) {
+  const std::string text = call("scene --case C2").out;
+  EXPECT_THAT(text,
+              testing::StartsWith("# C2, in the default interpretation of the paper. Fitted to "
+                                  "the paper's thresholds"));
+  EXPECT_THAT(text, testing::HasSubstr("# measured: centrifugal_mass_radius, wall_upper, "
+                                       "start_velocity, revolutions, counting_limit.\n"));
+  const auto file = write(fresh_folder(), "machine.toml", text);
+  EXPECT_EQ("\n" + call("scene --scene " + file.string()).out, text.substr(text.find("\n[scene]")));
+}
+
+TEST(Scene, TakesSettings) {
+  const auto file = write(fresh_folder(), "machine.toml", call("scene --case C2").out).string();
+  for (const std::string& scene : {"--scene " + file, std::string("--case C2")}) {
+    const std::string out =
+        call("scene " + scene + " --set friction=0.3 --set 'wall_upper=0.9 mm' --set seconds=4")
+            .out;
+    EXPECT_THAT(out, testing::HasSubstr("\nfriction = 0.3 "));
+    EXPECT_THAT(out, testing::HasSubstr("\nwall_upper = 0.0009 "));
+    EXPECT_THAT(out, testing::HasSubstr("\nseconds = 4.0\n"));
+  }
+  EXPECT_THAT(call("simulate --set omega=2 --scene " + file).out,
+              testing::StartsWith("machine with omega=2 at 2 rad/s"));
+  expect_refusal("simulate --case C2 --set friction", "--set friction: must be KEY=VALUE");
+  expect_refusal("simulate --case C2 --set friction=x",
+                 "C2 with --set friction=x: scene.friction = 'x': must be a number");
+  expect_refusal("simulate --set friction=0.3", "--case ID");
+}
+
 TEST(Scene, IsRefusedWithFileKeyValueAndRange) {
   const auto folder = fresh_folder();
   std::string text = call("scene --case C1").out;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "problems/carrier_track/problems/default_machine.h"
@@ -78,6 +79,11 @@ TEST(Simulate, MarksWhatTheRuleCounts) {
     const std::string shown = call("simulate --scene " + file).out;
     EXPECT_GT(json["count"], 0);
     EXPECT_EQ(marked(shown), json["count"]) << shown;
+    EXPECT_LT(shown.rfind("  counts\n"),
+              shown.find('\n', shown.find(text == scene ? "wall" : "maximum")) +
+                  80 * static_cast<std::size_t>(json["count"].get<int>()))
+        << "not first:\n"
+        << shown;
     EXPECT_THAT(shown, HasSubstr(text == scene ? "speed [m/s]" : "maximum [m]"));
   }
 }
@@ -94,6 +100,20 @@ TEST(Simulate, WritesThePathAndItsPicture) {
   EXPECT_GT(std::count(csv.begin(), csv.end(), '\n'), 2000);
   EXPECT_THAT(read(folder / "path.svg"), HasSubstr("<svg"));
   EXPECT_THAT(read(folder / "path.svg"), HasSubstr("5 collisions"));
+}
+
+TEST(Simulate, WritesNoRowTwice) {
+  const auto folder = fresh_folder();
+  for (const std::string scene :
+       {"--case C1", "--case C4 --omega 9", "--case C1 --fidelity compliant"}) {
+    ASSERT_EQ(call("simulate " + scene + " --csv " + (folder / "path.csv").string()).exit_code, 0);
+    std::istringstream rows(read(folder / "path.csv"));
+    std::set<std::string> seen;
+    for (std::string row; std::getline(rows, row);) {
+      EXPECT_TRUE(seen.insert(row).second) << row;
+    }
+    EXPECT_GT(seen.size(), 1000U);
+  }
 }
 
 /// Bounces on the lower wall for a tenth of the window, and rests for the other nine.

@@ -135,10 +135,43 @@ TEST(Threshold, KeepsALimit) {
   EXPECT_GT(uncertain["highest"], 1.02 * quiet);
 }
 
+TEST(Threshold, OfACaseWithSettingsIsThatOfAMachine) {
+  const auto json = ordered_json::parse(
+      call("threshold --case C1 --set restitution=0.2 --fastest 6 --format json").out);
+  EXPECT_EQ(json["case"], "C1 with restitution=0.2");
+  EXPECT_EQ(json["interpretation"], "own");
+  EXPECT_TRUE(json["paper_threshold"].is_null());
+  const auto file = write(fresh_folder(), "machine.toml", call("scene --case C1").out).string();
+  EXPECT_EQ(json["fastest_quiet"],
+            ordered_json::parse(call("threshold --scene " + file +
+                                     " --set restitution=0.2 --fastest 6 --format json")
+                                    .out)["fastest_quiet"]);
+}
+
+TEST(Threshold, IsAnIntervalIfNumbersAreUncertain) {
+  const std::string scene =
+      "threshold --scene " RICOCHET_SOURCE "/examples/machine.toml --fastest 8";
+  EXPECT_TRUE(
+      ordered_json::parse(call(scene + " --format json").out)["with_uncertainties"].is_null());
+  const std::string uncertain = scene + " --set 'friction={value=0.2, plus_minus=0.02}'";
+  const auto json = ordered_json::parse(call(uncertain + " --format json").out);
+  const auto& interval = json["with_uncertainties"];
+  EXPECT_EQ(interval["machines"], 200);
+  EXPECT_LT(interval["lowest"], json["threshold"].get<double>() - 0.1);
+  EXPECT_GT(interval["highest"], json["threshold"].get<double>() + 0.1);
+  EXPECT_GT(interval["effects"]["scene.friction"], 0.1);
+  EXPECT_EQ(interval["first_order"], interval["effects"]["scene.friction"]);
+  EXPECT_THAT(call(uncertain).out,
+              HasSubstr("With the uncertainties of the file, each uniform within its plus_minus, "
+                        "200 machines divide between " +
+                        in_both_units(interval["lowest"])));
+}
+
 TEST(Threshold, RefusesRangesAndCombinationsThatMakeNoSense) {
   expect_refusal("threshold --case C1 --fastest 0", "--fastest");
   expect_refusal("threshold --case C1 --fastest nan", "--fastest");
   expect_refusal("threshold --all --case C1", "--all");
+  expect_refusal("threshold --all --set friction=1", "--set");
   expect_refusal("threshold", "--case");
   expect_refusal("threshold --case C1 --scene f", "only one of --case and --scene");
   expect_refusal("threshold --all --allow 3", "--all");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/scene/release.h"
 #include "ricochet/threshold.h"
 
 namespace ricochet::carrier_track {
@@ -54,6 +55,43 @@ std::string text_of(const CountThere& there) {
                      there.certain ? "certain" : "not certain (" + there.doubt + ")");
 }
 
+std::string text_of(const ToleranceRange& range) {
+  return fmt::format(
+      "{} machines divide between {} and {}{}", range.machines - range.without,
+      both_units(range.lowest), both_units(range.highest),
+      range.without == 0
+          ? ""
+          : fmt::format("; {} not within two thirds and three halves of the speed", range.without));
+}
+
+std::string text_of(const UncertainDivide& uncertain) {
+  std::string text = fmt::format(
+      "With the uncertainties of the file, each uniform within its plus_minus, {}.\n"
+      "To first order they move the divide by up to {:.3f} rad/s:",
+      text_of(uncertain.range), uncertain.first_order);
+  for (const auto& [key, change] : uncertain.effects) {
+    text += fmt::format(" {} {:+.3f};", key, change);
+  }
+  text.back() = '.';
+  return text + "\n";
+}
+
+Json json_of(const ToleranceRange& range) {
+  return {{"lowest", range.lowest},
+          {"highest", range.highest},
+          {"machines", range.machines},
+          {"without", range.without > 0 ? Json(range.without) : Json()}};
+}
+
+/// The speeds on both sides of the answer.
+std::vector<double> speeds_beside(const QuietSpeed& answer) {
+  std::vector<double> speeds;
+  for (const auto& speed : {answer.fastest_quiet, answer.split.first_loud}) {
+    if (speed) speeds.push_back(*speed);
+  }
+  return speeds;
+}
+
 }  // namespace
 
 std::string headline_of(const QuietSpeedAnswer& output) {
@@ -82,20 +120,19 @@ std::optional<double> rounded(const std::optional<double>& speed) {
   return speed ? std::optional(std::round(*speed * 1e9) / 1e9) : std::nullopt;
 }
 
-std::string both_units(double omega) {
-  return fmt::format("{:.3f} rad/s ({:.2f} rpm)", omega, omega * rpm);
-}
-
 QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
-                                    const QuietSpeedOptions& options, double tolerance) {
-  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}};
+                                    const QuietSpeedOptions& options, double tolerance,
+                                    const SceneFile& file) {
+  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}, {}, {}};
   const QuietSpeed& answer = output.answer;
+  output.start = largest_start_share(scene, speeds_beside(answer));
   if (!answer.limit || !answer.split.speed) return output;
   const double divide = *answer.split.speed;
   output.sensitivities = sensitivities(scene, *answer.limit, divide);
   if (tolerance > 0) {
     output.range = tolerance_range(scene, *answer.limit, divide, tolerance, drawn_machines, 1);
   }
+  output.uncertain = uncertain_divide(file, *answer.limit, divide, drawn_machines, 1);
   return output;
 }
 
@@ -137,15 +174,11 @@ std::string text_of(const QuietSpeedAnswer& output) {
     text += "\n";
   }
   if (output.range) {
-    text += fmt::format(
-        "With every constant uncertain by {:.3g} %, {} machines divide between {} and {}{}.\n",
-        100 * output.tolerance, output.range->machines - output.range->without,
-        both_units(output.range->lowest), both_units(output.range->highest),
-        output.range->without == 0
-            ? ""
-            : fmt::format("; {} not within two thirds and three halves of the speed",
-                          output.range->without));
+    text += fmt::format("With every constant uncertain by {:.3g} %, {}.\n", 100 * output.tolerance,
+                        text_of(*output.range));
   }
+  if (output.uncertain) text += text_of(*output.uncertain);
+  text += notes_on(output.scene, output.start);
   return text;
 }
 
@@ -176,19 +209,25 @@ report::Json json_of(const QuietSpeedAnswer& output) {
                {"levels", answer.staircase.levels},
                {"around", around},
                {"percent_for_one", moves},
-               {"with_tolerance", Json()}};
+               {"with_tolerance", Json()},
+               {"with_uncertainties", Json()}};
   if (answer.fastest_quiet) json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;
+  json["release_speed"] = carrier_track::release_speed(output.scene);
+  json["start_collisions"] = output.start ? Json(output.start->of_start) : Json();
   if (answer.limit) {
     json["limit"] = {{"measure", key_of(answer.limit->measure)},
                      {"at_most", answer.limit->at_most}};
   }
   if (output.range) {
-    json["with_tolerance"] = {
-        {"tolerance", output.tolerance},
-        {"lowest", output.range->lowest},
-        {"highest", output.range->highest},
-        {"machines", output.range->machines},
-        {"without", output.range->without > 0 ? Json(output.range->without) : Json()}};
+    json["with_tolerance"] = {{"tolerance", output.tolerance}};
+    json["with_tolerance"].update(json_of(*output.range));
+  }
+  if (output.uncertain) {
+    Json effects = Json::object();
+    for (const auto& [key, change] : output.uncertain->effects) effects[key] = change;
+    Json& there = json["with_uncertainties"] = json_of(output.uncertain->range);
+    there["first_order"] = output.uncertain->first_order;
+    there["effects"] = effects;
   }
   return json;
 }

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <numbers>
 #include <optional>
 #include <string>
 
+#include "problems/carrier_track/advice/answer_notes.h"
 #include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/counting/uncertainty.h"
 #include "ricochet/threshold.h"
 #include "src/report/json.h"
 
@@ -19,21 +20,18 @@ struct QuietSpeedAnswer {
       sensitivities;  ///< empty if no speed divides quiet from loud
   double tolerance = 0;
   std::optional<carrier_track::ToleranceRange> range;
+  std::optional<carrier_track::UncertainDivide> uncertain;  ///< by the file's own uncertainties
+  std::optional<StartShare> start;  ///< at the quiet or the first loud speed
 };
 
-/// Computes the answer and all that is reported; with `tolerance` 0 no machines are drawn.
+/// Computes the answer and all that is reported; with `tolerance` 0 no machines are drawn for it.
+/// `file` is where the scene comes from, for the uncertainties of its numbers.
 QuietSpeedAnswer answer_quiet_speed(const std::string& name, const carrier_track::Scene& scene,
                                     const carrier_track::QuietSpeedOptions& options,
-                                    double tolerance);
+                                    double tolerance, const carrier_track::SceneFile& file = {});
 
 /// A speed of a scan, a multiple of its step, without rounding errors in its last digits.
 std::optional<double> rounded(const std::optional<double>& speed);
-
-/// Revolutions per minute of 1 rad/s.
-inline constexpr double rpm = 30 / std::numbers::pi;
-
-/// "7.2 rad/s (68.8 rpm)"
-std::string both_units(double omega);
 
 /// The answer in one or two sentences.
 std::string headline_of(const QuietSpeedAnswer& output);

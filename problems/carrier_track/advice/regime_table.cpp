@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
-#include "problems/carrier_track/advice/quiet_speed_answer.h"
+#include "problems/carrier_track/advice/answer_notes.h"
 
 namespace ricochet::studies::advice {
 namespace {

@@ -82,8 +82,8 @@ Json change_data(const std::vector<Sensitivity>& all) {
 }
 
 Json compute(const AdviceOptions& options) {
-  const QuietSpeedAnswer answer =
-      answer_quiet_speed(options.name, options.scene, options.quiet_speed, options.tolerance);
+  const QuietSpeedAnswer answer = answer_quiet_speed(
+      options.name, options.scene, options.quiet_speed, options.tolerance, options.source);
   const QuietSpeed& found = answer.answer;
   Json data = json_of(answer);
   data["name"] = options.name;

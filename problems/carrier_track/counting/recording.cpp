@@ -38,7 +38,7 @@ class Recorder : public Observer {
 
   void contact(double time, double position, double velocity) {
     trace_.contact(time, position, velocity);
-    if (std::isfinite(spacing_)) recording_.path.push_back({time, position, velocity});
+    if (std::isfinite(spacing_)) sample({time, position, velocity});
   }
 
   bool hears_stretches() const { return std::isfinite(spacing_) || trace_.hears_stretches(); }
@@ -51,13 +51,25 @@ class Recorder : public Observer {
     for (double i = 0; i <= pieces; ++i) {
       const double t = duration * i / pieces;
       const Motion<double> m = path.at(t);
-      recording_.path.push_back({time + t, m.position, m.velocity});
+      sample({time + t, m.position, m.velocity});
     }
   }
 
   const FeatureTrace& trace() const { return trace_; }
 
  private:
+  /// Keeps a sample. Where one flight ends and another begins, both have the same.
+  void sample(const Sample& added) {
+    if (!recording_.path.empty()) {
+      const Sample& last = recording_.path.back();
+      if (last.time == added.time && last.position == added.position &&
+          last.velocity == added.velocity) {
+        return;
+      }
+    }
+    recording_.path.push_back(added);
+  }
+
   Recording& recording_;
   FeatureTrace trace_;
   double spacing_;
@@ -66,6 +78,13 @@ class Recorder : public Observer {
 }  // namespace
 
 Recording record(const Scene& asked, double smoothing, std::size_t samples) {
+  check(asked, "scene");
+  if (!(smoothing >= 0 && std::isfinite(smoothing))) {
+    throw InputError(fmt::format("smoothing = {}: must be a finite number >= 0", smoothing));
+  }
+  if (samples > most_samples) {
+    throw InputError(fmt::format("samples = {}: must be at most {}", samples, most_samples));
+  }
   const Scene scene = resolve_fidelity(asked);
   Recording recording;
   recording.fidelity = scene.fidelity;
@@ -86,7 +105,6 @@ Recording record(const Scene& asked, double smoothing, std::size_t samples) {
 }
 
 Recording simulate(const Scene& scene, double smoothing, std::size_t samples) {
-  check(scene, "scene");
   if (!(smoothing > 0 && std::isfinite(smoothing))) {
     throw InputError(fmt::format("smoothing = {}: must be a finite number > 0", smoothing));
   }

@@ -1,5 +1,6 @@
 #include "problems/carrier_track/counting/sensitivity.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "problems/carrier_track/counting/limit.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/scene_fields.h"
+#include "ricochet/error.h"
 #include "ricochet/random.h"
 #include "ricochet/threshold.h"
 
@@ -96,6 +98,15 @@ std::optional<double> divide(const Scene& scene, const Limit& limit, double low,
 
 }  // namespace
 
+void check_near(const Scene& scene, double omega, int machines) {
+  check(scene, "scene");
+  if (!(omega > 0 && omega <= fastest_frequency)) {
+    throw InputError(
+        fmt::format("omega = {}: must be > 0 and at most {} [rad/s]", omega, fastest_frequency));
+  }
+  if (machines < 1) throw InputError(fmt::format("machines = {}: must be >= 1", machines));
+}
+
 std::vector<std::string> constants_of(const Scene& scene) {
   std::vector<std::string> keys;
   Scene copy = scene;
@@ -123,6 +134,7 @@ std::optional<double> divide_near(const Scene& scene, const Limit& limit, double
 }
 
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega) {
+  check_near(scene, omega);
   constexpr double percent = 0.01;
   const std::vector<std::string> keys = constants_of(scene);
   std::vector<std::optional<double>> divides(2 * keys.size());
@@ -145,8 +157,30 @@ std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, d
   return result;
 }
 
+std::optional<ToleranceRange> divide_range(const std::vector<Scene>& machines, const Limit& limit,
+                                           double omega) {
+  std::vector<std::optional<double>> divides(machines.size());
+  tbb::parallel_for(std::size_t{0}, machines.size(),
+                    [&](std::size_t i) { divides[i] = divide_near(machines[i], limit, omega); });
+  const int all = static_cast<int>(machines.size());
+  ToleranceRange range{std::numeric_limits<double>::infinity(), 0, all, 0};
+  for (const std::optional<double>& speed : divides) {
+    if (!speed) {
+      ++range.without;
+      continue;
+    }
+    range.lowest = std::min(range.lowest, *speed);
+    range.highest = std::max(range.highest, *speed);
+  }
+  return range.without < all ? std::optional(range) : std::nullopt;
+}
+
 std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& limit, double omega,
                                               double tolerance, int machines, std::uint64_t seed) {
+  check_near(scene, omega, machines);
+  if (!(tolerance >= 0 && tolerance <= 0.5)) {
+    throw InputError(fmt::format("tolerance = {}: must be within 0..0.5", tolerance));
+  }
   const std::vector<std::string> keys = constants_of(scene);
   Random random(seed);
   std::vector<Scene> drawn;
@@ -156,19 +190,7 @@ std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& l
       machine = scaled(std::move(machine), key, 1 + tolerance * (2 * uniform(random) - 1));
     }
   }
-  std::vector<std::optional<double>> divides(drawn.size());
-  tbb::parallel_for(std::size_t{0}, drawn.size(),
-                    [&](std::size_t i) { divides[i] = divide_near(drawn[i], limit, omega); });
-  ToleranceRange range{std::numeric_limits<double>::infinity(), 0, machines, 0};
-  for (const std::optional<double>& speed : divides) {
-    if (!speed) {
-      ++range.without;
-      continue;
-    }
-    range.lowest = std::min(range.lowest, *speed);
-    range.highest = std::max(range.highest, *speed);
-  }
-  return range.without < machines ? std::optional(range) : std::nullopt;
+  return divide_range(drawn, limit, omega);
 }
 
 }  // namespace ricochet::carrier_track::inline counting

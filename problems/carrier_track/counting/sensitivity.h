@@ -12,6 +12,10 @@
 /// exactly.
 namespace ricochet::carrier_track::inline counting {
 
+/// Throws InputError if the scene is not valid, if omega [rad/s] is not > 0, or for less than one
+/// machine: what the functions below are given.
+void check_near(const Scene& scene, double omega, int machines = 1);
+
 /// The constants of a scene that are not zero, by their keys; `clearance` stands for the walls,
 /// because only their distance matters. Limits of the rule and angles are not included.
 std::vector<std::string> constants_of(const Scene& scene);
@@ -31,7 +35,7 @@ struct Sensitivity {
 };
 
 /// The sensitivities to every constant, from changes by 1 % up and down; the largest first. Omits a
-/// constant if a changed scene has no dividing speed.
+/// constant if a changed scene has no dividing speed. Throws InputError, see check_near().
 std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, double omega);
 
 /// Dividing speeds of machines whose constants each deviate by up to a tolerance.
@@ -41,9 +45,14 @@ struct ToleranceRange {
   int without;             ///< number without a dividing speed between 2/3 and 3/2 of omega
 };
 
+/// The range of the machines' dividing speeds near `omega`. Nothing if no machine has one.
+std::optional<ToleranceRange> divide_range(const std::vector<Scene>& machines, const Limit& limit,
+                                           double omega);
+
 /// Draws machines with every constant multiplied by an independent, uniform factor within 1 -
 /// tolerance .. 1 + tolerance; tolerance within 0..0.5. The same seed draws the same machines.
-/// Nothing if no machine has a dividing speed.
+/// Nothing if no machine has a dividing speed. Throws InputError for a tolerance out of its range,
+/// and as check_near() does.
 std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& limit, double omega,
                                               double tolerance, int machines, std::uint64_t seed);
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "problems/carrier_track/regimes/fold.h"
-#include "problems/carrier_track/regimes/release.h"
+#include "problems/carrier_track/regimes/release_margin.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -95,10 +95,9 @@ Bracket<DisturbedMotion> count_change(const Bracket<DisturbedMotion>& bracket, i
   return sign_change(bracket, margin_of);  // another phase becomes the extreme one
 }
 
-/// Narrows a bracket to the place where the motion becomes one of another kind.
-template <class Motion>
-Bracket<Motion> change_of_kind(Bracket<Motion> bracket) {
-  const Signature kind = signature_of(bracket.before);
+/// Narrows a bracket to the place where `stays(signature)` becomes false.
+template <class Motion, class Stays>
+Bracket<Motion> change(Bracket<Motion> bracket, const Stays& stays) {
   for (;;) {
     const double width = std::abs(bracket.to() - bracket.from());
     // What settles slowly has no sharper border.
@@ -107,7 +106,7 @@ Bracket<Motion> change_of_kind(Bracket<Motion> bracket) {
     const double middle = 0.5 * (bracket.from() + bracket.to());
     if (middle == bracket.from() || middle == bracket.to()) return bracket;
     Motion motion = followed(bracket.before, middle);
-    (signature_of(motion).same_kind(kind) ? bracket.before : bracket.after) = std::move(motion);
+    (stays(signature_of(motion)) ? bracket.before : bracket.after) = std::move(motion);
   }
 }
 
@@ -188,7 +187,8 @@ template <class Motion>
 Border<Motion> border_of_kind(const Bracket<Motion>& bracket) {
   const Signature kind = signature_of(bracket.before);
   if (!kind.moves) return release(bracket);
-  const Bracket<Motion> end = change_of_kind(bracket);
+  const Bracket<Motion> end =
+      change(bracket, [&](const Signature& there) { return there.same_kind(kind); });
   // The count may have changed before the kind did.
   if (!(signature_of(end.before) == kind))
     return border_within<Motion>({bracket.before, end.before});
@@ -198,7 +198,12 @@ Border<Motion> border_of_kind(const Bracket<Motion>& bracket) {
 template <class Motion>
 Border<Motion> border_of_count(const Bracket<Motion>& bracket, int rank, Extreme extreme) {
   const auto margin = [&](const Motion& motion) { return rank_margin(motion, rank, extreme); };
-  const Bracket<Motion> end = count_change(bracket, rank, extreme);
+  // Extremes over the phase may be found on one side alone: then the count itself is narrowed.
+  const bool crosses = (margin(bracket.before) > 0) != (margin(bracket.after) > 0);
+  const Signature first = signature_of(bracket.before);
+  const Bracket<Motion> end =
+      crosses ? count_change(bracket, rank, extreme)
+              : change(bracket, [&](const Signature& there) { return there == first; });
   // The kind may have changed, and changed back, on the way.
   if (!signature_of(end.before).same_kind(signature_of(bracket.before))) {
     return border_of_kind<Motion>({bracket.before, end.before});

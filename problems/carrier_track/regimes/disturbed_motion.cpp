@@ -13,7 +13,7 @@
 #include "problems/carrier_track/flight/applied_forces.h"
 #include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
-#include "problems/carrier_track/regimes/release.h"
+#include "problems/carrier_track/regimes/release_margin.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
 #include "problems/carrier_track/scene/window.h"
 
@@ -237,8 +237,8 @@ double rank_margin(const DisturbedMotion& motion, int rank, Extreme extreme) {
   double refined = std::numeric_limits<double>::infinity();
   for (const std::size_t k : margins.valleys()) {
     if (margins.at(k) > refined + refined_within) continue;
-    refined =
-        std::min(refined, least_near(motion, rank, margins.sign(), motion.turns[k].phase).value);
+    const Valley valley = least_near(motion, rank, margins.sign(), motion.turns[k].phase);
+    refined = std::min({refined, margins.at(k), valley.value});
   }
   return margins.sign() * refined;
 }

@@ -19,6 +19,20 @@ const EnumNames<CountRule>& rule_names();
 const EnumNames<Fidelity>& fidelity_names();
 const EnumNames<ContactLaw>& contact_law_names();
 
+/// The names of a value's enumeration.
+inline const EnumNames<Centrifugal>& names_of(Centrifugal /*value*/) {
+  return centrifugal_names();
+}
+inline const EnumNames<CountRule>& names_of(CountRule /*value*/) {
+  return rule_names();
+}
+inline const EnumNames<Fidelity>& names_of(Fidelity /*value*/) {
+  return fidelity_names();
+}
+inline const EnumNames<ContactLaw>& names_of(ContactLaw /*value*/) {
+  return contact_law_names();
+}
+
 /// Throws std::logic_error for a value without a name.
 template <class Value>
 std::string_view name_of(const EnumNames<Value>& choices, Value value) {

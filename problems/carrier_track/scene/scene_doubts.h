@@ -7,9 +7,9 @@
 
 namespace ricochet::carrier_track::inline scene {
 
-/// Returns one sentence, with key and value, for each valid but implausible value of a scene. A
-/// braiding machine has carriers of grams to kilograms between walls less than a few centimetres
-/// apart.
+/// Returns one sentence, with keys, values and units, for each valid but implausible value of a
+/// scene, and for values that do not go together. A braiding machine has carriers of grams to
+/// kilograms, on paths of centimetres to a metre, between walls less than a few centimetres apart.
 std::vector<std::string> doubts_about(const Scene& scene);
 
 }  // namespace ricochet::carrier_track::inline scene

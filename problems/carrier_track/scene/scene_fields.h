@@ -49,6 +49,13 @@ struct Field {
   Presence presence = Presence::optional;  ///< if optional, the default is that of the struct
 };
 
+/// The word in a file in place of a number that is not given.
+inline constexpr std::string_view open_number = "each";
+
+/// Another way to give centrifugal_mass_radius, which is the mass times it. Only files have it.
+inline constexpr Field path_radius{"path_radius", "m", "of the carrier's path",
+                                   Range::not_negative};
+
 /// The two numbers of one key: of the lower and of the upper wall.
 template <class T>
 struct Walls {

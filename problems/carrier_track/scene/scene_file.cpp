@@ -1,55 +1,26 @@
+#include "problems/carrier_track/scene/scene_file.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
-#include <set>
-#include <sstream>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_fields.h"
+#include "problems/carrier_track/scene/scene_keys.h"
+#include "problems/carrier_track/scene/scene_setting.h"
 #include "problems/carrier_track/scene/toml_table.h"
 #include "ricochet/error.h"
-#include "ricochet/scene.h"
 #include "src/core/toml_text.h"
 
 namespace ricochet::carrier_track::inline scene {
 namespace {
-
-const EnumNames<Centrifugal>& names_of(Centrifugal /*value*/) {
-  return centrifugal_names();
-}
-const EnumNames<CountRule>& names_of(CountRule /*value*/) {
-  return rule_names();
-}
-const EnumNames<Fidelity>& names_of(Fidelity /*value*/) {
-  return fidelity_names();
-}
-const EnumNames<ContactLaw>& names_of(ContactLaw /*value*/) {
-  return contact_law_names();
-}
-
-/// The word in a file instead of a number that is not given.
-constexpr std::string_view open_number = "each";
-
-/// Makes the keys of a table known.
-struct KeyList {
-  TomlTable& table;
-
-  template <class Member>
-  void operator()(const Field& field, const Member& /*member*/) const {
-    table.know(field.key);
-  }
-  void operator()(const Field& field, const Walls<double>& /*member*/) const {
-    table.know_walls(field.key);
-  }
-};
 
 /// Reads the fields of a table, each according to its type.
 struct FieldReader {
@@ -57,17 +28,17 @@ struct FieldReader {
 
   void operator()(const Field& field, double& x) const {
     if (field.presence == Presence::required) table.need(field.key);
-    table.number(field.key, x);
+    table.number(field, x);
   }
   void operator()(const Field& field, Walls<double> x) const {
-    table.walls(field.key, x.lower, x.upper);
+    table.walls(field, x.lower, x.upper);
   }
   void operator()(const Field& field,
                   PlateSpeed<double, std::vector<SpeedKnot<double>>> speed) const {
-    table.number_or_knots(field.key, speed.omega, speed.profile);
+    table.number_or_knots(field, speed.omega, speed.profile);
   }
   void operator()(const Field& field, std::optional<double>& x) const {
-    table.number_or(field.key, open_number, x);
+    table.number_or(field, open_number, x);
   }
   void operator()(const Field& field, bool& x) const { table.boolean(field.key, x); }
   template <class Enum>
@@ -83,7 +54,7 @@ void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
   if (turns == time) {
     throw InputError(origin + ": window: must have one of revolutions and seconds");
   }
-  table.number(turns ? "revolutions" : "seconds", count);
+  table.number(turns ? Field{"revolutions", "1"} : Field{"seconds", "s"}, count);
   if (turns) {
     scene.window = Revolutions{count};
   } else {
@@ -91,108 +62,67 @@ void read_window(TomlTable& table, const std::string& origin, Scene& scene) {
   }
 }
 
-std::string_view range_text(Range range) {
-  switch (range) {
-    case Range::positive:
-      return "> 0";
-    case Range::not_negative:
-    case Range::frequency:
-      return ">= 0";
-    case Range::fraction:
-      return "0..1";
-    case Range::any:
-    case Range::finite:
-    case Range::by_rule:
-      return "";
+/// Reads path_radius, which gives centrifugal_mass_radius. If a file gives both, they must agree.
+void read_path_radius(TomlTable& table, const std::string& origin, const Uncertain& uncertain,
+                      Scene& scene) {
+  if (!table.has(path_radius.key)) return;
+  const bool both = table.has("centrifugal_mass_radius");
+  double radius = 0;
+  table.number(path_radius, radius);
+  if (!(radius >= 0 && radius <= largest_number)) {
+    throw InputError(
+        fmt::format("{}: scene.path_radius = {}: must be a finite number >= 0 [m], at most 1e15",
+                    origin, radius));
   }
-  return "";
+  const double product = scene.mass * radius;
+  const double given = std::exchange(scene.centrifugal_mass_radius, product);
+  if (!both) return;
+  constexpr double agreement = 1e-6;
+  const bool agree =
+      std::abs(given - product) <= agreement * std::max(std::abs(given), std::abs(product));
+  const bool is_uncertain =
+      std::any_of(uncertain.found.begin(), uncertain.found.end(),
+                  [](const Uncertainty& u) { return u.key == "scene.centrifugal_mass_radius"; });
+  if (uncertain.shares.empty() && (!agree || is_uncertain)) {
+    throw InputError(fmt::format(
+        "{}: scene.path_radius = {} and scene.centrifugal_mass_radius = {}: must agree, and mass "
+        "times path_radius is {:.6g} kg m; give only one of the two",
+        origin, radius, given, product));
+  }
 }
 
-/// Writes the fields of a table, one line each.
-struct FieldWriter {
-  std::string& text;
-
-  /// Unit, allowed range and meaning.
-  static std::string comment(const Field& field) {
-    std::string text = field.unit == "1" ? "" : std::string(field.unit);
-    const auto append = [&text](std::string_view separator, std::string_view part) {
-      if (!part.empty()) text += fmt::format("{}{}", text.empty() ? "" : separator, part);
-    };
-    append(" ", range_text(field.range));
-    append(": ", field.remark);
-    return text;
-  }
-  void line(const Field& field, std::string_view value, std::string_view comment) const {
-    text += fmt::format("{} = {}{}{}\n", field.key, value, comment.empty() ? "" : "  # ", comment);
-  }
-
-  void operator()(const Field& field, double x) const {
-    line(field, toml_float(x), comment(field));
-  }
-  void operator()(const Field& field, Walls<const double> x) const {
-    if (x.lower == x.upper) return (*this)(field, x.lower);
-    for (const auto& [wall, number] : {std::pair("lower", x.lower), std::pair("upper", x.upper)}) {
-      const std::string key = fmt::format("{}_{}", field.key, wall);
-      Field one = field;
-      one.key = key;
-      (*this)(one, number);
-    }
-  }
-  void operator()(const Field& field,
-                  PlateSpeed<const double, const std::vector<SpeedKnot<double>>> speed) const {
-    if (speed.profile.empty()) return (*this)(field, speed.omega);
-    std::vector<std::string> knots;
-    for (const auto& knot : speed.profile) {
-      knots.push_back(fmt::format("[{}, {}]", toml_float(knot.time), toml_float(knot.omega)));
-    }
-    line(field, fmt::format("[{}]", fmt::join(knots, ", ")), "s, " + comment(field));
-  }
-  void operator()(const Field& field, const std::optional<double>& x) const {
-    if (x) return (*this)(field, *x);
-    line(field, fmt::format("\"{}\"", open_number), "");
-  }
-  void operator()(const Field& field, bool x) const {
-    line(field, x ? "true" : "false", comment(field));
-  }
-  template <class Enum>
-  void operator()(const Field& field, Enum x) const {
-    line(field, fmt::format("\"{}\"", name_of(names_of(x), x)), comment(field));
-  }
-};
-
-/// An unknown key is usually a mistyped one: it must be told before the missing key that it is.
-void refuse_unknown_keys(TomlTable& scene, TomlTable& across, TomlTable& window, TomlTable& count,
-                         TomlTable& model) {
-  Scene any;
-  visit_scene_fields(KeyList{scene}, any);
-  visit_across_fields(KeyList{across}, any.across.emplace());
-  window.know("revolutions");
-  window.know("seconds");
-  visit_count_fields(KeyList{count}, any);
-  visit_model_fields(KeyList{model}, any);
-  for (const TomlTable* table : {&scene, &across, &window, &count, &model}) table->finish();
-}
-
-Scene scene_of(const toml::table& file, const std::string& origin) {
-  static constexpr std::array<std::string_view, 5> tables = {"scene", "across", "window", "count",
-                                                             "model"};
+void refuse_unknown_tables(const toml::table& file, const std::string& origin) {
+  std::vector<std::string> names;
+  for (const auto& [name, keys] : scene_keys()) names.push_back(name);
   for (const auto& [key, node] : file) {
-    if (std::find(tables.begin(), tables.end(), key.str()) == tables.end() || !node.is_table()) {
+    if (std::find(names.begin(), names.end(), key.str()) == names.end() || !node.is_table()) {
       throw InputError(fmt::format("{}: {} is not a table of a scene; allowed: [{}]", origin,
-                                   key.str(), fmt::join(tables, "], [")));
+                                   key.str(), fmt::join(names, "], [")));
     }
   }
-  Scene result;
-  TomlTable scene(file, "scene", origin);
-  TomlTable across(file, "across", origin);
-  TomlTable window(file, "window", origin);
-  TomlTable count(file, "count", origin);
-  TomlTable model(file, "model", origin);
+}
+
+/// Reads a scene, each uncertain number at its share.
+Scene scene_of(const toml::table& file, const std::string& origin, Uncertain& uncertain) {
+  refuse_unknown_tables(file, origin);
+  const auto table = [&](const char* name) { return TomlTable(file, name, origin, uncertain); };
+  TomlTable scene = table("scene");
+  TomlTable across = table("across");
+  TomlTable window = table("window");
+  TomlTable count = table("count");
+  TomlTable model = table("model");
   if (!scene.exists()) throw InputError(origin + ": the table [scene] is missing");
   if (!window.exists()) throw InputError(origin + ": the table [window] is missing");
   count.renamed("slowest", "counting_limit");
-  refuse_unknown_keys(scene, across, window, count, model);
+  // An unknown key is usually a mistyped one: it must be told before the missing key that it is.
+  for (TomlTable* each : {&scene, &across, &window, &count, &model}) {
+    for (const auto& [name, keys] : scene_keys()) {
+      if (name == each->name()) each->refuse_others_than(keys);
+    }
+  }
+  Scene result;
   visit_scene_fields(FieldReader{scene}, result);
+  read_path_radius(scene, origin, uncertain, result);
   if (across.exists()) visit_across_fields(FieldReader{across}, result.across.emplace());
   read_window(window, origin, result);
   visit_count_fields(FieldReader{count}, result);
@@ -204,37 +134,60 @@ Scene scene_of(const toml::table& file, const std::string& origin) {
   return result;
 }
 
+/// Throws InputError if an uncertain number makes no valid scene at one of its ends.
+void check_ends(const toml::table& file, const std::string& origin,
+                const std::vector<Uncertainty>& uncertainties) {
+  std::vector<double> shares(uncertainties.size(), 0);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Uncertainty& each = uncertainties[i];
+    for (const double end : {-1.0, 1.0}) {
+      shares[i] = end;
+      Uncertain there{shares, {}};
+      scene_of(file,
+               fmt::format("{}, with {} at {} {} {}", origin, each.key, each.value,
+                           end < 0 ? "-" : "+", each.plus_minus),
+               there);
+    }
+    shares[i] = 0;
+  }
+}
+
+SceneFile scene_file_of(toml::table file, std::string origin,
+                        const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) {
+    apply_setting(file, setting);
+    origin += fmt::format("{} --set {}", &setting == &settings.front() ? " with" : "", setting);
+  }
+  Uncertain uncertain;
+  Scene scene = scene_of(file, origin, uncertain);
+  check_ends(file, origin, uncertain.found);
+  const auto kept = std::make_shared<const toml::table>(std::move(file));
+  return {std::move(scene), std::move(uncertain.found),
+          [kept, origin](std::span<const double> shares) {
+            Uncertain there{shares, {}};
+            return scene_of(*kept, origin, there);
+          }};
+}
+
 }  // namespace
 
-Scene read_scene(const std::string& path) {
+SceneFile read_scene_file(const std::string& path, const std::vector<std::string>& settings) {
   const bool standard_input = path == "-";
-  return scene_of(parse_toml_file(standard_input ? "/dev/stdin" : path),
-                  standard_input ? "standard input" : path);
+  return scene_file_of(parse_toml_file(standard_input ? "/dev/stdin" : path),
+                       standard_input ? "standard input" : path, settings);
+}
+
+SceneFile parse_scene_file(const std::string& text, const std::string& origin,
+                           const std::vector<std::string>& settings) {
+  return scene_file_of(parse_toml(text, origin), origin, settings);
+}
+
+Scene read_scene(const std::string& path) {
+  return read_scene_file(path).scene;
 }
 
 Scene parse_scene(const std::string& text, const std::string& origin) {
-  return scene_of(parse_toml(text, origin), origin);
-}
-
-std::string write_scene(const Scene& scene) {
-  std::string text = "[scene]\n";
-  const FieldWriter write{text};
-  visit_scene_fields(write, scene);
-  if (scene.across) {
-    text += "\n[across]  # the second direction, y\n";
-    visit_across_fields(write, *scene.across);
-  }
-  text += "\n[window]  # revolutions or seconds\n";
-  if (const auto* turns = std::get_if<Revolutions>(&scene.window)) {
-    text += fmt::format("revolutions = {}\n", toml_float(turns->count));
-  } else {
-    text += fmt::format("seconds = {}\n", toml_float(std::get<Seconds>(scene.window).count));
-  }
-  text += "\n[count]\n";
-  visit_count_fields(write, scene);
-  text += "\n[model]\n";
-  visit_model_fields(write, scene);
-  return text;
+  return parse_scene_file(text, origin).scene;
 }
 
 }  // namespace ricochet::carrier_track::inline scene

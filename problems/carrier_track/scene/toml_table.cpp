@@ -1,37 +1,54 @@
 #include "problems/carrier_track/scene/toml_table.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
+#include "problems/carrier_track/scene/quantity.h"
 #include "ricochet/error.h"
 #include "src/core/near_names.h"
 #include "src/core/warning.h"
 
 namespace ricochet::carrier_track::inline scene {
-TomlTable::TomlTable(const toml::table& file, std::string name, std::string origin)
-    : name_(std::move(name)), origin_(std::move(origin)) {
+namespace {
+
+/// "a number", with the units that a text may have.
+std::string numbers_in_words(const Field& field) {
+  const std::vector<std::string_view> units = units_for(field.unit);
+  if (units.empty()) return "a number";
+  return fmt::format("a number [{}], or a text such as \"1 {}\" with a unit of {}", field.unit,
+                     units.back(), fmt::join(units, ", "));
+}
+
+}  // namespace
+
+TomlTable::TomlTable(const toml::table& file, std::string name, std::string origin,
+                     Uncertain& uncertain)
+    : name_(std::move(name)), origin_(std::move(origin)), uncertain_(uncertain) {
   if (const toml::table* table = file[name_].as_table()) table_ = *table;
 }
 
-bool TomlTable::has(std::string_view key) {
-  know(key);
-  return table_ && table_->contains(key);
+void TomlTable::refuse_others_than(const std::vector<std::string>& known) const {
+  if (!table_) return;
+  for (const auto& [key, node] : *table_) {
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    throw InputError(fmt::format("{}: there is no key {}.{}; {}", origin_, name_, key.str(),
+                                 what_instead(key.str(), known)));
+  }
 }
 
-void TomlTable::know_walls(std::string_view key) {
-  for (const char* wall : {"", "_lower", "_upper"}) know(fmt::format("{}{}", key, wall));
-}
-
-void TomlTable::need(std::string_view key) {
+void TomlTable::need(std::string_view key) const {
   if (!has(key)) throw InputError(fmt::format("{}: {}.{} is missing", origin_, name_, key));
 }
 
-void TomlTable::number(std::string_view key, double& target) {
-  if (!has(key)) return;
-  target = number_of(key, *table_->get(key), "a number");
+void TomlTable::number(const Field& field, double& target) {
+  if (!has(field.key)) return;
+  target = number_of(field, *table_->get(field.key));
 }
 
-void TomlTable::boolean(std::string_view key, bool& target) {
+void TomlTable::boolean(std::string_view key, bool& target) const {
   if (!has(key)) return;
   const toml::node& node = *table_->get(key);
   if (!node.is_boolean()) refuse(key, node, "true or false");
@@ -39,92 +56,113 @@ void TomlTable::boolean(std::string_view key, bool& target) {
 }
 
 void TomlTable::renamed(std::string_view old_key, std::string_view key) {
-  if (!table_ || !table_->contains(old_key) || table_->contains(key)) return;
+  if (!has(old_key) || has(key)) return;
   warn(fmt::format("{}: {}.{} is now called {}", origin_, name_, old_key, key));
   table_->insert(key, *table_->get(old_key));
   table_->erase(old_key);
 }
 
-void TomlTable::walls(std::string_view key, double& lower, double& upper) {
-  const std::string lower_key = fmt::format("{}_lower", key);
-  const std::string upper_key = fmt::format("{}_upper", key);
+void TomlTable::walls(const Field& field, double& lower, double& upper) {
+  const std::string lower_key = fmt::format("{}_lower", field.key);
+  const std::string upper_key = fmt::format("{}_upper", field.key);
   const bool of_each = has(lower_key) || has(upper_key);
-  if (of_each == has(key)) {
+  if (of_each == has(field.key)) {
     throw InputError(fmt::format("{}: {}.{} {}; give {} for both walls, or {} and {}", origin_,
-                                 name_, key, of_each ? "is given twice" : "is missing", key,
-                                 lower_key, upper_key));
+                                 name_, field.key, of_each ? "is given twice" : "is missing",
+                                 field.key, lower_key, upper_key));
   }
   if (of_each) {
     need(lower_key);
     need(upper_key);
-    number(lower_key, lower);
-    number(upper_key, upper);
+    number({lower_key, field.unit}, lower);
+    number({upper_key, field.unit}, upper);
     return;
   }
-  constexpr const char* allowed = "a number, or [lower, upper]";
-  const toml::node& node = *table_->get(key);
+  constexpr const char* others = ", or [lower, upper]";
+  const toml::node& node = *table_->get(field.key);
   const toml::array* array = node.as_array();
   if (array == nullptr) {
-    lower = upper = number_of(key, node, allowed);
+    lower = upper = number_of(field, node, others);
     return;
   }
-  if (array->size() != 2) refuse(key, node, allowed);
-  warn(fmt::format("{}: {}.{} = [lower, upper] is now written as {} and {}", origin_, name_, key,
-                   lower_key, upper_key));
-  lower = number_of(key, *array->get(0), allowed);
-  upper = number_of(key, *array->get(1), allowed);
+  if (array->size() != 2) refuse(field.key, node, "a number, or [lower, upper]");
+  warn(fmt::format("{}: {}.{} = [lower, upper] is now written as {} and {}", origin_, name_,
+                   field.key, lower_key, upper_key));
+  lower = number_of(field, *array->get(0), others);
+  upper = number_of(field, *array->get(1), others);
 }
 
-void TomlTable::number_or(std::string_view key, std::string_view none,
+void TomlTable::number_or(const Field& field, std::string_view none,
                           std::optional<double>& target) {
-  if (!has(key)) return;
-  const toml::node& node = *table_->get(key);
+  if (!has(field.key)) return;
+  const toml::node& node = *table_->get(field.key);
   if (node.is_string() && node.as_string()->get() == none) {
     target.reset();
   } else {
-    target = number_of(key, node, fmt::format("a number, or \"{}\"", none));
+    target = number_of(field, node, fmt::format(", or \"{}\"", none));
   }
 }
 
-void TomlTable::number_or_knots(std::string_view key, double& target,
+void TomlTable::number_or_knots(const Field& field, double& target,
                                 std::vector<SpeedKnot<double>>& knots) {
-  constexpr const char* allowed = "a number, or [[time, omega], ...]";
-  if (!has(key)) return;
-  const toml::node& node = *table_->get(key);
+  constexpr const char* others = ", or [[time, omega], ...]";
+  if (!has(field.key)) return;
+  const toml::node& node = *table_->get(field.key);
   const toml::array* array = node.as_array();
   if (array == nullptr) {
-    target = number_of(key, node, allowed);
+    target = number_of(field, node, others);
     return;
   }
-  if (array->empty()) refuse(key, node, allowed);
+  const std::string allowed = "a number" + std::string(others);
+  if (array->empty()) refuse(field.key, node, allowed);
+  const Field time{field.key, "s"};
   for (const toml::node& element : *array) {
     const toml::array* knot = element.as_array();
-    if (knot == nullptr || knot->size() != 2) refuse(key, node, allowed);
-    knots.push_back(
-        {number_of(key, *knot->get(0), allowed), number_of(key, *knot->get(1), allowed)});
+    if (knot == nullptr || knot->size() != 2) refuse(field.key, node, allowed);
+    const double at = certain_number_of(time, *knot->get(0), others);
+    knots.push_back({at, certain_number_of(field, *knot->get(1), others)});
   }
 }
 
-void TomlTable::finish() const {
-  if (!table_) return;
-  for (const auto& [key, node] : *table_) {
-    if (known_.contains(std::string(key.str()))) continue;
-    throw InputError(fmt::format("{}: there is no key {}.{}; {}", origin_, name_, key.str(),
-                                 what_instead(key.str(), {known_.begin(), known_.end()})));
+/// Reads a number in any of its forms. `others` is what else the key may have, for the error.
+double TomlTable::number_of(const Field& field, const toml::node& node, std::string_view others) {
+  const toml::table* table = node.as_table();
+  if (table == nullptr) return certain_number_of(field, node, others);
+  const toml::node* value = table->get("value");
+  const toml::node* plus_minus = table->get("plus_minus");
+  if (value == nullptr || plus_minus == nullptr || table->size() != 2) {
+    refuse(field.key, node, "a number, or {value = NUMBER, plus_minus = NUMBER}");
   }
+  const double middle = certain_number_of(field, *value, "");
+  const double width = certain_number_of(field, *plus_minus, "");
+  if (!(width > 0 && std::isfinite(width) && std::isfinite(middle))) {
+    throw InputError(fmt::format(
+        "{}: {}.{} = {{value = {}, plus_minus = {}}}: must be finite numbers, and plus_minus > 0",
+        origin_, name_, field.key, middle, width));
+  }
+  const std::size_t index = uncertain_.found.size();
+  uncertain_.found.push_back(
+      {fmt::format("{}.{}", name_, field.key), middle, width, std::string(field.unit)});
+  return uncertain_.shares.empty() ? middle : middle + uncertain_.shares[index] * width;
 }
 
-double TomlTable::number_of(std::string_view key, const toml::node& node,
-                            std::string_view allowed) const {
-  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-  if (!value) refuse(key, node, allowed);
+double TomlTable::certain_number_of(const Field& field, const toml::node& node,
+                                    std::string_view others) const {
+  std::optional<double> value;
+  if (node.is_number()) value = node.value<double>();
+  if (node.is_string()) value = quantity(node.as_string()->get(), field.unit);
+  if (!value) refuse(field.key, node, numbers_in_words(field) + std::string(others));
   return *value;
 }
 
 void TomlTable::refuse(std::string_view key, const toml::node& node,
                        std::string_view allowed) const {
   std::ostringstream text;
-  node.visit([&text](const auto& shown) { text << shown; });
+  if (node.is_table()) {
+    text << "{...}";  // would take several lines
+  } else {
+    node.visit([&text](const auto& shown) { text << shown; });
+  }
   throw InputError(
       fmt::format("{}: {}.{} = {}: must be {}", origin_, name_, key, text.str(), allowed));
 }

@@ -52,25 +52,28 @@ FittedInterpretation parse_fitted_interpretation(const std::string& text,
   const Interpretation interpretation = find_interpretation(*name);
   Constants constants = natural_constants();
   std::vector<Unknown> free;
-  TomlTable fitted(file, "fitted", origin);
-  TomlTable fixed(file, "fixed", origin);
+  Uncertain uncertain;
+  TomlTable fitted(file, "fitted", origin, uncertain);
+  TomlTable fixed(file, "fixed", origin, uncertain);
+  std::vector<std::string> names;
   for (const Unknown open : unknowns_of(interpretation)) {
     const auto i = static_cast<std::size_t>(open);
     const UnknownParameter& c = unknown_parameters()[i];
+    names.emplace_back(c.name);
     const bool is_fitted = fitted.has(c.name);
     if (is_fitted == fixed.has(c.name)) {
       throw InputError(
           fmt::format("{}: {} must be in one of [fitted] and [fixed]", origin, c.name));
     }
     if (is_fitted) free.push_back(open);
-    (is_fitted ? fitted : fixed).number(c.name, constants[i]);
+    (is_fitted ? fitted : fixed).number({c.name, c.unit}, constants[i]);
     if (constants[i] < c.lower || constants[i] > c.upper) {
       throw InputError(fmt::format("{}: {} = {}: must be within {}..{} [{}]", origin, c.name,
                                    constants[i], c.lower, c.upper, c.unit));
     }
   }
-  fitted.finish();
-  fixed.finish();
+  fitted.refuse_others_than(names);
+  fixed.refuse_others_than(names);
   return fitted_interpretation(interpretation, constants, std::move(free), *provenance, origin);
 }
 

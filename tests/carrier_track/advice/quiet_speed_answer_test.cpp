@@ -18,16 +18,15 @@ QuietSpeedAnswer answer_for(const char* id, const QuietSpeedOptions& options,
   return answer_quiet_speed("mine", scene_of(find_case(id), default_machine()), options, tolerance);
 }
 
-TEST(QuietSpeedAnswer, SaysBothUnits) {
-  EXPECT_EQ(both_units(3.14159265358979), "3.142 rad/s (30.00 rpm)");
-}
-
 TEST(QuietSpeedAnswer, SaysWhatThereIsToSay) {
   const auto found = answer_for("C3", {});
   EXPECT_THAT(text_of(found), HasSubstr("mine: the fastest quiet speed is " +
                                         both_units(found.answer.fastest_quiet.value())));
   EXPECT_THAT(text_of(found), HasSubstr("<- the most significant"));
   EXPECT_THAT(text_of(found), HasSubstr("certain"));
+  EXPECT_THAT(text_of(found), HasSubstr("By hand: friction holds the carrier up to"));
+  EXPECT_THAT(text_of(answer_for("C1", {Limit{Measure::collisions, 6}, 1e-3, 10})),
+              HasSubstr("The window of 1.38 turns is short: 2 of its 5 collisions at 8.0"));
   const auto rising = answer_for("C2", {});
   EXPECT_THAT(text_of(rising), HasSubstr("mine: there is no threshold up to 18 rad/s"));
   const auto quiet = answer_for("C3", {Limit{Measure::collisions, 99}, 1e-3, 4});
@@ -44,6 +43,8 @@ TEST(QuietSpeedAnswer, IsTheSameInJson) {
   EXPECT_EQ(json["steps"].size(), 2U);
   EXPECT_EQ(json["levels"].size(), 3U);
   EXPECT_EQ(json["around"].size(), 3U);
+  EXPECT_NEAR(json["release_speed"], 1.43, 0.02);
+  EXPECT_GE(json["start_collisions"], 1);
   EXPECT_NEAR(json["percent_for_one"]["restitution"], -0.8, 0.1);
   EXPECT_LT(json["with_tolerance"]["lowest"], json["fastest_quiet"]);
   EXPECT_GT(json["with_tolerance"]["highest"], json["fastest_quiet"]);

@@ -1,3 +1,5 @@
+#include "problems/carrier_track/scene/scene_file.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -187,6 +189,95 @@ TEST(SceneFile, KnowsTheExponentOfKelvinVoigt) {
   EXPECT_EQ(read_scene(file_with(text)).contact_exponent, 1.0);
 }
 
+TEST(SceneFile, ReadsNumbersWithUnits) {
+  EXPECT_EQ(read_scene(file_with(with("mass", "mass = \"900 g\""))).mass, 0.9);
+  EXPECT_EQ(read_scene(file_with(with("wall_upper", "wall_upper = \"2.5 mm\""))).wall_upper,
+            2.5e-3);
+  EXPECT_EQ(
+      read_scene(file_with(with("counting_limit", "counting_limit = \"5 mm/s\""))).counting_limit,
+      5e-3);
+  EXPECT_EQ(
+      read_scene(file_with(with("contact_speed", "contact_speed = \"10 cm/s\""))).contact_speed,
+      0.1);
+  const Scene timed = read_scene(file_with(with("revolutions", "seconds = \"400 ms\"")));
+  EXPECT_EQ(std::get<Seconds>(timed.window).count, 0.4);
+  const Scene profile =
+      read_scene(file_with(with("omega", "omega = [[0, \"30 rpm\"], [\"500 ms\", \"60 rpm\"]]")));
+  EXPECT_EQ(profile.profile[1].time, 0.5);
+  EXPECT_DOUBLE_EQ(profile.profile[1].omega, 2 * 3.14159265358979323846);
+}
+
+TEST(SceneFile, ReadsThePathRadius) {
+  const auto with_radius = [](const std::string& line) {
+    return with("centrifugal_mass_radius", line);
+  };
+  EXPECT_EQ(read_scene(file_with(with_radius("path_radius = 0.065"))).centrifugal_mass_radius,
+            1.2 * 0.065);
+  const std::string both = "path_radius = 0.065\ncentrifugal_mass_radius = ";
+  EXPECT_EQ(read_scene(file_with(with_radius(both + "0.07800007"))).centrifugal_mass_radius,
+            1.2 * 0.065);
+  const std::string disagreement = complaint_about(with_radius(both + "0.0780001"));
+  EXPECT_THAT(disagreement, HasSubstr("scene.path_radius = 0.065 and "
+                                      "scene.centrifugal_mass_radius = 0.0780001: must agree"));
+  EXPECT_THAT(complaint_about(with_radius("path_radius = -1")),
+              HasSubstr("scene.path_radius = -1: must be a finite number >= 0 [m]"));
+  EXPECT_THAT(complaint_about(with_radius("path_radius = nan")), HasSubstr("path_radius = nan"));
+  EXPECT_THAT(complaint_about(with_radius("path_radius = \"1 kg\"")), HasSubstr("m, mm, cm, um"));
+  EXPECT_THAT(
+      complaint_about(with_radius(
+          "path_radius = 0.065\ncentrifugal_mass_radius = {value = 0.078, plus_minus = 1e-3}")),
+      HasSubstr("give only one of the two"));
+}
+
+TEST(SceneFile, KeepsUncertaintiesBesideTheScene) {
+  std::string text =
+      with("centrifugal_mass_radius", "path_radius = {value = \"65 mm\", plus_minus = \"1 mm\"}");
+  text.replace(text.find("mass = 1.2"), 10, "mass = {value = 1.2, plus_minus = \"100 g\"}");
+  text.replace(text.find("restitution = 0.1"), 17,
+               "restitution = {value = 0.1, plus_minus = 0.05}");
+  text.replace(text.find("contact_speed = 0.25"), 20,
+               "contact_speed = {value = 0.25, plus_minus = 0.01}");
+  EXPECT_EQ(
+      write_scene(read_scene(file_with(text))),
+      write_scene(read_scene(file_with(with("centrifugal_mass_radius", "path_radius = 0.065")))));
+  const SceneFile file = read_scene_file(file_with(text));
+  std::vector<std::string> keys;
+  for (const Uncertainty& each : file.uncertainties) keys.push_back(each.key);
+  ASSERT_THAT(keys, testing::ElementsAre("scene.mass", "scene.restitution", "scene.path_radius",
+                                         "model.contact_speed"));
+  EXPECT_EQ(file.uncertainties[2].value, 0.065);
+  EXPECT_EQ(file.uncertainties[2].plus_minus, 0.001);
+  EXPECT_EQ(file.uncertainties[2].unit, "m");
+  const Scene drawn = file.at(std::vector<double>{-0.5, 1, 0.5, -1});
+  EXPECT_DOUBLE_EQ(drawn.mass, 1.15);
+  EXPECT_DOUBLE_EQ(drawn.restitution_lower, 0.15);
+  EXPECT_EQ(drawn.restitution_upper, drawn.restitution_lower);
+  EXPECT_DOUBLE_EQ(drawn.centrifugal_mass_radius, 1.15 * 0.0655);
+  EXPECT_DOUBLE_EQ(drawn.contact_speed.value(), 0.24);
+  EXPECT_EQ(write_scene(file.at(std::vector<double>(4, 0))), write_scene(file.scene));
+}
+
+TEST(SceneFile, RefusesUncertaintiesThatLeaveTheRange) {
+  EXPECT_THAT(complaint_about(with("friction", "friction = {value = 0.1, plus_minus = 0.2}")),
+              testing::AllOf(HasSubstr("with scene.friction at 0.1 - 0.2: scene.friction = -0.1"),
+                             HasSubstr(">= 0")));
+  for (const char* width : {"0", "-0.1", "inf", "nan"}) {
+    EXPECT_THAT(
+        complaint_about(
+            with("friction", std::string("friction = {value = 0.1, plus_minus = ") + width + "}")),
+        HasSubstr("plus_minus > 0"));
+  }
+  for (const char* table :
+       {"{value = 0.1}", "{plus_minus = 0.1}", "{}", "{value = 0.1, plus_minus = 0.1, unit = 1}"}) {
+    EXPECT_THAT(complaint_about(with("friction", std::string("friction = ") + table)),
+                HasSubstr("scene.friction = {...}: must be a number, or {value = NUMBER"));
+  }
+  EXPECT_THAT(complaint_about(with("omega", "omega = [[0, {value = 1, plus_minus = 0.1}]]")),
+              HasSubstr("scene.omega = {...}: must be a number"));
+  EXPECT_THAT(complaint_about(with("friction", "friction = {value = {value = 1}, plus_minus = 1}")),
+              HasSubstr("must be a number"));
+}
+
 struct Wrong {
   std::string key, line, named, allowed;
 };
@@ -223,6 +314,10 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"mass", "mass = 0", "scene.mass = 0", "> 0"},
         Wrong{"mass", "mass = inf", "scene.mass = inf", "finite"},
         Wrong{"mass", "mass = \"heavy\"", "scene.mass", "a number"},
+        Wrong{"mass", "mass = \"1 lb\"", "scene.mass = '1 lb'", "with a unit of kg, g"},
+        Wrong{"mass", "mass = \"1kg\"", "scene.mass = '1kg'", "with a unit of kg, g"},
+        Wrong{"friction", "friction = \"0.1 N\"", "scene.friction = '0.1 N'", "a number"},
+        Wrong{"stiffness", "stiffness = \"1 N\"", "model.stiffness = '1 N'", "a number"},
         Wrong{"mass", "", "scene.mass", "missing"},
         Wrong{"mass", "mas = 1", "there is no key scene.mas; ", "did you mean mass"},
         Wrong{"wall_lower", "wall_lower = nan", "scene.wall_lower = nan", "finite"},

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/regimes/release.h"
+#include "problems/carrier_track/regimes/release_margin.h"
 
 #include <algorithm>
 #include <limits>

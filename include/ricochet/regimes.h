@@ -59,13 +59,17 @@ struct Regime {
 };
 
 /// Allowed speeds [rad/s].
-inline constexpr double slowest_speed = 1e-3;
-inline constexpr double fastest_speed = 1000;
+inline constexpr double slowest_regime = 1e-3;
+inline constexpr double fastest_regime = 1000;
 
 struct RegimeOptions {
   double from = 0.01;  ///< [rad/s]
   double to = 18;      ///< [rad/s], > from
 };
+
+/// Whether regimes_of() knows the regimes of such a scene: hard walls in one direction, the rule of
+/// impacts, a constant speed.
+bool has_regimes(const Scene& scene);
 
 /// Throws InputError, with one line that begins with `origin`, if regimes_of() knows no regimes of
 /// such a scene: if the rule is not `impacts`, or the fidelity neither `impact` nor `auto` (which

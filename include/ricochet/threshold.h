@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "ricochet/regimes.h"
 #include "ricochet/scene.h"
 
 namespace ricochet::carrier_track::inline counting {
@@ -35,10 +36,11 @@ struct CountPiece {
   int count;
 };
 
-/// The quantity of a window that a limit refers to.
+/// The quantity that a limit refers to.
 enum class Measure {
   collisions,           ///< in the window
-  collisions_per_turn,  ///< of the driver plate
+  collisions_per_turn,  ///< of the driver plate: of every turn in the long run, if the scene has
+                        ///< regimes (has_regimes); else the mean of the window
   energy,               ///< [J], dissipated by the walls in the window
   impact_speed          ///< [m/s], speed of the fastest impact
 };
@@ -95,11 +97,17 @@ struct Staircase {
 inline constexpr double shortest_range = 0.1;
 inline constexpr double longest_range = 1000;
 
+/// The collisions in a turn that are quiet unless another limit is given: one with each wall, which
+/// every carrier has that is thrown across its clearance and back.
+inline constexpr double quiet_per_turn = 2;
+
 /// What is asked of quiet_speed().
 struct QuietSpeedOptions {
-  std::optional<Limit> limit;  ///< default: the limit of the staircase's main step
-  double step = 1e-3;          ///< [rad/s], from 1e-7 to a tenth of the fastest speed
-  double fastest = 18;         ///< [rad/s], from shortest_range to longest_range
+  /// Default: quiet_per_turn collisions per turn; for a scene without regimes the limit of the
+  /// staircase's main step.
+  std::optional<Limit> limit;
+  double step = 1e-3;   ///< [rad/s], from 1e-7 to a tenth of the fastest speed
+  double fastest = 18;  ///< [rad/s], from shortest_range to longest_range
 };
 
 /// The count at a speed, and its certainty.
@@ -113,21 +121,28 @@ struct CountThere {
 
 struct QuietSpeed {
   QuietSpeedOptions options;
-  LogarithmicScan scan;        ///< counts, beyond the fastest speed
-  SpeedScan fine;              ///< counts, up to the fastest speed
-  Staircase staircase;         ///< with its steps located in the fine scan
-  std::optional<Limit> limit;  ///< given, or of the main step; nothing if there is no threshold
-  Split split;                 ///< by that limit
+  std::optional<Limit> limit;  ///< given or by default; nothing if there is no threshold
+  /// Of the machine in the long run, if the limit is about it; empty for a limit of the window.
+  std::vector<Regime> regimes;
+  // Of a limit of the window.
+  LogarithmicScan scan;  ///< counts, beyond the fastest speed
+  SpeedScan fine;        ///< counts, up to the fastest speed
+  Staircase staircase;   ///< with its steps located in the fine scan
+  Split split;           ///< by the limit; in the long run its speeds are the border
   /// Speeds below the first loud speed of the fine scan that it steps over and whose collision
   /// count is above the limit, if any; split.first_loud is then the lowest of them.
   std::optional<CountPiece> stepped_over;
-  std::optional<double> fastest_quiet;  ///< [rad/s], last scanned speed before the first loud one
-  std::vector<CountThere> around;       ///< just below the answer, at it, and just above
+  std::optional<double>
+      fastest_quiet;               ///< [rad/s], last multiple of the step before the first loud
+  std::vector<CountThere> around;  ///< of a window: just below the answer, at it, and just above
+
+  bool is_of_the_long_run() const { return !regimes.empty(); }
 };
 
-/// The fastest quiet speed of a machine, as `ricochet threshold --scene` finds it. The scene's
-/// omega is not used. Takes about 20,000 simulations. Throws InputError if the scene or an option
-/// is invalid, or if the scene's speed is a profile.
+/// The fastest quiet speed of a machine, as `ricochet threshold` finds it: from its regimes if the
+/// limit is one of collisions per turn, else from about 20,000 simulations of its window. The
+/// scene's omega is not used. Throws InputError if the scene or an option is invalid, or if the
+/// scene's speed is a profile.
 QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options = {});
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "problems/carrier_track/advice/regime_table.h"
+#include "problems/carrier_track/advice/staircase_chart.h"
 #include "src/cli/output_files.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
@@ -16,8 +17,11 @@ int regimes(const RegimesOptions& options) {
   const auto found = carrier_track::regimes_of(chosen.scene, options.range);
   report::Plot plot;
   if (!options.plot.empty()) {
-    plot = report::plot_of({studies::advice::regime_chart(
-        found, chosen.name + ": collisions a turn in the long run")});
+    carrier_track::QuietSpeed drawn;
+    drawn.options.fastest = options.range.to;
+    drawn.regimes = found;
+    plot = report::plot_of({studies::advice::staircase_chart(
+        drawn, chosen.name + ": collisions a turn in the long run", {})});
   }
   if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
   if (options.json) {

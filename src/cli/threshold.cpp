@@ -10,6 +10,7 @@
 #include "problems/carrier_track/advice/staircase_chart.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "problems/carrier_track/scene/window.h"
 #include "ricochet/error.h"
 #include "ricochet/threshold.h"
 #include "src/cli/output_files.h"
@@ -83,10 +84,11 @@ void print_row(const ChosenScene& chosen, const Score& score) {
 }
 
 /// Prints the result of the paper's rule for a case.
-void print_case(const ChosenScene& chosen, const Score& score, const ScanOptions& options) {
-  fmt::print("{}: ", chosen.name);
+void print_paper_rule(const ChosenScene& chosen, const Score& score, const ScanOptions& options) {
+  fmt::print("By the paper's rule, for a window of {:.3g} turns after a fitted start: ",
+             turns_of(chosen.scene));
   if (score.first_loud) {
-    fmt::print("stay below {}, the lowest speed that is loud.\n", both_units(*score.first_loud));
+    fmt::print("the lowest loud speed is {}.\n", both_units(*score.first_loud));
   } else {
     fmt::print("every speed up to {} rad/s is quiet.\n", options.highest);
   }
@@ -134,20 +136,17 @@ Score score_of(const QuietSpeed& answer) {
   score.threshold = answer.split.speed;
   score.first_loud = answer.split.first_loud;
   score.misclassified = answer.split.misclassified;
-  score.quiet_count = answer.staircase.levels.front().typical;
+  if (!answer.staircase.levels.empty()) score.quiet_count = answer.staircase.levels.front().typical;
   score.evaluations =
       static_cast<std::int64_t>(answer.scan.counts.size() + answer.fine.counts.size());
   return score;
 }
 
-/// The staircase, with the answer and the paper's claim.
-report::Plot plot_of(const ChosenScene& chosen, const QuietSpeed& answer, const Score& score,
-                     bool by_the_paper) {
-  const MarkedSpeed ours = by_the_paper
-                               ? MarkedSpeed{score.threshold, "threshold by the paper's rule"}
-                               : MarkedSpeed{answer.fastest_quiet, "fastest quiet speed"};
+/// The collisions over the speed, with the answer and the paper's claim.
+report::Plot plot_of(const ChosenScene& chosen, const QuietSpeed& answer) {
   return report::plot_of({staircase_chart(answer, chosen.name + ": collisions against speed",
-                                          {ours, {chosen.claim.threshold, "paper's threshold"}})});
+                                          {{answer.fastest_quiet, "fastest quiet speed"},
+                                           {chosen.claim.threshold, "paper's threshold"}})});
 }
 
 }  // namespace
@@ -177,22 +176,19 @@ int threshold(const ThresholdOptions& options) {
                                                      options.asked.tolerance / 100, chosen.source);
   const bool by_the_paper =
       !asked.limit && !options.scene.case_id.empty() && options.scene.settings.empty();
-  Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, output.answer.fine,
-                                                    scan.stride)
+  Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, scan)
                              : score_of(output.answer);
   score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::Plot plot;
-  if (!options.plot.empty()) plot = plot_of(chosen, output.answer, score, by_the_paper);
+  if (!options.plot.empty()) plot = plot_of(chosen, output.answer);
   if (!plot.svg.empty()) write_text_file(options.plot, plot.svg);
   if (options.json) {
     Json json = json_of(chosen, score);
     json.update(studies::advice::json_of(output));
     fmt::print("{}\n", json.dump(2));
-  } else if (by_the_paper) {
-    print_case(chosen, score, scan);
-    fmt::print("{}", text_of_steps(output.answer));
   } else {
     fmt::print("{}", text_of(output));
+    if (by_the_paper) print_paper_rule(chosen, score, scan);
   }
   report::require_none(plot.failures);
   return 0;

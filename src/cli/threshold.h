@@ -15,9 +15,9 @@ struct ThresholdOptions {
   QuietSpeedRequest asked;
 };
 
-/// Prints the fastest quiet speed of a machine: by the allowed limit, or by the steps of the
-/// staircase. For the paper's cases it prints the threshold by the paper's rule, and the steps for
-/// comparison. Returns the exit code.
+/// Prints the fastest quiet speed of a machine, from its regimes in the long run or by a limit of
+/// its window. For the paper's cases it prints the threshold by the paper's rule, too. Returns the
+/// exit code.
 int threshold(const ThresholdOptions& options);
 
 }  // namespace ricochet::cli

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/advice/path_chart.h"
-#include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/answer/sensitivity.h"
 
 namespace ricochet::studies::advice {
 namespace {

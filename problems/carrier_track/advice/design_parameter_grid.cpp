@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "problems/carrier_track/answer/long_run.h"
 #include "problems/carrier_track/counting/limit.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/threshold.h"
@@ -21,6 +22,15 @@ using report::Json;
 /// 1 if the scene is loud at this speed, else 0.
 int loudness(const Scene& scene, const Limit& limit, double omega) {
   return measured(at_speed(scene, omega), limit.measure) > limit.at_most ? 1 : 0;
+}
+
+/// The same in the long run, where the range ends at the first border.
+QuietRange found_in_the_long_run(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
+  QuietRange range;
+  range.quiet = quiet_up_to(scene, limit.at_most, {scan.lowest, scan.highest});
+  range.to_the_end = range.quiet && *range.quiet >= scan.highest;
+  if (!range.to_the_end) range.divide = range.quiet;
+  return range;
 }
 
 QuietRange found(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
@@ -129,7 +139,8 @@ std::optional<CoarseScan> coarse_scan(const Scene& scene, const QuietSpeed& answ
 
 QuietRange quiet_range(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
   try {
-    return found(scene, limit, scan);
+    return is_of_the_long_run(scene, limit) ? found_in_the_long_run(scene, limit, scan)
+                                            : found(scene, limit, scan);
   } catch (const std::runtime_error&) {  // more impacts or steps than a simulation may have
     QuietRange range;
     range.simulated = false;

@@ -9,6 +9,12 @@ namespace ricochet::studies::advice {
 using namespace carrier_track;
 using report::Json;
 
+namespace {
+
+constexpr double long_window = 30;  // turns
+
+}  // namespace
+
 Json model_choice(const Scene& scene, const QuietSpeed& answer) {
   const double omega = answer.fastest_quiet.value_or(answer.options.fastest);
   const bool needed = couples(at_speed(scene, omega));
@@ -23,7 +29,14 @@ Json model_choice(const Scene& scene, const QuietSpeed& answer) {
        {std::pair{"along", Fidelity::impact}, std::pair{"planar", Fidelity::planar}}) {
     Scene at_level = scene;
     at_level.fidelity = fidelity;
-    choice[key] = {{"quiet", quiet_range(at_level, *answer.limit, *scan).quiet}};
+    Limit limit = *answer.limit;
+    if (answer.is_of_the_long_run()) {
+      // The planar model has no regimes: both levels count in a window in which the start matters
+      // little.
+      at_level.window = Revolutions{long_window};
+      limit = {Measure::collisions, long_window * (limit.at_most + 0.5)};
+    }
+    choice[key] = {{"quiet", quiet_range(at_level, limit, *scan).quiet}};
   }
   return choice;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "problems/carrier_track/advice/regime_table.h"
 #include "problems/carrier_track/scene/release.h"
 #include "ricochet/threshold.h"
 
@@ -26,7 +27,9 @@ std::string text_of(const Limit& limit) {
     case Measure::collisions:
       return fmt::format("at most {} collisions in the window", limit.at_most);
     case Measure::collisions_per_turn:
-      return fmt::format("at most {} collisions a turn", limit.at_most);
+      return limit.at_most == quiet_per_turn
+                 ? "at most 2 collisions a turn, one with each wall"
+                 : fmt::format("at most {} collisions a turn", limit.at_most);
     case Measure::energy:
       return fmt::format("at most {} J into the walls in the window", limit.at_most);
     case Measure::impact_speed:
@@ -125,7 +128,9 @@ QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
                                     const SceneFile& file) {
   QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}, {}, {}};
   const QuietSpeed& answer = output.answer;
-  output.start = largest_start_share(scene, speeds_beside(answer));
+  if (!answer.is_of_the_long_run()) {
+    output.start = largest_start_share(scene, speeds_beside(answer));
+  }
   if (!answer.limit || !answer.split.speed) return output;
   const double divide = *answer.split.speed;
   output.sensitivities = sensitivities(scene, *answer.limit, divide);
@@ -154,18 +159,21 @@ std::string text_of_steps(const QuietSpeed& answer) {
 std::string text_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   std::string text = headline_of(output) + "\n";
-  if (answer.split.speed) {
+  if (answer.is_of_the_long_run()) {
+    text += fmt::format("In the long run: {}.\n{}", summary_of(answer.regimes),
+                        text_of(answer.regimes, answer.split.first_loud));
+  } else if (answer.split.speed) {
     text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
   }
   for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
-  text += text_of_steps(answer);
+  if (!answer.is_of_the_long_run()) text += text_of_steps(answer);
   if (!answer.options.limit && !answer.staircase.steps.empty()) {
     text +=
         "Significance is how much louder times how long both levels last, on logarithmic axes; no "
         "speed beyond twice a step changes it, so that the end of the range does not matter.\n";
   }
   if (!output.sensitivities.empty()) {
-    text += "One percent more moves the divide by:";
+    text += "One percent more moves this speed by:";
     for (const Sensitivity& s : output.sensitivities) {
       if (std::abs(s.percent) < 0.005) continue;
       text += fmt::format(" {} {:+.2f} %;", s.key, s.percent);
@@ -202,7 +210,8 @@ report::Json json_of(const QuietSpeedAnswer& output) {
   }
   Json moves = Json::object();
   for (const Sensitivity& s : output.sensitivities) moves[s.key] = s.percent;
-  Json json = {{"fastest_quiet", rounded(answer.fastest_quiet)},
+  Json json = {{"regimes", json_of(answer.regimes)},
+               {"fastest_quiet", rounded(answer.fastest_quiet)},
                {"fastest_quiet_rpm", Json()},
                {"limit", Json()},
                {"steps", steps},

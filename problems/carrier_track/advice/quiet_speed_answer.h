@@ -4,8 +4,8 @@
 #include <string>
 
 #include "problems/carrier_track/advice/answer_notes.h"
-#include "problems/carrier_track/counting/sensitivity.h"
-#include "problems/carrier_track/counting/uncertainty.h"
+#include "problems/carrier_track/answer/sensitivity.h"
+#include "problems/carrier_track/answer/uncertainty.h"
 #include "ricochet/threshold.h"
 #include "src/report/json.h"
 

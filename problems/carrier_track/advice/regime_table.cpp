@@ -14,7 +14,8 @@ using namespace carrier_track;
 using report::Json;
 
 constexpr double narrow = 1.01;        // ratio of the speeds at its ends
-constexpr std::size_t summarised = 4;  // wide regimes
+constexpr double seen = 1.1;           // ratio at which a level is worth a mention
+constexpr std::size_t summarised = 4;  // levels
 
 bool is_narrow(const Regime& regime) {
   return regime.to < narrow * regime.from;
@@ -27,8 +28,7 @@ std::string counts_of(const Regime& regime) {
   return fmt::format("{:.4g} to {:.4g}", regime.least_per_turn, regime.most_per_turn);
 }
 
-std::string line_of(const RegimeRow& row, bool marked) {
-  const Regime& regime = row.regime;
+std::string line_of(const Regime& regime, bool marked) {
   if (!regime.moves) {
     return fmt::format("{:>8.3f} {:>8.3f} {:>8.2f}  {:<12}{:>10}{:>10}{:>8}  {}{}\n", regime.from,
                        regime.to, regime.to * rpm, "0", "-", "-", "100 %", name_of(regime.ends_by),
@@ -41,55 +41,50 @@ std::string line_of(const RegimeRow& row, bool marked) {
                      regime.certain ? "" : ", not periodic", marked ? "  <-" : "");
 }
 
-}  // namespace
+/// A range of speeds up to which no turn has more collisions.
+struct Level {
+  double from, to;  ///< [rad/s]
+  double collisions;
+};
 
-std::vector<RegimeRow> rows_of(const std::vector<Regime>& regimes) {
-  std::vector<RegimeRow> rows;
+std::vector<Level> levels_of(const std::vector<Regime>& regimes) {
+  std::vector<Level> levels;
   for (const Regime& regime : regimes) {
-    const bool joins = !rows.empty() && is_narrow(regime) && rows.back().regime.moves &&
-                       (rows.back().merged > 1 || is_narrow(rows.back().regime));
-    if (!joins) {
-      rows.push_back({regime});
-      continue;
+    if (levels.empty() || regime.most_per_turn > levels.back().collisions) {
+      levels.push_back({regime.from, regime.to, regime.most_per_turn});
     }
-    Regime& row = rows.back().regime;
-    const double width = row.to - row.from;
-    const double added = regime.to - regime.from;
-    row.collisions_per_turn =
-        (width * row.collisions_per_turn + added * regime.collisions_per_turn) / (width + added);
-    row.least_per_turn = std::min(row.least_per_turn, regime.least_per_turn);
-    row.most_per_turn = std::max(row.most_per_turn, regime.most_per_turn);
-    row.to = regime.to;
-    row.last = regime.last;
-    row.certain = row.certain && regime.certain;
-    row.ends_by = regime.ends_by;
-    ++rows.back().merged;
+    levels.back().to = regime.to;
   }
-  return rows;
+  return levels;
 }
 
+/// Whether a regime is to be seen in the table.
+bool is_shown(const std::vector<Regime>& regimes, std::size_t i) {
+  const bool inner = i > 0 && i + 1 < regimes.size();
+  return !inner || !is_narrow(regimes[i]);
+}
+
+}  // namespace
+
 std::string summary_of(const std::vector<Regime>& regimes) {
-  std::vector<Regime> wide;
-  for (const Regime& regime : regimes) {
-    if (is_narrow(regime) && regime.ends_by != RegimeEnd::range) continue;
-    const bool same = !wide.empty() && wide.back().most_per_turn == regime.most_per_turn;
-    if (same) {
-      wide.back().to = regime.to;
-    } else {
-      wide.push_back(regime);
-    }
+  std::vector<Level> levels;
+  for (const Level& level : levels_of(regimes)) {
+    // Narrow levels between others are part of one border to the eye.
+    const bool narrow = level.to < seen * level.from && level.to < regimes.back().to;
+    if (!narrow || level.collisions == 0) levels.push_back(level);
   }
   std::string text;
-  for (std::size_t i = 0; i < wide.size() && i < summarised; ++i) {
-    const Regime& regime = wide[i];
-    const bool last = i + 1 == wide.size() || i + 1 == summarised;
-    text += fmt::format("{}{}", i == 0 ? "" : ", then ",
-                        regime.most_per_turn == 0
-                            ? std::string("silent")
-                            : fmt::format("{} collisions a turn", counts_of(regime)));
-    if (!last || wide.size() == 1) text += " up to " + both_units(regime.to);
+  for (std::size_t i = 0; i < levels.size() && i < summarised; ++i) {
+    const std::string at_most =
+        levels[i].collisions == 0
+            ? "silent"
+            : fmt::format("at most {:.4g} collision{} a turn", levels[i].collisions,
+                          levels[i].collisions == 1 ? "" : "s");
+    const bool last = i + 1 == levels.size();
+    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", at_most,
+                        last && i > 0 ? "beyond" : "up to " + both_units(levels[i].to));
   }
-  return text + (wide.size() > summarised ? ", and more beyond" : "");
+  return text + (levels.size() > summarised ? ", and more beyond" : "");
 }
 
 std::string text_of(const std::vector<Regime>& regimes, std::optional<double> marked) {
@@ -97,8 +92,10 @@ std::string text_of(const std::vector<Regime>& regimes, std::optional<double> ma
                                  "to", "collisions", "energy", "fastest", "rest", "ends by");
   text += fmt::format("{:>8} {:>8} {:>8}  {:<12}{:>10}{:>10}{:>8}\n", "rad/s", "rad/s", "rpm",
                       "a turn", "mJ a turn", "mm/s", "");
-  for (const RegimeRow& row : rows_of(regimes)) {
-    text += line_of(row, marked && row.regime.from < *marked && *marked <= row.regime.to);
+  for (std::size_t i = 0; i < regimes.size(); ++i) {
+    if (!is_shown(regimes, i)) continue;
+    const Regime& regime = regimes[i];
+    text += line_of(regime, marked && regime.from < *marked && *marked <= regime.to);
   }
   return text;
 }
@@ -120,25 +117,6 @@ Json json_of(const std::vector<Regime>& regimes) {
                 {"certain", regime.certain},
                 {"ends_by", name_of(regime.ends_by)}};
   });
-}
-
-report::Chart regime_chart(const std::vector<Regime>& regimes, std::string title) {
-  report::Chart chart;
-  chart.name = "regimes";
-  chart.title = std::move(title);
-  chart.width = 960;
-  chart.height = 400;
-  report::Series mean{"collisions a turn", report::Mark::steps, {}};
-  double most = 0;
-  for (const Regime& regime : regimes) {
-    mean.samples.push_back({regime.from, regime.collisions_per_turn});
-    most = std::max(most, regime.most_per_turn);
-  }
-  mean.samples.push_back({regimes.back().to, regimes.back().collisions_per_turn});
-  chart.series = {mean};
-  chart.x = {.label = "speed [rad/s]", .range = report::Range{0, regimes.back().to}};
-  chart.y = {.label = "collisions a turn", .range = report::Range{0, 1 + 1.1 * most}};
-  return chart;
 }
 
 }  // namespace ricochet::studies::advice

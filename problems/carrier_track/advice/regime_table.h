@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "ricochet/regimes.h"
-#include "src/report/chart.h"
 #include "src/report/json.h"
 
-/// The regimes of a machine as text, data and a picture.
+/// The regimes of a machine as text and data.
 namespace ricochet::studies::advice {
 
 /// A row of the table: a regime, or several narrow ones that follow each other and are one border
@@ -30,8 +29,5 @@ std::string text_of(const std::vector<carrier_track::Regime>& regimes,
 
 /// All regimes; energies, speeds and shares are those at the fast end.
 report::Json json_of(const std::vector<carrier_track::Regime>& regimes);
-
-/// Collisions a turn over the speed.
-report::Chart regime_chart(const std::vector<carrier_track::Regime>& regimes, std::string title);
 
 }  // namespace ricochet::studies::advice

@@ -12,6 +12,13 @@ using namespace carrier_track;
 
 std::vector<report::Sample> staircase_samples(const QuietSpeed& answer) {
   std::vector<report::Sample> samples;
+  if (answer.is_of_the_long_run()) {
+    for (const Regime& regime : answer.regimes) {
+      samples.push_back({regime.from, regime.collisions_per_turn});
+    }
+    samples.push_back({answer.regimes.back().to, answer.regimes.back().collisions_per_turn});
+    return samples;
+  }
   const LogarithmicScan& scan = answer.scan;
   for (std::size_t k = 0; k < scan.counts.size(); ++k) {
     const bool last = k + 1 == scan.counts.size() || scan.omega(k + 1) > answer.options.fastest;
@@ -37,7 +44,9 @@ report::Chart staircase_chart(const QuietSpeed& answer, std::string title,
     most = std::max(most, *sample.value);
   }
   chart.x = {.label = "speed [rad/s]", .range = report::Range{0, fastest}};
-  chart.y = {.label = "collisions in the window", .range = report::Range{0, 1 + 1.1 * most}};
+  chart.y = {.label = answer.is_of_the_long_run() ? "collisions a turn, in the long run"
+                                                  : "collisions in the window",
+             .range = report::Range{0, 1 + 1.1 * most}};
   const auto mark = [&](const std::optional<double>& omega, const std::string& label) {
     if (omega && *omega <= fastest) {
       chart.lines.push_back({report::Direction::vertical, *omega, label});

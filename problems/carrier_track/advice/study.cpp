@@ -23,7 +23,20 @@ using namespace carrier_track;
 using namespace advice;
 using report::Json;
 
-/// The energy taken by the walls and the fastest impact, over the speeds.
+/// The energy taken by the walls in a turn and the fastest impact, at both ends of all regimes.
+Json wear_data(const std::vector<Regime>& regimes) {
+  Json rows = Json::array();
+  for (const Regime& regime : regimes) {
+    for (const LongRun& run : {regime.first, regime.last}) {
+      rows.push_back({{"speed", run.orbit.omega},
+                      {"energy", 1e3 * run.energy_per_turn},
+                      {"impact", run.fastest_impact}});
+    }
+  }
+  return rows;
+}
+
+/// The same in the window, over the speeds.
 Json wear_data(const Scene& scene, double fastest) {
   constexpr std::size_t speeds = 300;
   std::vector<Json> rows(speeds);
@@ -35,6 +48,18 @@ Json wear_data(const Scene& scene, double fastest) {
                {"impact", measured(there, Measure::impact_speed)}};
   });
   return rows;
+}
+
+/// The machine that starts on its motion in the long run at that speed, with a window of two turns;
+/// the scene itself for a limit of the window.
+Scene in_the_long_run(const Scene& scene, const QuietSpeed& found, double omega) {
+  for (const Regime& regime : found.regimes) {
+    if (omega > regime.to) continue;
+    Scene orbit = omega < regime.to ? regime.last.orbit : regime.first.orbit;
+    orbit.window = Revolutions{2};
+    return orbit;
+  }
+  return scene;
 }
 
 Json rows_of(const std::vector<report::Sample>& samples) {
@@ -99,18 +124,21 @@ Json compute(const AdviceOptions& options) {
     most = std::max(most, *sample.value);
   }
   data["most"] = 1 + 1.1 * most;
-  data["wear"] = wear_data(options.scene, found.options.fastest);
+  data["when"] = found.is_of_the_long_run() ? "a turn, in the long run" : "in the window";
+  data["wear"] = found.is_of_the_long_run() ? wear_data(found.regimes)
+                                            : wear_data(options.scene, found.options.fastest);
   data["changes"] = change_data(answer.sensitivities);
   data["explorer"] = json_of(design_parameter_grid(options.scene, found));
   data["model"] = model_choice(options.scene, found);
   data["paths"] = Json::array();
   if (found.fastest_quiet) {
-    data["paths"].push_back(
-        path_data(options.scene, *found.fastest_quiet, "quiet", "fastest quiet speed"));
+    data["paths"].push_back(path_data(in_the_long_run(options.scene, found, *found.fastest_quiet),
+                                      *found.fastest_quiet, "quiet", "fastest quiet speed"));
   }
   if (found.split.first_loud) {
-    data["paths"].push_back(
-        path_data(options.scene, *found.split.first_loud, "loud", "first speed that is louder"));
+    const double loud = *found.split.first_loud;
+    data["paths"].push_back(path_data(in_the_long_run(options.scene, found, loud), loud, "loud",
+                                      "first speed that is louder"));
   }
   return data;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/answer/sensitivity.h"
 #include "problems/carrier_track/problems/families.h"
 #include "problems/carrier_track/problems/scanned_best.h"
 #include "ricochet/random.h"

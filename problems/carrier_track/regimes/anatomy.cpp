@@ -6,6 +6,7 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
+#include "ricochet/regimes.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -31,9 +32,7 @@ bool has(const SteadyMotion& motion, const Scene& scene, const Impact& impact) {
 }  // namespace
 
 std::optional<Anatomy> anatomy_of(const Scene& scene, const std::vector<Impact>& impacts) {
-  const bool has_regimes = scene.rule == CountRule::impacts && scene.fidelity == Fidelity::impact &&
-                           scene.profile.empty();
-  if (!has_regimes || !(scene.omega > 0) || forcing_turns(scene) == 0) return std::nullopt;
+  if (!has_regimes(scene) || !(scene.omega > 0) || forcing_turns(scene) == 0) return std::nullopt;
   const SteadyMotion motion = steady_motion(scene);
   if (!motion.settled) return std::nullopt;
   Anatomy anatomy;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double converged = 1e-12;     // relative change of the speed
 constexpr double farthest = 0.1;        // relative change of the speed in a step
-constexpr double shortest_step = 1e-6;  // share of the way asked for
+constexpr double shortest_part = 1e-6;  // share of the way asked for
 constexpr int iterations = 8;
 
 }  // namespace
@@ -56,7 +56,7 @@ bool BorderCurve::follow_to(double constant) {
   const double way = constant - here_.constant;
   double step = way;
   while (here_.constant != constant) {
-    if (std::abs(step) < shortest_step * std::abs(way)) return false;
+    if (std::abs(step) < shortest_part * std::abs(way)) return false;
     const bool last = std::abs(step) >= std::abs(constant - here_.constant);
     const double there = last ? constant : here_.constant + step;
     const double guess = here_.omega + here_.slope * (there - here_.constant);

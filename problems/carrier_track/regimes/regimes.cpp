@@ -183,6 +183,11 @@ std::string name_of(RegimeEnd end) {
   return "";
 }
 
+bool has_regimes(const Scene& scene) {
+  return scene.rule == CountRule::impacts && scene.profile.empty() &&
+         (scene.fidelity == Fidelity::impact || scene.fidelity == Fidelity::automatic);
+}
+
 void check_regimes_exist(const Scene& scene, const std::string& origin) {
   if (scene.rule != CountRule::impacts) {
     throw InputError(origin + ": count.rule: must be \"impacts\": regimes are told by impacts");
@@ -200,10 +205,10 @@ std::vector<Regime> walked(const Scene& scene, const RegimeOptions& options, dou
   check(scene, "scene");
   check_constant_speed(scene, "scene");
   check_regimes_exist(scene, "scene");
-  if (!(options.from >= slowest_speed && options.to > options.from &&
-        options.to <= fastest_speed)) {
+  if (!(options.from >= slowest_regime && options.to > options.from &&
+        options.to <= fastest_regime)) {
     throw InputError(fmt::format("speeds {} to {}: must rise, within {}..{} [rad/s]", options.from,
-                                 options.to, slowest_speed, fastest_speed));
+                                 options.to, slowest_regime, fastest_regime));
   }
   Scene hard = scene;
   hard.fidelity = Fidelity::impact;

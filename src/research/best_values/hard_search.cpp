@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "problems/carrier_track/answer/sensitivity.h"
 #include "problems/carrier_track/counting/quiet_intervals.h"
 #include "problems/carrier_track/counting/recording.h"
-#include "problems/carrier_track/counting/sensitivity.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/problems/speed_problem.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/answer/sensitivity.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"

@@ -10,7 +10,7 @@
 
 /// Sensitivity of the fastest quiet speed to the constants of a machine, none of which is known
 /// exactly.
-namespace ricochet::carrier_track::inline counting {
+namespace ricochet::carrier_track::inline answer {
 
 /// Throws InputError if the scene is not valid, if omega [rad/s] is not > 0, or for less than one
 /// machine: what the functions below are given.
@@ -25,8 +25,8 @@ std::vector<std::string> constants_of(const Scene& scene);
 Scene scaled(Scene scene, const std::string& key, double factor);
 
 /// The speed [rad/s] that best divides the speeds that keep the limit from those that exceed it,
-/// between 2/3 and 3/2 of `omega`, with a relative accuracy of 1/50,000. Nothing if all speeds keep
-/// it or all exceed it.
+/// between 2/3 and 3/2 of `omega`, with a relative accuracy of 1/50,000; in the long run the
+/// border, exactly. Nothing if all speeds keep it or all exceed it.
 std::optional<double> divide_near(const Scene& scene, const Limit& limit, double omega);
 
 struct Sensitivity {
@@ -56,4 +56,4 @@ std::optional<ToleranceRange> divide_range(const std::vector<Scene>& machines, c
 std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& limit, double omega,
                                               double tolerance, int machines, std::uint64_t seed);
 
-}  // namespace ricochet::carrier_track::inline counting
+}  // namespace ricochet::carrier_track::inline answer

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/counting/uncertainty.h"
+#include "problems/carrier_track/answer/uncertainty.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

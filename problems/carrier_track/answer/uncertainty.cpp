@@ -1,4 +1,4 @@
-#include "problems/carrier_track/counting/uncertainty.h"
+#include "problems/carrier_track/answer/uncertainty.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,7 +7,7 @@
 
 #include "ricochet/random.h"
 
-namespace ricochet::carrier_track::inline counting {
+namespace ricochet::carrier_track::inline answer {
 
 std::optional<UncertainDivide> uncertain_divide(const SceneFile& file, const Limit& limit,
                                                 double omega, int machines, std::uint64_t seed) {
@@ -44,4 +44,4 @@ std::optional<UncertainDivide> uncertain_divide(const SceneFile& file, const Lim
   return result;
 }
 
-}  // namespace ricochet::carrier_track::inline counting
+}  // namespace ricochet::carrier_track::inline answer

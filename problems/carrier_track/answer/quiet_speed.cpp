@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/answer/long_run.h"
 #include "problems/carrier_track/counting/complete_scan.h"
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/limit.h"
@@ -17,6 +18,8 @@
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
+
+constexpr double slowest_of_a_range = 0.01;  // [rad/s]
 
 /// The step located between two neighbours of the fine scan, with its first loud speed.
 Step located(Step step, const SpeedScan& fine) {
@@ -64,12 +67,8 @@ void check(const QuietSpeedOptions& options) {
   }
 }
 
-}  // namespace
-
-QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
-  check(scene, "scene");
-  check_constant_speed(scene, "scene");
-  check(options);
+/// The answer by a limit of the collisions in a window, or of what else is measured in it.
+QuietSpeed quiet_in_the_window(const Scene& scene, const QuietSpeedOptions& options) {
   QuietSpeed answer;
   answer.options = options;
   answer.scan = scan_logarithmically(scene, slowest_scanned, judged_share * options.fastest);
@@ -104,6 +103,37 @@ QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
     if (omega > options.step / 2) answer.around.push_back(count_there(scene, omega));
   }
   return answer;
+}
+
+/// The answer by a limit of the collisions in a turn, in the long run.
+QuietSpeed quiet_in_the_long_run(const Scene& scene, const QuietSpeedOptions& options,
+                                 const Limit& limit) {
+  QuietSpeed answer;
+  answer.options = options;
+  answer.limit = limit;
+  answer.regimes = regimes_of(scene, {slowest_of_a_range, options.fastest});
+  const auto louder =
+      std::find_if(answer.regimes.begin(), answer.regimes.end(),
+                   [&](const Regime& regime) { return regime.most_per_turn > limit.at_most; });
+  if (louder == answer.regimes.end()) {
+    answer.fastest_quiet = options.fastest;
+    return answer;
+  }
+  answer.split.speed = answer.split.first_loud = louder->from;
+  const double steps = std::ceil(louder->from / options.step) - 1;
+  if (steps >= 1) answer.fastest_quiet = steps * options.step;
+  return answer;
+}
+
+}  // namespace
+
+QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
+  check(scene, "scene");
+  check_constant_speed(scene, "scene");
+  check(options);
+  const Limit limit = options.limit.value_or(Limit{Measure::collisions_per_turn, quiet_per_turn});
+  return is_of_the_long_run(scene, limit) ? quiet_in_the_long_run(scene, options, limit)
+                                          : quiet_in_the_window(scene, options);
 }
 
 }  // namespace ricochet::carrier_track::inline counting

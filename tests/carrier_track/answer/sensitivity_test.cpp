@@ -1,4 +1,4 @@
-#include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/answer/sensitivity.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "problems/carrier_track/counting/sensitivity.h"
+#include "problems/carrier_track/answer/sensitivity.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "problems/carrier_track/answer/long_run.h"
 #include "problems/carrier_track/counting/limit.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/scene_fields.h"
@@ -16,7 +17,7 @@
 #include "ricochet/random.h"
 #include "ricochet/threshold.h"
 
-namespace ricochet::carrier_track::inline counting {
+namespace ricochet::carrier_track::inline answer {
 namespace {
 
 /// Calls use(key, member...) for every constant that may deviate in manufacture.
@@ -124,6 +125,11 @@ Scene scaled(Scene scene, const std::string& wanted, double factor) {
 }
 
 std::optional<double> divide_near(const Scene& scene, const Limit& limit, double omega) {
+  if (is_of_the_long_run(scene, limit)) {
+    const double highest = omega * 1.5;
+    const auto speed = quiet_up_to(scene, limit.at_most, {omega / 1.5, highest});
+    return speed && *speed < highest ? speed : std::nullopt;
+  }
   constexpr double coarse = 1.002;
   const int speeds = 1 + static_cast<int>(std::lround(std::log(2.25) / std::log(coarse)));
   const auto first = divide(scene, limit, omega / 1.5, coarse, speeds);
@@ -193,4 +199,4 @@ std::optional<ToleranceRange> tolerance_range(const Scene& scene, const Limit& l
   return divide_range(drawn, limit, omega);
 }
 
-}  // namespace ricochet::carrier_track::inline counting
+}  // namespace ricochet::carrier_track::inline answer

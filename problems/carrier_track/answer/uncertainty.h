@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/answer/sensitivity.h"
 #include "problems/carrier_track/counting/limit.h"
-#include "problems/carrier_track/counting/sensitivity.h"
 #include "problems/carrier_track/scene/scene_file.h"
 
-namespace ricochet::carrier_track::inline counting {
+namespace ricochet::carrier_track::inline answer {
 
 /// The dividing speed of a machine whose file says how uncertain its numbers are.
 struct UncertainDivide {
@@ -29,4 +29,4 @@ struct UncertainDivide {
 std::optional<UncertainDivide> uncertain_divide(const SceneFile& file, const Limit& limit,
                                                 double omega, int machines, std::uint64_t seed);
 
-}  // namespace ricochet::carrier_track::inline counting
+}  // namespace ricochet::carrier_track::inline answer

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ricochet/regimes.h"
+#include "ricochet/threshold.h"
+
+/// Limits that are about the motion in the long run, and not about a window after a start.
+namespace ricochet::carrier_track::inline answer {
+
+/// Whether a limit of this scene is about the long run; see Measure.
+inline bool is_of_the_long_run(const Scene& scene, const Limit& limit) {
+  return limit.measure == Measure::collisions_per_turn && has_regimes(scene);
+}
+
+}  // namespace ricochet::carrier_track::inline answer

@@ -167,13 +167,22 @@ TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
   expect_refusal("plan check " + bad.string(), "solver s: scan: no such solver has options");
 }
 
-TEST_F(CampaignCommands, SayThatTooFewFilesMayBeOpen) {
-  const auto script =
-      write(folder_, "script", "ulimit -n 12\nexec " RICOCHET_PROGRAM " " + command("few") + "\n");
-  const Outcome outcome = call("--version >/dev/null; bash " + script.string());
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("ricochet: too many open files: the limit is 12; raise it "
-                                     "with ulimit -n "));
+TEST_F(CampaignCommands, NeedFewOpenFilesAndSayWhenThereAreFewer) {
+  const auto with = [this](int files) {
+    const auto script = write(folder_, "script",
+                              fmt::format("ulimit -n {}\nexec {} {}\n", files, RICOCHET_PROGRAM,
+                                          command("few", "--quiet --jobs 1")));
+    return call("--version >/dev/null; bash " + script.string());
+  };
+  const Outcome few = with(12);
+  EXPECT_EQ(few.exit_code, 1);
+  EXPECT_THAT(few.err, HasSubstr("ricochet: too many open files: the limit is 12; raise it "
+                                 "with ulimit -n "));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "few"));
+  const Outcome enough = with(40);
+  EXPECT_EQ(enough.exit_code, 0) << enough.err;
+  run("usual");
+  EXPECT_EQ(out_of("digest " + store("few")), out_of("digest " + store("usual")));
 }
 
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {

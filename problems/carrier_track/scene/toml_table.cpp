@@ -69,10 +69,10 @@ void TomlTable::walls(std::string_view key, double& lower, double& upper) {
     return;
   }
   if (array->size() != 2) refuse(key, node, allowed);
-  warn(fmt::format("{}: {}.{} = [lower, upper] is now written as {} and {}", origin_, name_, key,
-                   lower_key, upper_key));
   lower = number_of(key, *array->get(0), allowed);
   upper = number_of(key, *array->get(1), allowed);
+  warn(fmt::format("{}: {}.{} = [lower, upper] is now written as {} and {}", origin_, name_, key,
+                   lower_key, upper_key));
 }
 
 void TomlTable::number_or(std::string_view key, std::string_view none,

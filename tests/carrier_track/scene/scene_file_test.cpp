@@ -180,6 +180,12 @@ TEST(SceneFile, ReadsTheOtherFormsOfAKey) {
                    .contact_speed.has_value());
 }
 
+TEST(SceneFile, AdvisesNoNewKeyForWhatItRefuses) {
+  testing::internal::CaptureStderr();
+  complaint_about(with("restitution", "restitution = [[0, 1], 1]"));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(SceneFile, KnowsTheExponentOfKelvinVoigt) {
   std::string text = with("contact_law", "contact_law = \"kelvin-voigt\"");
   text.erase(text.find("contact_exponent"),

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "ricochet/error.h"
 #include "src/report/file_set.h"
 #include "src/report/report.h"
 #include "src/report/site/front_page.h"
@@ -49,24 +50,28 @@ std::vector<std::string> write_site_above(const fs::path& report) {
 std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const fs::path& folder) {
   std::error_code none;
   if (fs::exists(from / data_file, none) && !is_site(from)) return std::nullopt;
-  const std::vector<FoundReport> reports = found_reports(from);
+  const std::vector<std::string> reports = folders_of_data(from);
   if (reports.empty()) return std::nullopt;
   std::vector<std::string> failures;
-  for (const FoundReport& report : reports) {
+  for (const std::string& report : reports) {
     try {
-      const auto written = report::redraw_report(from / report.folder, folder / report.folder);
-      for (const std::string& line : written.failures) {
-        failures.push_back(report.folder + ": " + line);
-      }
-    } catch (const std::logic_error&) {  // of another version: the front page says so
-      if (fs::equivalent(from, folder, none)) continue;
-      fs::create_directories(folder / report.folder);
-      fs::copy_file(from / report.folder / data_file, folder / report.folder / data_file,
-                    fs::copy_options::overwrite_existing);
+      const auto written = report::redraw_report(from / report, folder / report);
+      failures.insert(failures.end(), written.failures.begin(), written.failures.end());
+      continue;
+    } catch (const std::logic_error& error) {
+      failures.emplace_back(error.what());
+    } catch (const InputError& error) {
+      failures.emplace_back(error.what());
     }
+    // The front page says that it must be made anew.
+    if (fs::equivalent(from, folder, none)) continue;
+    fs::create_directories(folder / report);
+    fs::copy_file(from / report / data_file, folder / report / data_file,
+                  fs::copy_options::overwrite_existing);
   }
-  const std::vector<std::string> own = write_site(folder);
-  failures.insert(failures.end(), own.begin(), own.end());
+  for (const std::string& line : write_site(folder)) {
+    failures.push_back((folder / data_file).string() + ": " + line);
+  }
   return failures;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <utility>
 
@@ -91,7 +92,8 @@ auto read_or_mark(const FoundReport* report, Front& front, const Read& read) {
   if (report == nullptr) return Result();
   try {
     return Result(read(*report));
-  } catch (const Json::exception&) {
+  } catch (const std::exception& error) {  // of another version, or damaged
+    front.unread.emplace_back(report->folder, error.what());
     for (Card& card : front.cards) {
       if (card.folder == report->folder) card.finding = other_version;
     }

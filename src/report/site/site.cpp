@@ -3,6 +3,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "ricochet/error.h"
 #include "src/report/file_set.h"
@@ -23,6 +24,20 @@ fs::path plain(const fs::path& folder) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
+struct WrittenSite {
+  std::vector<std::string> undrawn;                         ///< a line for each chart
+  std::vector<std::pair<std::string, std::string>> unread;  ///< see Front
+};
+
+WrittenSite written_site(const fs::path& folder) {
+  const std::vector<FoundReport> reports = found_reports(folder);
+  Front front = front_of(reports);
+  FrontPage page = front_page(front, navigation(reports, ""));
+  report::replace_files(folder, page.files);
+  link_pages(folder, reports);
+  return {std::move(page.failures), std::move(front.unread)};
+}
+
 }  // namespace
 
 bool is_site(const fs::path& folder) {
@@ -35,11 +50,7 @@ bool is_site(const fs::path& folder) {
 }
 
 std::vector<std::string> write_site(const fs::path& folder) {
-  const std::vector<FoundReport> reports = found_reports(folder);
-  FrontPage page = front_page(front_of(reports), navigation(reports, ""));
-  report::replace_files(folder, page.files);
-  link_pages(folder, reports);
-  return page.failures;
+  return written_site(folder).undrawn;
 }
 
 std::vector<std::string> write_site_above(const fs::path& report) {
@@ -69,7 +80,12 @@ std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const 
     fs::copy_file(from / report / data_file, folder / report / data_file,
                   fs::copy_options::overwrite_existing);
   }
-  for (const std::string& line : write_site(folder)) {
+  const WrittenSite front = written_site(folder);
+  for (const auto& [report, reason] : front.unread) {
+    failures.push_back((from / report / data_file).string() +
+                       ": must be the data of a report: " + reason);
+  }
+  for (const std::string& line : front.undrawn) {
     failures.push_back((folder / data_file).string() + ": " + line);
   }
   return failures;

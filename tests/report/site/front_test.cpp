@@ -99,6 +99,15 @@ TEST(Cards, SayWhenDataAreOfAnotherVersion) {
               testing::ElementsAre(testing::Pair("comparison", HasSubstr("speed_accuracy"))));
 }
 
+TEST(Cards, OfAReportWithAPageThatCannotBeReadSayWhichItIs) {
+  Json family = small_family();
+  family["budgets"][0]["ratings"][0]["share"] = "all";
+  const Front front = front_of({found_comparison(small_comparison(), {family})});
+  EXPECT_FALSE(front.comparison);
+  EXPECT_THAT(front.unread,
+              testing::ElementsAre(testing::Pair("comparison/count", HasSubstr("share"))));
+}
+
 TEST(MissingReports, AreTheKindsOfWhichThereIsNone) {
   const Front front = front_of({telling()});
   EXPECT_EQ(front.missing.size(), report::report_kinds().size() - 1);

@@ -9,6 +9,7 @@
 #include "ricochet/error.h"
 #include "ricochet/families.h"
 #include "src/core/folder_lock.h"
+#include "src/core/one_line.h"
 #include "src/core/text_file.h"
 #include "src/research/best_values/best_values.h"
 #include "src/research/best_values/hard_search.h"
@@ -22,7 +23,7 @@ int look_for_hard_machines(const std::string& file) {
   const auto found = studies::best_values::find_hard_machines(500, 20);
   write_text_file(file, carrier_track::write_hard_machines(found));
   fmt::print("{} hard machines; the file: {}\n", found.machines.size(),
-             std::filesystem::absolute(file).lexically_normal().string());
+             one_line(std::filesystem::absolute(file).lexically_normal().string()));
   return 0;
 }
 
@@ -50,7 +51,8 @@ int best_values(const BestValuesOptions& options) {
   if (outcome.finished < outcome.wanted) {
     fmt::print("Not all are finished: the same command goes on.\n");
   } else {
-    fmt::print("The file: {}\n", std::filesystem::absolute(file).lexically_normal().string());
+    fmt::print("The file: {}\n",
+               one_line(std::filesystem::absolute(file).lexically_normal().string()));
   }
   return 0;
 }

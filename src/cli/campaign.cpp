@@ -18,6 +18,7 @@
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/benchmark/experiment/campaign/frame.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
+#include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/campaign/service.h"
 #include "src/cli/campaign_size.h"
 #include "src/cli/cores.h"
@@ -53,20 +54,13 @@ Shard shard_of(const std::string& text) {
       fmt::format("--shard {}: must be I/N, two whole numbers with 1 <= I <= N", text));
 }
 
-/// Throws OutputError if too few files may be open for the store and a process for each core.
-void allow_files_of_runs() {
-  constexpr int few = 64;
-  constexpr int for_store = 32;
-  const auto processes =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  allow_open_files(std::max(few, for_store + static_cast<int>(processes)));
-}
-
 /// Makes the runs that are missing in the folder's store, or has the other ranks make them. If that
 /// is interrupted, `continuation` is what goes on.
 StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const Shard& shard,
                            const RunOptions& options, std::string_view continuation) {
-  allow_files_of_runs();
+  // Before anything is written. The store has a folder, locks, a log and temporary files.
+  constexpr int for_store = 8;
+  allow_further_open_files(for_store + open_files_of_runs(processes_of_runs()));
   const FolderLock alone(options.out);
   const auto file = std::filesystem::path(options.out) / "runs.sqlite";
   if (std::filesystem::exists(file) && !options.resume) {
@@ -139,7 +133,6 @@ int run_plan(const RunOptions& options) {
   if (options.serve == "runs") Progress::silence();  // the process with the store shows progress
   announce_programs(programs_of(plan), options.allow_programs, options.plan);
   if (options.serve == "runs") {
-    allow_files_of_runs();
     const Campaign campaign = searched_campaign(plan, studies::whole_catalogue());
     fcntl(frames_out, F_SETFD, FD_CLOEXEC);  // child processes of the runs must not inherit it
     serve_runs(campaign, shard, STDIN_FILENO, frames_out);

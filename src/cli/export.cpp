@@ -7,6 +7,7 @@
 #include "src/benchmark/export/output_folder.h"
 #include "src/cli/named.h"
 #include "src/cli/stored_runs.h"
+#include "src/core/one_line.h"
 
 namespace ricochet::cli {
 
@@ -18,7 +19,7 @@ int export_store(const ExportOptions& options) {
   exports::OutputFolder out(options.out);
   format.write(store, out.draft());
   out.commit();
-  fmt::print("{} runs: {}\n", store.size(), options.out);
+  fmt::print("{} runs: {}\n", store.size(), one_line(options.out));
   return 0;
 }
 

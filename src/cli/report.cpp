@@ -17,7 +17,8 @@
 namespace ricochet::cli {
 namespace {
 
-/// Says what it has drawn. Returns a line for each chart that could not be drawn.
+/// Says what it has drawn. Returns a line, which begins with a file, for all that could not be
+/// drawn.
 std::vector<std::string> drawn_again(const std::string& from, const std::string& out) {
   const std::string page =
       one_line((std::filesystem::absolute(out) / "index.html").lexically_normal().string());
@@ -46,9 +47,7 @@ int draw_again(const std::string& from, const std::string& out) {
   } catch (const report::Json::exception& error) {
     throw InputError(fmt::format("{}: is no data of a report: {}", from, error.what()));
   }
-  if (!failures.empty()) {
-    throw InputError(fmt::format("{}/data.json: {}", from, fmt::join(failures, "; ")));
-  }
+  if (!failures.empty()) throw InputError(fmt::format("{}", fmt::join(failures, "; ")));
   return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <utility>
 
 namespace ricochet {
@@ -66,9 +67,14 @@ std::vector<std::string> near_names(std::string_view wanted,
 }
 
 std::string what_instead(std::string_view wanted, const std::vector<std::string>& known) {
+  constexpr std::size_t most = 60;
   const std::vector<std::string> near = near_names(wanted, known);
-  return near.empty() ? fmt::format("allowed: {}", fmt::join(known, ", "))
-                      : fmt::format("did you mean {}?", fmt::join(near, " or "));
+  if (!near.empty()) return fmt::format("did you mean {}?", fmt::join(near, " or "));
+  const std::size_t shown = std::min(most, known.size());
+  const auto end = known.begin() + static_cast<std::ptrdiff_t>(shown);
+  return fmt::format(
+      "allowed: {}{}", fmt::join(known.begin(), end, ", "),
+      shown == known.size() ? "" : fmt::format(", and {} more", known.size() - shown));
 }
 
 std::string what_instead(std::string_view wanted, const std::vector<std::string>& known,

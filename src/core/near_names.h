@@ -16,7 +16,8 @@ bool equal_in_any_case(std::string_view a, std::string_view b);
 /// The known names that may have been meant, nearest first, at most three.
 std::vector<std::string> near_names(std::string_view wanted, const std::vector<std::string>& known);
 
-/// The hint for an unknown name: "did you mean ...?", or else the allowed names.
+/// The hint for an unknown name: "did you mean ...?", or else the allowed names, at
+/// most sixty.
 std::string what_instead(std::string_view wanted, const std::vector<std::string>& known);
 
 /// The same for names too many to print: without a near name, it gives only the command that lists

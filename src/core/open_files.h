@@ -2,8 +2,8 @@
 
 namespace ricochet {
 
-/// Lets this process have so many files, pipes and sockets open at once. Throws OutputError with
-/// the system's limit if that is lower.
-void allow_open_files(int number);
+/// Lets this process open so many files, pipes and sockets besides those that it has open. Throws
+/// OutputError with the system's limit if that is too low.
+void allow_further_open_files(int number);
 
 }  // namespace ricochet

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -16,7 +17,11 @@ Json rounded(double number, int digits) {
   constexpr double exact = 9007199254740992.0;  // 2^53: whole numbers below it are exact
   if (!std::isfinite(number)) return nullptr;
   const auto whole = [&](double of) { return of == std::trunc(of) && std::abs(of) < exact; };
-  const double kept = whole(number) ? number : std::stod(fmt::format("{:.{}g}", number, digits));
+  double kept = number;  // also if it is too large to be rounded
+  if (!whole(number)) {
+    const std::string text = fmt::format("{:.{}g}", number, digits);
+    std::from_chars(text.data(), text.data() + text.size(), kept);
+  }
   if (whole(kept)) return static_cast<std::int64_t>(kept);
   return kept;
 }

@@ -118,9 +118,10 @@ WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
     Json data = data_in(text);
     for (const std::string& name : pages_of(data)) {
       const WrittenReport further = redraw_report(from / name, folder / name);
-      for (const std::string& line : further.failures) failures.push_back(name + ": " + line);
+      failures.insert(failures.end(), further.failures.begin(), further.failures.end());
     }
     WrittenReport written = draw_page(std::move(data), folder);
+    for (std::string& line : written.failures) line = file.string() + ": " + line;
     written.failures.insert(written.failures.begin(), failures.begin(), failures.end());
     return written;
   } catch (const Json::exception& error) {

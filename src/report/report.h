@@ -11,7 +11,7 @@ namespace ricochet::report {
 /// The result of writing a report.
 struct [[nodiscard]] WrittenReport {
   std::string epilogue;               ///< the template's
-  std::vector<std::string> failures;  ///< a line for each chart that could not be drawn
+  std::vector<std::string> failures;  ///< file and reason of each chart not drawn
 };
 
 /// Writes a report into a folder, which is created if needed: data.json, the rows of every table as

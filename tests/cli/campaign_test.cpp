@@ -16,6 +16,7 @@ namespace {
 
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 
 using report::Json;
 
@@ -167,13 +168,22 @@ TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
   expect_refusal("plan check " + bad.string(), "solver s: scan: no such solver has options");
 }
 
-TEST_F(CampaignCommands, SayThatTooFewFilesMayBeOpen) {
-  const auto script =
-      write(folder_, "script", "ulimit -n 12\nexec " RICOCHET_PROGRAM " " + command("few") + "\n");
-  const Outcome outcome = call("--version >/dev/null; bash " + script.string());
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("ricochet: too many open files: the limit is 12; raise it "
-                                     "with ulimit -n "));
+TEST_F(CampaignCommands, NeedFewOpenFilesAndSayWhenThereAreFewer) {
+  const auto with = [this](int files) {
+    const auto script = write(folder_, "script",
+                              fmt::format("ulimit -n {}\nexec {} {}\n", files, RICOCHET_PROGRAM,
+                                          command("few", "--quiet --jobs 1")));
+    return call("--version >/dev/null; bash " + script.string());
+  };
+  const Outcome few = with(12);
+  EXPECT_EQ(few.exit_code, 1);
+  EXPECT_THAT(few.err, HasSubstr("ricochet: too many open files: the limit is 12; raise it "
+                                 "with ulimit -n "));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "few"));
+  const Outcome enough = with(40);
+  EXPECT_EQ(enough.exit_code, 0) << enough.err;
+  run("usual");
+  EXPECT_EQ(out_of("digest " + store("few")), out_of("digest " + store("usual")));
 }
 
 TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
@@ -203,15 +213,34 @@ TEST_F(CampaignCommands, WarnOfRunsThatMayBeMissing) {
   call_interrupted(
       "KILL", fmt::format("run {} --out {} --quiet", plan.string(), (folder_ / "long").string()),
       3);
-  std::filesystem::create_directory(folder_ / "copy");
-  std::filesystem::copy(store("long"), store("copy"));
+  std::filesystem::create_directory(folder_ / "copy\x1b[31m");
+  std::filesystem::copy(store("long"), store("copy\x1b[31m"));
+  const std::string copy = fmt::format("'{}'", store("copy\x1b[31m"));
   for (const std::string& command :
-       {"digest " + store("copy"), fmt::format("merge {}.merged {}", store("copy"), store("copy")),
-        fmt::format("export {} --format csv --out {}/tables", store("copy"), folder_.string())}) {
-    EXPECT_THAT(call(command).err, HasSubstr("runs may be missing")) << command;
+       {"digest " + copy, fmt::format("merge {}/merged.sqlite {}", folder_.string(), copy),
+        fmt::format("export {} --format csv --out {}/tables", copy, folder_.string()),
+        fmt::format("replay {} 1", copy)}) {
+    const std::string err = call(command).err;
+    EXPECT_THAT(err, HasSubstr("runs may be missing")) << command;
+    EXPECT_THAT(err, HasSubstr("copy\\x1b[31m/")) << command;
+    EXPECT_THAT(err, Not(HasSubstr("\x1b"))) << command;
   }
   EXPECT_EQ(digest_after_kill("long").err, "");
   EXPECT_EQ(files_of_store("long"), std::vector<std::string>{"runs.sqlite"});
+}
+
+TEST_F(CampaignCommands, NameFilesSafelyForATerminal) {
+  const auto safe = [](const std::string& arguments) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("odd\\x1b[31m")) << arguments;
+    EXPECT_THAT(outcome.out, Not(HasSubstr("\x1b"))) << arguments;
+  };
+  const std::string out = (folder_ / "odd\x1b[31m").string();
+  safe(fmt::format("run {} --out '{}'", plan_, out));
+  safe(fmt::format("report '{}'", out));
+  safe(fmt::format("merge '{0}.sqlite' '{0}/runs.sqlite'", out));
+  safe(fmt::format("export '{0}/runs.sqlite' --format csv --out '{0}/tables'", out));
 }
 
 TEST_F(CampaignCommands, SayHowToGoOn) {

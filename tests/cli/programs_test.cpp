@@ -73,6 +73,17 @@ TEST_F(Programs, AreNamedInAScriptForSlurm) {
   EXPECT_THAT(call("plan slurm quick").out, Not(HasSubstr("--allow-programs")));
 }
 
+TEST_F(Programs, AreShownInALineEach) {
+  const auto plan = write(folder_, "odd.toml",
+                          "[[part]]\nproblems = \"hs-71\"\n"
+                          "solvers = [\"scan\", \"sh -c '\\u001b[31m\\ntouch evil'\"]\n"
+                          "budgets = 5\n");
+  const std::string shown = "sh -c '\\x1b[31m\\x0atouch evil'\n";
+  EXPECT_THAT(call("plan check " + plan.string()).out, HasSubstr("run would start: " + shown));
+  EXPECT_THAT(call("plan slurm " + plan.string()).out, HasSubstr("# It starts: " + shown))
+      << "else its second line would be a command";
+}
+
 TEST_F(Programs, OfAPlanRunOnlyWhereTheyAreAllowed) {
   const std::string out = (folder_ / "out").string();
   expect_refusal(fmt::format("run {} --out {}", plan_, out),

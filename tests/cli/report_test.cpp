@@ -64,6 +64,32 @@ TEST(ReportCommand, WritesOnlyBelowItsFolder) {
               HasSubstr("pages: \"../other\" is no folder's name"));
 }
 
+TEST(ReportCommand, NamesEveryDamagedReportOfAFolderAndDrawsTheOthers) {
+  const auto folder = fresh_folder();
+  const auto kept = [&folder](const std::string& report, const std::string& from,
+                              const std::string& to) {
+    std::string text = read(RICOCHET_SOURCE "/reports/reference/" + report + "/data.json");
+    text.replace(text.find(from), from.size(), to);
+    std::filesystem::create_directories(folder / report);
+    return write(folder / report, "data.json", text).string();
+  };
+  const std::string limits = kept("limits", "\"paper_curve\":", "\"paper_curv\":");
+  const std::string stress = kept("stress", "{", "");
+  kept("verification", "{", "{");
+  for (const auto& out : {folder / "out", folder}) {
+    const Outcome outcome = call("report " + folder.string() + " --out " + out.string());
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, testing::StartsWith("ricochet: " + limits + ": "));
+    EXPECT_THAT(outcome.err, HasSubstr("paper_curve"));
+    EXPECT_THAT(outcome.err, HasSubstr("; " + stress + ": must be the data of a report: "));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("verification")));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+    EXPECT_TRUE(std::filesystem::exists(out / "verification" / "index.html"));
+    EXPECT_THAT(read(out / "index.html"), HasSubstr("No count called certain is wrong."));
+    EXPECT_EQ(read(out / "stress" / "data.json"), read(stress));
+  }
+}
+
 TEST(ReportCommand, SaysWhatItWrote) {
   const auto folder = fresh_folder();
   const auto page = [&folder](const char* of) { return (folder / of / "index.html").string(); };

@@ -12,6 +12,7 @@ namespace {
 
 /// Interrupts itself, in a process of its own, and waits for what comes of it.
 [[noreturn]] void interrupt_itself(int signal) {
+  std::signal(signal, SIG_DFL);  // a shell's background jobs ignore some, and so would this one
   const AtInterruption first([] { std::fputs("second\n", stderr); }, "go on so");
   const AtInterruption last([] { std::fputs("first\n", stderr); });
   {
@@ -39,6 +40,7 @@ TEST(Interruption, ThatReachesTheProgramAndItsGroupIsOne) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_EXIT(
       {
+        std::signal(SIGINT, SIG_DFL);
         end_tidily_when_interrupted();
         kill(getpid(), SIGINT);
         usleep(10'000);

@@ -38,6 +38,16 @@ TEST(WhatInstead, NamesWhatIsAllowedWhereNothingIsNear) {
   EXPECT_EQ(what_instead("weight", {"mass", "pull"}), "allowed: mass, pull");
 }
 
+TEST(WhatInstead, NamesNoMoreThanSixty) {
+  std::vector<std::string> known;
+  for (int number = 0; number < 300; ++number) known.push_back(std::to_string(1000 + number));
+  const std::string answer = what_instead("weight", known);
+  EXPECT_TRUE(answer.starts_with("allowed: 1000, 1001, ")) << answer;
+  EXPECT_TRUE(answer.ends_with(", 1059, and 240 more")) << answer;
+  known.resize(60);
+  EXPECT_TRUE(what_instead("weight", known).ends_with(", 1059"));
+}
+
 TEST(WhatInstead, PointsToTheListOfManyNames) {
   EXPECT_EQ(what_instead("masss", {"mass", "pull"}, "`ricochet list`"), "did you mean mass?");
   EXPECT_EQ(what_instead("weight", {"mass", "pull"}, "`ricochet list`"), "see `ricochet list`");

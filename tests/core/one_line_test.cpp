@@ -20,6 +20,8 @@ TEST(OneLine, EscapesWhatSteersATerminal) {
 TEST(OneLine, EscapesWhatReordersALine) {
   EXPECT_EQ(one_line("a\u202eb\u2066\u200f"), "a\\xe2\\x80\\xaeb\\xe2\\x81\\xa6\\xe2\\x80\\x8f");
   EXPECT_EQ(one_line("\u061c\u2028"), "\\xd8\\x9c\\xe2\\x80\\xa8");
+  EXPECT_EQ(one_line("\u200e\u2069"), "\\xe2\\x80\\x8e\\xe2\\x81\\xa9") << "the first and the last";
+  EXPECT_EQ(one_line("\u200d\u2010\u2065\u206a"), "\u200d\u2010\u2065\u206a") << "just beside them";
 }
 
 TEST(OneLine, LeavesTheMiddleOfALongTextOut) {

@@ -14,5 +14,11 @@ TEST(Progress, IsSilentWhereStandardErrorIsNoTerminal) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+TEST(Progress, AnnouncesALineThatIsSafeOnATerminal) {
+  testing::internal::CaptureStderr();
+  Progress::announce("starts \x1b[31m\nsh");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "starts \\x1b[31m\\x0ash\n");
+}
+
 }  // namespace
 }  // namespace ricochet

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <string>
 #include <thread>
 
 #include "ricochet/error.h"
@@ -134,6 +135,18 @@ TEST_F(TextFile, ThatGrowsTooLargeLeavesTheOldOne) {
               "a.txt: cannot be written: File too large");
   EXPECT_EQ(content(path), "mine\n");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "no draft is left behind";
+}
+
+TEST_F(TextFile, IsNotDraftedIntoWhatAnotherHasPutThere) {
+  const fs::path other = folder_ / "other.txt";
+  write_text_file(other, "another's\n");
+  for (int number = 0; number < 200; ++number) {  // the names that drafts get
+    fs::create_symlink(other, folder_ / (".ricochet." + std::to_string(getpid()) + "." +
+                                         std::to_string(number) + ".part"));
+  }
+  write_text_file(folder_ / "a.txt", "mine\n");
+  EXPECT_EQ(content(folder_ / "a.txt"), "mine\n");
+  EXPECT_EQ(content(other), "another's\n");
 }
 
 TEST_F(TextFile, DraftThatIsNotCommittedLeavesNoTrace) {

@@ -46,6 +46,7 @@ TEST(Claims, HoldANameThatCanStandInAList) {
     }
   };
   EXPECT_EQ(solver_as_claimed({"Mine_2.0+x-y", "1"}, "here").name, "Mine_2.0+x-y");
+  EXPECT_EQ(solver_as_claimed({"mine", "1\x1b[31m\n"}, "here").version, "1\\x1b[31m\\x0a");
   refused({"", "1"}, "here: name \"\"; allowed");
   refused({"a,b", "1"}, "here: name \"a,b\"");
   refused({"a b", "1"}, "here: name");

@@ -22,6 +22,7 @@ namespace {
 
 using std::chrono::steady_clock;
 using testing::HasSubstr;
+using testing::Not;
 using testing::Optional;
 
 /// A shell that carries out these lines.
@@ -139,6 +140,19 @@ TEST(LineProgram, IsReportedWhileItIsWaitedFor) {
             "wrote nothing for 2 s after it was asked; last line received: two; are its lines "
             "flushed?");
   EXPECT_EQ(told.back(), "waiting for " + command + "; last line received: two");
+  on_waiting({});
+}
+
+TEST(LineProgram, IsReportedInALineThatIsSafeOnATerminal) {
+  std::vector<std::string> told;
+  on_waiting([&told](const std::string& text) { told.push_back(text); });
+  LineProgram program(shell("printf '\\033[31m\\n'; sleep 30 # \x1b[32m"));
+  const Patience impatient{std::chrono::seconds(1), "it was asked", std::chrono::milliseconds(300)};
+  EXPECT_THAT(program.line(impatient), Optional(std::string_view("\x1b[31m")));
+  EXPECT_THAT(reason_of(program, impatient), HasSubstr("last line received: \\x1b[31m;"));
+  EXPECT_THAT(told, testing::Contains(testing::AllOf(HasSubstr("# \\x1b[32m; last line received: "
+                                                               "\\x1b[31m"),
+                                                     Not(HasSubstr("\x1b")))));
   on_waiting({});
 }
 

@@ -32,6 +32,14 @@ TEST(DataText, KeepsWholeNumbersAndTextsExactly) {
             R"("below":-9007199254740991,"large":1.5e+300})");
 }
 
+TEST(DataText, RoundsTheSmallestAndTheLargestNumbers) {
+  EXPECT_EQ(data_text({-1.23456789e-308, 5e-324, 1.797693134e308}),
+            "[-1.23457e-308,5e-324,1.79769e+308]\n");
+  EXPECT_EQ(data_text({1.7976931e308}, {}), "[1.79769e+308]\n");
+  EXPECT_EQ(data_text({{"x", 1.7976931e308}}, {{"x", 2}}), "{\"x\":1.7976931e+308}\n")
+      << "1.8e308 is beyond all numbers";
+}
+
 TEST(DataText, HasNullForWhatIsNoNumber) {
   EXPECT_EQ(data_text({NAN, std::numeric_limits<double>::infinity(), 0.5}), "[null,null,0.5]\n");
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace ricochet::report {
 namespace {
@@ -120,6 +121,22 @@ TEST(PageTemplate, KeepsTheRowsOfATableWithAllTheirDigits) {
                                                               "\"a, \"\"b\"\"\",8.275,true,1.5,\n"
                                                               "c,,,2.0,3.0\n"),
                                                          Pair("rows-C2.csv", "\n")));
+}
+
+TEST(PageTemplate, KeepsNoNameOfARowThatIsAFormula) {
+  Json data = sample();
+  data["cases"][0]["rows"][1]["=cmd|x"] = "@SUM(1)";
+  const std::string table = drawn(sheet, data).tables.at("rows-C1.csv");
+  EXPECT_THAT(table, HasSubstr(",'=cmd|x\n"));
+  EXPECT_THAT(table, HasSubstr(",'@SUM(1)\n"));
+}
+
+TEST(PageTemplate, KeepsTheRowsOfATableInItsFolderOnly) {
+  for (const char* id : {"/../../C1", "a b", "\x1b[31m"}) {
+    Json data = sample();
+    data["cases"][0]["id"] = id;
+    EXPECT_THROW(drawn(sheet, data), std::logic_error) << id;
+  }
 }
 
 TEST(PageTemplate, ShowsTheFirstRowsOfALongTableAndSaysWhereAllAre) {

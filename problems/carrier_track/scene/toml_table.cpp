@@ -86,10 +86,10 @@ void TomlTable::walls(const Field& field, double& lower, double& upper) {
     return;
   }
   if (array->size() != 2) refuse(field.key, node, "a number, or [lower, upper]");
-  warn(fmt::format("{}: {}.{} = [lower, upper] is now written as {} and {}", origin_, name_,
-                   field.key, lower_key, upper_key));
   lower = number_of(field, *array->get(0), others);
   upper = number_of(field, *array->get(1), others);
+  warn(fmt::format("{}: {}.{} = [lower, upper] is now written as {} and {}", origin_, name_,
+                   field.key, lower_key, upper_key));
 }
 
 void TomlTable::number_or(const Field& field, std::string_view none,

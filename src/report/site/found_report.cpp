@@ -5,22 +5,30 @@
 #include <algorithm>
 #include <exception>
 #include <fstream>
-#include <set>
+#include <iterator>
+#include <map>
+#include <stdexcept>
 #include <system_error>
 
+#include "src/core/name.h"
+#include "src/report/data_text.h"
 #include "src/report/page_template.h"
-#include "src/report/record_table.h"
 
 namespace ricochet::site {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads the data of a folder. Nothing if it has no JSON object.
+/// Reads the data of a folder. Nothing if they cannot be read.
 std::optional<Json> data_of(const fs::path& folder) {
   std::ifstream stream(folder / "data.json", std::ios::binary);
-  Json data = report::unpacked(Json::parse(stream, nullptr, false));
-  return data.is_object() ? std::optional(std::move(data)) : std::nullopt;
+  try {
+    return report::data_in({std::istreambuf_iterator<char>(stream), {}});
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const std::logic_error&) {  // nested too deeply
+    return std::nullopt;
+  }
 }
 
 /// Reads a struct at a key. Nothing if it is missing or of another type.
@@ -51,31 +59,42 @@ FoundReport found(const fs::path& folder, const report::ReportKind& kind, Json d
   const auto pages = read<std::vector<std::string>>(data, "pages");
   report.data = std::move(data);
   for (const std::string& page : pages.value_or(std::vector<std::string>{})) {
+    if (!is_name(page)) continue;  // it may lead out of the folder
     Json own = data_of(folder / page).value_or(Json::object());
     report.pages.push_back({page, headline_of(own), std::move(own)});
   }
   return report;
 }
 
-}  // namespace
-
-std::vector<FoundReport> found_reports(const fs::path& site) {
-  std::set<std::string> folders;
+/// The data in the subfolders, except for those of sites; nothing where they cannot be read.
+std::map<std::string, std::optional<Json>> data_below(const fs::path& site) {
+  std::map<std::string, std::optional<Json>> all;
   std::error_code none;
   for (const fs::directory_entry& entry : fs::directory_iterator(site, none)) {
-    if (fs::is_regular_file(entry.path() / "data.json", none)) {
-      folders.insert(entry.path().filename().string());
-    }
+    if (!fs::is_regular_file(entry.path() / "data.json", none)) continue;
+    std::optional<Json> data = data_of(entry.path());
+    if (data && data->is_object() && data->value("report", Json()) == "site") continue;
+    all[entry.path().filename().string()] = std::move(data);
   }
-  std::map<std::string, Json> data;
-  for (const std::string& folder : folders) {
-    if (auto own = data_of(site / folder)) data[folder] = std::move(*own);
-  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> folders_of_data(const fs::path& site) {
+  std::vector<std::string> folders;
+  for (const auto& [folder, data] : data_below(site)) folders.push_back(folder);
+  return folders;
+}
+
+std::vector<FoundReport> found_reports(const fs::path& site) {
+  const std::map<std::string, std::optional<Json>> data = data_below(site);
   std::vector<FoundReport> reports;
   for (const report::ReportKind& kind : report::report_kinds()) {
     for (const auto& [folder, own] : data) {
-      if (own.value("report", Json()) == kind.name) {
-        reports.push_back(found(site / folder, kind, own));
+      if (!own || !own->is_object()) continue;
+      if (own->value("report", Json()) == kind.name) {
+        reports.push_back(found(site / folder, kind, *own));
       }
     }
   }

@@ -37,6 +37,9 @@ struct FoundReport {
   std::vector<FoundPage> pages;
 };
 
+/// Returns the subfolders with a data.json that is not of a site, in the order of their names.
+std::vector<std::string> folders_of_data(const std::filesystem::path& site);
+
 /// Returns the reports in the subfolders, in the order of their kinds, then of their names. Folders
 /// without the data of a known kind of report are ignored.
 std::vector<FoundReport> found_reports(const std::filesystem::path& site);

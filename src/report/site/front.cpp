@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <utility>
+
+#include "src/report/site/comparison_data.h"
 
 namespace ricochet::site {
 namespace {
@@ -84,6 +87,19 @@ Card card_of(const FoundReport& report) {
   return card;
 }
 
+/// The folder whose data cannot be read: that of a report, or of one of its pages.
+std::string unread_folder(const FoundReport& report) {
+  for (const FoundPage& page : report.pages) {
+    if (!holds(page.headline, "family")) continue;
+    try {
+      static_cast<void>(page.data.get<FamilyData>());
+    } catch (const Json::exception&) {
+      return report.folder + "/" + page.folder;
+    }
+  }
+  return report.folder;
+}
+
 /// Marks the reports whose data cannot be read.
 template <class Read>
 auto read_or_mark(const FoundReport* report, Front& front, const Read& read) {
@@ -91,7 +107,8 @@ auto read_or_mark(const FoundReport* report, Front& front, const Read& read) {
   if (report == nullptr) return Result();
   try {
     return Result(read(*report));
-  } catch (const Json::exception&) {
+  } catch (const std::exception& error) {  // of another version, or damaged
+    front.unread.emplace_back(unread_folder(*report), error.what());
     for (Card& card : front.cards) {
       if (card.folder == report->folder) card.finding = other_version;
     }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/report/site/entries.h"
@@ -63,6 +64,8 @@ struct Front {
   std::optional<Pairs> pairs;
   std::vector<Card> cards;
   std::vector<report::ReportKind> missing;  ///< kinds of which there is no report
+  /// Folder and reason of each report with a headline whose data cannot be read; not written.
+  std::vector<std::pair<std::string, std::string>> unread;
 };
 
 RICOCHET_WRITTEN_AS_JSON(FrontLink, text, folder, anchor);

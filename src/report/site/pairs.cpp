@@ -39,11 +39,12 @@ std::vector<PairedSolver> solvers_of(const FoundReport& report, const Simulated&
     const bool fits = one.family == simulated.family && one.largest && one.budget &&
                       std::ranges::count(simulated.formulations, one.formulation) > 0;
     if (!fits || one.share.value_or(0) <= 0) continue;
+    if (!one.seconds || !one.evaluations || !one.share_lower || !one.share_upper) continue;
     const auto simulation = simulation_seconds(report, one.family, *one.budget);
     if (!simulation) continue;
-    const double own = one.seconds.value() - one.evaluations.value() * *simulation;
+    const double own = *one.seconds - *one.evaluations * *simulation;
     solvers.push_back({one.solver, one.formulation, *one.evaluations, std::max(own, 0.0),
-                       *one.share, one.share_lower.value(), one.share_upper.value()});
+                       *one.share, *one.share_lower, *one.share_upper});
   }
   return solvers;
 }

@@ -3,7 +3,9 @@
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
+#include "ricochet/error.h"
 #include "src/report/file_set.h"
 #include "src/report/report.h"
 #include "src/report/site/front_page.h"
@@ -22,6 +24,20 @@ fs::path plain(const fs::path& folder) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
+struct WrittenSite {
+  std::vector<std::string> undrawn;                         ///< a line for each chart
+  std::vector<std::pair<std::string, std::string>> unread;  ///< see Front
+};
+
+WrittenSite written_site(const fs::path& folder) {
+  const std::vector<FoundReport> reports = found_reports(folder);
+  Front front = front_of(reports);
+  FrontPage page = front_page(front, navigation(reports, ""));
+  report::replace_files(folder, page.files);
+  link_pages(folder, reports);
+  return {std::move(page.failures), std::move(front.unread)};
+}
+
 }  // namespace
 
 bool is_site(const fs::path& folder) {
@@ -34,11 +50,7 @@ bool is_site(const fs::path& folder) {
 }
 
 std::vector<std::string> write_site(const fs::path& folder) {
-  const std::vector<FoundReport> reports = found_reports(folder);
-  FrontPage page = front_page(front_of(reports), navigation(reports, ""));
-  report::replace_files(folder, page.files);
-  link_pages(folder, reports);
-  return page.failures;
+  return written_site(folder).undrawn;
 }
 
 std::vector<std::string> write_site_above(const fs::path& report) {
@@ -49,24 +61,33 @@ std::vector<std::string> write_site_above(const fs::path& report) {
 std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const fs::path& folder) {
   std::error_code none;
   if (fs::exists(from / data_file, none) && !is_site(from)) return std::nullopt;
-  const std::vector<FoundReport> reports = found_reports(from);
+  const std::vector<std::string> reports = folders_of_data(from);
   if (reports.empty()) return std::nullopt;
   std::vector<std::string> failures;
-  for (const FoundReport& report : reports) {
+  for (const std::string& report : reports) {
     try {
-      const auto written = report::redraw_report(from / report.folder, folder / report.folder);
-      for (const std::string& line : written.failures) {
-        failures.push_back(report.folder + ": " + line);
-      }
-    } catch (const std::logic_error&) {  // of another version: the front page says so
-      if (fs::equivalent(from, folder, none)) continue;
-      fs::create_directories(folder / report.folder);
-      fs::copy_file(from / report.folder / data_file, folder / report.folder / data_file,
-                    fs::copy_options::overwrite_existing);
+      const auto written = report::redraw_report(from / report, folder / report);
+      failures.insert(failures.end(), written.failures.begin(), written.failures.end());
+      continue;
+    } catch (const std::logic_error& error) {
+      failures.emplace_back(error.what());
+    } catch (const InputError& error) {
+      failures.emplace_back(error.what());
     }
+    // The front page says that it must be made anew.
+    if (fs::equivalent(from, folder, none)) continue;
+    fs::create_directories(folder / report);
+    fs::copy_file(from / report / data_file, folder / report / data_file,
+                  fs::copy_options::overwrite_existing);
   }
-  const std::vector<std::string> own = write_site(folder);
-  failures.insert(failures.end(), own.begin(), own.end());
+  const WrittenSite front = written_site(folder);
+  for (const auto& [report, reason] : front.unread) {
+    failures.push_back((from / report / data_file).string() +
+                       ": must be the data of a report: " + reason);
+  }
+  for (const std::string& line : front.undrawn) {
+    failures.push_back((folder / data_file).string() + ": " + line);
+  }
   return failures;
 }
 

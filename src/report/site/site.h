@@ -20,7 +20,8 @@ std::vector<std::string> write_site(const std::filesystem::path& folder);
 std::vector<std::string> write_site_above(const std::filesystem::path& report);
 
 /// Draws all reports in a folder and its front page again, into another folder or the same. Returns
-/// the same for all of them; nothing if there are no reports.
+/// a line for each chart that could not be drawn, and for each report whose data are damaged or of
+/// another version, which begins with the file; nothing if there are no reports.
 std::optional<std::vector<std::string>> redraw_site(const std::filesystem::path& from,
                                                     const std::filesystem::path& folder);
 

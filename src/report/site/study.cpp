@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "src/core/folder_lock.h"
+#include "src/core/one_line.h"
 #include "src/report/report.h"
 #include "src/report/site/site.h"
 
@@ -49,9 +50,8 @@ Finished run(const Study& study, bool quick, const std::filesystem::path& folder
   const std::vector<std::string> above = site::write_site_above(folder);
   failures.insert(failures.end(), above.begin(), above.end());
   if (!epilogue.empty()) epilogue += "\n";
-  epilogue +=
-      fmt::format("The report: {}\n",
-                  (std::filesystem::absolute(folder) / "index.html").lexically_normal().string());
+  const auto page = (std::filesystem::absolute(folder) / "index.html").lexically_normal();
+  epilogue += fmt::format("The report: {}\n", one_line(page.string()));
   return {std::move(data), std::move(epilogue), std::move(failures)};
 }
 

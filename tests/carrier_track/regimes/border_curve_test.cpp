@@ -28,7 +28,7 @@ Scene with(const std::string& key, double factor) {
 
 TEST(BorderCurve, HasTheSlopesOfBordersSolvedAnew) {
   for (const std::string key : {"mass", "clearance", "restitution", "friction", "normal_force",
-                                 "centrifugal_mass_radius", "counting_limit", "pull"}) {
+                                "centrifugal_mass_radius", "counting_limit", "pull"}) {
     const BorderCurve curve(louder_than_two(with(key, 1)), key);
     const double constant = constant_named(with(key, 1), key);
     EXPECT_DOUBLE_EQ(curve.here().constant, constant);

@@ -12,8 +12,6 @@
 namespace ricochet::carrier_track {
 namespace {
 
-using std::numbers::pi;
-
 TEST(SteadyMotion, OfABallOnAShakenTableIsTheClosedFormOrbit) {
   for (const double e : {0.2, 0.5, 0.8}) {
     const double strength = (shaken_table::fold_strength(e) + shaken_table::flip_strength(e)) / 2;
@@ -24,7 +22,7 @@ TEST(SteadyMotion, OfABallOnAShakenTableIsTheClosedFormOrbit) {
     EXPECT_EQ(motion.turns, 1);
     EXPECT_EQ(motion.rest, Rest::never);
     ASSERT_EQ(motion.impacts.size(), 1U);
-    const double speed = shaken_table::gravity * 2 * pi / scene.omega / (1 + e);
+    const double speed = shaken_table::gravity * 2 * std::numbers::pi / scene.omega / (1 + e);
     EXPECT_NEAR(motion.impacts[0].speed / speed, 1, 1e-12);
     EXPECT_NEAR(motion.energy_per_turn(), (1 - e * e) * speed * speed, 1e-10 * speed * speed);
     EXPECT_NEAR(motion.determinant, e * e, 1e-10);
@@ -94,8 +92,8 @@ TEST(SteadyMotion, StaysOnAnOrbitThatIsFollowed) {
   const SteadyMotion unstable = followed(stable, beyond);
   EXPECT_EQ(unstable.turns, 1);
   EXPECT_FALSE(unstable.stable());
-  EXPECT_NEAR(unstable.impacts.at(0).speed, shaken_table::gravity * 2 * pi / beyond / (1 + e),
-              1e-12);
+  EXPECT_NEAR(unstable.impacts.at(0).speed,
+              shaken_table::gravity * 2 * std::numbers::pi / beyond / (1 + e), 1e-12);
 }
 
 TEST(SteadyMotion, RepeatsWithTheDisturbanceWhereThatRepeats) {

@@ -182,6 +182,14 @@ TEST(SceneFile, ReadsTheOtherFormsOfAKey) {
                    .contact_speed.has_value());
 }
 
+TEST(SceneFile, AdvisesNoNewKeyForWhatItRefuses) {
+  testing::internal::CaptureStderr();
+  // A warning is given once for each origin: this one is of no other test.
+  EXPECT_THROW(parse_scene(with("restitution", "restitution = [[0, 1], 1]"), "refused.toml"),
+               InputError);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(SceneFile, KnowsTheExponentOfKelvinVoigt) {
   std::string text = with("contact_law", "contact_law = \"kelvin-voigt\"");
   text.erase(text.find("contact_exponent"),

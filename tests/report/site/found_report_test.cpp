@@ -25,6 +25,19 @@ TEST_F(FoundReports, AreThoseOfKnownKindsInTheirOrder) {
   for (const FoundReport& report : found_reports(folder_)) labels.push_back(label_of(report));
   EXPECT_THAT(labels,
               ElementsAre("The paper's cases: ant", "The paper's cases: zebra", "The motion"));
+  EXPECT_THAT(folders_of_data(folder_),
+              ElementsAre("ant", "broken", "dynamics", "list", "other", "zebra"))
+      << "what is not of a known kind may have been a report";
+}
+
+TEST_F(FoundReports, AreNotReadDeeperThanTheStackHolds) {
+  const std::size_t levels = 200'000;
+  std::filesystem::create_directories(folder_ / "limits");
+  std::ofstream(folder_ / "limits" / "data.json")
+      << R"({"report":"limits","deep":)" << std::string(levels, '[') << std::string(levels, ']')
+      << "}";
+  EXPECT_TRUE(found_reports(folder_).empty());
+  EXPECT_THAT(folders_of_data(folder_), ElementsAre("limits"));
 }
 
 TEST_F(FoundReports, OfAFolderThatIsNoneAreNone) {

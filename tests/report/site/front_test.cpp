@@ -89,11 +89,23 @@ TEST(Cards, SayWhenDataAreOfAnotherVersion) {
   FoundReport report = telling();
   report.headline.reset();
   EXPECT_THAT(front_of({report}).cards.at(0).finding, HasSubstr("another version"));
+  EXPECT_TRUE(front_of({report}).unread.empty());
   FoundReport comparison = found_comparison();
   comparison.data["speed_accuracy"] = 7;
   const Front front = front_of({comparison});
   EXPECT_FALSE(front.comparison);
   EXPECT_THAT(front.cards.at(0).finding, HasSubstr("another version"));
+  EXPECT_THAT(front.unread,
+              testing::ElementsAre(testing::Pair("comparison", HasSubstr("speed_accuracy"))));
+}
+
+TEST(Cards, OfAReportWithAPageThatCannotBeReadSayWhichItIs) {
+  Json family = small_family();
+  family["budgets"][0]["ratings"][0]["share"] = "all";
+  const Front front = front_of({found_comparison(small_comparison(), {family})});
+  EXPECT_FALSE(front.comparison);
+  EXPECT_THAT(front.unread,
+              testing::ElementsAre(testing::Pair("comparison/count", HasSubstr("share"))));
 }
 
 TEST(MissingReports, AreTheKindsOfWhichThereIsNone) {

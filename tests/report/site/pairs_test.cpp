@@ -102,6 +102,20 @@ TEST(Pairs, OfDataOfAnotherVersionAreNone) {
   const Front front = front_of({racing(), old});
   EXPECT_FALSE(front.pairs);
   EXPECT_THAT(front.cards.at(1).finding, HasSubstr("another version"));
+  EXPECT_THAT(front.unread, testing::ElementsAre(testing::Pair("motion", HasSubstr("family"))));
+}
+
+TEST(Pairs, AreOfSolversOfWhichNothingIsMissing) {
+  for (const char* number : {"seconds", "evaluations", "share_lower", "share_upper"}) {
+    FoundReport partly = racing();
+    for (Json& one : partly.data["speed_accuracy"]) {
+      if (one["solver"] == "halving") one[number] = nullptr;
+    }
+    const Front front = front_of({partly, moving()});
+    ASSERT_TRUE(front.pairs) << number;
+    ASSERT_EQ(front.pairs->solvers.size(), 1U) << number;
+    EXPECT_EQ(front.pairs->solvers[0].solver, "lucky");
+  }
 }
 
 TEST(Pairs, StandStillWithEverySimulation) {

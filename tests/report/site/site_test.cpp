@@ -11,8 +11,10 @@ namespace ricochet::site {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 std::string page_text(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -88,8 +90,22 @@ TEST_F(Site, ShowsTextsOfItsReportsAsTexts) {
 
 TEST_F(Site, ShowsThatDataAreOfAnotherVersion) {
   keep(folder_ / "from", "verification", {{"report", "verification"}});
-  ASSERT_TRUE(redraw_site(folder_ / "from", folder_ / "to"));
+  const auto failures = redraw_site(folder_ / "from", folder_ / "to");
+  ASSERT_TRUE(failures);
+  EXPECT_THAT(*failures,
+              ElementsAre(StartsWith((folder_ / "from/verification/data.json").string() + ": ")));
   EXPECT_THAT(page_text(folder_ / "to/index.html"), HasSubstr("another version"));
+}
+
+TEST_F(Site, LinksNoPageOutsideOfIt) {
+  keep(folder_ / "from", "verification",
+       {{"report", "verification"}, {"pages", {"../../../outside"}}});
+  const std::string other = "<!-- navigation -->kept<!-- /navigation -->";
+  fs::create_directories(folder_ / "outside");
+  std::ofstream(folder_ / "outside/index.html") << other;
+  fs::create_directories(folder_ / "to" / "site");
+  ASSERT_TRUE(redraw_site(folder_ / "from", folder_ / "to" / "site"));
+  EXPECT_EQ(page_text(folder_ / "outside/index.html"), other);
 }
 
 }  // namespace

@@ -17,19 +17,18 @@ namespace ricochet {
 namespace {
 
 // Measured for cells; a run takes less memory, about 0.5 kB, and is counted as a cell.
-constexpr double most_cells = 5e6;
 constexpr double most_runs = 5e6;
 constexpr double most_machines = 1e4;
 
-/// Throws InputError if a part of a plan, or all, has too many.
-void check_number(double number, const char* what, double most, const std::string& place) {
-  if (number <= most) return;
+/// Throws InputError if a part of a plan, or all, has too many runs.
+void check_runs(double number, const std::string& place) {
+  if (number <= most_runs) return;
   constexpr double kilobytes = 0.7;
   constexpr double microseconds = 4;
-  throw InputError(fmt::format(
-      "{}: {:.3g} {}: must be at most {:.0f}; so many would take {:.2g} GB of memory and {:.2g} s "
-      "before the first run: cut the plan into several",
-      place, number, what, most, number * kilobytes / 1e6, number * microseconds / 1e6));
+  throw InputError(
+      fmt::format("{}: {:.3g} runs: must be at most {:.0f}; so many would take {:.2g} GB of memory "
+                  "and {:.2g} s before the first run: cut the plan into several",
+                  place, number, most_runs, number * kilobytes / 1e6, number * microseconds / 1e6));
 }
 
 /// Throws InputError for a level that a key of the grid does not allow; without texts it allows
@@ -194,7 +193,7 @@ Campaign::Campaign(Plan plan, const Catalogue& catalogue, const AllFindings& fou
     : plan_(std::move(plan)), found_(found) {
   const Catalogue whole = with_varied_solvers(catalogue, plan_);
   for (std::size_t part = 0; part < plan_.parts.size(); ++part) add_part(part, whole);
-  check_number(static_cast<double>(runs()), "runs", most_runs, "all parts");
+  check_runs(static_cast<double>(runs()), "all parts");
 }
 
 std::size_t Campaign::index_of(const Problem& problem, const std::string& family) {
@@ -321,8 +320,7 @@ void Campaign::add_part(std::size_t part_index, const Catalogue& catalogue) {
       }
     }
   }
-  check_number(cells, "cells", most_cells, place);
-  check_number(cells * part.instances * part.seeds, "runs", most_runs, place);
+  check_runs(cells * part.instances * part.seeds, place);
   for (const Combination& each : combinations) {
     add(*each.problem, *each.family, each.formulation, *each.perturbation, *each.solver);
   }

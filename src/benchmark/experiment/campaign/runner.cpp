@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "src/core/open_files.h"
+
 namespace ricochet {
 namespace {
 
@@ -79,13 +81,26 @@ std::unique_ptr<Worker> at_work(std::unique_ptr<Worker> worker, Queue& queue,
 
 }  // namespace
 
+int open_files_of_runs(std::size_t processes) {
+  // In each process: what a program or a shared library needs. Measured: 6. With too few, a run
+  // would be kept as one whose solver failed.
+  constexpr int of_run = 12;
+  // A socket, and a descriptor of the process; one process more is started before an old one ends.
+  return of_run + 2 * (static_cast<int>(processes) + 1);
+}
+
+std::size_t processes_of_runs() {
+  return std::max<std::size_t>(
+      1, tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 void run_all(const std::vector<Job>& jobs, const Limits& limits,
              const std::function<void(std::size_t, RunRecord)>& done) {
-  const std::size_t at_once = std::max<std::size_t>(
-      1, tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  const std::size_t at_once = std::min(processes_of_runs(), jobs.size());
+  allow_further_open_files(open_files_of_runs(at_once));
   Queue queue(jobs.size());
   std::vector<std::unique_ptr<Worker>> workers;
-  while (workers.size() < at_once && !queue.empty()) {
+  while (workers.size() < at_once) {
     workers.push_back(at_work(nullptr, queue, jobs, limits));
   }
   while (!workers.empty()) {

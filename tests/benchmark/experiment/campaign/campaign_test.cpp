@@ -56,6 +56,12 @@ TEST(Campaign, OfTooManyRunsCellsOrMachinesIsRefusedBeforeItIsBuilt) {
                                                 testing::StartsWith("part 1"), HasSubstr(reason))));
   };
   expect_refused(part_of("\"*\"", "seeds = 1000000"), " runs: must be at most 5000000");
+  const std::string many = "seeds = 1000000\ninstances = ";
+  const std::string first = part_of("\"bowl-1\"", many + "1");
+  EXPECT_NO_THROW(campaign_of(first));
+  EXPECT_THAT([&] { campaign_of(first + part_of("\"bowl-2\"", many + "5")); },
+              testing::ThrowsMessage<InputError>(HasSubstr("all parts: 6e+06 runs")))
+      << "each alone would do";
   expect_refused(part_of("\"*\"", "drawn_machines = 1000000"), "must be at most 10000");
   std::string levels;
   for (int k = 1; k <= 101; ++k) levels += std::to_string(k) + ",";

@@ -1,16 +1,21 @@
 #include "src/benchmark/experiment/campaign/runner.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "src/core/instance.h"
+#include "src/core/text_file.h"
 
 namespace ricochet {
 namespace {
@@ -55,6 +60,29 @@ std::vector<RunRecord> run_on(const std::vector<Job>& jobs, std::size_t at_once)
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, at_once);
   Progress progress("running", static_cast<double>(jobs.size()));
   return run_all(jobs, progress);
+}
+
+/// Ends this process with 7 and the reason if runs are refused.
+[[noreturn]] void run_with_few_open_files(const std::vector<Job>& jobs) {
+  int next = 0;  // descriptors below it are open
+  while (fcntl(next, F_GETFD) >= 0) ++next;
+  // Enough to start a process, too few for what a solver may open there.
+  const auto few = static_cast<rlim_t>(next + 10);
+  const rlimit limit{few, few};
+  setrlimit(RLIMIT_NOFILE, &limit);
+  try {
+    run_on(jobs, 1);
+  } catch (const OutputError& error) {
+    std::fputs(error.what(), stderr);
+    std::_Exit(7);
+  }
+  std::_Exit(8);
+}
+
+TEST(Runner, StartsNothingWhereTooFewFilesMayBeOpen) {
+  const Jobs jobs(1);
+  EXPECT_EXIT(run_with_few_open_files(jobs.jobs), testing::ExitedWithCode(7),
+              "^too many open files: the limit is ");
 }
 
 TEST(Runner, KeepsTheOrderOfTheJobs) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -42,6 +43,8 @@ TEST_F(StoredCampaigns, SearchOnceAndReadTheFindingsFromTheStoreAfterwards) {
     EXPECT_TRUE(stored.campaign.to_search().empty());
     EXPECT_EQ(stored.store.description().problems[0].findings, (Findings{{"best_point", 0.3}}));
     make_runs(stored.campaign, {}, stored.store);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "runs.sqlite-wal")) << "it can be copied now";
+    EXPECT_EQ(caution(folder_ / "runs.sqlite"), "");
   }
   const StoredCampaign again = opened(grid);
   EXPECT_EQ(*searches_, 2);

@@ -1,7 +1,9 @@
 #include "src/benchmark/experiment/store/store.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -65,6 +67,8 @@ class StoreFile : public TemporaryFolder {
     const pid_t writer = fork();
     ASSERT_GE(writer, 0);
     if (writer == 0) {
+      // A shell's background jobs ignore some signals, and so would this one, for ever.
+      if (signal != SIGKILL) std::signal(signal, SIG_DFL);
       end_tidily_when_interrupted();
       std::mt19937_64 random(6);
       Store store = Store::open(file, Store::For::adding);
@@ -121,7 +125,32 @@ TEST_F(StoreFile, KeepsEveryBitOfAnyRun) {
 
 TEST_F(StoreFile, IsOneFileOnceItIsClosed) {
   filled(3);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  EXPECT_EQ(files(), 1);
+  EXPECT_EQ(caution(file), "") << "and nothing says that it lacks its log";
+}
+
+TEST_F(StoreFile, HasAllItsRunsOnceItIsFinishedThoughAnotherReadsIt) {
+  Store writer = Store::create(file, a_description());
+  for (int k = 0; k < 3; ++k) writer.add(a_key(k), {});
+  const Store reader = Store::open(file, Store::For::reading);
+  writer.finish();
+  EXPECT_EQ(reader.size(), 3);
+  const fs::path copy = folder_ / "copy.sqlite";
+  fs::copy(file, copy);
+  EXPECT_EQ(Store::open(copy, Store::For::reading).size(), 3);
+}
+
+TEST_F(StoreFile, IsNotDraftedIntoWhatAnotherHasPutThere) {
+  const fs::path other = folder_ / "other.txt";
+  std::ofstream(other) << "another's\n";
+  for (int number = 0; number < 200; ++number) {  // the names that drafts get
+    fs::create_symlink(other,
+                       folder_ / fmt::format(".ricochet.{}.{}.store.part", getpid(), number));
+  }
+  { const Store store = Store::create(file, a_description()); }
+  EXPECT_EQ(fs::file_size(other), 10);
+  EXPECT_FALSE(fs::is_symlink(file));
+  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 0);
 }
 
 TEST_F(StoreFile, IsOneFileAfterAnInterruption) {
@@ -400,6 +429,8 @@ TEST_F(StoreFile, HasAllRunsThatWereAddedBeforeItsWriterWasKilled) {
       }
     }
     close(ends[1]);
+    pollfd first{ends[0], POLLIN, 0};
+    if (killed % 2 == 0) poll(&first, 1, 10'000);  // else before it has added any, maybe
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 40'000));
     kill(writer, SIGKILL);
     waitpid(writer, nullptr, 0);

@@ -1,7 +1,9 @@
 #include "src/core/open_files.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "src/core/text_file.h"
 
@@ -16,6 +18,13 @@ void allow_open_files(int number) {
   if (needed <= limit.rlim_max && setrlimit(RLIMIT_NOFILE, &limit) == 0) return;
   throw OutputError(fmt::format("too many open files: the limit is {}; raise it with ulimit -n {}",
                                 before, number));
+}
+
+void lead_nowhere(int descriptor) {
+  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing < 0 || nothing == descriptor) return;
+  dup2(nothing, descriptor);
+  close(nothing);
 }
 
 }  // namespace ricochet

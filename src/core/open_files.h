@@ -6,4 +6,7 @@ namespace ricochet {
 /// the system's limit if that is lower.
 void allow_open_files(int number);
 
+/// From now on nothing can be read from this descriptor, and what is written to it is lost.
+void lead_nowhere(int descriptor);
+
 }  // namespace ricochet

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "src/core/text_file.h"
 
@@ -42,6 +43,16 @@ TEST_F(OpenFiles, AreRefusedBeyondTheLimitOfTheSystem) {
               testing::ThrowsMessage<OutputError>(fmt::format(
                   "too many open files: the limit is 30; raise it with ulimit -n {}", too_many)));
   EXPECT_EQ(allowed(), 30U);
+}
+
+TEST(Descriptor, LeadsNowhere) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  for (const int end : ends) lead_nowhere(end);
+  EXPECT_EQ(write(ends[1], "lost", 4), 4);
+  char nothing = 0;
+  EXPECT_EQ(read(ends[0], &nothing, 1), 0);
+  for (const int end : ends) close(end);
 }
 
 }  // namespace

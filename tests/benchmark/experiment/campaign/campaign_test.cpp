@@ -56,6 +56,9 @@ TEST(Campaign, OfTooManyRunsCellsOrMachinesIsRefusedBeforeItIsBuilt) {
                                                 testing::StartsWith("part 1"), HasSubstr(reason))));
   };
   expect_refused(part_of("\"*\"", "seeds = 1000000"), " runs: must be at most 5000000");
+  expect_refused(part_of("\"bowl-1\"", "instances = 200001"),
+                 "2e+05 instances of problems: must be at most 200000; so many would take about "
+                 "2.8 GB of memory and 4.6 s before the first run");
   expect_refused(part_of("\"*\"", "drawn_machines = 1000000"), "must be at most 10000");
   std::string levels;
   for (int k = 1; k <= 101; ++k) levels += std::to_string(k) + ",";

@@ -133,16 +133,20 @@ class Program : public CommandLine {
                             "  ricochet machine check machine.toml\n"
                             "  ricochet machine advise machine.toml --tolerance 5");
     command->require_subcommand(1);
-    CLI::App* fresh = command->add_subcommand("new", "Print a machine file to start from");
+    CLI::App* fresh =
+        command->add_subcommand("new", "Print a machine file to start from")->group("Commands");
     on_call(fresh, [] { return new_machine(); });
-    CLI::App* check = command->add_subcommand(
-        "check", "List every field with unit and range, and likely mistakes");
+    CLI::App* check =
+        command
+            ->add_subcommand("check", "List every field with unit and range, and likely mistakes")
+            ->group("Commands");
     check->add_option("file", machine_file_, "A machine file (TOML); - is standard input")
         ->type_name("FILE")
         ->required();
     on_call(check, [this] { return check_machine(machine_file_); });
     CLI::App* advise =
-        command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change");
+        command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change")
+            ->group("Commands");
     advise->add_option("file", machine_file_, "A machine file (TOML); - is standard input")
         ->type_name("FILE")
         ->required();
@@ -219,7 +223,7 @@ class Program : public CommandLine {
     on_call(command, [this, &options] { return compare(comparison_, options.quick, options.out); });
     command
         ->add_option("--problems", comparison_.problems,
-                     "Patterns, separated by commas; default: those of the plan `default`")
+                     "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
         ->type_name("PROBLEMS");
     command->add_option("--solvers", comparison_.solvers, "Patterns, separated by commas")
         ->type_name("SOLVERS")
@@ -250,14 +254,17 @@ class Program : public CommandLine {
                             "  ricochet plan check plan.toml\n"
                             "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
     command->require_subcommand(1);
-    CLI::App* fresh = command->add_subcommand("new", "Print a plan to start from");
+    CLI::App* fresh =
+        command->add_subcommand("new", "Print a plan to start from")->group("Commands");
     on_call(fresh, [] { return new_plan(); });
     CLI::App* check =
-        command->add_subcommand("check", "Print what the plan would run, and for how long");
+        command->add_subcommand("check", "Print what the plan would run, and for how long")
+            ->group("Commands");
     add_plan_file(check);
     add_format(check, plan_json_);
     on_call(check, [this] { return check_plan(run_.plan, plan_json_); });
-    CLI::App* slurm = command->add_subcommand("slurm", "Print a job script for Slurm");
+    CLI::App* slurm =
+        command->add_subcommand("slurm", "Print a job script for Slurm")->group("Commands");
     add_plan_file(slurm);
     slurm->add_option("--jobs", slurm_jobs_, "Number of jobs, of one core each")
         ->capture_default_str();

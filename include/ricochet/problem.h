@@ -67,9 +67,11 @@ struct Variable {
 /// runs own all state. The functions may be called from several threads at once. They throw what
 /// went wrong; the evaluator catches it. A solver does not see a Problem but an Evaluator.
 struct Problem {
-  std::string name;                 ///< e.g. "count-C1"
-  std::string source;               ///< short description and origin
-  int instance = 0;                 ///< 0 is the problem as stated; see instance.h
+  std::string name;        ///< e.g. "count-C1"
+  std::string source;      ///< short description and origin
+  std::string unit = {};   ///< of the objective; empty if it has none
+  bool maximises = false;  ///< the objective is the negative of what a user wants to be large
+  int instance = 0;        ///< 0 is the problem as stated; see instance.h
   std::vector<Variable> variables;  ///< n, or empty if they have no names
   Vector lower, upper, start;       ///< length n, lower <= start <= upper, finite
   Eigen::Index constraints = 0;

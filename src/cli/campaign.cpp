@@ -54,6 +54,14 @@ Shard shard_of(const std::string& text) {
       fmt::format("--shard {}: must be I/N, two whole numbers with 1 <= I <= N", text));
 }
 
+/// Says how long a campaign will take that is made here.
+void announce_time(const Campaign& campaign, const Shard& shard) {
+  Forecast forecast = forecast_of(campaign);
+  forecast.runs /= shard.count;
+  if (shard.count > 1) forecast.report = 0;  // there is none of a part
+  Progress::announce(in_words(forecast, cores()));
+}
+
 /// Makes the runs that are missing in the folder's store, or has the other ranks make them. If that
 /// is interrupted, `continuation` is what goes on.
 StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const Shard& shard,
@@ -63,23 +71,28 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
   allow_further_open_files(for_store + open_files_of_runs(processes_of_runs()));
   const FolderLock alone(options.out);
   const auto file = std::filesystem::path(options.out) / "runs.sqlite";
-  if (std::filesystem::exists(file) && !options.resume) {
+  const bool existed = std::filesystem::exists(file);
+  if (existed && !options.resume) {
     throw InputError(file.string() +
                      ": is there already: --resume goes on with it, and another "
                      "--out starts again");
   }
-  StoredCampaign stored = stored_campaign(plan, catalogue, file, provenance());
+  const auto announce = [&](const Campaign& campaign) {
+    Progress::announce(in_words(size_of(campaign)));
+    if (options.serve.empty()) announce_time(campaign, shard);
+  };
+  const std::string how_to_go_on = fmt::format("finished runs are kept: {} goes on", continuation);
+  StoredCampaign stored = [&] {
+    const AtInterruption beforehand(
+        [] {}, existed ? how_to_go_on : "no run was made: the same command starts again");
+    return stored_campaign(plan, catalogue, file, provenance(), announce);
+  }();
   const auto& [campaign, store] = stored;
-  const std::int64_t before = store.size();
-  Progress::announce(in_words(size_of(campaign)));
-  if (before > 0) Progress::announce(fmt::format("{} runs are there already", before));
-  if (options.serve.empty() && before == campaign.runs()) return stored;
-  const AtInterruption kept([] {}, fmt::format("finished runs are kept: {} goes on", continuation));
+  if (existed) Progress::announce(in_words(size_of(campaign)));
+  if (store.size() > 0) Progress::announce(fmt::format("{} runs are there already", store.size()));
+  if (options.serve.empty() && store.size() == campaign.runs()) return stored;
+  const AtInterruption kept([] {}, how_to_go_on);
   if (options.serve.empty()) {
-    if (before == 0) {
-      const double seconds = foretold_seconds(campaign) / shard.count / cores();
-      Progress::announce(fmt::format("about {} on {} cores", duration(seconds), cores()));
-    }
     make_runs(campaign, shard, stored.store);
   } else if (!serve_store(campaign, shard, stored.store, STDIN_FILENO, frames_out)) {
     throw std::runtime_error(
@@ -122,6 +135,7 @@ bool started_with_other_ranks() {
 }  // namespace
 
 int run_plan(const RunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
   if (options.jobs < 0) throw InputError(fmt::format("--jobs {}: must be >= 0", options.jobs));
   const Shard shard = shard_of(options.shard);
   if (options.serve.empty() && started_with_other_ranks()) hand_over_to_mpi(options);
@@ -144,7 +158,7 @@ int run_plan(const RunOptions& options) {
   std::vector<std::string> failures;
   if (store.size() == campaign.runs()) {
     const auto study = studies::comparison_study(campaign, store);
-    const studies::Finished finished = studies::run(study, false, options.out);
+    const studies::Finished finished = studies::run(study, false, options.out, start);
     fmt::print("{}", finished.epilogue);
     digest = finished.data["digest"].get<std::string>();
     failures = finished.failures;
@@ -158,13 +172,14 @@ int run_plan(const RunOptions& options) {
 }
 
 int compare(const studies::ComparisonOptions& options, bool quick, const std::string& out) {
+  const auto start = std::chrono::steady_clock::now();
   const Catalogue catalogue = studies::whole_catalogue();
   const Plan plan = studies::comparison_plan(options, quick, catalogue);
   RunOptions here;
   here.out = out;
   here.resume = true;
   const auto [campaign, store] = carried_out(plan, catalogue, {}, here, "the same command");
-  tell(studies::run(studies::comparison_study(campaign, store), quick, out));
+  tell(studies::run(studies::comparison_study(campaign, store), quick, out, start));
   return 0;
 }
 

@@ -44,4 +44,9 @@ std::string in_words(const Json& size) {
       to_search > 0 ? fmt::format("; {} best values to be searched first", to_search) : "");
 }
 
+std::string in_words(const Forecast& forecast, int cores) {
+  return fmt::format("{} {} on {} core{}", forecast.at_least ? "at least" : "about",
+                     duration(forecast.seconds(cores)), cores, cores == 1 ? "" : "s");
+}
+
 }  // namespace ricochet::cli

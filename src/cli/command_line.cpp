@@ -151,6 +151,7 @@ void CommandLine::on_call(CLI::App* command, const std::function<int()>& work) {
 
 void CommandLine::add_format(CLI::App* command, bool& json) {
   command->add_option("--format", "What to print: text or json")
+      ->type_name("FORMAT")
       ->check(CLI::IsMember({"text", "json"}))
       ->default_str("text")
       ->each([&json](const std::string& format) { json = format == "json"; });
@@ -193,7 +194,7 @@ int CommandLine::carry_out(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     const bool informs = error.get_exit_code() == 0;  // --help, --version
     if (informs && !names_no_command()) return app_.exit(error);
-    return fail(bad_input, explanation(error) + "; see ricochet --help");
+    return fail(bad_input, fmt::format("{}; see {} --help", explanation(error), called().second));
   } catch (const InputError& error) {
     return fail(bad_input, error.what());
   } catch (const OutputError& error) {
@@ -238,22 +239,32 @@ bool CommandLine::names_no_command() const {
   return app_.get_subcommands().empty() && !extra.empty() && !extra.front().starts_with('-');
 }
 
+/// Returns the command that is called, the program itself if it is none, and how to call it.
+std::pair<const CLI::App*, std::string> CommandLine::called() const {
+  const CLI::App* app = &app_;
+  std::string path = app_.get_name();
+  while (!app->get_subcommands().empty()) {
+    app = app->get_subcommands().front();
+    path += " " + app->get_name();
+  }
+  return {app, path};
+}
+
 /// Returns CLI11's message; for an unknown command or option it adds a suggestion.
 std::string CommandLine::explanation(const CLI::ParseError& error) const {
+  const auto [app, path] = called();
+  const std::string place = app == &app_ ? "" : app->get_name() + ": ";
   const std::vector<std::string> extra = app_.remaining(true);
-  if (extra.empty()) return error.what();
+  if (extra.empty()) return place + error.what();
   if (const std::string renaming = renaming_of(extra.front()); !renaming.empty()) return renaming;
-  const CLI::App* called = &app_;
-  while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
-  std::vector<std::string> known = names_of(called->get_subcommands(nullptr));
+  std::vector<std::string> known = names_of(app->get_subcommands(nullptr));
   if (!known.empty() && !extra.front().starts_with('-')) {
     return fmt::format("{} is no command; {}", extra.front(), what_instead(extra.front(), known));
   }
   known.clear();
-  for (const CLI::Option* option : called->get_options()) {
+  for (const CLI::Option* option : app->get_options()) {
     for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   }
-  const std::string place = called == &app_ ? "" : called->get_name() + ": ";
   return fmt::format("{}{} is not expected; {}", place, extra.front(),
                      what_instead(extra.front().substr(0, extra.front().find('=')), known));
 }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "src/report/json.h"
@@ -61,6 +62,7 @@ class CommandLine {
   bool names_no_command() const;
   int fail(int exit_code, const std::string& reason) const;
   int finish_output(int exit_code) const;
+  std::pair<const CLI::App*, std::string> called() const;
   std::string explanation(const CLI::ParseError& error) const;
 
   CLI::App app_;

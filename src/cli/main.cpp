@@ -149,10 +149,9 @@ class Program : public CommandLine {
   }
 
   void add_regimes() {
-    CLI::App* command =
-        add("regimes", "Show what the carrier does in the long run, over the speed",
-            "  ricochet regimes --case C1\n"
-            "  ricochet regimes --scene machine.toml --to 10 --plot regimes.svg");
+    CLI::App* command = add("regimes", "Show what the carrier does in the long run, over the speed",
+                            "  ricochet regimes --case C1\n"
+                            "  ricochet regimes --scene machine.toml --to 10 --plot regimes.svg");
     add_scene_choice(command, regimes_.scene);
     add_format(command, regimes_.json);
     command->add_option("--from", regimes_.range.from, "Start of the speed range [rad/s]")
@@ -170,14 +169,18 @@ class Program : public CommandLine {
                             "  ricochet machine check machine.toml\n"
                             "  ricochet machine advise machine.toml --tolerance 5");
     command->require_subcommand(1);
-    CLI::App* fresh = command->add_subcommand("new", "Print a machine file to start from");
+    CLI::App* fresh =
+        command->add_subcommand("new", "Print a machine file to start from")->group("Commands");
     on_call(fresh, [] { return new_machine(); });
-    CLI::App* check = command->add_subcommand(
-        "check", "List every field with unit and range, and likely mistakes");
+    CLI::App* check =
+        command
+            ->add_subcommand("check", "List every field with unit and range, and likely mistakes")
+            ->group("Commands");
     add_machine_file(check, machine_);
     on_call(check, [this] { return check_machine(machine_); });
     CLI::App* advise =
-        command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change");
+        command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change")
+            ->group("Commands");
     add_machine_file(advise, machine_);
     advise->add_option("--out", advice_out_, "Folder for the page")
         ->type_name("FOLDER")
@@ -250,7 +253,7 @@ class Program : public CommandLine {
     on_call(command, [this, &options] { return compare(comparison_, options.quick, options.out); });
     command
         ->add_option("--problems", comparison_.problems,
-                     "Patterns, separated by commas; default: those of the plan `default`")
+                     "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
         ->type_name("PROBLEMS");
     command->add_option("--solvers", comparison_.solvers, "Patterns, separated by commas")
         ->type_name("SOLVERS")
@@ -281,14 +284,17 @@ class Program : public CommandLine {
                             "  ricochet plan check plan.toml\n"
                             "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
     command->require_subcommand(1);
-    CLI::App* fresh = command->add_subcommand("new", "Print a plan to start from");
+    CLI::App* fresh =
+        command->add_subcommand("new", "Print a plan to start from")->group("Commands");
     on_call(fresh, [] { return new_plan(); });
     CLI::App* check =
-        command->add_subcommand("check", "Print what the plan would run, and for how long");
+        command->add_subcommand("check", "Print what the plan would run, and for how long")
+            ->group("Commands");
     add_plan_file(check);
     add_format(check, plan_json_);
     on_call(check, [this] { return check_plan(run_.plan, plan_json_); });
-    CLI::App* slurm = command->add_subcommand("slurm", "Print a job script for Slurm");
+    CLI::App* slurm =
+        command->add_subcommand("slurm", "Print a job script for Slurm")->group("Commands");
     add_plan_file(slurm);
     slurm->add_option("--jobs", slurm_jobs_, "Number of jobs, of one core each")
         ->capture_default_str();

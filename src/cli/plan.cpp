@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "src/cli/campaign_size.h"
 #include "src/cli/cores.h"
 #include "src/cli/programs.h"
+#include "src/core/near_names.h"
 #include "src/core/one_line.h"
 #include "src/report/filled_text.h"
 
@@ -90,6 +92,11 @@ Plan plan_named(const std::string& name) {
   if (name == "quick") return plan_from(embedded::quick_plan, name);
   if (name == "default") return plan_from(embedded::default_plan, name);
   if (name == "full") return plan_from(embedded::full_plan, name);
+  const std::vector<std::string> meant = near_names(name, {"quick", "default", "full"});
+  if (!meant.empty() && !std::filesystem::exists(name)) {
+    throw InputError(
+        fmt::format("{}: there is no such file; did you mean {}?", name, meant.front()));
+  }
   return read_plan(name);
 }
 
@@ -102,8 +109,10 @@ int check_plan(const std::string& plan, bool json) {
   const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
   const std::vector<std::string> programs = programs_of(campaign.plan());
   Json size = size_of(campaign);
-  const double seconds = foretold_seconds(campaign);
-  size["seconds"] = seconds;
+  const Forecast forecast = forecast_of(campaign);
+  size["seconds"] = forecast.search + forecast.runs + forecast.report;
+  size["elapsed_seconds"] = forecast.seconds(cores());
+  size["at_least"] = forecast.at_least;
   size["cores"] = cores();
   Json with_options = Json::array();
   for (const VariedSolver& v : campaign.plan().solvers) {
@@ -114,7 +123,7 @@ int check_plan(const std::string& plan, bool json) {
   if (json) {
     fmt::print("{}\n", size.dump(2));
   } else {
-    fmt::print("{}; about {} on {} cores\n", in_words(size), duration(seconds / cores()), cores());
+    fmt::print("{}; {}\n", in_words(size), in_words(forecast, cores()));
     for (const Json& varied : with_options) fmt::print("{}\n", described(varied));
     for (const std::string& program : programs) {
       fmt::print("run would start: {}\n", one_line(program));
@@ -134,14 +143,16 @@ int slurm_script(const std::string& plan, int jobs) {
   if (plan == "-") throw InputError("the jobs read the plan: it must be a file");
   const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
   const std::vector<std::string> programs = programs_of(campaign.plan());
-  const double hours = foretold_seconds(campaign) / jobs / 3600;
+  Forecast forecast = forecast_of(campaign);
+  forecast.runs /= jobs;
+  forecast.report = 0;
+  const double hours = forecast.seconds(1) / 3600;
   Json shown_programs = Json::array();
   for (const std::string& program : programs) shown_programs.push_back(one_line(program));
-  const Json data = {{"plan", in_shell_quotes(plan)},
-                     {"jobs", jobs},
-                     {"programs", shown_programs},
-                     {"allow", programs.empty() ? "" : " --allow-programs"},
-                     {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
+  const Json data = {
+      {"plan", in_shell_quotes(plan)}, {"jobs", jobs},
+      {"programs", shown_programs},    {"allow", programs.empty() ? "" : " --allow-programs"},
+      {"at_least", forecast.at_least}, {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
   fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
   return 0;
 }

@@ -5,6 +5,9 @@
 {{#programs}}
 # It starts: {{.}}
 {{/programs}}
+{{#at_least}}
+# The time below is at least needed: what the programs take is not known before they run.
+{{/at_least}}
 #SBATCH --job-name=ricochet
 #SBATCH --array=1-{{jobs}}
 #SBATCH --cpus-per-task=1

@@ -75,6 +75,17 @@ Problem featured(const SolveOptions& options, const Problem& problem,
       problem, seed_of(problem.name, perturbation.name, problem.instance, options.seed));
 }
 
+/// The objective as a user says it: what is maximised is not negated.
+double as_said(double objective, const Problem& problem) {
+  return problem.maximises ? 0 - objective : objective;
+}
+
+/// The same as text, with the unit.
+std::string in_words(double objective, const Problem& problem) {
+  return fmt::format("{:.9g}{}{}", as_said(objective, problem), problem.unit.empty() ? "" : " ",
+                     problem.unit);
+}
+
 /// Wraps the problem so that it reports on a terminal whenever a better true objective was
 /// evaluated.
 Problem watched(const Problem& problem) {
@@ -84,7 +95,7 @@ Problem watched(const Problem& problem) {
     const TrueValues true_values = true_values_at(problem, x);
     if (!best || better(true_values, *best)) {
       best = true_values;
-      fmt::print(stderr, "\r\033[Kbest {:.9g}{}", true_values.objective,
+      fmt::print(stderr, "\r\033[Kbest {}{}", in_words(true_values.objective, problem),
                  true_values.violation > 0 ? ", not feasible" : "");
     }
     return true_values;
@@ -110,12 +121,13 @@ report::Plot plot_of(const RunRecord& record, const Problem& problem, const std:
   chart.name = "trace";
   chart.title = title;
   chart.x = {.label = "evaluations", .scale = report::Scale::logarithmic};
-  chart.y.label = "best true objective";
+  chart.y.label = "best true objective" + (problem.unit.empty() ? "" : " [" + problem.unit + "]");
   chart.width = 720;
   report::Series series{"", report::Mark::steps, {}};
   for (const Improvement& step : record.trace) {
     if (step.true_values.violation > 0) continue;
-    series.samples.push_back({static_cast<double>(step.evaluations), step.true_values.objective});
+    series.samples.push_back(
+        {static_cast<double>(step.evaluations), as_said(step.true_values.objective, problem)});
   }
   if (!series.samples.empty()) {
     series.samples.push_back(
@@ -123,7 +135,8 @@ report::Plot plot_of(const RunRecord& record, const Problem& problem, const std:
   }
   chart.series = {series};
   if (problem.best_known) {
-    chart.lines = {{report::Direction::horizontal, *problem.best_known, "best known"}};
+    chart.lines = {
+        {report::Direction::horizontal, as_said(*problem.best_known, problem), "best known"}};
   }
   return report::plot_of({chart});
 }
@@ -164,10 +177,10 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
              : verdict.feasible ? "not solved"
                                 : "nothing feasible found");
   if (verdict.objective) {
-    fmt::print("Best evaluated: {:.9g}", *verdict.objective);
+    fmt::print("Best evaluated: {}", in_words(*verdict.objective, problem));
     if (verdict.optimality_gap)
-      fmt::print(", {:.3g} from the best known, {:.9g}", *verdict.optimality_gap,
-                 *problem.best_known);
+      fmt::print(", {:.3g} from the best known, {}", *verdict.optimality_gap,
+                 in_words(*problem.best_known, problem));
     fmt::print(".\n");
   }
   if (!record.returned) {
@@ -176,7 +189,7 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
     fmt::print("Returned: a point that is not feasible, by {:.3g}.\n",
                record.returned->true_values.violation);
   } else {
-    fmt::print("Returned: {:.9g}.\n", record.returned->true_values.objective);
+    fmt::print("Returned: {}.\n", in_words(record.returned->true_values.objective, problem));
   }
   if (!record.trace.empty()) {
     const Vector& x = record.trace.back().x;

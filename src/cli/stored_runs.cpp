@@ -17,6 +17,7 @@
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/cli/programs.h"
 #include "src/core/one_line.h"
+#include "src/core/warning.h"
 #include "src/report/json.h"
 #include "src/research/suite/catalogue.h"
 
@@ -61,7 +62,7 @@ std::optional<RunRecord> made_again(const CampaignDescription& description, cons
 
 void warn_of_missing_runs(const std::string& store) {
   const std::string warning = caution(store);
-  if (!warning.empty()) fmt::print(stderr, "ricochet: {}\n", one_line(warning));
+  if (!warning.empty()) warn(warning);
 }
 
 int merge_stores(const std::vector<std::string>& parts, const std::string& out) {

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "src/core/open_files.h"
 #include "src/core/resource_limits.h"
 #include "src/core/supervised_process.h"
 
@@ -39,8 +40,7 @@ std::string answer_of(const std::function<std::string()>& work) {
 [[noreturn]] void work_and_answer(const std::function<std::string()>& work, double megabytes,
                                   int descriptor) {
   limit_resources(megabytes);
-  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, stream);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) lead_nowhere(stream);
   const std::string answer = answer_of(work);
   for (std::size_t done = 0; done < answer.size();) {
     const ssize_t count = write(descriptor, answer.data() + done, answer.size() - done);

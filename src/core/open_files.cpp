@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "src/core/text_file.h"
 
@@ -30,6 +31,13 @@ void allow_further_open_files(int number) {
   if (limit.rlim_cur <= limit.rlim_max && setrlimit(RLIMIT_NOFILE, &limit) == 0) return;
   throw OutputError(fmt::format("too many open files: the limit is {}; raise it with ulimit -n {}",
                                 before, needed));
+}
+
+void lead_nowhere(int descriptor) {
+  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing < 0 || nothing == descriptor) return;
+  dup2(nothing, descriptor);
+  close(nothing);
 }
 
 }  // namespace ricochet

@@ -1,6 +1,7 @@
 #include "src/core/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,13 @@ namespace {
 using std::chrono::steady_clock;
 
 std::atomic<bool> silent = false;
+
+/// The columns of the terminal that standard error is; many if it does not say.
+std::size_t terminal_columns() {
+  winsize size{};
+  const bool says = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return says ? size.ws_col : 1000;
+}
 
 }  // namespace
 
@@ -59,8 +67,10 @@ void Progress::draw(bool last) const {
   if (redraws_) {
     const auto filled = static_cast<std::size_t>(share * width);
     const std::string bar = std::string(filled, '=') + std::string(width - filled, ' ');
-    fmt::print(stderr, "\r\033[K{:<28} [{}] {:3.0f} %  {}{}", what_, bar, 100 * share, time,
-               last ? "\n" : "");
+    std::string line = fmt::format("{:<28} [{}] {:3.0f} %  {}", what_, bar, 100 * share, time);
+    const std::size_t columns = terminal_columns();
+    if (line.size() >= columns) line = fmt::format("{} {:.0f} %  {}", what_, 100 * share, time);
+    fmt::print(stderr, "\r\033[K{}{}", line.substr(0, columns - 1), last ? "\n" : "");
   } else {
     fmt::print(stderr, "{}: {:.0f} %, {}\n", what_, 100 * share, time);
   }

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "ricochet/error.h"
+#include "src/core/warning.h"
 
 namespace ricochet {
 namespace {
@@ -65,6 +66,14 @@ toml::table parse_toml_file(const std::filesystem::path& path) {
   }
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return parse_toml(text, path.string());
+}
+
+void rename_key(toml::table& table, std::string_view old_key, std::string_view key,
+                const std::string& place) {
+  if (!table.contains(old_key) || table.contains(key)) return;
+  warn(fmt::format("{}{} is now called {}", place, old_key, key));
+  table.insert(key, *table.get(old_key));
+  table.erase(old_key);
 }
 
 std::string toml_float(double x) {

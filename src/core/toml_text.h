@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace ricochet {
 
@@ -19,6 +20,11 @@ toml::table parse_toml(const std::string& text, const std::string& origin);
 
 /// The same for a file; reads no more than the limit, as it may be a pipe or endless.
 toml::table parse_toml_file(const std::filesystem::path& path);
+
+/// Gives a key of an older version, which is there in place of `key`, today's name, with a warning
+/// that begins with `place`.
+void rename_key(toml::table& table, std::string_view old_key, std::string_view key,
+                const std::string& place);
 
 /// The shortest TOML float that reads back to the same number.
 std::string toml_float(double x);

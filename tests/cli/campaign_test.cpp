@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -115,6 +116,17 @@ TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
   EXPECT_THAT(out_of("plan check " + plan_), HasSubstr(runs + " runs of 3 solvers on 2 problems"));
   EXPECT_THAT(run("one"), HasSubstr(runs + " runs: " + store("one")));
   EXPECT_EQ(size["cells"].get<int>() * 3, size["runs"].get<int>()) << "instances";
+}
+
+TEST_F(CampaignCommands, SayHowLongTheWholeCommandTook) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string said = run("one");
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  const std::size_t place = said.find("It took ");
+  ASSERT_NE(place, std::string::npos) << said;
+  const double told = std::atof(said.c_str() + place + 8);
+  EXPECT_LT(told, elapsed.count() + 0.1);
+  EXPECT_GT(told, 0.7 * elapsed.count() - 0.3) << "all but the start of the program";
 }
 
 TEST_F(CampaignCommands, GiveTheSameDigestHoweverTheRunsAreMade) {

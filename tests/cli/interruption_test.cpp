@@ -26,6 +26,18 @@ TEST(Interruption, KeepsWhatIsFinishedAndSaysHowToGoOn) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+TEST(Interruption, OfAComparisonThatHasNoRunsYetSaysHowToGoOn) {
+  Outcome outcome{};
+  for (int seconds = 1; seconds < 100; seconds *= 2) {
+    outcome =
+        call_interrupted("INT", "compare --out " + (fresh_folder() / "report").string(), seconds);
+    if (outcome.err != "ricochet: interrupted\n") break;
+  }
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_THAT(outcome.err, testing::EndsWith("ricochet: interrupted; no run was made: the same "
+                                             "command starts again\n"));
+}
+
 TEST(Interruption, OfAStudyLeavesNoTrace) {
   const auto folder = fresh_folder();
   const Outcome outcome = call_interrupted(

@@ -84,6 +84,17 @@ TEST(Main, SaysWhatMayHaveBeenMeant) {
   expect_refusal("simulate --case C1 --omega=3 --plt=x", "did you mean --plot?");
 }
 
+TEST(Main, NamesTheCommandWhoseHelpSaysMore) {
+  expect_refusal("solve bisection", "solve: problem is required; see ricochet solve --help");
+  expect_refusal("machine", "machine: A subcommand is required; see ricochet machine --help");
+  expect_refusal("plan check", "check: plan is required; see ricochet plan check --help");
+  expect_refusal("verify --scenes x", "see ricochet verify --help");
+  expect_refusal("hammer", "see ricochet --help");
+  expect_refusal("plan check quik", "quik: there is no such file; did you mean quick?");
+  EXPECT_THAT(call("plan --help").out, HasSubstr("\nCommands:\n  new "));
+  EXPECT_THAT(call("solve --help").out, HasSubstr("--format FORMAT:{text,json}=text"));
+}
+
 TEST(Main, RefusesEmptyValues) {
   for (const char* arguments : {"simulate --case C1 --omega ''", "simulate --case C1 --csv ''",
                                 "reproduce --out ''", "simulate --scene ''", "report ''"}) {

@@ -65,6 +65,16 @@ TEST_F(Programs, AreListedByACheckThatStartsNone) {
   EXPECT_FALSE(started("second"));
 }
 
+TEST_F(Programs, TakeATimeThatACheckDoesNotKnow) {
+  EXPECT_THAT(call("plan check " + plan_).out, HasSubstr("; at least "));
+  EXPECT_EQ(json::parse(call("plan check --format json " + plan_).out)["at_least"], true);
+  EXPECT_THAT(call("plan check quick").out, HasSubstr("; about "));
+  EXPECT_THAT(call("plan slurm " + plan_).out, HasSubstr("# The time below is at least needed"));
+  EXPECT_THAT(call("plan slurm quick").out, Not(HasSubstr("at least")));
+  const auto out = (folder_ / "out").string();
+  EXPECT_THAT(call("run " + plan_ + " --allow-programs --out " + out).err, HasSubstr("\nabout "));
+}
+
 TEST_F(Programs, AreNamedInAScriptForSlurm) {
   const Outcome script = call("plan slurm " + plan_);
   EXPECT_THAT(script.out, HasSubstr("# It starts: " + command("second") + "\n"));

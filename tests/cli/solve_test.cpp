@@ -30,7 +30,20 @@ TEST(Solve, SaysTheSameInWords) {
               HasSubstr("bisection on top-speed-C1, formulation count, instance 0: solved"));
   const json same = json::parse(call("solve bisection top-speed-C1 --budget 30 --format json").out);
   const std::string speed = std::to_string(same["point"][0].get<double>());
-  EXPECT_THAT(outcome.out, HasSubstr("Returned: -" + speed.substr(0, 6)));
+  EXPECT_THAT(outcome.out, HasSubstr("Returned: " + speed.substr(0, 6)));
+}
+
+TEST(Solve, SaysWhatIsMaximisedWithItsUnitAndWithoutASign) {
+  for (const std::string problem : {"top-speed-C1", "hard-top-speed-01", "robust-worst-C4"}) {
+    const Outcome outcome = call("solve random-search " + problem + " --budget 30");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out,
+                testing::ContainsRegex("Best evaluated: [0-9.]+ rad/s, [0-9.e-]+ from the best "
+                                       "known, [0-9.]+ rad/s\\.\nReturned: [0-9.]+ rad/s\\.\n"));
+  }
+  const json data =
+      json::parse(call("solve random-search top-speed-C1 --budget 30 --format json").out);
+  EXPECT_LT(data["objective"], 0) << "as minimised";
 }
 
 TEST(Solve, IsAnotherRunWithAnotherSeedAndTheSameWithTheSame) {
@@ -67,6 +80,9 @@ TEST(Solve, WritesTraceAndPicture) {
   EXPECT_THAT(read(folder / "trace.csv"),
               testing::StartsWith("evaluations,seconds,objective,violation,x1,x2,"));
   EXPECT_THAT(read(folder / "trace.svg"), HasSubstr("best true objective"));
+  const auto speeds = folder / "speeds.svg";
+  ASSERT_EQ(call("solve scan top-speed-C1 --budget 30 --plot " + speeds.string()).exit_code, 0);
+  EXPECT_THAT(read(speeds), HasSubstr("best true objective [rad/s]"));
 }
 
 TEST(Solve, TakesNamesInAnyCase) {

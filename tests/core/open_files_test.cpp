@@ -79,5 +79,15 @@ TEST_F(OpenFiles, AreRefusedBeyondTheLimitOfTheSystem) {
   EXPECT_EXIT(ask_beyond_the_limit(), testing::ExitedWithCode(7), "");
 }
 
+TEST(Descriptor, LeadsNowhere) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  for (const int end : ends) lead_nowhere(end);
+  EXPECT_EQ(write(ends[1], "lost", 4), 4);
+  char nothing = 0;
+  EXPECT_EQ(read(ends[0], &nothing, 1), 0);
+  for (const int end : ends) close(end);
+}
+
 }  // namespace
 }  // namespace ricochet

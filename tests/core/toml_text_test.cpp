@@ -29,6 +29,16 @@ std::string key_of(int names) {
   return key;
 }
 
+TEST(TomlText, GivesAKeyTodaysName) {
+  toml::table table = parse_toml("old = 1\nboth = 2\nnew_both = 3", "file");
+  testing::internal::CaptureStderr();
+  rename_key(table, "old", "new", "file: ");
+  rename_key(table, "both", "new_both", "file: ");
+  rename_key(table, "absent", "new_absent", "file: ");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "warning: file: old is now called new\n");
+  EXPECT_EQ(table, parse_toml("new = 1\nboth = 2\nnew_both = 3", "file"));
+}
+
 TEST(TomlText, RefusesAKeyOfTooManyNames) {
   EXPECT_EQ(complaint_about("[" + key_of(deepest_toml) + "]"), "accepted");
   EXPECT_EQ(complaint_about(key_of(deepest_toml) + " = 1"), "accepted");

@@ -140,6 +140,8 @@ Problem robust_problem(const Machine& machine, RiskMeasure risk) {
   Problem frame = speed_problem(
       prefix(risk), machine,
       fmt::format("fastest speed whose {} of 32 sampled counts is quiet", name_of(risk)));
+  frame.unit = "rad/s";
+  frame.maximises = true;
   frame.smoothing = default_smoothing;
   frame.tolerance = speed_tolerance;
   frame.penalty_weight = speed_penalty / step;

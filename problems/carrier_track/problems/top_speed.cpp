@@ -18,6 +18,8 @@ Problem top_speed_problem_of(const std::string& family, const Machine& machine) 
            smoothing > 0 && carries_derivatives(machine.scene));
   };
   Problem frame = speed_problem(family, machine, "fastest speed whose collision count is quiet");
+  frame.unit = "rad/s";
+  frame.maximises = true;
   frame.smoothing = default_smoothing;
   frame.tolerance = speed_tolerance;
   frame.penalty_weight = speed_penalty;

@@ -56,10 +56,7 @@ void TomlTable::boolean(std::string_view key, bool& target) const {
 }
 
 void TomlTable::renamed(std::string_view old_key, std::string_view key) {
-  if (!has(old_key) || has(key)) return;
-  warn(fmt::format("{}: {}.{} is now called {}", origin_, name_, old_key, key));
-  table_->insert(key, *table_->get(old_key));
-  table_->erase(old_key);
+  if (table_) rename_key(*table_, old_key, key, fmt::format("{}: {}.", origin_, name_));
 }
 
 void TomlTable::walls(const Field& field, double& lower, double& upper) {

@@ -32,26 +32,29 @@ int cores() {
 
 }  // namespace
 
-Finished run(const Study& study, bool quick, const std::filesystem::path& folder) {
+Finished run(const Study& study, bool quick, const std::filesystem::path& folder,
+             std::chrono::steady_clock::time_point start) {
   const FolderLock alone(folder);
-  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   report::Json results = study.compute(quick);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   report::Json data = {{"report", study.name},
                        {"made",
                         {{"version", RICOCHET_VERSION},
                          {"compiler", compiler},
                          {"threads", cores()},
-                         {"seconds", elapsed.count()},
+                         {"seconds", elapsed()},
                          {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
                          {"quick", quick}}}};
   data.update(results);
   auto [epilogue, failures] = report::write_report(data, folder);
   const std::vector<std::string> above = site::write_site_above(folder);
   failures.insert(failures.end(), above.begin(), above.end());
-  if (!epilogue.empty()) epilogue += "\n";
+  if (!epilogue.empty() && !epilogue.ends_with('\n')) epilogue += "\n";
   const auto page = (std::filesystem::absolute(folder) / "index.html").lexically_normal();
-  epilogue += fmt::format("The report: {}\n", one_line(page.string()));
+  epilogue +=
+      fmt::format("It took {:.1f} s.\nThe report: {}\n", elapsed(), one_line(page.string()));
   return {std::move(data), std::move(epilogue), std::move(failures)};
 }
 

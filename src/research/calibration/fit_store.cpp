@@ -12,6 +12,7 @@
 #include "src/core/suite_version.h"
 #include "src/core/text_file.h"
 #include "src/core/toml_text.h"
+#include "src/core/warning.h"
 
 namespace ricochet::studies::calibration {
 namespace {
@@ -154,10 +155,10 @@ std::optional<Fit> FitStore::find(const AskedFit& asked) const {
   if (found == named->second.end()) {
     const auto& [options, other] = *named->second.begin();
     if (other.from_file && !told_) {
-      fmt::print(stderr,
-                 "ricochet: {}: {} is there by other options, {} in place of {}: this and others "
-                 "like it are searched anew\n",
-                 file_.string(), name, options, asked.options);
+      warn(
+          fmt::format("{}: {} is there by other options, {} in place of {}: this and others like "
+                      "it are searched anew",
+                      file_.string(), name, options, asked.options));
       told_ = true;
     }
     return std::nullopt;

@@ -6,7 +6,6 @@
 #include "src/benchmark/experiment/campaign/plan_table.h"
 #include "src/core/name.h"
 #include "src/core/toml_text.h"
-#include "src/core/warning.h"
 
 namespace ricochet {
 namespace {
@@ -30,10 +29,7 @@ toml::table with_new_keys(toml::table table, const std::string& place) {
   for (const auto& [old_key, key] :
        {std::pair("questions", "problems"), std::pair("forms", "formulations"),
         std::pair("widths", "smoothings"), std::pair("features", "perturbations")}) {
-    if (!table.contains(old_key) || table.contains(key)) continue;
-    warn(fmt::format("{}: {} is now called {}", place, old_key, key));
-    table.insert(key, *table.get(old_key));
-    table.erase(old_key);
+    rename_key(table, old_key, key, place + ": ");
   }
   return table;
 }

@@ -56,10 +56,12 @@ StoredCampaign resumed(const Plan& plan, const Catalogue& catalogue,
 
 }  // namespace
 
-Campaign searched_campaign(const Plan& plan, const Catalogue& catalogue) {
-  Campaign planned(plan, catalogue);
-  if (planned.to_search().empty()) return planned;
-  return {plan, catalogue, found_by_search(planned.to_search())};
+Campaign searched_campaign(const Plan& plan, const Catalogue& catalogue,
+                           const std::function<void(const Campaign&)>& planned) {
+  Campaign campaign(plan, catalogue);
+  if (planned) planned(campaign);
+  if (campaign.to_search().empty()) return campaign;
+  return {plan, catalogue, found_by_search(campaign.to_search())};
 }
 
 Campaign campaign_of(const CampaignDescription& description, const Plan& plan,
@@ -76,9 +78,10 @@ Campaign campaign_of(const CampaignDescription& description, const Plan& plan,
 }
 
 StoredCampaign stored_campaign(const Plan& plan, const Catalogue& catalogue,
-                               const std::filesystem::path& file, const Provenance& provenance) {
+                               const std::filesystem::path& file, const Provenance& provenance,
+                               const std::function<void(const Campaign&)>& planned) {
   if (std::filesystem::exists(file)) return resumed(plan, catalogue, file, provenance);
-  Campaign campaign = searched_campaign(plan, catalogue);
+  Campaign campaign = searched_campaign(plan, catalogue, planned);
   Store store = Store::create(file, description_of(campaign, provenance));
   return {std::move(campaign), std::move(store)};
 }

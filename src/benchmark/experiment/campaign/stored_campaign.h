@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -23,17 +24,21 @@ struct StoredCampaign {
   Store store;
 };
 
-/// The campaign of a plan, after a parallel search for unknown values of its problems.
-Campaign searched_campaign(const Plan& plan, const Catalogue& catalogue);
+/// The campaign of a plan, after a parallel search for unknown values of its problems. Before the
+/// search it calls `planned`, if that is not empty.
+Campaign searched_campaign(const Plan& plan, const Catalogue& catalogue,
+                           const std::function<void(const Campaign&)>& planned = nullptr);
 
 /// The campaign of a plan, with the search results from when the store was made.
 Campaign campaign_of(const CampaignDescription& description, const Plan& plan,
                      const Catalogue& catalogue);
 
 /// Makes the store of a plan's campaign, or continues the existing one. Any program may open a
-/// store that lacks no run, to read it. Throws InputError if the store is of another plan, program
-/// or data; then it stays unchanged.
+/// store that lacks no run, to read it. Before the search for unknown values of a new one it calls
+/// `planned`, if that is not empty. Throws InputError if the store is of another plan, program or
+/// data; then it stays unchanged.
 StoredCampaign stored_campaign(const Plan& plan, const Catalogue& catalogue,
-                               const std::filesystem::path& file, const Provenance& provenance);
+                               const std::filesystem::path& file, const Provenance& provenance,
+                               const std::function<void(const Campaign&)>& planned = nullptr);
 
 }  // namespace ricochet

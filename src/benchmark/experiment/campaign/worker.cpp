@@ -1,6 +1,5 @@
 #include "src/benchmark/experiment/campaign/worker.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -15,6 +14,7 @@
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/record_text.h"
+#include "src/core/open_files.h"
 #include "src/core/resource_limits.h"
 #include "src/core/seed.h"
 #include "src/core/waiting.h"
@@ -82,8 +82,7 @@ RunRecord make(const Job& job, const std::function<void(const Improvement&)>& on
 [[noreturn]] void work(const std::vector<Job>& jobs, const Limits& limits, int descriptor) {
   limit_resources(limits.megabytes);
   // A solver must neither read what this process was given nor write into results.
-  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  dup2(nothing, STDIN_FILENO);
+  lead_nowhere(STDIN_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   on_waiting(
       [descriptor](const std::string& text) { tell(descriptor, Head::Kind::waiting, text); });

@@ -62,6 +62,9 @@ TEST(Campaign, OfTooManyRunsCellsOrMachinesIsRefusedBeforeItIsBuilt) {
   EXPECT_THAT([&] { campaign_of(first + part_of("\"bowl-2\"", many + "5")); },
               testing::ThrowsMessage<InputError>(HasSubstr("all parts: 6e+06 runs")))
       << "each alone would do";
+  expect_refused(part_of("\"bowl-1\"", "instances = 200001"),
+                 "2e+05 instances of problems: must be at most 200000; so many would take about "
+                 "2.8 GB of memory and 4.6 s before the first run");
   expect_refused(part_of("\"*\"", "drawn_machines = 1000000"), "must be at most 10000");
   std::string levels;
   for (int k = 1; k <= 101; ++k) levels += std::to_string(k) + ",";

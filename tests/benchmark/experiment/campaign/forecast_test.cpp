@@ -5,8 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <memory>
+#include <stdexcept>
 #include <string>
-#include <thread>
+#include <utility>
+#include <vector>
 
 #include "ricochet/stopwatch.h"
 #include "tests/benchmark/experiment/campaign/made_up_catalogue.h"
@@ -21,7 +24,7 @@ void burn(double seconds) {
   }
 }
 
-double foretold(double simulation, double solver, const std::string& rest) {
+Forecast foretold(double simulation, double solver, const std::string& rest) {
   Catalogue catalogue = made_up_catalogue();
   Problem& problem = catalogue.families[0].problems[0];
   problem.evaluate = [evaluate = problem.evaluate, simulation](const Vector& x) {
@@ -32,22 +35,87 @@ double foretold(double simulation, double solver, const std::string& rest) {
     while (evaluator.objective(start)) burn(solver);
     return SolverTermination{"spent"};
   };
-  return foretold_seconds(Campaign(
+  return forecast_of(Campaign(
       plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\n" + rest, "test"),
       catalogue));
 }
 
 TEST(Forecast, IsTheTimeOfSimulationsAndOfTheSolver) {
   // Half a millisecond and a quarter for each of 10 runs of 20 and of 2000 evaluations.
-  const double seconds = foretold(5e-4, 2.5e-4, "budgets = [20, 2000]\ninstances = 5\nseeds = 2");
+  const double seconds =
+      foretold(5e-4, 2.5e-4, "budgets = [20, 2000]\ninstances = 5\nseeds = 2").runs;
   EXPECT_GT(seconds, 10 * 2020 * 7.0e-4);
   EXPECT_LT(seconds, 10 * 2020 * 1.2e-3);
 }
 
 TEST(Forecast, HasItsShareForEveryRun) {
-  const double one = foretold(0, 0, "budgets = 2\ninstances = 1000");
-  EXPECT_GT(one, 0.9);
-  EXPECT_LT(one, 5);
+  const Forecast many = foretold(0, 0, "budgets = 2\ninstances = 10000");
+  EXPECT_GT(many.runs, 1);
+  EXPECT_LT(many.runs, 5);
+  const Forecast few = foretold(0, 0, "budgets = 2\ninstances = 100");
+  EXPECT_GT(many.report, few.report);
+}
+
+TEST(Forecast, HasEveryEvaluationThatTheScorerMakes) {
+  const std::string rest = "budgets = 100\ninstances = 10\nperturbations = ";
+  const double plain = foretold(5e-4, 0, rest + "\"plain\"").runs;
+  const double noisy = foretold(5e-4, 0, rest + "\"noisy\"").runs;
+  EXPECT_GT(noisy, 1.6 * plain);
+  EXPECT_LT(noisy, 2.4 * plain);
+}
+
+TEST(Forecast, HasTheStartOfASolverOnceForEveryProcess) {
+  Catalogue catalogue = made_up_catalogue();
+  catalogue.solvers[0].solve = [solve = catalogue.solvers[0].solve,
+                                started = std::make_shared<bool>(false)](
+                                   Evaluator& evaluator, const Vector& start, Random& random) {
+    if (!std::exchange(*started, true)) burn(0.05);
+    return solve(evaluator, start, random);
+  };
+  const Forecast forecast = forecast_of(
+      Campaign(plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\nbudgets = 2\n"
+                         "instances = 100",
+                         "test"),
+               catalogue));
+  EXPECT_GT(forecast.runs, 0.05);
+  EXPECT_LT(forecast.runs, 0.25) << "not for every run";
+}
+
+TEST(Forecast, HasTheSearchForBestValues) {
+  Catalogue catalogue = made_up_catalogue();
+  catalogue.grid_problems = [](const MachineGrid&) {
+    Problem slow = bowl("bowl-slow", 1);
+    slow.scan_step = 1e-3;
+    slow.evaluate = [evaluate = slow.evaluate](const Vector& x) {
+      burn(5e-4);
+      return evaluate(x);
+    };
+    return std::vector{searched(slow, nullptr)};
+  };
+  const Forecast forecast =
+      forecast_of(Campaign(plan_from("[[part]]\nmachines = { around = \"C1\" }\nproblems = \"*\"\n"
+                                     "solvers = \"chance-a\"\nbudgets = 2\ninstances = 1",
+                                     "test"),
+                           catalogue));
+  EXPECT_NEAR(forecast.search, 0.5, 0.1) << "1000 steps of 0.5 ms";
+}
+
+TEST(Forecast, IsALowerLimitWhereASolverCannotBeTimed) {
+  Catalogue catalogue = made_up_catalogue();
+  const auto plan = plan_from(
+      "[[part]]\nproblems = \"bowl-1\"\nsolvers = [\"chance-a\", \"chance-b\"]\nbudgets = 2",
+      "test");
+  EXPECT_FALSE(forecast_of(Campaign(plan, catalogue)).at_least);
+  catalogue.solvers[1].solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
+    throw std::runtime_error("not started");
+  };
+  EXPECT_TRUE(forecast_of(Campaign(plan, catalogue)).at_least);
+}
+
+TEST(Forecast, SharesAllButThePagesAmongCores) {
+  const Forecast forecast{4, 10, 2.25};
+  EXPECT_NEAR(forecast.seconds(1), 16.25, 0.1);
+  EXPECT_NEAR(forecast.seconds(4), 4.25, 0.25);
 }
 
 TEST(Forecast, ShowsItsProgressOnATerminal) {
@@ -71,7 +139,7 @@ TEST(Forecast, OutlivesAProblemThatThrows) {
   const Campaign campaign(
       plan_from("[[part]]\nproblems = \"bowl-1\"\nsolvers = \"chance-a\"\nbudgets = 5", "test"),
       catalogue);
-  EXPECT_GT(foretold_seconds(campaign), 0);
+  EXPECT_GT(forecast_of(campaign).runs, 0);
 }
 
 }  // namespace

@@ -20,6 +20,10 @@ toml::table parse_toml(const std::string& text, const std::string& origin);
 /// The same for a file; reads no more than the limit, as it may be a pipe or endless.
 toml::table parse_toml_file(const std::filesystem::path& path);
 
+/// The text of a TOML file, up to one byte beyond the limit. Throws InputError if it cannot be
+/// read.
+std::string read_toml_text(const std::filesystem::path& path);
+
 /// The shortest TOML float that reads back to the same number.
 std::string toml_float(double x);
 

@@ -85,6 +85,8 @@ def _load():
     library.ricochet_open.argtypes = [
         ctypes.c_char_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_int64, ctypes.c_uint64,
     ]  # fmt: skip
+    library.ricochet_open_scene.restype = _handle
+    library.ricochet_open_scene.argtypes = [ctypes.c_char_p, *library.ricochet_open.argtypes]
     library.ricochet_close.restype = None
     library.ricochet_close.argtypes = [_handle]
     library.ricochet_judge.restype = ctypes.c_int32
@@ -124,17 +126,19 @@ def problems():
     return names
 
 
-def problem(name, formulation="", *, instance=0, budget=None, seed=0):
+def problem(name, formulation="", *, instance=0, budget=None, seed=0, scene=None):
     """Opens the problem of this name.
 
     formulation: how it is shown, such as "count", "surrogate" or "penalised-count"; "" as it is judged.
     instance: 0 as stated; 1, 2, ... the same problem in another box, moved and reflected.
     budget: evaluations, after which RunOver is raised; None for as many as you like.
     seed: of `uniform`, from 0 to 2**64 - 1.
+    scene: a machine file, whose problem is meant, such as "profile-count-8-scene".
 
-    Raises Error where there is no such problem or formulation, with what may have been meant.
+    Raises Error where there is no such problem or formulation, with what may have been meant, and
+    where the machine file is not valid.
     """
-    return Problem(name, formulation, instance=instance, budget=budget, seed=seed)
+    return Problem(name, formulation, instance=instance, budget=budget, seed=seed, scene=scene)
 
 
 class Problem:
@@ -152,14 +156,18 @@ class Problem:
 
     _problem = None  # until it is open, and after it was closed
 
-    def __init__(self, name, formulation="", *, instance=0, budget=None, seed=0):
-        problem = _library.ricochet_open(
+    def __init__(self, name, formulation="", *, instance=0, budget=None, seed=0, scene=None):
+        asked = (
             name.encode(),
             formulation.encode(),
             _within("instance", instance, 0, 2**31 - 1),
             _UNLIMITED if budget is None else _within("budget", budget, 1, _UNLIMITED),
             _within("seed", seed, 0, 2**64 - 1),
         )
+        if scene is None:
+            problem = _library.ricochet_open(*asked)
+        else:
+            problem = _library.ricochet_open_scene(os.fsencode(scene), *asked)
         if not problem:
             raise Error(_last_error())
         self._problem = problem

@@ -171,7 +171,14 @@ int run_plan(const RunOptions& options) {
   return 0;
 }
 
-int compare(const studies::ComparisonOptions& options, bool quick, const std::string& out) {
+int compare(studies::ComparisonOptions options, const SceneChoice& scene, bool quick,
+            const std::string& out) {
+  if (!scene.scene_file.empty()) {
+    options.scene = carrier_track::write_scene(choose_scene(scene).scene);
+  } else if (!scene.settings.empty()) {
+    throw InputError("--set " + scene.settings.front() +
+                     ": changes a machine file: give --scene FILE");
+  }
   const auto start = std::chrono::steady_clock::now();
   const Catalogue catalogue = studies::whole_catalogue();
   const Plan plan = studies::comparison_plan(options, quick, catalogue);

@@ -6,6 +6,7 @@
 
 #include "src/benchmark/comparison/study.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
+#include "src/cli/scene_choice.h"
 
 namespace ricochet::cli {
 
@@ -24,7 +25,8 @@ struct RunOptions {
 int run_plan(const RunOptions& options);
 
 /// Compares solvers on problems as a separate campaign, which resumes automatically if it was
-/// interrupted.
-int compare(const studies::ComparisonOptions& options, bool quick, const std::string& out);
+/// interrupted. With a scene file, on the problems of its machine.
+int compare(studies::ComparisonOptions options, const SceneChoice& scene, bool quick,
+            const std::string& out);
 
 }  // namespace ricochet::cli

@@ -120,6 +120,15 @@ void refuse_empty_values(const CLI::App& called) {
 
 }  // namespace
 
+void add_settings(CLI::App* command, std::vector<std::string>& settings) {
+  command
+      ->add_option("--set", settings,
+                   "Change a key of the scene, such as friction=0.3 or 'wall_upper=0.9 mm'; may be "
+                   "repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
 CommandLine::CommandLine()
     : app_(
           "ricochet: the fastest quiet speed of a braiding machine, and a benchmark of solvers on "

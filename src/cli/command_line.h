@@ -18,6 +18,9 @@ struct StudyOptions {
   std::string out;
 };
 
+/// Adds the option --set, which changes keys of a machine file.
+void add_settings(CLI::App* command, std::vector<std::string>& settings);
+
 /// A program with commands, one of which is executed: the base of ricochet and of the programs that
 /// it calls.
 class CommandLine {

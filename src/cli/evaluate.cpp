@@ -32,8 +32,8 @@ Problem problem_of(const EvaluateOptions& options) {
     throw InputError("--scene -: must be a file, because standard input holds the points");
   }
   return named(
-      every_problem(suite_families(options.scene_file)), options.problem, "problem",
-      [](const Problem& problem) { return problem.name; }, "`ricochet list problems`");
+      every_problem(suite_families(options.scene_file, options.settings)), options.problem,
+      "problem", [](const Problem& problem) { return problem.name; }, "`ricochet list problems`");
 }
 
 Json description_of(const Problem& asked, const Formulation& formulation, const Problem& problem) {

@@ -41,7 +41,7 @@ Json cases() {
 
 /// Returns the selected families.
 std::vector<Family> families_of(const ListOptions& options) {
-  std::vector<Family> families = suite_families(options.scene_file);
+  std::vector<Family> families = suite_families(options.scene_file, options.settings);
   if (options.family.empty()) return families;
   std::vector<std::string> known;
   for (const Family& family : families) {
@@ -192,6 +192,9 @@ int list(const ListOptions& options) {
         std::pair("--solver-accepts", options.solver)}) {
     if (asks || value.empty()) continue;
     throw InputError(fmt::format("{}: has problems alone, not {}", option, what));
+  }
+  if (!asks && !options.settings.empty()) {
+    throw InputError(fmt::format("--set: has problems alone, not {}", what));
   }
   const Json rows = what == "cases"     ? cases()
                     : asks              ? problems(options)

@@ -40,15 +40,6 @@ namespace {
 
 using report::Json;
 
-void add_settings(CLI::App* command, std::vector<std::string>& settings) {
-  command
-      ->add_option("--set", settings,
-                   "Change a key of the scene, such as friction=0.3 or 'wall_upper=0.9 mm'; may be "
-                   "repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-}
-
 void add_scene_choice(CLI::App* command, SceneChoice& choice) {
   std::vector<std::string> cases;
   for (const carrier_track::Case& a_case : carrier_track::all_cases()) cases.push_back(a_case.id);
@@ -202,6 +193,7 @@ class Program : public CommandLine {
         add("solve", "Run one solver on one problem and score it",
             "  ricochet solve nlopt-cobyla top-speed-C1 --formulation penalised-count\n"
             "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg\n"
+            "  ricochet solve nlopt-slsqp profile-count-8-scene --scene machine.toml\n"
             "  ricochet solve ./mine.so count-C1\n"
             "  ricochet solve 'python3 mine.py' count-C1");
     command
@@ -212,6 +204,7 @@ class Program : public CommandLine {
     command->add_option("problem", solve_.problem, "A name of `ricochet list problems`")
         ->required()
         ->type_name("PROBLEM");
+    add_scene_file(command, solve_.scene_file, solve_.settings);
     command->add_option("--formulation", solve_.formulation,
                         "Formulation of the problem; default: the first that the solver accepts");
     command->add_option("--perturbation", solve_.perturbation, "Perturbation of the problem")
@@ -233,6 +226,15 @@ class Program : public CommandLine {
     on_call(command, [this] { return solve(solve_); });
   }
 
+  /// Problems of the user's machine in place of the suite's.
+  void add_scene_file(CLI::App* command, std::string& file, std::vector<std::string>& settings) {
+    command
+        ->add_option("--scene", file,
+                     "A machine file (TOML): problems of this machine, whose names end in -scene")
+        ->type_name("FILE");
+    add_settings(command, settings);
+  }
+
   void add_limits(CLI::App* command, Limits& limits) {
     command
         ->add_option("--run-seconds", limits.seconds,
@@ -247,10 +249,14 @@ class Program : public CommandLine {
         add("compare", "Compare solvers: success rates, costs and ranks, as a report",
             "  ricochet compare --quick\n"
             "  ricochet compare --problems 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
+            "  ricochet compare --scene machine.toml --problems 'top-speed-*' --quick\n"
             "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'");
     StudyOptions& options =
         add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
-    on_call(command, [this, &options] { return compare(comparison_, options.quick, options.out); });
+    on_call(command, [this, &options] {
+      return compare(comparison_, compared_, options.quick, options.out);
+    });
+    add_scene_file(command, compared_.scene_file, compared_.settings);
     command
         ->add_option("--problems", comparison_.problems,
                      "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
@@ -395,10 +401,7 @@ class Program : public CommandLine {
     command->add_option("problem", evaluate_.problem, "A name of `ricochet list problems`")
         ->required()
         ->type_name("PROBLEM");
-    command
-        ->add_option("--scene", evaluate_.scene_file,
-                     "A machine file (TOML): problems of this machine")
-        ->type_name("FILE");
+    add_scene_file(command, evaluate_.scene_file, evaluate_.settings);
     command->add_option("--formulation", evaluate_.formulation,
                         "Formulation of the problem; default: the true objective");
     command
@@ -421,8 +424,7 @@ class Program : public CommandLine {
         ->required()
         ->check([](const std::string& what) { return renaming_of(what); })
         ->check(CLI::IsMember({"cases", "problems", "solvers", "interpretations"}));
-    command->add_option("--scene", list_.scene_file, "Problems of this machine file (TOML)")
-        ->type_name("FILE");
+    add_scene_file(command, list_.scene_file, list_.settings);
     command->add_option("--family", list_.family, "Problems of this family")->type_name("FAMILY");
     command
         ->add_option("--solver-accepts", list_.solver,
@@ -514,6 +516,7 @@ class Program : public CommandLine {
   RegimesOptions regimes_;
   SceneChoice scene_;
   SceneChoice machine_;
+  SceneChoice compared_;
   QuietSpeedRequest advice_;
   std::string advice_out_ = "reports/advice";
   ListOptions list_;

@@ -8,6 +8,7 @@
 
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
+#include "src/core/one_line.h"
 #include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::cli {
@@ -22,7 +23,9 @@ ChosenScene in_default_interpretation(const Case& a_case) {
 
 /// A machine of the user's own: a file, or a case with settings.
 ChosenScene own_machine(std::string name, SceneFile source, const SceneChoice& choice) {
-  if (!choice.settings.empty()) name += fmt::format(" with {}", fmt::join(choice.settings, ", "));
+  if (!choice.settings.empty()) {
+    name += one_line(fmt::format(" with {}", fmt::join(choice.settings, ", ")));
+  }
   Scene scene = source.scene;
   return {std::move(name), "own", std::move(scene), {}, std::move(source)};
 }

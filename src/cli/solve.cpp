@@ -174,8 +174,9 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
              formulation, perturbation == "plain" ? "" : ", " + perturbation, record.instance,
              verdict.solved
                  ? fmt::format("solved after {} evaluations", *verdict.evaluations_to_solve)
-             : verdict.feasible ? "not solved"
-                                : "nothing feasible found");
+             : !problem.best_known ? "not scored, as no best value is known"
+             : verdict.feasible    ? "not solved"
+                                   : "nothing feasible found");
   if (verdict.objective) {
     fmt::print("Best evaluated: {}", in_words(*verdict.objective, problem));
     if (verdict.optimality_gap)
@@ -225,8 +226,8 @@ int solve(const SolveOptions& options) {
   check(options.limits);
   const Solver solver = solver_of(options.solver);
   const Problem asked = named(
-      every_problem(suite_families()), options.problem, "problem",
-      [](const Problem& q) { return q.name; }, "`ricochet list problems`");
+      every_problem(suite_families(options.scene_file, options.settings)), options.problem,
+      "problem", [](const Problem& q) { return q.name; }, "`ricochet list problems`");
   const Formulation formulation = formulation_of(options, asked, solver);
   const std::string formulation_name = asked.name_of(formulation);
   const Problem problem = featured(

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "src/benchmark/experiment/campaign/worker.h"
 
@@ -9,6 +10,8 @@ namespace ricochet::cli {
 
 struct SolveOptions {
   std::string solver, problem;
+  std::string scene_file;              ///< use this machine; empty: no machine of the user
+  std::vector<std::string> settings;   ///< of --set
   std::string formulation;             ///< its name; empty: the first that the solver accepts
   std::string perturbation = "plain";  ///< disturbs what the solver sees
   std::int64_t budget = 1000;          ///< evaluations

@@ -105,8 +105,9 @@ class Studies : public CommandLine {
     CLI::App* command = add_study(
         "problems", summary_of("problems"),
         [this] {
-          return studies::problems_study([this] { return suite_families(problems_scene_); },
-                                         problems_scene_);
+          return studies::problems_study(
+              [this] { return suite_families(problems_scene_, problems_settings_); },
+              problems_scene_);
         },
         "  ricochet problems\n"
         "  ricochet problems --scene machine.toml --out mine");
@@ -114,6 +115,7 @@ class Studies : public CommandLine {
         ->add_option("--scene", problems_scene_,
                      "A machine file (TOML) in place of the paper's cases; - is standard input")
         ->type_name("FILE");
+    add_settings(command, problems_settings_);
   }
 
   void add_best_values() {
@@ -144,6 +146,7 @@ class Studies : public CommandLine {
   std::optional<int> scene_index_;
   bool verification_json_ = false;
   std::string problems_scene_;
+  std::vector<std::string> problems_settings_;
   BestValuesOptions best_values_;
 };
 

@@ -52,7 +52,7 @@ toml::table parse_toml(const std::string& text, const std::string& origin) {
   }
 }
 
-toml::table parse_toml_file(const std::filesystem::path& path) {
+std::string read_toml_text(const std::filesystem::path& path) {
   std::string text(longest_toml + 1, '\0');
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
@@ -65,7 +65,11 @@ toml::table parse_toml_file(const std::filesystem::path& path) {
                                     : "cannot be read: " + std::generic_category().message(error)));
   }
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_toml(text, path.string());
+  return text;
+}
+
+toml::table parse_toml_file(const std::filesystem::path& path) {
+  return parse_toml(read_toml_text(path), path.string());
 }
 
 void rename_key(toml::table& table, std::string_view old_key, std::string_view key,

@@ -28,9 +28,9 @@ const std::vector<Problem>& problems() {
 }
 
 /// Throws InputError if there is no problem of this name.
-const Problem& problem_named(const std::string& name) {
+Problem problem_named(const std::string& name, const std::vector<Problem>& among) {
   std::vector<std::string> known;
-  for (const Problem& problem : problems()) {
+  for (const Problem& problem : among) {
     if (problem.name == name) return problem;
     known.push_back(problem.name);
   }
@@ -81,10 +81,12 @@ OpenProblems& open_problems() {
   return all;
 }
 
-ricochet_problem* open(const char* name, const char* formulation, std::int32_t number,
-                       std::int64_t budget, std::uint64_t seed) {
+/// `scene`: a machine file, whose problems are meant; NULL for those of the suite.
+ricochet_problem* open(const char* scene, const char* name, const char* formulation,
+                       std::int32_t number, std::int64_t budget, std::uint64_t seed) {
   if (!name) throw InputError("the name of the problem is NULL");
-  const Problem& problem = problem_named(name);
+  const Problem problem = scene ? problem_named(name, every_problem(suite_families(scene)))
+                                : problem_named(name, problems());
   const Formulation shown = problem.formulation_named(formulation ? formulation : "");
   if (number < 0) throw InputError(fmt::format("instance {}: must be >= 0", number));
   if (budget < 1) throw InputError(fmt::format("budget {}: must be >= 1", budget));
@@ -103,7 +105,18 @@ EXPORTED ricochet_problem* ricochet_open(const char* problem, const char* formul
                                          std::int32_t instance, std::int64_t budget,
                                          std::uint64_t seed) {
   ricochet_problem* opened = nullptr;
-  succeeds([&] { opened = open(problem, formulation, instance, budget, seed); });
+  succeeds([&] { opened = open(nullptr, problem, formulation, instance, budget, seed); });
+  return opened;
+}
+
+EXPORTED ricochet_problem* ricochet_open_scene(const char* scene, const char* problem,
+                                               const char* formulation, std::int32_t instance,
+                                               std::int64_t budget, std::uint64_t seed) {
+  ricochet_problem* opened = nullptr;
+  succeeds([&] {
+    if (!scene || !*scene) throw ricochet::InputError("the machine file has no name");
+    opened = open(scene, problem, formulation, instance, budget, seed);
+  });
   return opened;
 }
 

@@ -293,6 +293,31 @@ TEST_F(CampaignCommands, MakeARunAgainToTheLastBit) {
   expect_refusal("replay " + store("one") + " 100000", "there is no run 100000");
 }
 
+TEST_F(CampaignCommands, KeepAMachineOfTheUsersInTheStore) {
+  const auto machine =
+      write(folder_, "machine.toml", read(RICOCHET_SOURCE "/examples/machine.toml"));
+  const auto plan =
+      write(folder_, "own.toml",
+            "name = \"own\"\n[[scene]]\nname = \"mine\"\nfile = \"" + machine.string() +
+                "\"\n[[part]]\nproblems = [\"top-speed-*\"]\n"
+                "machines = { around = \"mine\", restitution = [0.3, 0.5] }\n"
+                "solvers = [\"bisection\"]\nbudgets = [20]\ninstances = 2\n");
+  const auto run_shard = [&](const std::string& out, const std::string& rest) {
+    return out_of(fmt::format("run {} --out {} {}", plan.string(), (folder_ / out).string(), rest));
+  };
+  run_shard("whole", "");
+  run_shard("one", "--shard 1/2");
+  run_shard("two", "--shard 2/2");
+  std::filesystem::remove(machine);
+  out_of(
+      fmt::format("merge {} {} {}", (folder_ / "all.sqlite").string(), store("one"), store("two")));
+  EXPECT_EQ(out_of("digest " + (folder_ / "all.sqlite").string()),
+            out_of("digest " + store("whole")));
+  const std::string again = out_of("replay " + store("whole") + " 1");
+  EXPECT_THAT(again, HasSubstr("top-speed-mine-r0.3"));
+  EXPECT_THAT(again, HasSubstr("The same, to the last bit."));
+}
+
 TEST_F(CampaignCommands, RefuseAStoreThatIsThereUnlessToldToGoOn) {
   run("one");
   const std::string before = read(store("one"));

@@ -63,6 +63,23 @@ TEST(Compare, AnnouncesAndStoresAllOfItsRunsAndReadsThemAlone) {
   EXPECT_EQ(same, data);
 }
 
+TEST(Compare, AsksTheProblemsOfAMachineOfOnesOwn) {
+  const auto folder = fresh_folder() / "mine";
+  const std::string command =
+      "compare --scene " RICOCHET_SOURCE
+      "/examples/machine.toml --problems top-speed-scene --solvers 'random*,bisection' "
+      "--budget 20 --instances 2 --set restitution=0.3 --out " +
+      folder.string();
+  const Outcome outcome = call(command);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::HasSubstr("top-speed, 20 evaluations a variable:"));
+  EXPECT_EQ(report::data_in(read(folder / "data.json"))["pages"], Json({"top-speed"}));
+  EXPECT_THAT(call("replay " + (folder / "runs.sqlite").string() + " 1").out,
+              testing::HasSubstr("The same, to the last bit."));
+  expect_refusal("compare --set mass=2 --out " + folder.string(),
+                 "--set mass=2: changes a machine file");
+}
+
 TEST(Compare, ChoosesFormulations) {
   const auto folder = fresh_folder() / "mine";
   const Outcome outcome = call(

@@ -139,6 +139,15 @@ TEST(Evaluate, AsksAMachineOfYourOwnAtItsLevel) {
   EXPECT_EQ(mine.outcome.out, asked("count-C4", "[9]\n").outcome.out);
 }
 
+TEST(Evaluate, AsksAMachineWithSettings) {
+  const std::string scene = " --scene " RICOCHET_SOURCE "/examples/machine.toml";
+  const auto answer = [&](const std::string& settings) {
+    return asked("count-scene" + scene + settings, "[7.0]\n").outcome.out;
+  };
+  EXPECT_NE(answer(""), answer(" --set restitution=0.9"));
+  expect_refusal("evaluate count-C1 --set mass=2", "--set mass=2: changes a machine file");
+}
+
 TEST(Evaluate, GoesOnAfterABadLine) {
   const std::string point = "x must have 4 numbers";
   EXPECT_EQ(error_of("[1, 2, 3]"), "line 1: " + point);

@@ -53,6 +53,14 @@ TEST(List, HasTheProblemsOfAMachineOfOnesOwn) {
   expect_refusal("list cases --scene " + file.string(), "--scene");
 }
 
+TEST(List, HasTheProblemsOfAMachineWithSettings) {
+  const std::string scene = "list problems --scene " RICOCHET_SOURCE "/examples/machine.toml";
+  EXPECT_EQ(call(scene + " --set restitution=0.3").exit_code, 0);
+  expect_refusal(scene + " --set restitution=3", "scene.restitution = 3: must be within 0..1");
+  expect_refusal("list problems --set mass=2", "--set mass=2: changes a machine file");
+  expect_refusal("list solvers --set mass=2", "--set");
+}
+
 TEST(List, HasTheSolversWithTheirVersions) {
   const auto solvers = listed("solvers");
   EXPECT_EQ(solvers.size(), 60U);

@@ -97,6 +97,22 @@ TEST(Solve, SaysByHowMuchAPointIsNotFeasible) {
   EXPECT_THAT(out, HasSubstr("Returned: a point that is not feasible, by "));
 }
 
+TEST(Solve, AsksTheProblemsOfAMachineOfOnesOwn) {
+  const std::string scene = "--scene " RICOCHET_SOURCE "/examples/machine.toml";
+  const Outcome outcome = call("solve nlopt-slsqp profile-wear-8-scene --budget 100 " + scene);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::HasSubstr("on profile-wear-8-scene, formulation original, "
+                                              "instance 0: not scored, as no best value is known"));
+  EXPECT_NE(
+      outcome.out,
+      call("solve nlopt-slsqp profile-wear-8-scene --budget 100 --set restitution=0.2 " + scene)
+          .out);
+  expect_refusal("solve nlopt-slsqp count-C1 " + scene, "there is no such problem");
+  expect_refusal("solve nlopt-slsqp count-scene --set mass=0 " + scene,
+                 "machine.toml with --set mass=0: scene.mass = 0");
+  expect_refusal("solve nlopt-slsqp count-C1 --set mass=2", "--set mass=2: changes a machine file");
+}
+
 TEST(Solve, RefusesWhatIsNotThere) {
   expect_refusal("solve coblya top-speed-C1", "coblya: there is no such solver");
   expect_refusal("solve scan top-sped-C1", "top-sped-C1: there is no such problem");

@@ -187,11 +187,12 @@ TEST(Interface, DrawsTheSameNumbersFromTheSameSeed) {
   EXPECT_THAT(draws(5), testing::Each(AllOf(testing::Ge(0), testing::Lt(1))));
 }
 
+void expect_refusal(const Opened& opened, const std::string& reason) {
+  EXPECT_FALSE(opened);
+  EXPECT_THAT(ricochet_error(), HasSubstr(reason));
+}
+
 TEST(Interface, RefusesWhatIsNotThere) {
-  const auto expect_refusal = [](const Opened& opened, const std::string& reason) {
-    EXPECT_FALSE(opened);
-    EXPECT_THAT(ricochet_error(), HasSubstr(reason));
-  };
   expect_refusal(open("top-sped-C1"),
                  "top-sped-C1: there is no such problem; did you mean top-speed-C1");
   expect_refusal(open(""), "there is no such problem");
@@ -204,6 +205,26 @@ TEST(Interface, RefusesWhatIsNotThere) {
   expect_refusal(open(std::string(1 << 20, 'x') + "\x1b\n\xff"), "bytes ... ");
   EXPECT_EQ(std::string(ricochet_error()).find('\n'), std::string::npos);
   EXPECT_TRUE(Opened(ricochet_open("hs-71", nullptr, 0, 1, 0))) << "the formulation may be NULL";
+}
+
+TEST(Interface, OpensTheProblemsOfAMachineFile) {
+  const std::string file = RICOCHET_SOURCE "/examples/machine.toml";
+  const std::vector<Problem> own = every_problem(suite_families(file));
+  for (const std::string name : {"count-scene", "profile-wear-8-scene"}) {
+    const Opened opened(ricochet_open_scene(file.c_str(), name.c_str(), "", 0, 10, 0));
+    ASSERT_TRUE(opened) << ricochet_error();
+    for (const Problem& problem : own) {
+      if (problem.name != name) continue;
+      const Vector x = problem.start;
+      EXPECT_EQ(objective_at(opened, x), problem.evaluate(x).objective);
+    }
+  }
+  const auto refused = [](const char* scene, const char* name) {
+    return Opened(ricochet_open_scene(scene, name, "", 0, 10, 0));
+  };
+  expect_refusal(refused(file.c_str(), "count-C1"), "count-C1: there is no such problem");
+  expect_refusal(refused("none.toml", "count-scene"), "none.toml");
+  expect_refusal(refused(nullptr, "count-scene"), "the machine file has no name");
 }
 
 TEST(Interface, KnowsWhichProblemsAreOpen) {
@@ -267,7 +288,8 @@ TEST(Interface, ExportsItsFunctionsAlone) {
   while (std::fscanf(names, "%999s", name) == 1) exported.insert(name);
   ASSERT_EQ(pclose(names), 0);
   EXPECT_EQ(exported, (std::set<std::string>{"ricochet_close", "ricochet_error", "ricochet_judge",
-                                             "ricochet_open", "ricochet_problem_name"}));
+                                             "ricochet_open", "ricochet_open_scene",
+                                             "ricochet_problem_name"}));
 }
 
 }  // namespace

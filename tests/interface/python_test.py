@@ -64,6 +64,16 @@ class Values(unittest.TestCase):
                         true_values = q.judge(x)
                         self.assertEqual(true_values._asdict(), answer["true_values"])
 
+    def test_of_a_machine_file_are_those_of_the_program(self):
+        scene = os.path.join(os.environ["RICOCHET_SOURCE"], "examples", "machine.toml")
+        with ricochet.problem("profile-wear-8-scene", scene=scene) as q:
+            points = some_points(q)
+            answers = evaluated(q.name, points, "--scene", scene)
+            for x, answer in zip(points, answers):
+                self.assertEqual(q.objective(x), answer["objective"])
+        with self.assertRaisesRegex(ricochet.Error, "none.toml"):
+            ricochet.problem("count-scene", scene="none.toml")
+
     def test_have_the_derivatives_of_the_program_bit_for_bit(self):
         for name, formulation in [("hs-71", ""), ("top-speed-C1", "surrogate")]:
             with self.subTest(name=name):

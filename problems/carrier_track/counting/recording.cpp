@@ -78,7 +78,6 @@ class Recorder : public Observer {
 }  // namespace
 
 Recording record(const Scene& asked, double smoothing, std::size_t samples) {
-  check(asked, "scene");
   if (!(smoothing >= 0 && std::isfinite(smoothing))) {
     throw InputError(fmt::format("smoothing = {}: must be a finite number >= 0", smoothing));
   }
@@ -105,6 +104,7 @@ Recording record(const Scene& asked, double smoothing, std::size_t samples) {
 }
 
 Recording simulate(const Scene& scene, double smoothing, std::size_t samples) {
+  check(scene, "scene");
   if (!(smoothing > 0 && std::isfinite(smoothing))) {
     throw InputError(fmt::format("smoothing = {}: must be a finite number > 0", smoothing));
   }

@@ -11,10 +11,11 @@ namespace ricochet::carrier_track::inline counting {
 /// Most samples of a path.
 inline constexpr std::size_t most_samples = 10'000'000;
 
-/// Simulates a scene and keeps everything. `smoothing` is finite and >= 0, `samples` at most
-/// most_samples; else, or if the scene is not valid, it throws InputError. The path is sampled at
-/// the ends of every stretch, at every step in a compliant wall, and evenly in between, about
-/// `samples` times in the window; with 0 there is no path. Costs five simulations, four of them for
+/// Simulates a valid scene and keeps everything; simulate() checks the scene, and this does not, so
+/// that tests can go beyond the limits of a file. `smoothing` is finite and >= 0, `samples` at most
+/// most_samples; else it throws InputError. The path is sampled at the ends of every stretch, at
+/// every step in a compliant wall, and evenly in between, about `samples` times in the window; with
+/// 0 there is no path. No sample stands twice in a row. Costs five simulations, four of them for
 /// the certainty; with fidelity auto up to fifteen.
 Recording record(const Scene& scene, double smoothing, std::size_t samples);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "problems/carrier_track/problems/scanned_best.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline problems {
 namespace {
@@ -27,12 +29,12 @@ constexpr std::array grid_fidelities = {Fidelity::impact, Fidelity::compliant, F
 /// [rad/s] between scanned speeds with compliant walls.
 constexpr double coarse_step = 1e-2;
 
-/// The levels of a number; its own value if none are named.
-std::vector<double> levels_of(const MachineLevels& levels, const char* key, double own) {
+/// The levels of a number; nothing, for its own value, if none are named.
+std::vector<std::optional<double>> levels_of(const MachineLevels& levels, const char* key) {
   const auto named = levels.find(key);
-  if (named == levels.end()) return {own};
-  std::vector<double> numbers;
-  for (const OptionValue& level : named->second) numbers.push_back(std::get<double>(level));
+  if (named == levels.end()) return {std::nullopt};
+  std::vector<std::optional<double>> numbers;
+  for (const OptionValue& level : named->second) numbers.emplace_back(std::get<double>(level));
   return numbers;
 }
 
@@ -57,6 +59,7 @@ Scene at_fidelity(Scene scene, Fidelity level) {
   if (level == Fidelity::compliant) scene.contact_law = ContactLaw::exact_restitution;
   if (level == Fidelity::planar) {
     scene.contact_friction = false;  // at the lateral walls
+    if (scene.across) return scene;
     scene.across = Across<double>{scene.pull_rotates ? 0 : scene.pull,
                                   scene.wall_lower,
                                   scene.wall_upper,
@@ -92,7 +95,6 @@ class GridMachine {
     std::vector<Family> families = families_of({machine});
     for (Family& family : families) {
       std::erase_if(family.problems, [](const Problem& q) { return q.dimension() != 1; });
-      if (!names_fidelity_) continue;
       for (Problem& problem : family.problems) add_fidelity(problem);
     }
     return families;
@@ -119,7 +121,9 @@ class GridMachine {
 
  private:
   void add_fidelity(Problem& problem) const {
-    problem.factors["fidelity"] = static_cast<double>(machine_.scene.fidelity);
+    if (names_fidelity_) {
+      problem.factors["fidelity"] = static_cast<double>(machine_.scene.fidelity);
+    }
     if (machine_.scene.fidelity == Fidelity::compliant) {
       problem.scan_step = std::max(problem.scan_step, coarse_step);
     }
@@ -131,18 +135,51 @@ class GridMachine {
   Findings limits_;
 };
 
+/// What the machines of a grid are around: a case of the paper, or a machine of the user's.
+struct Middle {
+  std::string name;
+  Scene scene;
+  bool is_case;
+};
+
+Middle middle_of(const std::string& around, const std::string& text) {
+  const std::vector<Case> cases = all_cases();
+  if (text.empty()) {
+    const Case middle = find_case(around);
+    return {middle.id, scene_of(middle, default_machine()), true};
+  }
+  if (std::any_of(cases.begin(), cases.end(), [&](const Case& c) { return c.id == around; })) {
+    throw InputError(
+        fmt::format("scene {}: must not have the name of a case of the paper", around));
+  }
+  Scene scene = parse_scene(text, "scene " + around);
+  check_constant_speed(scene, "scene " + around);
+  return {around, std::move(scene), false};
+}
+
+/// Sets a number and adds it to the id. The ids of cases name all three numbers.
+void set_level(const Middle& middle, const std::optional<double>& level, char letter,
+               std::initializer_list<double*> targets, std::string& id) {
+  if (level) {
+    for (double* target : targets) *target = *level;
+  }
+  if (level || middle.is_case) id += fmt::format("-{}{}", letter, **targets.begin());
+}
+
 /// The machines of the grid.
-std::vector<std::shared_ptr<GridMachine>> machines_of(const std::string& around,
+std::vector<std::shared_ptr<GridMachine>> machines_of(const Middle& middle,
                                                       const MachineLevels& levels) {
-  const Case middle = find_case(around);
   std::vector<std::shared_ptr<GridMachine>> machines;
   const auto fidelities = fidelities_of(levels);
-  for (const double r : levels_of(levels, "restitution", middle.restitution)) {
-    for (const double f : levels_of(levels, "friction", middle.friction)) {
-      for (const double d : levels_of(levels, "disturbance", middle.disturbance)) {
+  for (const auto& r : levels_of(levels, "restitution")) {
+    for (const auto& f : levels_of(levels, "friction")) {
+      for (const auto& d : levels_of(levels, "disturbance")) {
         for (const auto& level : fidelities) {
-          std::string id = fmt::format("{}-r{}-f{}-d{}", middle.id, r, f, d);
-          Scene scene = scene_of({id, r, f, d, {}}, default_machine());
+          std::string id = middle.name;
+          Scene scene = middle.scene;
+          set_level(middle, r, 'r', {&scene.restitution_lower, &scene.restitution_upper}, id);
+          set_level(middle, f, 'f', {&scene.friction}, id);
+          set_level(middle, d, 'd', {&scene.disturbance}, id);
           if (level) {
             id += fmt::format("-{}", name_of(fidelity_names(), *level));
             scene = at_fidelity(std::move(scene), *level);
@@ -167,9 +204,10 @@ std::map<std::string, std::vector<std::string>> machine_keys() {
   return {{"restitution", {}}, {"friction", {}}, {"disturbance", {}}, {"fidelity", fidelities}};
 }
 
-std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels) {
+std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels,
+                                           const std::string& scene) {
   std::vector<SearchedProblem> problems;
-  for (const auto& machine : machines_of(around, levels)) {
+  for (const auto& machine : machines_of(middle_of(around, scene), levels)) {
     for (const Family& family : machine->families({})) {
       for (const Problem& problem : family.problems) {
         const std::string name = problem.name;

@@ -26,7 +26,12 @@ using MachineLevels = std::map<std::string, std::vector<OptionValue>>;
 /// `ricochet threshold` does, at the machine's fidelity; for compliant walls, whose simulation
 /// takes a thousand times as long, it scans every tenth speed. It finds the best value in the same
 /// way (scan_step). The keys and levels must be allowed, see machine_keys().
-/// Throws InputError for an unknown case or an invalid machine.
-std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels);
+///
+/// With `scene`, the text of a machine file, the machines are those around it, and `around` is its
+/// name: "mine-r0.3" has restitution 0.3 at both walls, and all else, the fidelity too, as in the
+/// text; "mine" is the machine itself.
+/// Throws InputError for an unknown case, a scene with the name of a case, or an invalid machine.
+std::vector<SearchedProblem> grid_problems(const std::string& around, const MachineLevels& levels,
+                                           const std::string& scene = "");
 
 }  // namespace ricochet::carrier_track::inline problems

@@ -114,13 +114,17 @@ std::vector<std::string> solvers_of(const ComparisonOptions& options, const Cata
   return solvers;
 }
 
+PlanPart with_other_seeds(const PlanPart& part) {
+  PlanPart again = part;
+  again.budgets = {part.budgets.front()};
+  again.seeds = 2;
+  return again;
+}
+
 /// Returns parts that check whether the ranking is robust: with other seeds, on machines drawn
 /// around the cases, and with the best point elsewhere in the box.
 std::vector<PlanPart> checks_of(const PlanPart& part) {
   constexpr int most_draws = 5;  // a search takes as long as about a hundred runs
-  PlanPart again = part;
-  again.budgets = {part.budgets.front()};
-  again.seeds = 2;
   PlanPart drawn = part;
   drawn.budgets = {part.budgets.back()};
   drawn.drawn_machines = std::min(part.instances, most_draws);
@@ -129,7 +133,7 @@ std::vector<PlanPart> checks_of(const PlanPart& part) {
   relocated.budgets = {part.budgets.front()};
   relocated.smoothings.clear();
   relocated.relocated_optimum = true;
-  return {again, drawn, relocated};
+  return {with_other_seeds(part), drawn, relocated};
 }
 
 bool leaves_runs(const Plan& plan, const PlanPart& part, const Catalogue& catalogue) {
@@ -239,7 +243,9 @@ Plan comparison_plan(const ComparisonOptions& options, bool quick, const Catalog
   plan.name = quick ? "compare --quick" : "compare";
   plan.limits = options.limits;
   PlanPart one;
-  const std::string patterns = options.problems.empty() ? default_problems : options.problems;
+  const bool own = !options.scene.empty();
+  const std::string usual = own ? "*" : default_problems;
+  const std::string patterns = options.problems.empty() ? usual : options.problems;
   one.problems = split_patterns(patterns);
   one.solvers = solvers_of(options, catalogue);
   one.formulations = split_patterns(options.formulations);
@@ -252,6 +258,14 @@ Plan comparison_plan(const ComparisonOptions& options, bool quick, const Catalog
   using Budgets = std::vector<std::int64_t>;
   one.budgets = quick ? Budgets{100} : Budgets{100, 1000};
   several.budgets = quick ? Budgets{20} : Budgets{20, 200};
+  if (own) {
+    plan.scenes = {{"scene", options.scene}};
+    one.machines.around = "scene";
+    if (!options.budgets.empty()) one.budgets = options.budgets;
+    plan.parts = {one};
+    if (!quick) plan.parts.push_back(with_other_seeds(one));
+    return plan;
+  }
   const std::vector<Problem> chosen =
       chosen_problems(every_problem(catalogue.families), patterns, "--problems");
   for (PlanPart& part : {std::ref(one), std::ref(several)}) {

@@ -22,6 +22,9 @@ struct ComparisonOptions {
   std::vector<double> smoothings;  ///< of surrogates, in addition to the default one
   int instances = 15;
   Limits limits;  ///< of every run
+  /// Text of a machine file: its problems of one variable, whose names end in -scene, all if
+  /// `problems` is empty; empty: the problems of the suite.
+  std::string scene = {};
 };
 
 /// Returns the plan for these options. Throws InputError if a pattern matches nothing.

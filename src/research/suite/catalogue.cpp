@@ -18,7 +18,7 @@ Catalogue whole_catalogue() {
       outside::outside_solver,
       carrier_track::machine_keys(),
       [](const MachineGrid& grid) {
-        return carrier_track::grid_problems(grid.around, grid.levels);
+        return carrier_track::grid_problems(grid.around, grid.levels, grid.scene);
       },
       carrier_track::drawn_problem,
       [](const VariedSolver& solver) { return varied(solver.of, solver.name, solver.options); }};

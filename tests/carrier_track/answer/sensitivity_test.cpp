@@ -8,6 +8,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "ricochet/error.h"
 #include "ricochet/threshold.h"
 #include "tests/carrier_track/counting/held_scene.h"
 
@@ -80,6 +81,21 @@ TEST(Sensitivity, AddsUpToNothingOverAllThatHasAMassInItsUnit) {
   EXPECT_TRUE(large);
   EXPECT_NEAR(sum, 0, 0.02);
   EXPECT_GE(std::abs(all.front().percent), std::abs(all.back().percent));
+}
+
+TEST(Sensitivity, RefusesWhatIsInvalid) {
+  Scene broken = held();
+  broken.mass = -1;
+  EXPECT_THROW(sensitivities(broken, none, 1), InputError);
+  EXPECT_THROW(sensitivities(held(), none, 0), InputError);
+  EXPECT_THROW(tolerance_range(broken, none, 1, 0.1, 9, 1), InputError);
+  for (const double omega : {0.0, -1.0, std::nan("")}) {
+    EXPECT_THROW(tolerance_range(held(), none, omega, 0.1, 9, 1), InputError);
+  }
+  for (const double tolerance : {-0.1, 0.6, std::nan("")}) {
+    EXPECT_THROW(tolerance_range(held(), none, 1, tolerance, 9, 1), InputError);
+  }
+  EXPECT_THROW(tolerance_range(held(), none, 1, 0.1, 0, 1), InputError);
 }
 
 TEST(Sensitivity, DrawsMachinesWithinTheTolerance) {

@@ -133,6 +133,29 @@ TEST(Recording, ShowsWhereMostHappens) {
   EXPECT_FALSE(busiest_stretch(scene, recording));  // none counts
 }
 
+TEST(Recording, HasNoSampleTwiceInARow) {
+  const Recording recording = record(bouncing_scene(CountRule::impacts), 0.25, 500);
+  ASSERT_GT(recording.path.size(), 400U);
+  for (std::size_t k = 1; k < recording.path.size(); ++k) {
+    const Sample& before = recording.path[k - 1];
+    const Sample& after = recording.path[k];
+    EXPECT_TRUE(before.time != after.time || before.position != after.position ||
+                before.velocity != after.velocity)
+        << k;
+  }
+}
+
+TEST(Recording, RefusesAWidthOrAPathThatIsNone) {
+  const Scene scene = bouncing_scene(CountRule::impacts);
+  EXPECT_NO_THROW(record(scene, 0, 0));
+  for (const double smoothing :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(record(scene, smoothing, 0), InputError) << smoothing;
+  }
+  EXPECT_THROW(record(scene, 0.25, most_samples + 1), InputError);
+  EXPECT_THROW(simulate(scene, 0.25, most_samples + 1), InputError);
+}
+
 TEST(Simulate, IsTheRecordingOfAValidScene) {
   Scene scene = exploratory_scene();
   scene.omega = 10.0;

@@ -98,6 +98,40 @@ TEST(MachineGrid, SimulatesAtTheLevelThatItNames) {
   EXPECT_GT(differ, 0) << "the carrier rubs across";
 }
 
+/// A machine of the user's with two walls unlike each other.
+std::string own() {
+  Scene scene = scene_of(find_case("C4"), default_machine());
+  scene.restitution_upper = 0.3;
+  return write_scene(scene);
+}
+
+TEST(MachineGrid, IsAroundAMachineOfTheUsersOwn) {
+  const auto alone = grid_problems("mine", {}, own());
+  const SearchedProblem* count = found(alone, "count-mine");
+  ASSERT_NE(count, nullptr);
+  EXPECT_EQ(count->problem.machine, "mine");
+  const Problem same = count_problem(machine_of(parse_scene(own(), "own"), "own"));
+  for (double speed = 0.5; speed < 18; speed += 0.5) {
+    const Vector x = Vector::Constant(1, speed);
+    EXPECT_EQ(count->problem.evaluate(x).objective, same.evaluate(x).objective);
+  }
+  std::set<std::string> machines;
+  for (const SearchedProblem& each :
+       grid_problems("mine", {{"restitution", {0.2, 0.4}}, {"fidelity", {"impact"}}}, own())) {
+    machines.insert(each.problem.machine);
+    EXPECT_EQ(each.problem.factors.at("friction"), find_case("C4").friction);
+  }
+  EXPECT_EQ(machines, (std::set<std::string>{"mine-r0.2-impact", "mine-r0.4-impact"}));
+}
+
+TEST(MachineGrid, RefusesAMachineOfTheUsersThatIsNone) {
+  EXPECT_THROW(grid_problems("C1", {}, own()), InputError);
+  EXPECT_THROW(grid_problems("mine", {}, "[scene]\nmass = 1\n"), InputError);
+  std::string profile = own();
+  profile.replace(profile.find("omega = 3.0"), 11, "omega = [[0.0, 1.0], [1.0, 3.0]]");
+  EXPECT_THROW(grid_problems("mine", {}, profile), InputError);
+}
+
 TEST(MachineGrid, RefusesACaseThatIsNoneAndAMachineThatIsNone) {
   EXPECT_THROW(grid_problems("C99", {}), InputError);
   EXPECT_THROW(grid_problems("C1", {{"restitution", {1.5}}}), InputError);

@@ -79,8 +79,12 @@ void check_size(const MachineGrid& grid, const std::string& place) {
 }
 
 /// The problems for the grid of a part. Throws InputError with the grid's place.
-std::vector<SearchedProblem> problems_of_grid(const MachineGrid& grid, const Catalogue& catalogue,
+std::vector<SearchedProblem> problems_of_grid(MachineGrid grid, const Plan& plan,
+                                              const Catalogue& catalogue,
                                               const std::string& place) {
+  for (const PlanScene& scene : plan.scenes) {
+    if (scene.name == grid.around) grid.scene = scene.text;
+  }
   check_levels(grid, catalogue, place);
   check_size(grid, place);
   try {
@@ -238,7 +242,7 @@ std::vector<Campaign::Chosen> Campaign::problems_of(const PlanPart& part,
   std::vector<std::string> names;
   if (!part.machines.around.empty()) {
     for (const SearchedProblem& problem :
-         problems_of_grid(part.machines, catalogue, place + ", machines")) {
+         problems_of_grid(part.machines, plan_, catalogue, place + ", machines")) {
       names.push_back(problem.problem.name);
       if (asks_for(part, problem.problem)) add_searched(chosen, problem);
     }

@@ -25,7 +25,7 @@ struct Catalogue {
   /// 0 if there are none.
   std::map<std::string, std::vector<std::string>> grid_keys;
   /// The problems for a grid of machines, whose keys and levels are allowed. Throws InputError if
-  /// there is no machine to vary, or a machine is invalid.
+  /// there is no machine to vary, or a machine is invalid. A scene of the plan is in the grid.
   std::function<std::vector<SearchedProblem>(const MachineGrid&)> grid_problems;
   /// The problem for a machine drawn around its own one; nothing if it has no machine.
   std::function<std::optional<SearchedProblem>(const Problem&, int number)> drawn_problem;

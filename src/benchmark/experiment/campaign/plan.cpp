@@ -125,9 +125,34 @@ void each_table(const toml::table& file, const std::string& origin, const char* 
   }
 }
 
-Plan plan_of(const toml::table& file, const std::string& origin) {
+/// Whether the scenes of a plan may be files.
+enum class SceneFiles { refused, read };
+
+PlanScene scene_from(const toml::table& table, const std::string& place, SceneFiles files) {
+  const PlanTable in(table, place);
+  in.check_keys({"name", "file", "text"});
+  in.need("name");
+  PlanScene scene;
+  in.read("name", scene.name);
+  if (!is_name(scene.name)) in.refuse("name", *table.get("name"), names_in_words);
+  const toml::node* file = table.get("file");
+  if (files == SceneFiles::refused && file != nullptr) {
+    in.refuse("file", *file, "left out: a stored plan has the text");
+  }
+  if ((file != nullptr) == table.contains("text")) {
+    throw InputError(place + ": must have one of file and text");
+  }
+  std::string path;
+  in.read("file", path);
+  in.read("text", scene.text);
+  if (file != nullptr) scene.text = read_toml_text(path);
+  parse_toml(scene.text, file != nullptr ? path : place);  // else a plan of it could not be read
+  return scene;
+}
+
+Plan plan_of(const toml::table& file, const std::string& origin, SceneFiles files) {
   const PlanTable in(file, origin);
-  in.check_keys({"name", "limits", "solver", "part"});
+  in.check_keys({"name", "limits", "solver", "scene", "part"});
   Plan plan;
   in.read("name", plan.name);
   if (const toml::node* limits = file.get("limits")) {
@@ -140,6 +165,16 @@ Plan plan_of(const toml::table& file, const std::string& origin) {
   if (file.contains("solver")) {
     each_table(file, origin, "solver", [&](const toml::table& table, const std::string& place) {
       plan.solvers.push_back(solver_from(table, place));
+    });
+  }
+  if (file.contains("scene")) {
+    each_table(file, origin, "scene", [&](const toml::table& table, const std::string& place) {
+      PlanScene scene = scene_from(table, place, files);
+      for (const PlanScene& other : plan.scenes) {
+        if (scene.name != other.name) continue;
+        PlanTable(table, place).refuse("name", *table.get("name"), "unlike that of another scene");
+      }
+      plan.scenes.push_back(std::move(scene));
     });
   }
   in.need("part");
@@ -233,11 +268,11 @@ std::string text_of(const PlanPart& part) {
 }  // namespace
 
 Plan plan_from(const std::string& text, const std::string& origin) {
-  return plan_of(parse_toml(text, origin), origin);
+  return plan_of(parse_toml(text, origin), origin, SceneFiles::refused);
 }
 
 Plan read_plan(const std::string& file) {
-  return plan_of(parse_toml_file(file == "-" ? "/dev/stdin" : file), file);
+  return plan_of(parse_toml_file(file == "-" ? "/dev/stdin" : file), file, SceneFiles::read);
 }
 
 std::string text_of(const Plan& plan) {
@@ -251,6 +286,10 @@ std::string text_of(const Plan& plan) {
     }
     text += fmt::format("\n[[solver]]\nname = {}\nof = {}\noptions = {{ {} }}\n",
                         quoted(solver.name), quoted(solver.of), fmt::join(options, ", "));
+  }
+  for (const PlanScene& scene : plan.scenes) {
+    text +=
+        fmt::format("\n[[scene]]\nname = {}\ntext = {}\n", quoted(scene.name), quoted(scene.text));
   }
   for (const PlanPart& part : plan.parts) text += text_of(part);
   return text;

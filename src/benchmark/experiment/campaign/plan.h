@@ -11,11 +11,21 @@
 
 namespace ricochet {
 
-/// Machines around a given one, for every combination of the levels. The catalogue knows what may
-/// vary.
+/// A machine of the user, kept as text: a store needs no file of it.
+struct PlanScene {
+  std::string name;  ///< parts name it in machines.around, and its problems end in it
+  std::string text;  ///< of the machine file
+
+  bool operator==(const PlanScene&) const = default;
+};
+
+/// Machines around a given one, for every combination of the levels; without levels that machine
+/// alone. The catalogue knows what may vary.
 struct MachineGrid {
-  std::string around;                                      ///< e.g. "C1"; empty: no grid
+  std::string around;  ///< e.g. "C1", or a scene of the plan; empty: no grid
   std::map<std::string, std::vector<OptionValue>> levels;  ///< of what varies, by name
+
+  std::string scene = {};  ///< text of the scene `around`; empty for a case. Campaigns fill it in
 
   bool operator==(const MachineGrid&) const = default;
 };
@@ -59,13 +69,15 @@ struct Plan {
   std::string name;
   Limits limits;
   std::vector<VariedSolver> solvers = {};
+  std::vector<PlanScene> scenes = {};
   std::vector<PlanPart> parts;
 };
 
-/// Reads a plan. Throws InputError with origin, place, value and allowed range.
+/// Reads a plan. Throws InputError with origin, place, value and allowed range. Scenes must be
+/// given as text: a plan in a store names no files.
 Plan plan_from(const std::string& text, const std::string& origin);
 
-/// The same from a file.
+/// The same from a file. Scenes may be files, which are read at once.
 Plan read_plan(const std::string& file);
 
 /// TOML text that reads back to the same plan.

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
@@ -208,6 +210,55 @@ TEST(Plan, RefusesASolverThatIsNone) {
         << name;
   }
   EXPECT_THAT(said("[solver]"), HasSubstr("one or more tables [[solver]]"));
+}
+
+/// A plan with this scene and one part around it.
+std::string plan_with(const std::string& scene) {
+  return "name = \"mine\"\n[[scene]]\n" + scene +
+         "\n[[part]]\nproblems = [\"*\"]\nmachines = { around = \"mine\" }\n"
+         "solvers = [\"*\"]\nbudgets = [1]\n";
+}
+
+std::string complaint_about_scene(const std::string& scene) {
+  try {
+    plan_from(plan_with(scene), "a plan");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Plan, KeepsTheTextOfASceneAndReadsItBack) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "plan_scene";
+  std::filesystem::create_directories(folder);
+  const std::string text = "# \"mine\" \\ \t\n[scene]\nmass = 1.0\n";
+  std::ofstream(folder / "machine.toml") << text;
+  std::ofstream(folder / "plan.toml")
+      << plan_with("name = \"mine\"\nfile = \"" + (folder / "machine.toml").string() + "\"");
+  const Plan plan = read_plan((folder / "plan.toml").string());
+  ASSERT_EQ(plan.scenes.size(), 1U);
+  EXPECT_EQ(plan.scenes[0], (PlanScene{"mine", text}));
+  EXPECT_EQ(plan.parts[0].machines.around, "mine");
+  std::filesystem::remove_all(folder);
+  const Plan again = plan_from(text_of(plan), "a store");
+  EXPECT_EQ(again.scenes, plan.scenes);
+  EXPECT_EQ(text_of(again), text_of(plan));
+  EXPECT_THROW(read_plan((folder / "plan.toml").string()), InputError);
+}
+
+TEST(Plan, RefusesASceneThatIsNone) {
+  EXPECT_THAT(
+      complaint_about_scene("name = \"mine\"\nfile = \"machine.toml\""),
+      HasSubstr("scene 1: file = 'machine.toml': must be left out: a stored plan has the text"));
+  EXPECT_THAT(complaint_about_scene("name = \"mine\""),
+              HasSubstr("must have one of file and text"));
+  EXPECT_THAT(complaint_about_scene("text = \"\""), HasSubstr("name is missing"));
+  EXPECT_THAT(complaint_about_scene("name = \"a b\"\ntext = \"\""), HasSubstr("name = 'a b'"));
+  EXPECT_THAT(complaint_about_scene("name = \"mine\"\ntext = \"[\""), HasSubstr("not valid TOML"));
+  EXPECT_THAT(complaint_about_scene("name = \"mine\"\ntext = \"\"\nfil = 1"), HasSubstr("fil"));
+  EXPECT_THAT(complaint_about_scene(
+                  "name = \"mine\"\ntext = \"\"\n[[scene]]\nname = \"mine\"\ntext = \"\""),
+              HasSubstr("unlike that of another scene"));
 }
 
 TEST(Plan, RefusesPartsOfOneName) {

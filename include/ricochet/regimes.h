@@ -83,6 +83,10 @@ void check_regimes_exist(const Scene& scene, const std::string& origin);
 /// as check_regimes_exist() does.
 std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options = {});
 
+/// The most collisions in a turn in the long run at the scene's constant speed; the mean where the
+/// motion does not repeat. `scene` must be valid, with regimes.
+double most_per_turn(const Scene& scene);
+
 /// The fastest speed [rad/s] up to which no turn in the long run has more than `at_most`
 /// collisions: the end of the last such regime, before the first that is louder. Nothing if the
 /// first regime is louder; options.to if none is.

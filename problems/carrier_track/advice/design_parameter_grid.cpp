@@ -24,10 +24,34 @@ int loudness(const Scene& scene, const Limit& limit, double omega) {
   return measured(at_speed(scene, omega), limit.measure) > limit.at_most ? 1 : 0;
 }
 
+/// The fastest speed up to which a disturbed machine is quiet in the long run, by the speeds of the
+/// scan: its exact borders would take some seconds.
+std::optional<double> quiet_by_scan(const Scene& scene, const Limit& limit,
+                                    const CoarseScan& scan) {
+  const auto is_quiet = [&](double omega) {
+    return most_per_turn(at_speed(scene, omega)) <= limit.at_most;
+  };
+  double quiet = 0;
+  double loud = scan.lowest;
+  while (is_quiet(loud)) {
+    quiet = loud;
+    if (loud >= scan.highest) return loud;
+    loud = std::min(scan.highest, loud * scan.ratio * scan.ratio);
+  }
+  if (quiet == 0) return std::nullopt;
+  for (int halving = 0; halving < 5; ++halving) {
+    const double middle = std::sqrt(quiet * loud);
+    (is_quiet(middle) ? quiet : loud) = middle;
+  }
+  return quiet;
+}
+
 /// The same in the long run, where the range ends at the first border.
 QuietRange found_in_the_long_run(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
   QuietRange range;
-  range.quiet = quiet_up_to(scene, limit.at_most, {scan.lowest, scan.highest});
+  range.quiet = scene.disturbance == 0
+                    ? quiet_up_to(scene, limit.at_most, {scan.lowest, scan.highest})
+                    : quiet_by_scan(scene, limit, scan);
   range.to_the_end = range.quiet && *range.quiet >= scan.highest;
   if (!range.to_the_end) range.divide = range.quiet;
   return range;

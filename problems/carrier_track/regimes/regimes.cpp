@@ -224,6 +224,13 @@ std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options)
   return walked(scene, options, std::numeric_limits<double>::infinity());
 }
 
+double most_per_turn(const Scene& scene) {
+  Scene hard = scene;
+  hard.fidelity = Fidelity::impact;
+  if (forcing_turns(hard) == 0) return disturbed_motion(hard).most;
+  return steady_motion(hard).collisions_per_turn();
+}
+
 std::optional<double> quiet_up_to(const Scene& scene, double at_most,
                                   const RegimeOptions& options) {
   const Regime last = walked(scene, options, at_most).back();

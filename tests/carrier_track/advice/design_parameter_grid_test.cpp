@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/counting/limit.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
 #include "ricochet/threshold.h"
 #include "tests/carrier_track/advice/case_scene.h"
 
@@ -78,7 +79,11 @@ TEST(DesignParameterGrid, SaysFirstWhatBuysMost) {
 }
 
 TEST(DesignParameterGrid, IsMissingWhereNothingSaysWhatIsQuiet) {
-  const Scene scene = case_scene("C2");
+  Scene scene = case_scene("C2");  // in the planar model, which has no regimes
+  scene.restitution_lower = scene.restitution_upper = lower_restitution(scene);
+  scene.contact_friction = false;
+  scene.across.emplace();
+  scene.fidelity = Fidelity::planar;
   EXPECT_TRUE(json_of(design_parameter_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18})))
                   .is_null());
 }

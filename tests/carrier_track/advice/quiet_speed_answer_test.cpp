@@ -5,6 +5,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/scene/contact_restitution.h"
 #include "ricochet/threshold.h"
 
 namespace ricochet::studies::advice {
@@ -18,16 +19,29 @@ QuietSpeedAnswer answer_for(const char* id, const QuietSpeedOptions& options,
   return answer_quiet_speed("mine", scene_of(find_case(id), default_machine()), options, tolerance);
 }
 
+/// The second case in the planar model, which has no regimes: nothing couples its directions.
+Scene planar_second_case() {
+  Scene scene = scene_of(find_case("C2"), default_machine());
+  scene.restitution_lower = scene.restitution_upper = lower_restitution(scene);
+  scene.contact_friction = false;
+  scene.across.emplace();
+  scene.fidelity = Fidelity::planar;
+  return scene;
+}
+
 TEST(QuietSpeedAnswer, SaysWhatThereIsToSay) {
   const auto found = answer_for("C3", {});
   EXPECT_THAT(text_of(found), HasSubstr("mine: the fastest quiet speed is " +
                                         both_units(found.answer.fastest_quiet.value())));
-  EXPECT_THAT(text_of(found), HasSubstr("<- the most significant"));
-  EXPECT_THAT(text_of(found), HasSubstr("certain"));
+  EXPECT_THAT(text_of(found), HasSubstr("In the long run: silent up to 2.877 rad/s"));
+  EXPECT_THAT(text_of(found), HasSubstr("<-"));
+  const std::string window = text_of(answer_for("C3", {Limit{Measure::collisions, 3}, 1e-3, 18}));
+  EXPECT_THAT(window, HasSubstr("<- the most significant"));
+  EXPECT_THAT(window, HasSubstr("certain"));
   EXPECT_THAT(text_of(found), HasSubstr("By hand: friction holds the carrier up to"));
   EXPECT_THAT(text_of(answer_for("C1", {Limit{Measure::collisions, 6}, 1e-3, 10})),
               HasSubstr("The window of 1.38 turns is short: 2 of its 5 collisions at 8.0"));
-  const auto rising = answer_for("C2", {});
+  const auto rising = answer_quiet_speed("mine", planar_second_case(), {}, 0);
   EXPECT_THAT(text_of(rising), HasSubstr("mine: there is no threshold up to 18 rad/s"));
   const auto quiet = answer_for("C3", {Limit{Measure::collisions, 99}, 1e-3, 4});
   EXPECT_THAT(text_of(quiet), HasSubstr("mine: every speed up to 4 rad/s is quiet"));
@@ -48,7 +62,13 @@ TEST(QuietSpeedAnswer, IsTheSameInJson) {
   EXPECT_NEAR(json["percent_for_one"]["restitution"], -0.8, 0.1);
   EXPECT_LT(json["with_tolerance"]["lowest"], json["fastest_quiet"]);
   EXPECT_GT(json["with_tolerance"]["highest"], json["fastest_quiet"]);
-  EXPECT_TRUE(json_of(answer_for("C2", {}))["limit"].is_null());
+  EXPECT_TRUE(json["regimes"].empty());
+  const report::Json rising = json_of(answer_quiet_speed("mine", planar_second_case(), {}, 0));
+  EXPECT_TRUE(rising["limit"].is_null());
+  const report::Json long_run = json_of(answer_for("C2", {}));
+  EXPECT_EQ(long_run["limit"]["measure"], "collisions_per_turn");
+  EXPECT_EQ(long_run["regimes"][0]["ends_by"], "release");
+  EXPECT_TRUE(long_run["steps"].empty());
 }
 
 }  // namespace

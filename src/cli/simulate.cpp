@@ -11,6 +11,7 @@
 
 #include "problems/carrier_track/advice/path_chart.h"
 #include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/regimes/anatomy.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
@@ -175,6 +176,12 @@ void print(const ChosenScene& chosen, const Recording& recording) {
   if (certainty.graze) {
     fmt::print("nearest missed wall: the {}, by {:.3g} m at {:.6g} s\n",
                name_of(certainty.graze->wall), certainty.graze->distance, certainty.graze->time);
+  }
+  if (const auto anatomy = carrier_track::anatomy_of(chosen.scene, recording.impacts)) {
+    fmt::print(
+        "{} of the collisions are the start's and do not come again; {} are of the long run, "
+        "which has {:.4g} a turn\n",
+        anatomy->of_start, anatomy->of_long_run, anatomy->per_turn);
   }
   fmt::print("{} impacts, slow ones included; {} maxima of x; those that count come first\n",
              recording.impacts.size(), recording.peaks.size());

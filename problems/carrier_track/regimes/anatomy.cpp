@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
@@ -33,7 +34,12 @@ bool has(const SteadyMotion& motion, const Scene& scene, const Impact& impact) {
 
 std::optional<Anatomy> anatomy_of(const Scene& scene, const std::vector<Impact>& impacts) {
   if (!has_regimes(scene) || !(scene.omega > 0) || forcing_turns(scene) == 0) return std::nullopt;
-  const SteadyMotion motion = steady_motion(scene);
+  SteadyMotion motion;
+  try {
+    motion = steady_motion(scene);
+  } catch (const std::runtime_error&) {  // more impacts than a simulation may have
+    return std::nullopt;
+  }
   if (!motion.settled) return std::nullopt;
   Anatomy anatomy;
   anatomy.per_turn = motion.collisions_per_turn();

@@ -213,6 +213,9 @@ std::vector<Regime> walked(const Scene& scene, const RegimeOptions& options, dou
   Scene hard = scene;
   hard.fidelity = Fidelity::impact;
   const Scene slow = at_speed(hard, options.from);
+  Scene turn = slow;
+  turn.window = Revolutions{1};
+  check(turn, "scene, in a turn at the slowest speed");
   const bool disturbed = scene.disturbance != 0 && scene.disturbance_frequency != 0;
   return disturbed ? Walk(disturbed_motion(slow), options.to).regimes(at_most)
                    : Walk(steady_motion(slow), options.to).regimes(at_most);

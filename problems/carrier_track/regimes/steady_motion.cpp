@@ -16,11 +16,12 @@
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
-constexpr int turns_at_most = 300;         // after which a motion without a period is averaged
-constexpr int averaged_turns = 120;        // over which
-constexpr std::size_t longest_period = 8;  // in periods of the forcing
-constexpr double same_state = 1e-13;       // relative; rounding adds up to some 1e-14 in a period
-constexpr double close_state = 1e-2;       // relative; from here on Newton's method is tried
+constexpr int turns_at_most = 300;   // after which a motion without a period is averaged
+constexpr int averaged_turns = 120;  // over which
+constexpr std::size_t impacts_at_most = 2'000'000;  // before a motion is given up as not periodic
+constexpr std::size_t longest_period = 8;           // in periods of the forcing
+constexpr double same_state = 1e-13;  // relative; rounding adds up to some 1e-14 in a period
+constexpr double close_state = 1e-2;  // relative; from here on Newton's method is tried
 constexpr int newton_iterations = 25;
 
 /// A body at the start of a period.
@@ -174,6 +175,8 @@ class Settling {
     for (int turns = 0; turns < turns_at_most; turns += forcing_) {
       const Body here = start_of(scene_);
       const Body next = run(scene_, watch_);
+      impacts_ += watch_.impacts().size();
+      if (impacts_ > impacts_at_most) break;
       if (!watch_.starts_at_rest() && watch_.longest_rest() != nullptr && shifts < 8) {
         start_in_rest();
         ++shifts;
@@ -184,8 +187,10 @@ class Settling {
       if (const std::optional<SteadyMotion> motion = repeated(next)) return *motion;
       start_at(scene_, drifted(here, next));
     }
-    scene_.window = Revolutions{static_cast<double>(averaged_turns)};
-    return described(scene_, averaged_turns, false);
+    const std::size_t in_a_turn = std::max<std::size_t>(1, watch_.impacts().size());
+    const int turns = std::clamp(static_cast<int>(impacts_at_most / in_a_turn), 1, averaged_turns);
+    scene_.window = Revolutions{static_cast<double>(turns)};
+    return described(scene_, turns, false);
   }
 
  private:
@@ -256,6 +261,7 @@ class Settling {
   int forcing_;
   PeriodWatch watch_;
   std::deque<Body> states_;  // the latest first
+  std::size_t impacts_ = 0;
   int periods_ = 0;
   int next_try_ = 12;
 };
@@ -270,10 +276,14 @@ double SteadyMotion::fastest_impact() const {
 
 int forcing_turns(const Scene& scene) {
   if (scene.disturbance == 0 || scene.disturbance_frequency == 0) return 1;
+  constexpr double most_cycles =
+      1e4;  // in a period; a faster force is as good as one that never repeats
   const double ratio = scene.disturbance_frequency / scene.omega;
   for (int turns = 1; turns <= 16; ++turns) {
     const double cycles = ratio * turns;
-    if (cycles > 0.5 && std::abs(cycles - std::round(cycles)) < 1e-12 * cycles) return turns;
+    if (cycles > 0.5 && cycles < most_cycles &&
+        std::abs(cycles - std::round(cycles)) < 1e-12 * cycles)
+      return turns;
   }
   return 0;
 }

@@ -1,0 +1,181 @@
+#include "problems/carrier_track/identification/knock_density.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ricochet::carrier_track::inline identification {
+namespace {
+
+/// Coordinates of a point beyond the motion's, see KnockUnknowns.
+enum : Eigen::Index { jitter = 5, recorded_share_, spurious_rate, detection_limit, gain, scatter };
+
+constexpr double longest_blur = 0.1;  // [s]
+constexpr double reach = 7;           // in widths: where a Gaussian ends
+
+double gaussian(double z) {
+  return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
+}
+
+double share_below(double z) {
+  return std::erfc(-z / std::numbers::sqrt2) / 2;
+}
+
+/// The range of the logarithms of the strengths.
+double range_of(const KnockRecord& record) {
+  if (!record.has_strengths()) return 1;
+  const auto [least, most] =
+      std::ranges::minmax(record.knocks, {}, [](const Knock& knock) { return *knock.strength; });
+  return std::max(0.1, std::log(*most.strength / *least.strength));
+}
+
+void add(Vector* slopes, const PredictedImpact& impact, double by_time, double by_log_speed) {
+  for (Eigen::Index i = 0; i < motion_unknowns; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    (*slopes)[i] += by_time * impact.time_slopes[k] + by_log_speed * impact.log_speed_slopes[k];
+  }
+}
+
+}  // namespace
+
+KnockDensity::KnockDensity(const KnockRecord& record, std::vector<PredictedImpact> impacts,
+                           const Vector& x, double blur)
+    : record_(record),
+      impacts_(std::move(impacts)),
+      at_(unknowns_at(x)),
+      widest_(at_.jitter),
+      strength_range_(range_of(record)),
+      strengths_(record.has_strengths()) {
+  for (const PredictedImpact& impact : impacts_) {
+    const double omega = blur > 0 ? speed_at(record.speed, impact.time) : 1;
+    widths_.push_back(std::hypot(at_.jitter, std::min(blur / omega, longest_blur)));
+    widest_ = std::max(widest_, widths_.back());
+  }
+}
+
+/// The share of the jitter in a squared width.
+double KnockDensity::narrowing(double width) const {
+  return at_.jitter * at_.jitter / (width * width);
+}
+
+/// How far an impact's strength is above the detection limit, in deviations of strengths.
+double KnockDensity::margin(const PredictedImpact& impact) const {
+  return (std::log(at_.gain / at_.detection_limit) + impact.log_speed) / at_.scatter;
+}
+
+double KnockDensity::recorded_share(const PredictedImpact& impact) const {
+  return at_.recorded_share * share_below(margin(impact));
+}
+
+double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) const {
+  const double spurious = at_.spurious_rate / strength_range_;
+  double density = spurious;
+  const auto first =
+      std::ranges::lower_bound(impacts_, knock.time - reach * widest_, {}, &PredictedImpact::time);
+  Vector sum = Vector::Zero(slopes != nullptr ? knock_unknowns : 0);
+  for (auto impact = first; impact != impacts_.end(); ++impact) {
+    if (impact->time > knock.time + reach * widest_) break;
+    const double width = widths_[static_cast<std::size_t>(impact - impacts_.begin())];
+    const double z = (knock.time - impact->time) / width;
+    if (std::abs(z) > reach) continue;
+    double bump = at_.recorded_share * gaussian(z) / width;
+    double by_log_speed = 0;
+    double by_scatter = 0;
+    double by_limit = 0;
+    const double above = margin(*impact);
+    if (strengths_) {
+      const double u = (std::log(*knock.strength / at_.gain) - impact->log_speed) / at_.scatter;
+      bump *= gaussian(u) / at_.scatter;
+      by_log_speed = u / at_.scatter;
+      by_scatter = u * u - 1;
+    } else {
+      const double share = share_below(above);
+      if (share == 0) continue;
+      bump *= share;
+      by_log_speed = gaussian(above) / share / at_.scatter;
+      by_limit = -by_log_speed;
+    }
+    density += bump;
+    if (slopes == nullptr) continue;
+    add(&sum, *impact, bump * z / width, bump * by_log_speed);
+    sum[jitter] += bump * (z * z - 1) * narrowing(width);
+    sum[recorded_share_] += bump * (1 - at_.recorded_share);
+    sum[detection_limit] += bump * by_limit;
+    sum[gain] += strengths_ ? bump * by_log_speed : 0;
+    sum[scatter] += bump * by_scatter;
+  }
+  if (slopes != nullptr) {
+    sum[spurious_rate] += spurious;
+    *slopes += factor / density * sum;
+  }
+  return std::log(density);
+}
+
+double KnockDensity::expected(Vector* slopes) const {
+  double sum = at_.spurious_rate * record_.duration();
+  if (slopes != nullptr) (*slopes)[spurious_rate] += sum;
+  for (std::size_t k = 0; k < impacts_.size(); ++k) {
+    const PredictedImpact& impact = impacts_[k];
+    const double begin = (impact.time - record_.from) / widths_[k];
+    const double end = (impact.time - record_.to) / widths_[k];
+    const double within = share_below(begin) - share_below(end);
+    const double above = margin(impact);
+    const double share = at_.recorded_share * share_below(above);
+    sum += share * within;
+    if (slopes == nullptr) continue;
+    const double steepness = at_.recorded_share * gaussian(above) / at_.scatter * within;
+    add(slopes, impact, share * (gaussian(begin) - gaussian(end)) / widths_[k], steepness);
+    (*slopes)[recorded_share_] += share * within * (1 - at_.recorded_share);
+    (*slopes)[jitter] -=
+        share * (begin * gaussian(begin) - end * gaussian(end)) * narrowing(widths_[k]);
+    (*slopes)[detection_limit] -= steepness;
+    if (!strengths_) continue;
+    (*slopes)[gain] += steepness;
+    (*slopes)[scatter] -= steepness * above * at_.scatter;
+  }
+  return sum;
+}
+
+KnockDensity::Information KnockDensity::information() const {
+  Information result{Matrix::Zero(knock_unknowns, knock_unknowns),
+                     Matrix::Zero(knock_unknowns, knock_unknowns)};
+  constexpr double step = 0.5;
+  constexpr double end = 5;
+  const double last_strength = strengths_ ? end : 0;
+  double covered = 0;
+  Vector slopes(knock_unknowns);
+  for (std::size_t k = 0; k < impacts_.size(); ++k) {
+    const PredictedImpact& impact = impacts_[k];
+    if (recorded_share(impact) < 1e-6) continue;
+    if (impact.time < record_.from || impact.time > record_.to) continue;
+    // With strengths the sum below leaves out what is not detected.
+    const double share = strengths_ ? at_.recorded_share : recorded_share(impact);
+    Vector mean = Vector::Zero(knock_unknowns);
+    for (double z = -end; z <= end; z += step) {
+      for (double u = -last_strength; u <= last_strength; u += step) {
+        Knock knock{impact.time + z * widths_[k]};
+        double weight = gaussian(z) * step;
+        if (strengths_) {
+          if (u < -margin(impact)) continue;  // not detected
+          knock.strength = at_.gain * std::exp(impact.log_speed + u * at_.scatter);
+          weight *= gaussian(u) * step;
+        }
+        slopes.setZero();
+        const double density = std::exp(log_at(knock, &slopes));
+        // What is spurious here belongs to the impacts in proportion to their densities.
+        const double spurious = at_.spurious_rate / strength_range_;
+        const double stretch = density / std::max(density - spurious, 1e-3 * density);
+        result.information += weight * share * stretch * slopes * slopes.transpose();
+        covered += weight * share * (stretch - 1);
+        mean += weight * share * slopes;
+      }
+    }
+    result.score -= mean * mean.transpose();
+  }
+  const double elsewhere = std::max(0.0, at_.spurious_rate * record_.duration() - covered);
+  result.information(spurious_rate, spurious_rate) += elsewhere;
+  result.score += result.information;
+  return result;
+}
+
+}  // namespace ricochet::carrier_track::inline identification

@@ -31,11 +31,11 @@ TEST(IdentifiedMachine, HasIntervalsOfConstantsAndSafeSpeed) {
   EXPECT_EQ(machine.constants[1].assumed, 0.2);
   EXPECT_EQ(machine.scene.friction, machine.constants[1].value);
   ASSERT_TRUE(machine.safe_speed);
-  EXPECT_EQ(machine.safe_speed->value, safe_speed(machine.scene));
+  EXPECT_NEAR(machine.safe_speed->value / *safe_speed(machine.scene), 1, 1e-9);
   EXPECT_LT(machine.safe_speed->upper / machine.safe_speed->lower, 1.1);
   ASSERT_TRUE(machine.next);
   EXPECT_EQ(machine.next_target, "safe speed");
-  EXPECT_NEAR(machine.missed_share, 0.05, 0.06);
+  EXPECT_NEAR(machine.missed_share, 0.05, 0.1);
   EXPECT_NEAR(machine.explained_share, 0.95, 0.06);
 }
 
@@ -44,7 +44,7 @@ TEST(IdentifiedMachine, SaysWhatOneSpeedCannotTell) {
   const KnockRecord record = synthetic_knocks(knocking_machine(), {{0, 3}, {30, 3}}, {}, random);
   const KnockLoss loss(knocking_machine(), record);
   const IdentifiedMachine machine = identify(loss, solver_named(usual_solver), 18);
-  EXPECT_THAT(machine.remarks, Contains(HasSubstr("does not determine the friction")));
+  EXPECT_THAT(machine.remarks, Contains(HasSubstr("does not determine the clearance")));
 }
 
 TEST(IdentifiedMachine, SaysThatItDoesNotExplainARecord) {

@@ -43,19 +43,14 @@ KnockDensity::KnockDensity(const KnockRecord& record, std::vector<PredictedImpac
     : record_(record),
       impacts_(std::move(impacts)),
       at_(unknowns_at(x)),
-      widest_(at_.jitter),
+      blur_(blur),
       strength_range_(range_of(record)),
-      strengths_(record.has_strengths()) {
-  for (const PredictedImpact& impact : impacts_) {
-    const double omega = blur > 0 ? speed_at(record.speed, impact.time) : 1;
-    widths_.push_back(std::hypot(at_.jitter, std::min(blur / omega, longest_blur)));
-    widest_ = std::max(widest_, widths_.back());
-  }
-}
+      strengths_(record.has_strengths()) {}
 
-/// The share of the jitter in a squared width.
-double KnockDensity::narrowing(double width) const {
-  return at_.jitter * at_.jitter / (width * width);
+/// The width [s] of the Gaussians around a knock: as long as the plate turns by the blur.
+double KnockDensity::width(double time) const {
+  if (blur_ == 0) return at_.jitter;
+  return std::hypot(at_.jitter, std::min(blur_ / speed_at(record_.speed, time), longest_blur));
 }
 
 /// How far an impact's strength is above the detection limit, in deviations of strengths.
@@ -70,14 +65,14 @@ double KnockDensity::recorded_share(const PredictedImpact& impact) const {
 double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) const {
   const double spurious = at_.spurious_rate / strength_range_;
   double density = spurious;
+  const double width = this->width(knock.time);
+  const double narrowing = at_.jitter * at_.jitter / (width * width);
   const auto first =
-      std::ranges::lower_bound(impacts_, knock.time - reach * widest_, {}, &PredictedImpact::time);
+      std::ranges::lower_bound(impacts_, knock.time - reach * width, {}, &PredictedImpact::time);
   Vector sum = Vector::Zero(slopes != nullptr ? knock_unknowns : 0);
   for (auto impact = first; impact != impacts_.end(); ++impact) {
-    if (impact->time > knock.time + reach * widest_) break;
-    const double width = widths_[static_cast<std::size_t>(impact - impacts_.begin())];
     const double z = (knock.time - impact->time) / width;
-    if (std::abs(z) > reach) continue;
+    if (z < -reach) break;
     double bump = at_.recorded_share * gaussian(z) / width;
     double by_log_speed = 0;
     double by_scatter = 0;
@@ -98,7 +93,7 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
     density += bump;
     if (slopes == nullptr) continue;
     add(&sum, *impact, bump * z / width, bump * by_log_speed);
-    sum[jitter] += bump * (z * z - 1) * narrowing(width);
+    sum[jitter] += bump * (z * z - 1) * narrowing;
     sum[recorded_share_] += bump * (1 - at_.recorded_share);
     sum[detection_limit] += bump * by_limit;
     sum[gain] += strengths_ ? bump * by_log_speed : 0;
@@ -114,20 +109,18 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
 double KnockDensity::expected(Vector* slopes) const {
   double sum = at_.spurious_rate * record_.duration();
   if (slopes != nullptr) (*slopes)[spurious_rate] += sum;
-  for (std::size_t k = 0; k < impacts_.size(); ++k) {
-    const PredictedImpact& impact = impacts_[k];
-    const double begin = (impact.time - record_.from) / widths_[k];
-    const double end = (impact.time - record_.to) / widths_[k];
+  for (const PredictedImpact& impact : impacts_) {
+    const double begin = (impact.time - record_.from) / at_.jitter;
+    const double end = (impact.time - record_.to) / at_.jitter;
     const double within = share_below(begin) - share_below(end);
     const double above = margin(impact);
     const double share = at_.recorded_share * share_below(above);
     sum += share * within;
     if (slopes == nullptr) continue;
     const double steepness = at_.recorded_share * gaussian(above) / at_.scatter * within;
-    add(slopes, impact, share * (gaussian(begin) - gaussian(end)) / widths_[k], steepness);
+    add(slopes, impact, share * (gaussian(begin) - gaussian(end)) / at_.jitter, steepness);
     (*slopes)[recorded_share_] += share * within * (1 - at_.recorded_share);
-    (*slopes)[jitter] -=
-        share * (begin * gaussian(begin) - end * gaussian(end)) * narrowing(widths_[k]);
+    (*slopes)[jitter] -= share * (begin * gaussian(begin) - end * gaussian(end));
     (*slopes)[detection_limit] -= steepness;
     if (!strengths_) continue;
     (*slopes)[gain] += steepness;
@@ -144,8 +137,7 @@ KnockDensity::Information KnockDensity::information() const {
   const double last_strength = strengths_ ? end : 0;
   double covered = 0;
   Vector slopes(knock_unknowns);
-  for (std::size_t k = 0; k < impacts_.size(); ++k) {
-    const PredictedImpact& impact = impacts_[k];
+  for (const PredictedImpact& impact : impacts_) {
     if (recorded_share(impact) < 1e-6) continue;
     if (impact.time < record_.from || impact.time > record_.to) continue;
     // With strengths the sum below leaves out what is not detected.
@@ -153,7 +145,7 @@ KnockDensity::Information KnockDensity::information() const {
     Vector mean = Vector::Zero(knock_unknowns);
     for (double z = -end; z <= end; z += step) {
       for (double u = -last_strength; u <= last_strength; u += step) {
-        Knock knock{impact.time + z * widths_[k]};
+        Knock knock{impact.time + z * width(impact.time)};
         double weight = gaussian(z) * step;
         if (strengths_) {
           if (u < -margin(impact)) continue;  // not detected

@@ -42,13 +42,12 @@ class KnockDensity {
 
  private:
   double margin(const PredictedImpact& impact) const;
-  double narrowing(double width) const;
+  double width(double time) const;
 
   const KnockRecord& record_;
   std::vector<PredictedImpact> impacts_;
   KnockUnknowns at_;
-  std::vector<double> widths_;  ///< [s], of the impacts
-  double widest_;
+  double blur_;            ///< [rad]
   double strength_range_;  ///< of log strengths; 1 without
   bool strengths_;
 };

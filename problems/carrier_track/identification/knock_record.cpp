@@ -13,13 +13,12 @@ constexpr double turn = 2 * std::numbers::pi;
 }  // namespace
 
 double speed_at(const std::vector<SpeedKnot<double>>& speed, double time) {
-  if (time <= speed.front().time) return speed.front().omega;
-  for (std::size_t k = 1; k < speed.size(); ++k) {
-    if (time > speed[k].time) continue;
-    const double share = (time - speed[k - 1].time) / (speed[k].time - speed[k - 1].time);
-    return speed[k - 1].omega + share * (speed[k].omega - speed[k - 1].omega);
-  }
-  return speed.back().omega;
+  const auto after = std::ranges::lower_bound(speed, time, {}, &SpeedKnot<double>::time);
+  if (after == speed.begin()) return speed.front().omega;
+  if (after == speed.end()) return speed.back().omega;
+  const SpeedKnot<double>& before = *std::prev(after);
+  const double share = (time - before.time) / (after->time - before.time);
+  return before.omega + share * (after->omega - before.omega);
 }
 
 double angle_between(const std::vector<SpeedKnot<double>>& speed, double from, double to) {
@@ -32,9 +31,8 @@ double angle_between(const std::vector<SpeedKnot<double>>& speed, double from, d
     time = end;
     omega = then;
   };
-  for (const SpeedKnot<double>& knot : speed) {
-    if (knot.time > from && knot.time < to) go_to(knot.time);
-  }
+  auto knot = std::ranges::upper_bound(speed, from, {}, &SpeedKnot<double>::time);
+  for (; knot != speed.end() && knot->time < to; ++knot) go_to(knot->time);
   go_to(to);
   return angle;
 }

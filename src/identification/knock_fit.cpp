@@ -1,5 +1,6 @@
 #include "src/identification/knock_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,8 +14,9 @@ using namespace carrier_track;
 
 namespace {
 
-constexpr std::int64_t steps_of_blurred = 12;
+constexpr std::int64_t steps_of_blurred = 8;
 constexpr std::int64_t steps_of_sharp = 16;
+constexpr std::int64_t steps_of_last = 40;
 
 /// Two losses that differ by less belong to the same minimum.
 constexpr double same_loss = 0.02;
@@ -53,9 +55,33 @@ class Search {
   const Solver& solver_;
 };
 
+/// Sets the gain of strengths so that half of the knocks are stronger than the nearest predicted
+/// impact, and a wide scatter, for a start.
+void set_gain(const KnockLoss& loss, Vector& x) {
+  const KnockDensity density = loss.density(x, 1e-9);
+  const std::vector<PredictedImpact>& impacts = density.impacts();
+  if (impacts.empty()) return;
+  std::vector<double> gains;
+  for (const Knock& knock : loss.record().knocks) {
+    auto impact = std::ranges::lower_bound(impacts, knock.time, {}, &PredictedImpact::time);
+    if (impact == impacts.end() ||
+        (impact != impacts.begin() &&
+         knock.time - std::prev(impact)->time < impact->time - knock.time)) {
+      --impact;
+    }
+    gains.push_back(std::log(*knock.strength) - impact->log_speed);
+  }
+  const auto middle = gains.begin() + static_cast<std::ptrdiff_t>(gains.size() / 2);
+  std::ranges::nth_element(gains, middle);
+  x[9] = *middle;
+  x[10] = std::log(0.3);
+}
+
 /// Follows a loss from wide to no blur. Returns the loss without.
-double descend(Search& search, Vector& x, std::initializer_list<double> blurs) {
+double descend(const KnockLoss& loss, Search& search, Vector& x,
+               std::initializer_list<double> blurs) {
   for (const double blur : blurs) search.improve(x, blur, steps_of_blurred);
+  if (loss.record().has_strengths()) set_gain(loss, x);
   return search.improve(x, 0, steps_of_sharp);
 }
 
@@ -67,7 +93,7 @@ KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t sta
   KnockFit best{{}, {}, std::numeric_limits<double>::infinity(), 0, 0};
   // Returns true if the best loss has been found again.
   const auto keep_better = [&](Vector x, std::initializer_list<double> blurs) {
-    const double found = descend(search, x, blurs);
+    const double found = descend(loss, search, x, blurs);
     const bool again = std::abs(found - best.loss) < same_loss;
     if (found < best.loss) {
       best.loss = found;
@@ -86,7 +112,7 @@ KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t sta
   }
   // Another minimum may be close by: where an impact appears or vanishes the loss jumps.
   keep_better(best.x, {0.015, 0.006});
-  search.improve(best.x, 0, steps_of_sharp);
+  search.improve(best.x, 0, steps_of_last);
   best.covariance = covariance_of(loss.information(best.x), loss.free());
   Vector slopes;
   best.loss = loss.at(best.x, 0, &slopes);

@@ -10,6 +10,7 @@ namespace {
 /// Coordinates of a point beyond the motion's, see KnockUnknowns.
 enum : Eigen::Index { jitter = 5, recorded_share_, spurious_rate, detection_limit, gain, scatter };
 
+constexpr double scatter_without_strengths = 0.1;
 constexpr double longest_blur = 0.1;  // [s]
 constexpr double reach = 7;           // in widths: where a Gaussian ends
 
@@ -22,8 +23,8 @@ double share_below(double z) {
 }
 
 /// The range of the logarithms of the strengths.
-double range_of(const KnockRecord& record) {
-  if (!record.has_strengths()) return 1;
+double range_of(const KnockRecord& record, bool strengths) {
+  if (!strengths) return 1;
   const auto [least, most] =
       std::ranges::minmax(record.knocks, {}, [](const Knock& knock) { return *knock.strength; });
   return std::max(0.1, std::log(*most.strength / *least.strength));
@@ -44,8 +45,10 @@ KnockDensity::KnockDensity(const KnockRecord& record, std::vector<PredictedImpac
       impacts_(std::move(impacts)),
       at_(unknowns_at(x)),
       blur_(blur),
-      strength_range_(range_of(record)),
-      strengths_(record.has_strengths()) {}
+      strengths_(record.has_strengths() && blur == 0) {
+  strength_range_ = range_of(record, strengths_);
+  if (!strengths_) at_.scatter = scatter_without_strengths;
+}
 
 /// The width [s] of the Gaussians around a knock: as long as the plate turns by the blur.
 double KnockDensity::width(double time) const {
@@ -96,7 +99,7 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
     sum[jitter] += bump * (z * z - 1) * narrowing;
     sum[recorded_share_] += bump * (1 - at_.recorded_share);
     sum[detection_limit] += bump * by_limit;
-    sum[gain] += strengths_ ? bump * by_log_speed : 0;
+    sum[gain] += bump * by_log_speed;
     sum[scatter] += bump * by_scatter;
   }
   if (slopes != nullptr) {
@@ -122,9 +125,8 @@ double KnockDensity::expected(Vector* slopes) const {
     (*slopes)[recorded_share_] += share * within * (1 - at_.recorded_share);
     (*slopes)[jitter] -= share * (begin * gaussian(begin) - end * gaussian(end));
     (*slopes)[detection_limit] -= steepness;
-    if (!strengths_) continue;
     (*slopes)[gain] += steepness;
-    (*slopes)[scatter] -= steepness * above * at_.scatter;
+    if (strengths_) (*slopes)[scatter] -= steepness * above * at_.scatter;
   }
   return sum;
 }
@@ -134,7 +136,8 @@ KnockDensity::Information KnockDensity::information() const {
                      Matrix::Zero(knock_unknowns, knock_unknowns)};
   constexpr double step = 0.5;
   constexpr double end = 5;
-  const double last_strength = strengths_ ? end : 0;
+  constexpr double step_of_strength = 1;  // of a smoother integrand
+  const double last_strength = strengths_ ? 4 : 0;
   double covered = 0;
   Vector slopes(knock_unknowns);
   for (const PredictedImpact& impact : impacts_) {
@@ -144,13 +147,13 @@ KnockDensity::Information KnockDensity::information() const {
     const double share = strengths_ ? at_.recorded_share : recorded_share(impact);
     Vector mean = Vector::Zero(knock_unknowns);
     for (double z = -end; z <= end; z += step) {
-      for (double u = -last_strength; u <= last_strength; u += step) {
+      for (double u = -last_strength; u <= last_strength; u += step_of_strength) {
         Knock knock{impact.time + z * width(impact.time)};
         double weight = gaussian(z) * step;
         if (strengths_) {
           if (u < -margin(impact)) continue;  // not detected
           knock.strength = at_.gain * std::exp(impact.log_speed + u * at_.scatter);
-          weight *= gaussian(u) * step;
+          weight *= gaussian(u) * step_of_strength;
         }
         slopes.setZero();
         const double density = std::exp(log_at(knock, &slopes));

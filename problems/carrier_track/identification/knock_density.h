@@ -47,8 +47,8 @@ class KnockDensity {
   const KnockRecord& record_;
   std::vector<PredictedImpact> impacts_;
   KnockUnknowns at_;
-  double blur_;            ///< [rad]
-  double strength_range_;  ///< of log strengths; 1 without
+  double blur_;                ///< [rad]
+  double strength_range_ = 1;  ///< of log strengths; 1 without
   bool strengths_;
 };
 

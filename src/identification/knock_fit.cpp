@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "problems/carrier_track/identification/knock_problem.h"
@@ -15,8 +16,8 @@ using namespace carrier_track;
 namespace {
 
 constexpr std::int64_t steps_of_blurred = 8;
-constexpr std::int64_t steps_of_sharp = 16;
-constexpr std::int64_t steps_of_last = 40;
+constexpr std::int64_t steps_of_sharp = 12;
+constexpr int most_rounds = 8;
 
 /// Two losses that differ by less belong to the same minimum.
 constexpr double same_loss = 0.02;
@@ -55,8 +56,13 @@ class Search {
   const Solver& solver_;
 };
 
-/// Sets the gain of strengths so that half of the knocks are stronger than the nearest predicted
-/// impact, and a wide scatter, for a start.
+double median_of(std::vector<double> numbers) {
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::ranges::nth_element(numbers, middle);
+  return *middle;
+}
+
+/// Sets gain and scatter of strengths by those of the knocks over the nearest predicted impacts.
 void set_gain(const KnockLoss& loss, Vector& x) {
   const KnockDensity density = loss.density(x, 1e-9);
   const std::vector<PredictedImpact>& impacts = density.impacts();
@@ -71,10 +77,21 @@ void set_gain(const KnockLoss& loss, Vector& x) {
     }
     gains.push_back(std::log(*knock.strength) - impact->log_speed);
   }
-  const auto middle = gains.begin() + static_cast<std::ptrdiff_t>(gains.size() / 2);
-  std::ranges::nth_element(gains, middle);
-  x[9] = *middle;
-  x[10] = std::log(0.3);
+  x[9] = median_of(gains);
+  for (double& gain : gains) gain = std::abs(gain - x[9]);
+  x[10] = std::log(1.5 * median_of(gains) + 0.02);  // 1.5: of a Gaussian
+}
+
+/// Improves x without blur, in new coordinates every few steps, until that no longer helps. Returns
+/// the loss.
+double converge(Search& search, Vector& x) {
+  double loss = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most_rounds; ++round) {
+    const double found = search.improve(x, 0, steps_of_sharp);
+    if (found > loss - 0.1 * same_loss) return found;
+    loss = found;
+  }
+  return loss;
 }
 
 /// Follows a loss from wide to no blur. Returns the loss without.
@@ -82,7 +99,7 @@ double descend(const KnockLoss& loss, Search& search, Vector& x,
                std::initializer_list<double> blurs) {
   for (const double blur : blurs) search.improve(x, blur, steps_of_blurred);
   if (loss.record().has_strengths()) set_gain(loss, x);
-  return search.improve(x, 0, steps_of_sharp);
+  return converge(search, x);
 }
 
 }  // namespace
@@ -112,7 +129,7 @@ KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t sta
   }
   // Another minimum may be close by: where an impact appears or vanishes the loss jumps.
   keep_better(best.x, {0.015, 0.006});
-  search.improve(best.x, 0, steps_of_last);
+  converge(search, best.x);
   best.covariance = covariance_of(loss.information(best.x), loss.free());
   Vector slopes;
   best.loss = loss.at(best.x, 0, &slopes);

@@ -90,9 +90,9 @@ Vector drawn(const Vector& guess, bool as_given, Random& random) {
   Vector x = guess;
   if (as_given) return x;
   const Vector u = uniform_point(Vector::Constant(3, -1), Vector::Constant(3, 1), random);
-  x[0] += 1.5 * u[0];
-  x[1] += 0.7 * u[1];
-  x[2] += 0.9 * u[2];
+  x[coordinate::restitution] += 1.5 * u[0];
+  x[coordinate::friction] += 0.7 * u[1];
+  x[coordinate::clearance] += 0.9 * u[2];
   return x;
 }
 
@@ -101,14 +101,15 @@ Vector drawn(const Vector& guess, bool as_given, Random& random) {
 std::vector<Vector> fit_starts(const KnockLoss& loss, std::size_t most, Random& random) {
   const KnockRecord& record = loss.record();
   const std::vector<double> knocks = plate_angles(record);
-  const double factor = record.plate ? std::exp(loss.guess()[4]) : best_speed_factor(knocks);
+  const double factor =
+      record.plate ? std::exp(loss.guess()[coordinate::speed_factor]) : best_speed_factor(knocks);
   std::vector<double> turned;
   for (const double angle : knocks) turned.push_back(factor * angle);
   const double slowest = loss.scene().counting_limit;
   std::vector<Guess> guesses;
   for (int k = 0; k < draws; ++k) {
     Vector x = drawn(loss.guess(), k == 0, random);
-    x[4] = std::log(factor);
+    x[coordinate::speed_factor] = std::log(factor);
     PlateAngle plate(record);
     std::vector<double> impacts;
     for (const PredictedImpact& impact : plain_impacts(loss.scene(), record, x, slowest)) {
@@ -120,7 +121,7 @@ std::vector<Vector> fit_starts(const KnockLoss& loss, std::size_t most, Random& 
       const double score = score_of(turned, impacts, phase);
       if (score <= best.score) continue;
       best.score = score;
-      best.x[3] = loss.guess()[3] + phase;
+      best.x[coordinate::phase] = loss.guess()[coordinate::phase] + phase;
     }
     guesses.push_back(best);
   }

@@ -107,7 +107,7 @@ std::vector<std::string> remarks_of(const IdentifiedMachine& machine, const Knoc
   }
   if (record.plate) return remarks;
   for (Eigen::Index i = 0; i < machine_constants; ++i) {
-    const double r = correlation(machine.fit.covariance, i, 3);
+    const double r = correlation(machine.fit.covariance, i, coordinate::phase);
     if (std::abs(r) < strong_correlation) continue;
     remarks.push_back(
         fmt::format("{} and the plate's unknown angle are hard to tell apart (correlation {:.2f}): "

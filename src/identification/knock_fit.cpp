@@ -25,8 +25,10 @@ constexpr double same_loss = 0.02;
 /// The unknowns that are searched while the density is blurred: jitter and rates would only follow
 /// the blur.
 std::vector<Eigen::Index> of_motion(const KnockLoss& loss) {
-  std::vector<Eigen::Index> result = {0, 1, 2, 3, 4};
-  if (loss.record().has_strengths()) result.push_back(9);
+  std::vector<Eigen::Index> result = {coordinate::restitution, coordinate::friction,
+                                      coordinate::clearance, coordinate::phase,
+                                      coordinate::speed_factor};
+  if (loss.record().has_strengths()) result.push_back(coordinate::gain);
   return result;
 }
 
@@ -77,9 +79,9 @@ void set_gain(const KnockLoss& loss, Vector& x) {
     }
     gains.push_back(std::log(*knock.strength) - impact->log_speed);
   }
-  x[9] = median_of(gains);
-  for (double& gain : gains) gain = std::abs(gain - x[9]);
-  x[10] = std::log(1.5 * median_of(gains) + 0.02);  // 1.5: of a Gaussian
+  x[coordinate::gain] = median_of(gains);
+  for (double& gain : gains) gain = std::abs(gain - x[coordinate::gain]);
+  x[coordinate::scatter] = std::log(1.5 * median_of(gains) + 0.02);  // 1.5: of a Gaussian
 }
 
 /// Improves x without blur, in new coordinates every few steps, until that no longer helps. Returns
@@ -124,7 +126,7 @@ KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t sta
   if (!loss.record().plate) {
     // Half a turn further the walls swap their roles: only a pull tells them apart.
     Vector twin = best.x;
-    twin[3] += twin[3] > 0 ? -std::numbers::pi : std::numbers::pi;
+    twin[coordinate::phase] += twin[coordinate::phase] > 0 ? -std::numbers::pi : std::numbers::pi;
     keep_better(twin, {0.006});
   }
   // Another minimum may be close by: where an impact appears or vanishes the loss jumps.

@@ -7,9 +7,6 @@
 namespace ricochet::carrier_track::inline identification {
 namespace {
 
-/// Coordinates of a point beyond the motion's, see KnockUnknowns.
-enum : Eigen::Index { jitter = 5, recorded_share_, spurious_rate, detection_limit, gain, scatter };
-
 constexpr double scatter_without_strengths = 0.1;
 constexpr double longest_blur = 0.1;  // [s]
 constexpr double reach = 7;           // in widths: where a Gaussian ends
@@ -96,14 +93,14 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
     density += bump;
     if (slopes == nullptr) continue;
     add(&sum, *impact, bump * z / width, bump * by_log_speed);
-    sum[jitter] += bump * (z * z - 1) * narrowing;
-    sum[recorded_share_] += bump * (1 - at_.recorded_share);
-    sum[detection_limit] += bump * by_limit;
-    sum[gain] += bump * by_log_speed;
-    sum[scatter] += bump * by_scatter;
+    sum[coordinate::jitter] += bump * (z * z - 1) * narrowing;
+    sum[coordinate::recorded_share] += bump * (1 - at_.recorded_share);
+    sum[coordinate::detection_limit] += bump * by_limit;
+    sum[coordinate::gain] += bump * by_log_speed;
+    sum[coordinate::scatter] += bump * by_scatter;
   }
   if (slopes != nullptr) {
-    sum[spurious_rate] += spurious;
+    sum[coordinate::spurious_rate] += spurious;
     *slopes += factor / density * sum;
   }
   return std::log(density);
@@ -111,7 +108,7 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
 
 double KnockDensity::expected(Vector* slopes) const {
   double sum = at_.spurious_rate * record_.duration();
-  if (slopes != nullptr) (*slopes)[spurious_rate] += sum;
+  if (slopes != nullptr) (*slopes)[coordinate::spurious_rate] += sum;
   for (const PredictedImpact& impact : impacts_) {
     const double begin = (impact.time - record_.from) / at_.jitter;
     const double end = (impact.time - record_.to) / at_.jitter;
@@ -122,11 +119,11 @@ double KnockDensity::expected(Vector* slopes) const {
     if (slopes == nullptr) continue;
     const double steepness = at_.recorded_share * gaussian(above) / at_.scatter * within;
     add(slopes, impact, share * (gaussian(begin) - gaussian(end)) / at_.jitter, steepness);
-    (*slopes)[recorded_share_] += share * within * (1 - at_.recorded_share);
-    (*slopes)[jitter] -= share * (begin * gaussian(begin) - end * gaussian(end));
-    (*slopes)[detection_limit] -= steepness;
-    (*slopes)[gain] += steepness;
-    if (strengths_) (*slopes)[scatter] -= steepness * above * at_.scatter;
+    (*slopes)[coordinate::recorded_share] += share * within * (1 - at_.recorded_share);
+    (*slopes)[coordinate::jitter] -= share * (begin * gaussian(begin) - end * gaussian(end));
+    (*slopes)[coordinate::detection_limit] -= steepness;
+    (*slopes)[coordinate::gain] += steepness;
+    if (strengths_) (*slopes)[coordinate::scatter] -= steepness * above * at_.scatter;
   }
   return sum;
 }
@@ -168,7 +165,7 @@ KnockDensity::Information KnockDensity::information() const {
     result.score -= mean * mean.transpose();
   }
   const double elsewhere = std::max(0.0, at_.spurious_rate * record_.duration() - covered);
-  result.information(spurious_rate, spurious_rate) += elsewhere;
+  result.information(coordinate::spurious_rate, coordinate::spurious_rate) += elsewhere;
   result.score += result.information;
   return result;
 }

@@ -17,14 +17,14 @@ constexpr double undetectable = 5;
 KnockLoss::KnockLoss(const Scene& scene, const KnockRecord& record)
     : scene_(scene), record_(record), guess_(), deviations_(knock_unknowns) {
   KnockUnknowns guess = guess_of(scene);
-  for (Eigen::Index i = 0; i < 8; ++i) free_.push_back(i);
+  for (Eigen::Index i = 0; i <= coordinate::spurious_rate; ++i) free_.push_back(i);
   if (record.has_strengths()) {
     const auto weakest = std::ranges::min(record.knocks, {}, &Knock::strength);
     guess.detection_limit = *weakest.strength;
     guess.gain = guess.detection_limit / scene.counting_limit;
-    free_.insert(free_.end(), {9, 10});
+    free_.insert(free_.end(), {coordinate::gain, coordinate::scatter});
   } else {
-    free_.push_back(8);
+    free_.push_back(coordinate::detection_limit);
   }
   guess.spurious_rate =
       std::max(0.1 * static_cast<double>(record.knocks.size()), 1.0) / record.duration();
@@ -65,17 +65,17 @@ double KnockLoss::prior(const Vector& x, Vector* slopes) const {
     if (slopes != nullptr) (*slopes)[i] += z / deviations_[i];
   }
   if (record_.plate) {
-    const Vector off = x.segment(3, 2) - guess_.segment(3, 2);
+    const Vector off = x.segment(coordinate::phase, 2) - guess_.segment(coordinate::phase, 2);
     const Vector pull = record_.plate->information * off;
     sum += off.dot(pull) / 2;
-    if (slopes != nullptr) slopes->segment(3, 2) += pull;
+    if (slopes != nullptr) slopes->segment(coordinate::phase, 2) += pull;
   }
   // Half a knock that is missed, half a spurious one: without any the logarithms have no end.
   const KnockUnknowns at = unknowns_at(x);
   sum -= (std::log(at.recorded_share * (1 - at.recorded_share)) + std::log(at.spurious_rate)) / 2;
   if (slopes != nullptr) {
-    (*slopes)[6] -= (1 - 2 * at.recorded_share) / 2;
-    (*slopes)[7] -= 0.5;
+    (*slopes)[coordinate::recorded_share] -= (1 - 2 * at.recorded_share) / 2;
+    (*slopes)[coordinate::spurious_rate] -= 0.5;
   }
   return sum;
 }
@@ -87,9 +87,10 @@ KnockDensity::Information KnockLoss::information(const Vector& x, double blur) c
     for (Eigen::Index i = 0; i < knock_unknowns; ++i) {
       (*matrix)(i, i) += 1 / (deviations_[i] * deviations_[i]);
     }
-    if (record_.plate) matrix->block(3, 3, 2, 2) += record_.plate->information;
-    (*matrix)(6, 6) += share * (1 - share);
-    (*matrix)(7, 7) += 0.5;
+    if (record_.plate)
+      matrix->block(coordinate::phase, coordinate::phase, 2, 2) += record_.plate->information;
+    (*matrix)(coordinate::recorded_share, coordinate::recorded_share) += share * (1 - share);
+    (*matrix)(coordinate::spurious_rate, coordinate::spurious_rate) += 0.5;
   }
   return result;
 }

@@ -7,8 +7,7 @@
 namespace ricochet::carrier_track::inline identification {
 namespace {
 
-/// Limits of the coordinates of KnockUnknowns: beyond them a simulation may take very long. Those
-/// without bounds in the first two lines are logits, ...
+/// Limits of the coordinates of KnockUnknowns: beyond them a simulation may take very long.
 Vector lowest() {
   Vector x(knock_unknowns);
   x << -5, std::log(1e-4), std::log(1e-7), -100, -0.2, std::log(1e-7), -5, -20, -20, -40, -7;

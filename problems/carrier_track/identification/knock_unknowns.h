@@ -28,6 +28,23 @@ struct KnockUnknowns {
 /// restitution and recorded_share, the phase itself.
 inline constexpr Eigen::Index knock_unknowns = 11;
 
+/// The index of each unknown's coordinate.
+namespace coordinate {
+enum : Eigen::Index {
+  restitution,
+  friction,
+  clearance,
+  phase,
+  speed_factor,
+  jitter,
+  recorded_share,
+  spurious_rate,
+  detection_limit,
+  gain,
+  scatter
+};
+}
+
 /// The unknowns that motion depends on are the first ones.
 inline constexpr Eigen::Index motion_unknowns = 5;
 

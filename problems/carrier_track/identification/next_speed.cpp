@@ -60,13 +60,13 @@ std::optional<NextSpeed> next_speed(const KnockLoss& loss, const Vector& x, cons
     KnockRecord step{{}, {{0, omega}}, 0, next_step_seconds};
     step.knocks = record.knocks;  // they say whether there are strengths, and of which range
     Vector there = x;
-    there[3] += turned;
+    there[coordinate::phase] += turned;
     const KnockDensity density(
         step, predicted_impacts(loss.scene(), step, there, loss.slowest(there)), there, 0);
     if (density.impacts().empty() || is_sensitive(density, step)) continue;
     // The angle at which the step begins depends on the speeds before.
     Matrix by = Matrix::Identity(knock_unknowns, knock_unknowns);
-    by(3, 4) = turned;
+    by(coordinate::phase, coordinate::speed_factor) = turned;
     KnockDensity::Information both = density.information();
     both.information = now.information + by.transpose() * both.information * by;
     both.score = now.score + by.transpose() * both.score * by;

@@ -20,6 +20,7 @@
 #include "src/cli/completion.h"
 #include "src/cli/evaluate.h"
 #include "src/cli/export.h"
+#include "src/cli/identify.h"
 #include "src/cli/list.h"
 #include "src/cli/machine.h"
 #include "src/cli/manual.h"
@@ -84,6 +85,7 @@ class Program : public CommandLine {
     add_simulate();
     add_threshold();
     add_regimes();
+    add_identify();
     add_scene();
     start_group("solve");
     add_list();
@@ -152,6 +154,42 @@ class Program : public CommandLine {
     command->add_option("--plot", regimes_.plot, "SVG file for a chart of the collisions a turn")
         ->type_name("FILE");
     on_call(command, [this] { return regimes(regimes_); });
+  }
+
+  void add_identify() {
+    CLI::App* command = add(
+        "identify", "Fit restitution, friction and clearance to recorded knocks",
+        "  ricochet identify knocks.csv --scene machine.toml --speed speed.csv --marks marks.csv\n"
+        "  ricochet identify knocks.csv --scene machine.toml --omega 5 --plot residuals.svg");
+    command
+        ->add_option("knocks", identify_.files.knocks,
+                     "CSV file: time [s] of each knock; perhaps strength, omega [rad/s]")
+        ->type_name("FILE")
+        ->required();
+    command
+        ->add_option("--scene", identify_.scene_file, "A machine file (TOML); - is standard input")
+        ->type_name("FILE");
+    command->add_option("--omega", identify_.files.omega, "Constant speed of the plate [rad/s]");
+    command
+        ->add_option("--speed", identify_.files.speed,
+                     "CSV file: time [s], omega [rad/s] of the plate; linear in between")
+        ->type_name("FILE");
+    command
+        ->add_option("--marks", identify_.files.marks, "CSV file: time [s] of marks on the plate")
+        ->type_name("FILE");
+    command->add_option("--mark-angle", identify_.files.mark_angle, "Angle alpha [rad] at a mark")
+        ->capture_default_str();
+    command->add_option("--solver", identify_.solver, "Solver that takes gradients")
+        ->type_name("SOLVER")
+        ->capture_default_str();
+    command->add_option("--fastest", identify_.fastest, "End of the speed range [rad/s]")
+        ->capture_default_str();
+    command->add_option("--out", identify_.out, "Machine file (TOML) for the fitted machine")
+        ->type_name("FILE");
+    command->add_option("--plot", identify_.plot, "SVG file for a chart of the residuals")
+        ->type_name("FILE");
+    add_format(command, identify_.json);
+    on_call(command, [this] { return identify(identify_); });
   }
 
   void add_machine() {
@@ -514,6 +552,7 @@ class Program : public CommandLine {
   SimulateOptions simulate_;
   ThresholdOptions threshold_;
   RegimesOptions regimes_;
+  IdentifyOptions identify_;
   SceneChoice scene_;
   SceneChoice machine_;
   SceneChoice compared_;

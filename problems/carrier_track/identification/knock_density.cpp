@@ -1,0 +1,173 @@
+#include "problems/carrier_track/identification/knock_density.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ricochet::carrier_track::inline identification {
+namespace {
+
+constexpr double scatter_without_strengths = 0.1;
+constexpr double longest_blur = 0.1;  // [s]
+constexpr double reach = 7;           // in widths: where a Gaussian ends
+
+double gaussian(double z) {
+  return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
+}
+
+double share_below(double z) {
+  return std::erfc(-z / std::numbers::sqrt2) / 2;
+}
+
+/// The range of the logarithms of the strengths.
+double range_of(const KnockRecord& record, bool strengths) {
+  if (!strengths) return 1;
+  const auto [least, most] =
+      std::ranges::minmax(record.knocks, {}, [](const Knock& knock) { return *knock.strength; });
+  return std::max(0.1, std::log(*most.strength / *least.strength));
+}
+
+void add(Vector* slopes, const PredictedImpact& impact, double by_time, double by_log_speed) {
+  for (Eigen::Index i = 0; i < motion_unknowns; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    (*slopes)[i] += by_time * impact.time_slopes[k] + by_log_speed * impact.log_speed_slopes[k];
+  }
+}
+
+}  // namespace
+
+KnockDensity::KnockDensity(const KnockRecord& record, std::vector<PredictedImpact> impacts,
+                           const Vector& x, double blur)
+    : record_(record),
+      impacts_(std::move(impacts)),
+      at_(unknowns_at(x)),
+      blur_(blur),
+      strengths_(record.has_strengths() && blur == 0) {
+  strength_range_ = range_of(record, strengths_);
+  if (!strengths_) at_.scatter = scatter_without_strengths;
+}
+
+/// The width [s] of the Gaussians around a knock: as long as the plate turns by the blur.
+double KnockDensity::width(double time) const {
+  if (blur_ == 0) return at_.jitter;
+  return std::hypot(at_.jitter, std::min(blur_ / speed_at(record_.speed, time), longest_blur));
+}
+
+/// How far an impact's strength is above the detection limit, in deviations of strengths.
+double KnockDensity::margin(const PredictedImpact& impact) const {
+  return (std::log(at_.gain / at_.detection_limit) + impact.log_speed) / at_.scatter;
+}
+
+double KnockDensity::recorded_share(const PredictedImpact& impact) const {
+  return at_.recorded_share * share_below(margin(impact));
+}
+
+double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) const {
+  const double spurious = at_.spurious_rate / strength_range_;
+  double density = spurious;
+  const double width = this->width(knock.time);
+  const double narrowing = at_.jitter * at_.jitter / (width * width);
+  const auto first =
+      std::ranges::lower_bound(impacts_, knock.time - reach * width, {}, &PredictedImpact::time);
+  Vector sum = Vector::Zero(slopes != nullptr ? knock_unknowns : 0);
+  for (auto impact = first; impact != impacts_.end(); ++impact) {
+    const double z = (knock.time - impact->time) / width;
+    if (z < -reach) break;
+    double bump = at_.recorded_share * gaussian(z) / width;
+    double by_log_speed = 0;
+    double by_scatter = 0;
+    double by_limit = 0;
+    const double above = margin(*impact);
+    if (strengths_) {
+      const double u = (std::log(*knock.strength / at_.gain) - impact->log_speed) / at_.scatter;
+      bump *= gaussian(u) / at_.scatter;
+      by_log_speed = u / at_.scatter;
+      by_scatter = u * u - 1;
+    } else {
+      const double share = share_below(above);
+      if (share == 0) continue;
+      bump *= share;
+      by_log_speed = gaussian(above) / share / at_.scatter;
+      by_limit = -by_log_speed;
+    }
+    density += bump;
+    if (slopes == nullptr) continue;
+    add(&sum, *impact, bump * z / width, bump * by_log_speed);
+    sum[coordinate::jitter] += bump * (z * z - 1) * narrowing;
+    sum[coordinate::recorded_share] += bump * (1 - at_.recorded_share);
+    sum[coordinate::detection_limit] += bump * by_limit;
+    sum[coordinate::gain] += bump * by_log_speed;
+    sum[coordinate::scatter] += bump * by_scatter;
+  }
+  if (slopes != nullptr) {
+    sum[coordinate::spurious_rate] += spurious;
+    *slopes += factor / density * sum;
+  }
+  return std::log(density);
+}
+
+double KnockDensity::expected(Vector* slopes) const {
+  double sum = at_.spurious_rate * record_.duration();
+  if (slopes != nullptr) (*slopes)[coordinate::spurious_rate] += sum;
+  for (const PredictedImpact& impact : impacts_) {
+    const double begin = (impact.time - record_.from) / at_.jitter;
+    const double end = (impact.time - record_.to) / at_.jitter;
+    const double within = share_below(begin) - share_below(end);
+    const double above = margin(impact);
+    const double share = at_.recorded_share * share_below(above);
+    sum += share * within;
+    if (slopes == nullptr) continue;
+    const double steepness = at_.recorded_share * gaussian(above) / at_.scatter * within;
+    add(slopes, impact, share * (gaussian(begin) - gaussian(end)) / at_.jitter, steepness);
+    (*slopes)[coordinate::recorded_share] += share * within * (1 - at_.recorded_share);
+    (*slopes)[coordinate::jitter] -= share * (begin * gaussian(begin) - end * gaussian(end));
+    (*slopes)[coordinate::detection_limit] -= steepness;
+    (*slopes)[coordinate::gain] += steepness;
+    if (strengths_) (*slopes)[coordinate::scatter] -= steepness * above * at_.scatter;
+  }
+  return sum;
+}
+
+KnockDensity::Information KnockDensity::information() const {
+  Information result{Matrix::Zero(knock_unknowns, knock_unknowns),
+                     Matrix::Zero(knock_unknowns, knock_unknowns)};
+  constexpr double step = 0.5;
+  constexpr double end = 5;
+  constexpr double step_of_strength = 1;  // of a smoother integrand
+  const double last_strength = strengths_ ? 4 : 0;
+  double covered = 0;
+  Vector slopes(knock_unknowns);
+  for (const PredictedImpact& impact : impacts_) {
+    if (recorded_share(impact) < 1e-6) continue;
+    if (impact.time < record_.from || impact.time > record_.to) continue;
+    // With strengths the sum below leaves out what is not detected.
+    const double share = strengths_ ? at_.recorded_share : recorded_share(impact);
+    Vector mean = Vector::Zero(knock_unknowns);
+    for (double z = -end; z <= end; z += step) {
+      for (double u = -last_strength; u <= last_strength; u += step_of_strength) {
+        Knock knock{impact.time + z * width(impact.time)};
+        double weight = gaussian(z) * step;
+        if (strengths_) {
+          if (u < -margin(impact)) continue;  // not detected
+          knock.strength = at_.gain * std::exp(impact.log_speed + u * at_.scatter);
+          weight *= gaussian(u) * step_of_strength;
+        }
+        slopes.setZero();
+        const double density = std::exp(log_at(knock, &slopes));
+        // What is spurious here belongs to the impacts in proportion to their densities.
+        const double spurious = at_.spurious_rate / strength_range_;
+        const double stretch = density / std::max(density - spurious, 1e-3 * density);
+        result.information += weight * share * stretch * slopes * slopes.transpose();
+        covered += weight * share * (stretch - 1);
+        mean += weight * share * slopes;
+      }
+    }
+    result.score -= mean * mean.transpose();
+  }
+  const double elsewhere = std::max(0.0, at_.spurious_rate * record_.duration() - covered);
+  result.information(coordinate::spurious_rate, coordinate::spurious_rate) += elsewhere;
+  result.score += result.information;
+  return result;
+}
+
+}  // namespace ricochet::carrier_track::inline identification

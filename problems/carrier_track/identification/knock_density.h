@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "problems/carrier_track/identification/knock_record.h"
+#include "problems/carrier_track/identification/knock_unknowns.h"
+#include "problems/carrier_track/identification/predicted_impact.h"
+
+namespace ricochet::carrier_track::inline identification {
+
+/// The density of knocks per second, and per unit of log strength if strengths are recorded, that
+/// a point of the unknowns predicts: spurious ones at a uniform rate, and around every predicted
+/// impact a Gaussian of the jitter, which holds the share of records in which the impact appears.
+///
+/// `blur` [rad] >= 0, an angle of the driver plate, widens the Gaussians, to sqrt(jitter^2 + (blur
+/// / speed)^2): far from the solution a wide density is what a solver can follow.
+class KnockDensity {
+ public:
+  /// The impacts must be in order of time.
+  KnockDensity(const KnockRecord& record, std::vector<PredictedImpact> impacts, const Vector& x,
+               double blur);
+
+  /// The logarithm of the density at a knock. Adds its derivatives, times `factor`, to `slopes` if
+  /// it is not null; length knock_unknowns.
+  double log_at(const Knock& knock, Vector* slopes, double factor = 1) const;
+
+  /// The expected number of knocks, and its derivatives.
+  double expected(Vector* slopes) const;
+
+  /// The expected information on the unknowns in a record, and the covariance of the score, which
+  /// is smaller: an impact appears at most once, which the density does not know. Both are
+  /// knock_unknowns x knock_unknowns.
+  struct Information {
+    Matrix information, score;
+  };
+  Information information() const;
+
+  const std::vector<PredictedImpact>& impacts() const { return impacts_; }
+
+  /// The share of records in which an impact appears, in [0, 1].
+  double recorded_share(const PredictedImpact& impact) const;
+
+ private:
+  double margin(const PredictedImpact& impact) const;
+  double width(double time) const;
+
+  const KnockRecord& record_;
+  std::vector<PredictedImpact> impacts_;
+  KnockUnknowns at_;
+  double blur_;                ///< [rad]
+  double strength_range_ = 1;  ///< of log strengths; 1 without
+  bool strengths_;
+};
+
+}  // namespace ricochet::carrier_track::inline identification

@@ -1,0 +1,136 @@
+#include "problems/carrier_track/identification/knock_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "problems/carrier_track/scene/scene_fields.h"
+#include "ricochet/error.h"
+#include "src/core/csv_table.h"
+
+namespace ricochet::carrier_track::inline identification {
+namespace {
+
+constexpr double most_turns = 10'000;
+
+void check_times(const CsvTable& table, double gap) {
+  const std::vector<double>& times = table.column("time");
+  table.require(
+      "time", [](auto, double t) { return std::abs(t) <= 1e12; }, "within +-1e12 s");
+  table.require(
+      "time", [&](std::size_t i, double t) { return i == 0 || t >= times[i - 1] + gap; },
+      gap > 0 ? "later than the one before by at least 1e-6 s" : "no earlier than the one before");
+}
+
+void check_speeds(const CsvTable& table) {
+  table.require(
+      "omega", [](auto, double omega) { return omega >= 0 && omega <= fastest_frequency; },
+      "within 0..1e9 rad/s");
+}
+
+constexpr double shortest_gap = 1e-6;  // [s], between speeds
+
+std::vector<SpeedKnot<double>> speeds_of(const CsvTable& table) {
+  const std::vector<double>& times = table.column("time");
+  const std::vector<double>& speeds = table.column("omega");
+  std::vector<SpeedKnot<double>> result;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!result.empty() && times[i] < result.back().time + shortest_gap) continue;
+    result.push_back({times[i], speeds[i]});
+  }
+  return result;
+}
+
+std::vector<SpeedKnot<double>> speed_of(const KnockFiles& files, const CsvTable& knocks) {
+  const bool in_knocks = knocks.find("omega") != nullptr;
+  const int sources = (files.omega ? 1 : 0) + (files.speed.empty() ? 0 : 1) + (in_knocks ? 1 : 0);
+  if (sources != 1) {
+    throw InputError(
+        fmt::format("{}: the speed of the plate must come from {} --omega, --speed "
+                    "FILE and the column omega",
+                    files.knocks, sources == 0 ? "one of" : "only one of"));
+  }
+  if (files.omega) {
+    if (!(*files.omega > 0 && *files.omega <= fastest_frequency)) {
+      throw InputError(fmt::format("--omega {}: must be > 0 and at most 1e9 rad/s", *files.omega));
+    }
+    return {{knocks.column("time").front(), *files.omega}};
+  }
+  if (in_knocks) {
+    check_speeds(knocks);
+    return speeds_of(knocks);
+  }
+  const CsvTable table = read_csv_table(files.speed, {"time", "omega"});
+  check_times(table, shortest_gap);
+  check_speeds(table);
+  return speeds_of(table);
+}
+
+void add_marks(const KnockFiles& files, KnockRecord& record, const std::vector<double>& marks) {
+  if (!std::isfinite(files.mark_angle)) throw InputError("--mark-angle: must be a finite number");
+  if (marks.size() < 3) throw InputError(files.marks + ": must have at least three marks");
+  record.plate = plate_measurement(record, marks, files.mark_angle);
+}
+
+void check_turns(const KnockFiles& files, const KnockRecord& record) {
+  const double turns = angle_between(record.speed, record.from, record.to) / (2 * std::numbers::pi);
+  if (turns >= 2 && turns <= most_turns) return;
+  throw InputError(fmt::format("{}: the plate makes {:.3g} turns in {:.4g} s: must be 2 to 10000",
+                               files.knocks, turns, record.duration()));
+}
+
+}  // namespace
+
+KnockRecord read_knock_record(const KnockFiles& files) {
+  const CsvTable table = read_csv_table(files.knocks, {"time", "strength", "omega"});
+  check_times(table, 0);
+  const std::vector<double>& times = table.column("time");
+  if (times.size() < fewest_knocks) {
+    throw InputError(fmt::format("{}: {} knocks: must have at least {}", files.knocks, times.size(),
+                                 fewest_knocks));
+  }
+  const std::vector<double>* strengths = table.find("strength");
+  if (strengths != nullptr) {
+    table.require(
+        "strength", [](auto, double x) { return x > 0; }, "> 0");
+  }
+  KnockRecord record;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    record.knocks.push_back({times[i]});
+    if (strengths != nullptr) record.knocks.back().strength = (*strengths)[i];
+  }
+  record.speed = speed_of(files, table);
+  record.from = std::min(times.front(), record.speed.front().time);
+  record.to = std::max(times.back(), record.speed.back().time);
+  std::vector<double> marks;
+  if (!files.marks.empty()) {
+    const CsvTable marked = read_csv_table(files.marks, {"time"});
+    check_times(marked, shortest_gap);
+    marks = marked.column("time");
+    record.from = std::min(record.from, marks.front());
+    record.to = std::max(record.to, marks.back());
+  }
+  check_turns(files, record);
+  if (!files.marks.empty()) add_marks(files, record, marks);
+  return record;
+}
+
+void check_identifiable(const Scene& scene, const std::string& origin) {
+  const auto require = [&](bool holds, const char* key, const char* demand) {
+    if (!holds) throw InputError(fmt::format("{}: {}: must be {}", origin, key, demand));
+  };
+  require(scene.fidelity == Fidelity::impact, "model.fidelity",
+          "impact: only it carries derivatives");
+  require(scene.restitution_lower == scene.restitution_upper, "scene.restitution",
+          "the same for both walls: knocks identify one");
+  require(std::isfinite(scene.wall_upper), "scene.wall_upper", "finite");
+  require(scene.friction > 0 && scene.normal_force > 0, "scene.friction",
+          "> 0, and so must scene.normal_force: friction sets when the carrier leaves a wall");
+  require(scene.centrifugal_mass_radius > 0, "scene.centrifugal_mass_radius",
+          "> 0: it throws the carrier");
+  require(scene.disturbance == 0, "scene.disturbance", "0: its phase in a record is not known");
+}
+
+}  // namespace ricochet::carrier_track::inline identification

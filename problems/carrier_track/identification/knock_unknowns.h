@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "ricochet/scene.h"
+#include "ricochet/vector.h"
+
+namespace ricochet::carrier_track::inline identification {
+
+/// What recorded knocks are explained by: constants of the machine, then what is unknown of the
+/// plate, then what is unknown of the sensor.
+struct KnockUnknowns {
+  double restitution;      ///< in (0, 1), of both walls
+  double friction;         ///< > 0
+  double clearance;        ///< [m], > 0
+  double phase;            ///< [rad], alpha at the record's start
+  double speed_factor;     ///< > 0, true over recorded speed of the driver plate
+  double jitter;           ///< [s], > 0, standard deviation of a recorded time
+  double recorded_share;   ///< in (0, 1), of the impacts that are strong enough
+  double spurious_rate;    ///< [1/s], > 0
+  double detection_limit;  ///< > 0, impacts that are weaker are missed; in units of strength
+  double gain;             ///< > 0, strength over impact speed [1/(m/s)]
+  double scatter;          ///< > 0, standard deviation of the logarithm of a strength
+};
+
+/// A point of the fit: the unknowns in this order on scales without bounds: logarithms, logits of
+/// restitution and recorded_share, the phase itself.
+inline constexpr Eigen::Index knock_unknowns = 11;
+
+/// The index of each unknown's coordinate.
+namespace coordinate {
+enum : Eigen::Index {
+  restitution,
+  friction,
+  clearance,
+  phase,
+  speed_factor,
+  jitter,
+  recorded_share,
+  spurious_rate,
+  detection_limit,
+  gain,
+  scatter
+};
+}
+
+/// The unknowns that motion depends on are the first ones.
+inline constexpr Eigen::Index motion_unknowns = 5;
+
+/// The constants of the machine are the first ones of these.
+inline constexpr Eigen::Index machine_constants = 3;
+
+inline constexpr std::array<std::string_view, machine_constants> constant_names = {
+    "restitution", "friction", "clearance"};
+
+Vector point_of(const KnockUnknowns& unknowns);
+KnockUnknowns unknowns_at(const Vector& x);
+
+/// d unknown / d coordinate at a point, for each of the machine's constants: length
+/// machine_constants.
+Vector slopes_at(const Vector& x);
+
+/// A guess before any knock is known: the scene's constants; 1 ms of jitter.
+KnockUnknowns guess_of(const Scene& scene);
+
+/// The scene with these constants of the machine. The upper wall moves.
+Scene with_constants(Scene scene, const KnockUnknowns& unknowns);
+
+}  // namespace ricochet::carrier_track::inline identification

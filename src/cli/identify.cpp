@@ -1,0 +1,170 @@
+#include "src/cli/identify.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <deque>
+#include <filesystem>
+#include <numbers>
+
+#include "ricochet/error.h"
+#include "ricochet/solvers.h"
+#include "src/cli/output_files.h"
+#include "src/core/text_file.h"
+#include "src/identification/identified_machine.h"
+#include "src/identification/knock_chart.h"
+#include "src/report/drawn_chart.h"
+#include "src/report/json.h"
+
+namespace ricochet::cli {
+namespace {
+
+using namespace carrier_track;
+using namespace studies::identification;
+using report::Json;
+
+const std::vector<std::string> held_fixed = {
+    "mass",          "normal_force", "pull", "centrifugal_mass_radius", "slider_mass_radius",
+    "counting_limit"};
+
+Json json_of(const Estimate& e) {
+  Json json = {{"name", e.name},
+               {"unit", e.unit},
+               {"value", e.value},
+               {"lower", e.lower},
+               {"upper", e.upper}};
+  if (e.assumed) json["in_file"] = *e.assumed;
+  return json;
+}
+
+Json json_of(const IdentifiedMachine& machine, const KnockLoss& loss, const std::string& solver) {
+  const KnockUnknowns found = unknowns_at(machine.fit.x);
+  Json correlations = Json::array();
+  for (Eigen::Index i = 0; i < machine_constants; ++i) {
+    const Vector row = machine.correlations.row(i);
+    correlations.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  Json next;
+  if (machine.next) {
+    next = {{"omega", machine.next->omega},
+            {"seconds", next_step_seconds},
+            {"target", machine.next_target},
+            {"relative_deviation_now", machine.next->now},
+            {"relative_deviation_then", machine.next->deviation}};
+  }
+  return {{"knocks", loss.record().knocks.size()},
+          {"seconds", loss.record().duration()},
+          {"constants",
+           report::list_of(machine.constants, [](const Estimate& e) { return json_of(e); })},
+          {"safe_speed", machine.safe_speed ? json_of(*machine.safe_speed) : Json()},
+          {"correlations", correlations},
+          {"sensor",
+           {{"jitter", found.jitter},
+            {"missed_share", machine.missed_share},
+            {"spurious_share", 1 - machine.explained_share},
+            {"detection_limit", found.detection_limit / found.gain}}},
+          {"plate",
+           {{"marks", loss.record().plate.has_value()},
+            {"phase", found.phase},
+            {"speed_factor", found.speed_factor}}},
+          {"remarks", machine.remarks},
+          {"next_speed", next},
+          {"held_fixed", held_fixed},
+          {"solver", solver},
+          {"loss", machine.fit.loss},
+          {"evaluations", machine.fit.evaluations}};
+}
+
+void print_estimate(const Estimate& e, double unit, const std::string& unit_name) {
+  fmt::print("  {:<12} {:>9.4g} {:<5}  95 %: {:.4g} to {:.4g}{}\n", e.name, e.value / unit,
+             unit_name, e.lower / unit, e.upper / unit,
+             e.assumed ? fmt::format("  (file: {:.4g})", *e.assumed / unit) : "");
+}
+
+void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::string& name,
+           const std::string& solver) {
+  const KnockRecord& record = loss.record();
+  const KnockUnknowns found = unknowns_at(machine.fit.x);
+  fmt::print("{}: fitted to {} knocks in {:.4g} s, {} strengths, the plate's angle {}\n", name,
+             record.knocks.size(), record.duration(), record.has_strengths() ? "with" : "without",
+             record.plate ? "known from marks" : "unknown");
+  for (const Estimate& e : machine.constants) {
+    const bool is_length = e.unit == "m";
+    print_estimate(e, is_length ? 1e-3 : 1, is_length ? "mm" : "");
+  }
+  if (machine.safe_speed) {
+    print_estimate(*machine.safe_speed, 1, "rad/s");
+    fmt::print("Safe speed: the fastest with at most two collisions a turn in steady motion.\n");
+  } else {
+    fmt::print("No safe speed: every speed of the range is safe, or the border is out of reach.\n");
+  }
+  fmt::print(
+      "Sensor: jitter {:.2g} ms; {:.1f} % of the impacts missed, {:.1f} % of the knocks "
+      "spurious; it detects impacts from {:.2g} mm/s on.\n",
+      1e3 * found.jitter, 100 * machine.missed_share, 100 * (1 - machine.explained_share),
+      1e3 * found.detection_limit / found.gain);
+  for (const std::string& remark : machine.remarks) fmt::print("Note: {}\n", remark);
+  if (machine.next) {
+    fmt::print(
+        "Record next: {:.3g} rad/s for {:.0f} s. The standard deviation of the {} would "
+        "fall from {:.2g} % to {:.2g} %.\n",
+        machine.next->omega, next_step_seconds, machine.next_target, 100 * machine.next->now,
+        100 * machine.next->deviation);
+  }
+  fmt::print("Held as in the file: {}.\n", fmt::join(held_fixed, ", "));
+  fmt::print("Solver {}: {} simulations of the record.\n", solver, machine.fit.evaluations);
+}
+
+void refuse_same_files(const IdentifyOptions& options) {
+  const std::string* inputs[] = {&options.scene_file, &options.files.knocks, &options.files.speed,
+                                 &options.files.marks};
+  for (const std::string* input : inputs) {
+    refuse_same_file("--out", options.out, *input, "an input");
+    refuse_same_file("--plot", options.plot, *input, "an input");
+  }
+  refuse_same_file("--plot", options.plot, options.out, "that of --out");
+}
+
+std::string machine_text(const IdentifiedMachine& machine, const std::string& knocks) {
+  return fmt::format("# Restitution, friction and clearance are fitted to the knocks of {}.\n{}",
+                     std::filesystem::path(knocks).filename().string(), write_scene(machine.scene));
+}
+
+}  // namespace
+
+int identify(const IdentifyOptions& options) {
+  if (options.scene_file.empty()) throw InputError("which machine? give --scene FILE");
+  const Scene scene = read_scene(options.scene_file);
+  check_identifiable(scene, options.scene_file);
+  const KnockRecord record = read_knock_record(options.files);
+  if (!(options.fastest >= 0.1 && options.fastest <= 1000)) {
+    throw InputError(fmt::format("--fastest {}: must be within 0.1..1000 rad/s", options.fastest));
+  }
+  refuse_same_files(options);
+  const Solver solver = solver_named(options.solver, "--solver");
+  if (solver.capabilities.derivatives != Capabilities::Order::gradient ||
+      solver.capabilities.needs_constraints || solver.capabilities.needs_smoothing) {
+    throw InputError(fmt::format(
+        "--solver {}: must need gradients and nothing else, such as nlopt-lbfgs", options.solver));
+  }
+  const KnockLoss loss(scene, record);
+  const IdentifiedMachine machine =
+      studies::identification::identify(loss, solver, options.fastest);
+  report::Plot plot;
+  if (!options.plot.empty()) plot = report::plot_of(knock_charts(loss, machine.fit.x));
+  std::deque<TextDraft> drafts;
+  if (!options.out.empty()) {
+    drafts.emplace_back(options.out, machine_text(machine, options.files.knocks));
+  }
+  if (!plot.svg.empty()) drafts.emplace_back(options.plot, plot.svg);
+  for (TextDraft& draft : drafts) draft.commit();
+  if (options.json) {
+    fmt::print("{}\n", json_of(machine, loss, solver.name).dump(2));
+  } else {
+    print(machine, loss, std::filesystem::path(options.scene_file).stem().string(), solver.name);
+  }
+  report::require_none(plot.failures);
+  return 0;
+}
+
+}  // namespace ricochet::cli

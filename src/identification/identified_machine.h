@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/identification/knock_loss.h"
+#include "problems/carrier_track/identification/next_speed.h"
+#include "ricochet/solver.h"
+#include "src/identification/knock_fit.h"
+
+namespace ricochet::studies::identification {
+
+/// A number with its 95 % interval.
+struct Estimate {
+  std::string name, unit;
+  double value, lower, upper;
+  std::optional<double> assumed = {};  ///< the value of the scene's file
+};
+
+/// What recorded knocks say of a machine.
+struct IdentifiedMachine {
+  KnockFit fit;
+  carrier_track::Scene scene;       ///< the machine with the fitted constants
+  std::vector<Estimate> constants;  ///< restitution, friction, clearance
+  std::optional<Estimate> safe_speed;
+  Matrix correlations;               ///< 3 x 3, of the constants
+  std::vector<std::string> remarks;  ///< what the record cannot tell, one sentence each
+  std::optional<carrier_track::NextSpeed> next;
+  std::string next_target;  ///< what the next speed would make more certain
+
+  double explained_share;  ///< of the knocks: those that are not spurious, as fitted
+  double missed_share;     ///< of the impacts above the detection limit, as fitted
+};
+
+/// Fits a record. The safe speed and the next one are searched up to `fastest` [rad/s].
+IdentifiedMachine identify(const carrier_track::KnockLoss& loss, const Solver& solver,
+                           double fastest);
+
+/// The solver that identify() is best called with; see docs/identify.md.
+inline constexpr const char* usual_solver = "nlopt-ccsaq";
+
+}  // namespace ricochet::studies::identification

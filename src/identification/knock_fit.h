@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "problems/carrier_track/identification/knock_loss.h"
+#include "ricochet/solver.h"
+
+namespace ricochet::studies::identification {
+
+/// The unknowns that explain recorded knocks best.
+struct KnockFit {
+  Vector x;           ///< see KnockUnknowns
+  Matrix covariance;  ///< of x; zero for coordinates that are not fitted
+  double loss;
+  double excess;    ///< how far the loss could still fall, by its gradient
+  int evaluations;  ///< simulations of the record
+};
+
+/// Searches from several starts, at most `starts`, until the same minimum has been found twice.
+/// The solver must take gradients. Throws what a simulation throws.
+KnockFit fit_knocks(const carrier_track::KnockLoss& loss, const Solver& solver,
+                    std::size_t starts = 8);
+
+}  // namespace ricochet::studies::identification

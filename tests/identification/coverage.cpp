@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/identification/safe_speed.h"
+#include "problems/carrier_track/identification/synthetic_knocks.h"
+#include "ricochet/solvers.h"
+#include "src/core/processor_time.h"
+#include "src/core/text_file.h"
+#include "src/identification/identified_machine.h"
+
+/// How often the intervals of `ricochet identify` hold the truth, by synthetic records of one
+/// machine, each with another phase, other errors and another guess:
+///
+///   ricochet_identify_coverage MACHINE TRIALS [THREADS [KIND [SOLVER [FIRST]]]]
+///   ricochet_identify_coverage MACHINE FOLDER
+///
+/// KIND is one or more of marks, strengths, constant, joined by +. The second form writes a record
+/// as files instead: knocks.csv, speed.csv, marks.csv.
+namespace ricochet::studies::identification {
+namespace {
+
+using namespace carrier_track;
+
+constexpr double seconds = 60;
+
+struct Kind {
+  bool marks, strengths, constant;
+};
+
+struct Trial {
+  bool failed = false;
+  std::vector<double> errors;  ///< relative, of the constants and the safe speed
+  std::vector<double> scores;  ///< errors over standard deviations, on the scale of the interval
+  std::vector<bool> covered;
+  double seconds = 0;
+};
+
+std::vector<SpeedKnot<double>> speeds(const Kind& kind) {
+  if (kind.constant) return {{0, 6}, {seconds, 6}};
+  return {{0, 2}, {seconds, 15}};
+}
+
+SensorModel sensor(const Kind& kind) {
+  SensorModel sensor;
+  sensor.strengths = kind.strengths;
+  if (kind.marks) sensor.mark_jitter = 1e-3;
+  return sensor;
+}
+
+/// A guess within 30 % of restitution and clearance, 20 % of friction.
+Scene guess_near(Scene scene, Random& random) {
+  const auto share = [&](double reach) { return 1 + reach * (2 * uniform(random) - 1); };
+  scene.restitution_lower = scene.restitution_upper = scene.restitution_lower * share(0.3);
+  scene.friction *= share(0.2);
+  scene.wall_upper = scene.wall_lower + (scene.wall_upper - scene.wall_lower) * share(0.3);
+  scene.start_position = scene.wall_lower;
+  return scene;
+}
+
+Trial trial(Scene truth, const Kind& kind, const Solver& solver, std::uint64_t seed) {
+  Random random(seed);
+  truth.phase = 2 * std::numbers::pi * uniform(random);
+  const KnockRecord record = synthetic_knocks(truth, speeds(kind), sensor(kind), random);
+  const Scene guess = guess_near(truth, random);
+  Trial result;
+  const double start = processor_seconds();
+  try {
+    const KnockLoss loss(guess, record);
+    const IdentifiedMachine machine = identify(loss, solver, 18);
+    std::vector<Estimate> estimates = machine.constants;
+    std::vector<double> truths = {truth.restitution_lower, truth.friction,
+                                  truth.wall_upper - truth.wall_lower};
+    if (machine.safe_speed) {
+      estimates.push_back(*machine.safe_speed);
+      truths.push_back(*safe_speed(truth));
+    }
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+      const Estimate& e = estimates[i];
+      result.errors.push_back(e.value / truths[i] - 1);
+      result.scores.push_back(std::log(e.value / truths[i]) / std::log(e.upper / e.lower) * 3.92);
+      result.covered.push_back(e.lower <= truths[i] && truths[i] <= e.upper);
+    }
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "trial {}: {}\n", seed, error.what());
+    result.failed = true;
+  }
+  result.seconds = processor_seconds() - start;
+  return result;
+}
+
+void print(const std::vector<Trial>& trials) {
+  fmt::print("{:<12} {:>6} {:>16} {:>10} {:>10} {:>10} {:>8}\n", "", "trials", "covered [%]",
+             "within 2 %", "within 1 %", "error [%]", "score");
+  const char* names[] = {"restitution", "friction", "clearance", "safe speed"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    double n = 0, covered = 0, near = 0, nearer = 0, squares = 0, scores = 0;
+    for (const Trial& t : trials) {
+      if (t.errors.size() <= i) continue;
+      ++n;
+      covered += t.covered[i] ? 1 : 0;
+      near += std::abs(t.errors[i]) <= 0.02 ? 1 : 0;
+      nearer += std::abs(t.errors[i]) <= 0.01 ? 1 : 0;
+      squares += t.errors[i] * t.errors[i];
+      scores += t.scores[i] * t.scores[i];
+    }
+    if (n == 0) continue;
+    const double share = covered / n;
+    fmt::print("{:<12} {:>6} {:>8.1f} +- {:<4.1f} {:>10.1f} {:>10.1f} {:>10.3f} {:>8.2f}\n",
+               names[i], n, 100 * share, 196 * std::sqrt(share * (1 - share) / n), 100 * near / n,
+               100 * nearer / n, 100 * std::sqrt(squares / n), std::sqrt(scores / n));
+  }
+  std::vector<double> times;
+  for (const Trial& t : trials) times.push_back(t.seconds);
+  std::ranges::sort(times);
+  const auto failed = std::ranges::count_if(trials, &Trial::failed);
+  fmt::print("{} failed; processor time of a trial: median {:.2f} s, longest {:.2f} s\n", failed,
+             times[times.size() / 2], times.back());
+}
+
+void write_record(Scene truth, const std::string& folder) {
+  Random random(7);
+  truth.phase = 1;
+  SensorModel model = sensor({true, true, false});
+  const auto speed = speeds({});
+  const KnockRecord record = synthetic_knocks(truth, speed, model, random);
+  std::string knocks = "# Synthetic: simulated knocks, with errors of the sensor.\ntime,strength\n";
+  for (const Knock& knock : record.knocks) {
+    knocks += fmt::format("{:.4f},{:.4g}\n", knock.time, *knock.strength);
+  }
+  write_text_file(folder + "/knocks.csv", knocks);
+  std::string text = "time,omega\n";
+  for (const SpeedKnot<double>& knot : speed) text += fmt::format("{},{}\n", knot.time, knot.omega);
+  write_text_file(folder + "/speed.csv", text);
+  text = "# Synthetic: when a mark on the plate passed, at alpha = 0.\ntime\n";
+  for (const double time : mark_times(truth, record, 1e-3, random)) {
+    text += fmt::format("{:.4f}\n", time);
+  }
+  write_text_file(folder + "/marks.csv", text);
+}
+
+int run(const std::vector<std::string>& arguments) {
+  const Scene truth = read_scene(arguments.at(0));
+  const int trials = std::atoi(arguments.at(1).c_str());
+  if (trials == 0) {
+    write_record(truth, arguments[1]);
+    return 0;
+  }
+  const auto argument = [&](std::size_t i, const std::string& otherwise) {
+    return arguments.size() > i ? arguments[i] : otherwise;
+  };
+  const std::string name = argument(3, "marks");
+  const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
+  const Kind kind{has("marks"), has("strengths"), has("constant")};
+  const Solver solver = solver_named(argument(4, usual_solver));
+  const auto first = static_cast<std::uint64_t>(std::stoll(argument(5, "1")));
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(std::stoi(argument(2, "1"))));
+  std::vector<Trial> results(static_cast<std::size_t>(trials));
+  tbb::parallel_for(std::size_t{0}, results.size(),
+                    [&](std::size_t k) { results[k] = trial(truth, kind, solver, first + k); });
+  print(results);
+  return 0;
+}
+
+}  // namespace
+}  // namespace ricochet::studies::identification
+
+int main(int argc, char** argv) {
+  return ricochet::studies::identification::run({argv + 1, argv + argc});
+}

@@ -97,8 +97,9 @@ extern const ricochet_solver ricochet_plugin;
  * call takes 0.1 s because it makes all problems. */
 ricochet_problem* ricochet_open(const char* problem, const char* formulation, int32_t instance,
                                 int64_t budget, uint64_t seed);
-/** The same for a problem of the machine in a file (TOML), such as "profile-count-8-scene": `ricochet
- * list problems --scene FILE` lists their names. Takes the time of a threshold, about a second. */
+/** The same for a problem of the machine in a file (TOML), such as "profile-count-8-scene":
+ * `ricochet list problems --scene FILE` lists their names. Takes the time of a threshold, about a
+ * second. */
 ricochet_problem* ricochet_open_scene(const char* scene, const char* problem,
                                       const char* formulation, int32_t instance, int64_t budget,
                                       uint64_t seed);

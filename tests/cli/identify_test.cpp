@@ -18,8 +18,8 @@ using testing::StartsWith;
 
 const std::string examples = std::string(RICOCHET_SOURCE) + "/examples";
 const std::string arguments = "identify " + examples + "/knocks/knocks.csv --scene " + examples +
-                              "/machine.toml --speed " + examples + "/knocks/speed.csv --marks " +
-                              examples + "/knocks/marks.csv";
+                              "/knocks/machine.toml --speed " + examples +
+                              "/knocks/speed.csv --marks " + examples + "/knocks/marks.csv";
 
 TEST(Identify, FindsTheMachineOfTheExample) {
   const auto folder = fresh_folder();
@@ -28,7 +28,7 @@ TEST(Identify, FindsTheMachineOfTheExample) {
   const Outcome outcome = call(arguments + " --format json --out " + out + " --plot " + svg);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
-  const double truths[] = {0.5, 0.2, 0.7e-3};  // of examples/machine.toml
+  const double truths[] = {0.5, 0.2, 0.7e-3};  // of examples/knocks/machine.toml
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& constant = json.at("constants").at(i);
     EXPECT_NEAR(constant.at("value").get<double>() / truths[i], 1, 0.02) << constant;
@@ -53,7 +53,7 @@ TEST(Identify, PrintsIntervalsWhatIsHeldAndWhatToRecordNext) {
 
 TEST(Identify, RefusesBadInput) {
   const std::string knocks = examples + "/knocks/knocks.csv";
-  const std::string scene = " --scene " + examples + "/machine.toml";
+  const std::string scene = " --scene " + examples + "/knocks/machine.toml";
   expect_refusal("identify " + knocks + " --omega 3", "--scene");
   expect_refusal("identify " + knocks + scene, "--omega, --speed");
   expect_refusal("identify nowhere.csv --omega 3" + scene, "nowhere.csv");

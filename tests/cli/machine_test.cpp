@@ -77,7 +77,10 @@ TEST(Machine, IsAdvisedWithAPage) {
   EXPECT_THAT(outcome.out,
               testing::StartsWith(call("threshold --scene " + file).out.substr(0, 60)));
   EXPECT_THAT(read(page / "index.html"), HasSubstr("How fast may loom turn?"));
-  const auto json = nlohmann::json::parse(call("threshold --format json --scene " + file).out);
+  EXPECT_THAT(read(page / "regimes.csv"), HasSubstr("release"));
+  ASSERT_EQ(call("machine advise --allow 3 " + file + " --out " + page.string()).exit_code, 0);
+  const auto json =
+      nlohmann::json::parse(call("threshold --allow 3 --format json --scene " + file).out);
   ASSERT_FALSE(json["steps"].empty());
   for (const auto& step : json["steps"]) {
     EXPECT_THAT(read(page / "steps.csv"),

@@ -31,7 +31,8 @@ std::optional<std::size_t> place_of_rank(const SteadyMotion& motion, int rank) {
 }
 
 Signature signature_of(const SteadyMotion& motion) {
-  const bool settled = motion.settled && (motion.rest != Rest::never || motion.stable());
+  const bool settled =
+      motion.settled && (motion.rest != Rest::never || motion.impacts.empty() || motion.stable());
   if (!settled)
     return {0, 0, 0, false, false, true};  // whatever it does, it does not keep doing so
   return {motion.turns,

@@ -210,16 +210,18 @@ class Settling {
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const int turns = static_cast<int>(k + 1) * forcing_;
       const double difference = apart(next, states_[k], scales);
-      if (rests && difference <= same_state) return resting_orbit(turns);
+      const bool same = difference <= same_state;
+      // Without impacts Newton's method has nothing to find: any place between the walls would do.
+      if (same && (rests || watch_.impacts().empty())) return plain_orbit(turns);
       // Near a bifurcation a motion settles slowly: Newton's method ends it.
-      if (!rests && (difference <= same_state || (due && difference < close_state))) {
+      if (!rests && !watch_.impacts().empty() && (same || (due && difference < close_state))) {
         if (const std::optional<SteadyMotion> motion = flying_orbit(next, turns)) return motion;
       }
     }
     return std::nullopt;
   }
 
-  std::optional<SteadyMotion> resting_orbit(int turns) {
+  std::optional<SteadyMotion> plain_orbit(int turns) {
     Scene orbit = scene_;
     orbit.window = Revolutions{static_cast<double>(turns)};
     SteadyMotion motion = described(orbit, turns, true);
@@ -241,12 +243,15 @@ class Settling {
     return shortest(*motion, forcing_);
   }
 
-  /// The state after a period; a body that rests between the walls, and touched none, moves by the
-  /// same distance in every period until it reaches a wall: these periods are left out.
+  /// The state after a period; a body between the walls that touched none and has its velocity
+  /// again moves by the same distance in every period until it reaches a wall: these periods are
+  /// left out.
   Body drifted(const Body& here, const Body& next) const {
     const double drift = next.position - here.position;
-    const bool glides = watch_.starts_at_rest() && watch_.impacts().empty() && next.velocity == 0 &&
-                        !on_a_wall(scene_, here.position) && drift != 0;
+    const double fastest = std::max(std::abs(here.velocity), std::abs(next.velocity));
+    const bool glides = watch_.impacts().empty() && !on_a_wall(scene_, here.position) &&
+                        std::abs(next.velocity - here.velocity) <= same_state * fastest &&
+                        drift != 0;
     if (!glides) return next;
     const double highest = std::max(watch_.highest() - here.position, 0.0);
     const double lowest = std::max(here.position - watch_.lowest(), 0.0);
@@ -254,7 +259,7 @@ class Settling {
                                   : next.position - lowest - scene_.wall_lower;
     const double periods = std::floor(room / std::abs(drift)) - 1;
     if (!(periods > 1) || !std::isfinite(periods)) return next;
-    return {next.position + periods * drift, 0};
+    return {next.position + periods * drift, next.velocity};
   }
 
   Scene scene_;

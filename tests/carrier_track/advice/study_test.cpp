@@ -28,7 +28,7 @@ Scene case_scene(const char* id) {
 
 TEST(AdviceStudy, DrawsTheStaircaseWhereItIs) {
   const Scene scene = case_scene("C1");
-  const report::Json data = data_for(scene, {});
+  const report::Json data = data_for(scene, {Limit{Measure::collisions, 6}, 1e-3, 18});
   ASSERT_GT(data["staircase"].size(), 3U);
   for (const report::Json& row : data["staircase"]) {
     const double speed = row["speed"];
@@ -39,6 +39,17 @@ TEST(AdviceStudy, DrawsTheStaircaseWhereItIs) {
     EXPECT_EQ(row["energy"],
               1e3 * measured(at_speed(scene, row["speed"].get<double>()), Measure::energy));
   }
+}
+
+TEST(AdviceStudy, DrawsTheLongRunUnlessTheWindowIsLimited) {
+  const Scene scene = case_scene("C1");
+  const report::Json data = data_for(scene, {});
+  EXPECT_EQ(data["when"], "a turn, in the long run");
+  const auto regimes = regimes_of(scene);
+  ASSERT_EQ(data["staircase"].size(), regimes.size() + 1);
+  ASSERT_EQ(data["regimes"].size(), regimes.size());
+  ASSERT_EQ(data["wear"].size(), 2 * regimes.size());
+  EXPECT_EQ(data["wear"][7]["energy"], 1e3 * regimes[3].last.energy_per_turn);
 }
 
 TEST(AdviceStudy, ShowsThePathsBelowAndAbove) {

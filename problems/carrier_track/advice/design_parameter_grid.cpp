@@ -154,8 +154,16 @@ Json ends_of_line(const DesignParameter& design_parameter, const Json& points) {
 
 }  // namespace
 
+/// Whether an undisturbed machine has speeds at which its motion does not repeat: each machine like
+/// it would take seconds.
+static bool is_irregular(const Scene& scene, const QuietSpeed& answer) {
+  return scene.disturbance == 0 &&
+         std::any_of(answer.regimes.begin(), answer.regimes.end(),
+                     [](const Regime& regime) { return !regime.certain; });
+}
+
 std::optional<CoarseScan> coarse_scan(const Scene& scene, const QuietSpeed& answer) {
-  if (!answer.limit) return std::nullopt;
+  if (!answer.limit || is_irregular(scene, answer)) return std::nullopt;
   const double fastest = answer.options.fastest;
   return CoarseScan{answer.split.speed.value_or(fastest) / 8, fastest,
                     scene.fidelity == Fidelity::compliant ? 1.04 : 1.01};

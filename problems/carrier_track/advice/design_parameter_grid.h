@@ -28,7 +28,7 @@ struct QuietRange {
 
 /// From an eighth of the answer's own speed to the fastest of its scan, with a ratio of 1.01, or of
 /// 1.04 for compliant walls, which take some thirty times as long; empty if the answer has no
-/// limit.
+/// limit, or if an undisturbed machine has irregular regimes.
 std::optional<CoarseScan> coarse_scan(const carrier_track::Scene& scene,
                                       const carrier_track::QuietSpeed& answer);
 
@@ -48,7 +48,7 @@ struct DesignParameterGrid {
   QuietRange own;
 };
 
-/// Empty if the answer has no limit. Takes some 150,000 simulations, in parallel.
+/// Empty where coarse_scan() is. Takes some 150,000 simulations, in parallel.
 std::optional<DesignParameterGrid> design_parameter_grid(const carrier_track::Scene& scene,
                                                          const carrier_track::QuietSpeed& answer);
 

@@ -16,12 +16,12 @@
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
-constexpr int turns_at_most = 300;   // after which a motion without a period is averaged
+constexpr int turns_at_most = 200;   // after which a motion without a period is averaged
 constexpr int averaged_turns = 120;  // over which
 constexpr std::size_t impacts_at_most = 2'000'000;  // before a motion is given up as not periodic
 constexpr std::size_t longest_period = 8;           // in periods of the forcing
 constexpr double same_state = 1e-13;  // relative; rounding adds up to some 1e-14 in a period
-constexpr double close_state = 1e-2;  // relative; from here on Newton's method is tried
+constexpr double close_state = 2e-3;  // relative; from here on Newton's method is tried
 constexpr int newton_iterations = 25;
 
 /// A body at the start of a period.
@@ -144,6 +144,7 @@ std::optional<SteadyMotion> orbit_near(Scene scene, int turns) {
       if (motion.rest != Rest::never) return std::nullopt;
       return motion;
     }
+    if (i > 3 && size >= 0.9 * before) return std::nullopt;  // does not converge
     before = size;
     start_at(scene, next);
   }
@@ -206,7 +207,7 @@ class Settling {
     const Scales scales = scales_of(scene_, next, watch_.impacts());
     const bool rests = watch_.starts_at_rest();
     const bool due = ++periods_ == next_try_;
-    if (due) next_try_ *= 2;
+    if (due) next_try_ *= 4;
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const int turns = static_cast<int>(k + 1) * forcing_;
       const double difference = apart(next, states_[k], scales);

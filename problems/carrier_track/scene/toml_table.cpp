@@ -9,6 +9,7 @@
 #include "problems/carrier_track/scene/quantity.h"
 #include "ricochet/error.h"
 #include "src/core/near_names.h"
+#include "src/core/toml_text.h"
 #include "src/core/warning.h"
 
 namespace ricochet::carrier_track::inline scene {

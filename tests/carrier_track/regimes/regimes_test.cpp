@@ -19,7 +19,7 @@ constexpr double beside = 1e-6;  // relative
 /// How many random machines: more in a longer study.
 int machines() {
   const char* asked = std::getenv("RICOCHET_REGIME_MACHINES");
-  return asked == nullptr ? 25 : std::atoi(asked);
+  return asked == nullptr ? 10 : std::atoi(asked);
 }
 
 /// Turns that are a multiple of every period up to 8.

@@ -152,15 +152,15 @@ Json ends_of_line(const DesignParameter& design_parameter, const Json& points) {
           {"worst", slower(least, own) ? least : own}};
 }
 
-}  // namespace
-
 /// Whether an undisturbed machine has speeds at which its motion does not repeat: each machine like
 /// it would take seconds.
-static bool is_irregular(const Scene& scene, const QuietSpeed& answer) {
+bool is_irregular(const Scene& scene, const QuietSpeed& answer) {
   return scene.disturbance == 0 &&
          std::any_of(answer.regimes.begin(), answer.regimes.end(),
                      [](const Regime& regime) { return !regime.certain; });
 }
+
+}  // namespace
 
 std::optional<CoarseScan> coarse_scan(const Scene& scene, const QuietSpeed& answer) {
   if (!answer.limit || is_irregular(scene, answer)) return std::nullopt;

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include "problems/carrier_track/advice/answer_notes.h"
 #include "problems/carrier_track/answer/long_run.h"
 #include "problems/carrier_track/counting/limit.h"
 #include "problems/carrier_track/counting/threshold.h"
@@ -110,7 +110,6 @@ Json change_of(const QuietRange& range, const QuietRange& own) {
 }
 
 Json json_of(const QuietRange& range, const QuietRange& own) {
-  constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
   return {{"quiet", four_decimals(range.quiet)},
           {"rpm", range.quiet ? four_decimals(*range.quiet * rpm) : Json()},
           {"change", change_of(range, own)},

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "problems/carrier_track/counting/limit.h"
-#include "problems/carrier_track/scene/contact_restitution.h"
 #include "ricochet/threshold.h"
 #include "tests/carrier_track/advice/case_scene.h"
+#include "tests/carrier_track/problems/planar_second_case.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -79,11 +79,7 @@ TEST(DesignParameterGrid, SaysFirstWhatBuysMost) {
 }
 
 TEST(DesignParameterGrid, IsMissingWhereNothingSaysWhatIsQuiet) {
-  Scene scene = case_scene("C2");  // in the planar model, which has no regimes
-  scene.restitution_lower = scene.restitution_upper = lower_restitution(scene);
-  scene.contact_friction = false;
-  scene.across.emplace();
-  scene.fidelity = Fidelity::planar;
+  const Scene scene = planar_second_case();
   EXPECT_TRUE(json_of(design_parameter_grid(scene, quiet_speed(scene, {std::nullopt, 1e-2, 18})))
                   .is_null());
 }

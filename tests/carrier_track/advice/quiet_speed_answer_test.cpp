@@ -5,8 +5,8 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/scene/contact_restitution.h"
 #include "ricochet/threshold.h"
+#include "tests/carrier_track/problems/planar_second_case.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -17,16 +17,6 @@ using testing::HasSubstr;
 QuietSpeedAnswer answer_for(const char* id, const QuietSpeedOptions& options,
                             double tolerance = 0) {
   return answer_quiet_speed("mine", scene_of(find_case(id), default_machine()), options, tolerance);
-}
-
-/// The second case in the planar model, which has no regimes: nothing couples its directions.
-Scene planar_second_case() {
-  Scene scene = scene_of(find_case("C2"), default_machine());
-  scene.restitution_lower = scene.restitution_upper = lower_restitution(scene);
-  scene.contact_friction = false;
-  scene.across.emplace();
-  scene.fidelity = Fidelity::planar;
-  return scene;
 }
 
 TEST(QuietSpeedAnswer, SaysWhatThereIsToSay) {

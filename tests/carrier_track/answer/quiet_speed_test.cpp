@@ -7,9 +7,9 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
-#include "problems/carrier_track/scene/contact_restitution.h"
 #include "ricochet/error.h"
 #include "ricochet/threshold.h"
+#include "tests/carrier_track/problems/planar_second_case.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -23,16 +23,6 @@ double first_above(const Scene& scene, double limit) {
   for (int k = 1;; ++k) {
     if (count_at(scene, k * 1e-3) > limit) return k * 1e-3;
   }
-}
-
-/// The second case in the planar model, which has no regimes: nothing couples its directions.
-Scene planar_second_case() {
-  Scene scene = case_scene("C2");
-  scene.restitution_lower = scene.restitution_upper = lower_restitution(scene);
-  scene.contact_friction = false;
-  scene.across.emplace();
-  scene.fidelity = Fidelity::planar;
-  return scene;
 }
 
 TEST(QuietSpeed, IsTheSameWhereverTheRangeEnds) {

@@ -2,6 +2,7 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/problems/quiet_rule.h"
 #include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline problems {
@@ -18,8 +19,8 @@ Machine machine_of(const Scene& scene, const std::string& origin) {
         origin +
         ": scene.omega is a profile: must be a number, because a threshold is of constant speeds");
   }
-  const Score found = score(scene, Claim{}, ScanOptions{});
-  return {"scene", scene, quiet_limit(found.quiet_count), found.threshold, ""};
+  const QuietRule rule = quiet_rule_of(scene, ScanOptions{}.step);
+  return {"scene", scene, rule.limit, rule.threshold, ""};
 }
 
 std::vector<Machine> all_machines() {

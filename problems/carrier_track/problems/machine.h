@@ -23,9 +23,9 @@ struct Machine {
 /// A case with these constants; the quiet limit is that of its claim.
 Machine machine_of(const Case& a_case, const Scene& constants);
 
-/// A machine "scene" from the user's file; limit and threshold as `ricochet threshold` finds them
-/// without a claim. `origin` names the scene, for instance its file. Throws InputError for a speed
-/// profile: a threshold is defined for constant speeds.
+/// A machine "scene" from the user's file; limit and threshold are of quiet_rule_of(). `origin`
+/// names the scene, for instance its file. Throws InputError for a speed profile: a threshold is
+/// defined for constant speeds.
 Machine machine_of(const Scene& scene, const std::string& origin);
 
 /// The cases of the default machine.

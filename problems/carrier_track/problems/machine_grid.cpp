@@ -16,6 +16,7 @@
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/problems/families.h"
+#include "problems/carrier_track/problems/quiet_rule.h"
 #include "problems/carrier_track/problems/scanned_best.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "problems/carrier_track/scene/scene_check.h"
@@ -73,10 +74,10 @@ Scene at_fidelity(Scene scene, Fidelity level) {
 
 /// Searches for the "quiet_limit" and, if it exists, the "threshold" of a machine.
 Findings limits_of(const Scene& scene) {
-  const bool coarse = scene.fidelity == Fidelity::compliant;
-  const Score found = score(scene, Claim{}, coarse ? ScanOptions{coarse_step, 1} : ScanOptions{});
-  Findings limits = {{"quiet_limit", quiet_limit(found.quiet_count)}};
-  if (found.threshold) limits["threshold"] = *found.threshold;
+  const QuietRule rule = quiet_rule_of(
+      scene, scene.fidelity == Fidelity::compliant ? coarse_step : ScanOptions{}.step);
+  Findings limits = {{"quiet_limit", rule.limit}};
+  if (rule.threshold) limits["threshold"] = *rule.threshold;
   return limits;
 }
 

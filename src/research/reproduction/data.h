@@ -11,7 +11,8 @@ namespace ricochet::studies::reproduction {
 /// The paper's claims for every case and the computed values, by the case's id.
 report::Json case_data(const std::vector<CaseStudy>& cases);
 
-/// Fastest quiet speeds of the machines, i.e. of cases that differ only in their disturbance.
+/// Fastest quiet speeds in the long run of the machines, i.e. of cases that differ only in their
+/// disturbance.
 report::Json speed_data(const std::vector<CaseStudy>& cases);
 
 /// The speeds of the paper's figures, those on the wrong side, a chart of the thresholds.

@@ -21,15 +21,16 @@ RICOCHET_WRITTEN_AS_JSON(Span, least, most, one);
 struct Machine {
   std::string cases;
   double restitution, friction;
-  std::optional<Span> speed, turns, published;  ///< computed [rad/s], [rpm]; the paper's [rad/s]
+  std::optional<Span> silent, speed, turns;  ///< in the long run: [rad/s], [rad/s], [rpm]
+  std::optional<Span> published;             ///< the paper's thresholds [rad/s]
 };
-RICOCHET_WRITTEN_AS_JSON(Machine, cases, restitution, friction, speed, turns, published);
+RICOCHET_WRITTEN_AS_JSON(Machine, cases, restitution, friction, silent, speed, turns, published);
 
 struct ExampleSpeed {
   std::string case_;
-  double threshold, rpm;
+  double speed, rpm;
 };
-RICOCHET_WRITTEN_AS_JSON(ExampleSpeed, case_, threshold, rpm);
+RICOCHET_WRITTEN_AS_JSON(ExampleSpeed, case_, speed, rpm);
 
 struct Speeds {
   std::optional<double> least, most, least_rpm, most_rpm;
@@ -49,7 +50,7 @@ std::optional<Span> span_of(const std::vector<double>& speeds, double unit = 1) 
 report::Json speed_data(const std::vector<CaseStudy>& cases) {
   struct SameMachine {
     std::string cases;
-    std::vector<double> computed, published;
+    std::vector<double> silent, quiet, published;
   };
   std::map<std::pair<double, double>, SameMachine> groups;
   std::vector<double> all;
@@ -58,9 +59,10 @@ report::Json speed_data(const std::vector<CaseStudy>& cases) {
     SameMachine& group = groups[{c.the_case.restitution, c.the_case.friction}];
     group.cases += (group.cases.empty() ? "" : ", ") + c.the_case.id;
     if (c.the_case.claim.threshold) group.published.push_back(*c.the_case.claim.threshold);
-    if (!c.score.threshold) continue;
-    group.computed.push_back(*c.score.threshold);
-    all.push_back(*c.score.threshold);
+    if (c.borders.silent) group.silent.push_back(*c.borders.silent);
+    if (!c.borders.quiet) continue;
+    group.quiet.push_back(*c.borders.quiet);
+    all.push_back(*c.borders.quiet);
     if (c.the_case.id == "C3") speeds.example = {"C3", all.back(), rpm * all.back()};
   }
   if (const auto span = span_of(all)) {
@@ -71,8 +73,8 @@ report::Json speed_data(const std::vector<CaseStudy>& cases) {
   }
   for (const auto& [constants, group] : groups) {
     speeds.machines.push_back({group.cases, constants.first, constants.second,
-                               span_of(group.computed), span_of(group.computed, rpm),
-                               span_of(group.published)});
+                               span_of(group.silent), span_of(group.quiet),
+                               span_of(group.quiet, rpm), span_of(group.published)});
   }
   return speeds;
 }

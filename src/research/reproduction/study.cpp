@@ -14,6 +14,7 @@
 #include "problems/carrier_track/problems/speed_range.h"
 #include "ricochet/error.h"
 #include "ricochet/recording.h"
+#include "ricochet/regimes.h"
 #include "ricochet/solvers.h"
 #include "ricochet/threshold.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
@@ -32,6 +33,12 @@ Recording path_at(Scene scene, double omega) {
   return record(scene, default_smoothing, samples_of_a_path);
 }
 
+LongRunBorders borders_of(const Scene& scene, double highest) {
+  if (!has_regimes(scene)) return {};
+  const RegimeOptions range{slowest_speed, highest};
+  return {quiet_up_to(scene, 0, range), quiet_up_to(scene, quiet_per_turn, range)};
+}
+
 CaseStudy study_case(const Case& the_case, const Scene& interpretation,
                      const ScanOptions& options) {
   const Scene scene = scene_of(the_case, interpretation);
@@ -43,7 +50,8 @@ CaseStudy study_case(const Case& the_case, const Scene& interpretation,
   if (const auto& figure = the_case.claim.figure) {
     paths = FigurePaths{path_at(scene, figure->quiet), path_at(scene, figure->loud)};
   }
-  return {the_case,        scene, std::move(scan), result, staircase_of(whole, options.highest),
+  return {the_case,        scene,  borders_of(scene, options.highest),
+          std::move(scan), result, staircase_of(whole, options.highest),
           std::move(paths)};
 }
 

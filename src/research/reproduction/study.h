@@ -44,10 +44,17 @@ struct FigurePaths {
   carrier_track::Recording quiet, loud;
 };
 
+/// The borders of a case in the long run [rad/s]; nothing if it is louder at the slowest speed.
+struct LongRunBorders {
+  std::optional<double> silent;  ///< no turn has a collision up to this speed
+  std::optional<double> quiet;   ///< no turn has more than quiet_per_turn collisions
+};
+
 /// A case of the paper, computed.
 struct CaseStudy {
   carrier_track::Case the_case;
   carrier_track::Scene scene;
+  LongRunBorders borders;
   carrier_track::SpeedScan scan;
   carrier_track::Score score;
   carrier_track::Staircase staircase;

@@ -4,6 +4,7 @@
 
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/problems/quiet_rule.h"
 #include "ricochet/error.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
 
@@ -21,13 +22,13 @@ TEST(Machine, OfACaseHasItsSceneAndTheLimitOfItsClaim) {
   EXPECT_EQ(machine.default_hash, "");
 }
 
-TEST(Machine, OfASceneHasTheLimitAndTheThresholdThatAreFoundWithoutAClaim) {
+TEST(Machine, OfASceneHasTheLimitAndTheThresholdOfItsLongRun) {
   const Scene scene = scene_of(find_case("C1"), exploratory_scene());
   const Machine machine = machine_of(scene, "a scene");
-  const Score found = score(scene, Claim{}, ScanOptions{});
+  const QuietRule rule = quiet_rule_of(scene, 1e-3);
   EXPECT_EQ(machine.id, "scene");
-  EXPECT_EQ(machine.quiet_limit, quiet_limit(found.quiet_count));
-  EXPECT_EQ(machine.threshold, found.threshold);
+  EXPECT_EQ(machine.quiet_limit, rule.limit);
+  EXPECT_EQ(machine.threshold, rule.threshold);
 }
 
 TEST(Machine, OfASpeedProfileIsRefused) {

@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
 
+#include "ricochet/regimes.h"
+#include "ricochet/threshold.h"
 #include "src/research/suite/catalogue.h"
 #include "tests/research/reproduction/drawn_results.h"
 #include "tests/research/reproduction/tiny_plan.h"
@@ -17,6 +21,7 @@
 namespace ricochet::studies::reproduction {
 namespace {
 
+using namespace carrier_track;
 using report::Json;
 
 const Json& tiny_data() {
@@ -54,7 +59,9 @@ TEST(ReproductionData, ShowsItsNumbersInTheTables) {
     const Json& c = tiny_data()["cases"][row[0].text];
     EXPECT_EQ(row[4].text, shown(c["paper_threshold"], "{}"));
     EXPECT_EQ(row[5].text, shown(c["threshold"], "{:.3f}"));
-    EXPECT_EQ(row[9].text, shown(c["quiet_count"], "{}"));
+    EXPECT_EQ(row[8].text, shown(c["silent_up_to"], "{:.3f}"));
+    EXPECT_EQ(row[9].text, shown(c["quiet_up_to"], "{:.3f}"));
+    EXPECT_EQ(row[12].text, shown(c["quiet_count"], "{}"));
   }
   EXPECT_EQ(thresholds[0][4].text, "9");
   EXPECT_EQ(thresholds[10][4].text, "–");
@@ -73,6 +80,39 @@ TEST(ReproductionData, ShowsItsNumbersInTheTables) {
     EXPECT_EQ(solvers[k][0].text, ratings[k]["solver"]);
     EXPECT_EQ(solvers[k][2].text, shown(ratings[k]["rank"], "{:.1f}"));
   }
+}
+
+/// Silence ends where the centrifugal force beats friction, a little later with a counting limit.
+TEST(ReproductionData, HasTheBordersOfTheLongRun) {
+  for (const char* id : {"C1", "C3"}) {
+    const Scene scene = scene_of(find_case(id), carrier_track::default_interpretation().scene);
+    const Json& c = tiny_data()["cases"][id];
+    EXPECT_EQ(c["silent_up_to"], *quiet_up_to(scene, 0));
+    EXPECT_EQ(c["quiet_up_to"], *quiet_up_to(scene, quiet_per_turn));
+    const double release =
+        std::sqrt(scene.friction * scene.normal_force / scene.centrifugal_mass_radius);
+    EXPECT_GT(c["silent_up_to"], release);
+    EXPECT_LT(c["silent_up_to"], 1.05 * release);
+  }
+}
+
+TEST(ReproductionData, GivesTheFrontPageTheFastestQuietSpeedsOfTheLongRun) {
+  const Json& cases = tiny_data()["cases"];
+  const Json& speeds = tiny_data()["speeds"];
+  ASSERT_EQ(speeds["machines"].size(), 4U);
+  for (const Json& machine : speeds["machines"]) {
+    double least = 1e9, most = 0;
+    for (const Json& c : cases) {
+      if (c["restitution"] != machine["restitution"] || c["friction"] != machine["friction"]) {
+        continue;
+      }
+      least = std::min(least, c["quiet_up_to"].get<double>());
+      most = std::max(most, c["quiet_up_to"].get<double>());
+    }
+    EXPECT_EQ(machine["speed"]["least"], least);
+    EXPECT_EQ(machine["speed"]["most"], most);
+  }
+  EXPECT_EQ(speeds["example"]["speed"], cases["C3"]["quiet_up_to"]);
 }
 
 TEST(ReproductionData, ShowsTheStepsBesideThePapersRule) {

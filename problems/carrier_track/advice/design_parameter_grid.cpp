@@ -46,14 +46,13 @@ std::optional<double> quiet_by_scan(const Scene& scene, const Limit& limit,
   return quiet;
 }
 
-/// The same in the long run, where the range ends at the first border.
+/// The same in the long run, where quiet and loud do not mix.
 QuietRange found_in_the_long_run(const Scene& scene, const Limit& limit, const CoarseScan& scan) {
   QuietRange range;
   range.quiet = scene.disturbance == 0
                     ? quiet_up_to(scene, limit.at_most, {scan.lowest, scan.highest})
                     : quiet_by_scan(scene, limit, scan);
   range.to_the_end = range.quiet && *range.quiet >= scan.highest;
-  if (!range.to_the_end) range.divide = range.quiet;
   return range;
 }
 
@@ -80,6 +79,7 @@ QuietRange found(const Scene& scene, const Limit& limit, const CoarseScan& scan)
   if (const auto place = best_split(loud, 0.5).speed) {
     range.divide = std::max(omega(*place - 1), range.quiet.value_or(0));
   }
+  range.mixed = !range.divide && !range.to_the_end;
   return range;
 }
 
@@ -114,6 +114,7 @@ Json json_of(const QuietRange& range, const QuietRange& own) {
           {"rpm", range.quiet ? four_decimals(*range.quiet * rpm) : Json()},
           {"change", change_of(range, own)},
           {"divide", four_decimals(range.divide)},
+          {"mixed", range.mixed},
           {"to_the_end", range.to_the_end},
           {"simulated", range.simulated}};
 }
@@ -151,15 +152,13 @@ Json ends_of_line(const DesignParameter& design_parameter, const Json& points) {
           {"worst", slower(least, own) ? least : own}};
 }
 
-/// Whether an undisturbed machine has speeds at which its motion does not repeat: each machine like
-/// it would take seconds.
+}  // namespace
+
 bool is_irregular(const Scene& scene, const QuietSpeed& answer) {
   return scene.disturbance == 0 &&
          std::any_of(answer.regimes.begin(), answer.regimes.end(),
                      [](const Regime& regime) { return !regime.certain; });
 }
-
-}  // namespace
 
 std::optional<CoarseScan> coarse_scan(const Scene& scene, const QuietSpeed& answer) {
   if (!answer.limit || is_irregular(scene, answer)) return std::nullopt;
@@ -183,7 +182,8 @@ std::optional<DesignParameterGrid> design_parameter_grid(const Scene& scene,
                                                          const QuietSpeed& answer) {
   const auto scan = coarse_scan(scene, answer);
   if (!scan) return std::nullopt;
-  DesignParameterGrid grid{*scan, design_parameters_of(scene), {}, {}, {}, {}};
+  DesignParameterGrid grid{
+      *scan, answer.is_of_the_long_run(), design_parameters_of(scene), {}, {}, {}, {}};
   std::size_t combinations = 1;
   for (const DesignParameter& design_parameter : grid.design_parameters) {
     grid.levels.push_back(design_parameter.levels());
@@ -244,6 +244,7 @@ Json json_of(const std::optional<DesignParameterGrid>& grid) {
   return {{"from", grid->scan.lowest},
           {"to", grid->scan.highest},
           {"step", grid->scan.ratio - 1},
+          {"long_run", grid->long_run},
           {"combinations", grid->combinations.size()},
           {"own", std::move(own)},
           {"top", top > 0 ? 1.1 * top : 1},  // of all charts, which share one scale

@@ -21,10 +21,16 @@ struct QuietRange {
   /// [rad/s], up to which every scanned speed is quiet, located to a sixteenth of the scan's step;
   /// the highest speed if all are quiet, empty if the lowest is loud.
   std::optional<double> quiet;
-  std::optional<double> divide;  ///< [rad/s], the speed that best separates quiet from loud
+  std::optional<double> divide;  ///< [rad/s], the speed that best separates quiet from loud; of a
+                                 ///< limit of the window
+  bool mixed = false;            ///< in the window no speed separates them
   bool to_the_end = false;       ///< no scanned speed is loud
   bool simulated = true;         ///< false: more impacts or steps than a simulation may have
 };
+
+/// Whether an undisturbed machine has speeds at which its motion does not repeat: each machine like
+/// it would take seconds.
+bool is_irregular(const carrier_track::Scene& scene, const carrier_track::QuietSpeed& answer);
 
 /// From an eighth of the answer's own speed to the fastest of its scan, with a ratio of 1.01, or of
 /// 1.04 for compliant walls, which take some thirty times as long; empty if the answer has no
@@ -41,6 +47,7 @@ struct DesignParameterGrid {
   static constexpr std::size_t points_of_a_line = 21;
 
   CoarseScan scan;
+  bool long_run;  ///< whether the limit is about the long run
   std::vector<DesignParameter> design_parameters;
   std::vector<std::vector<double>> levels;     ///< of each design parameter
   std::vector<QuietRange> combinations;        ///< the last design parameter's level changes first

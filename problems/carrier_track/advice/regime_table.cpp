@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "problems/carrier_track/advice/answer_notes.h"
+#include "ricochet/threshold.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -19,13 +20,6 @@ constexpr std::size_t summarised = 4;  // levels
 
 bool is_narrow(const Regime& regime) {
   return regime.to < narrow * regime.from;
-}
-
-std::string counts_of(const Regime& regime) {
-  if (regime.least_per_turn == regime.most_per_turn) {
-    return fmt::format("{:.4g}", regime.most_per_turn);
-  }
-  return fmt::format("{:.4g} to {:.4g}", regime.least_per_turn, regime.most_per_turn);
 }
 
 std::string line_of(const Regime& regime, bool marked) {
@@ -58,20 +52,31 @@ std::vector<Level> levels_of(const std::vector<Regime>& regimes) {
   return levels;
 }
 
-/// Whether a regime is to be seen in the table.
-bool is_shown(const std::vector<Regime>& regimes, std::size_t i) {
-  const bool inner = i > 0 && i + 1 < regimes.size();
-  return !inner || !is_narrow(regimes[i]);
+}  // namespace
+
+std::vector<Regime> without_narrow(const std::vector<Regime>& regimes) {
+  std::vector<Regime> shown;
+  for (std::size_t i = 0; i < regimes.size(); ++i) {
+    const bool inner = i > 0 && i + 1 < regimes.size();
+    if (!inner || !is_narrow(regimes[i])) shown.push_back(regimes[i]);
+  }
+  return shown;
 }
 
-}  // namespace
+std::string counts_of(const Regime& regime) {
+  if (regime.least_per_turn == regime.most_per_turn) {
+    return fmt::format("{:.4g}", regime.most_per_turn);
+  }
+  return fmt::format("{:.4g} to {:.4g}", regime.least_per_turn, regime.most_per_turn);
+}
 
 std::string summary_of(const std::vector<Regime>& regimes) {
   std::vector<Level> levels;
   for (const Level& level : levels_of(regimes)) {
-    // Narrow levels between others are part of one border to the eye.
+    // Narrow levels between others are part of one border to the eye, but for those that answer.
     const bool narrow = level.to < seen * level.from && level.to < regimes.back().to;
-    if (!narrow || level.collisions == 0) levels.push_back(level);
+    const bool answers = level.collisions == 0 || level.collisions == quiet_per_turn;
+    if (!narrow || answers) levels.push_back(level);
   }
   std::string text;
   for (std::size_t i = 0; i < levels.size() && i < summarised; ++i) {
@@ -92,9 +97,7 @@ std::string text_of(const std::vector<Regime>& regimes, std::optional<double> ma
                                  "to", "collisions", "energy", "fastest", "rest", "ends by");
   text += fmt::format("{:>8} {:>8} {:>8}  {:<12}{:>10}{:>10}{:>8}\n", "rad/s", "rad/s", "rpm",
                       "a turn", "mJ a turn", "mm/s", "");
-  for (std::size_t i = 0; i < regimes.size(); ++i) {
-    if (!is_shown(regimes, i)) continue;
-    const Regime& regime = regimes[i];
+  for (const Regime& regime : without_narrow(regimes)) {
     text += line_of(regime, marked && regime.from < *marked && *marked <= regime.to);
   }
   return text;

@@ -9,21 +9,21 @@
 /// The regimes of a machine as text and data.
 namespace ricochet::studies::advice {
 
-/// A row of the table: a regime, or several narrow ones that follow each other and are one border
-/// to the eye.
-struct RegimeRow {
-  carrier_track::Regime regime;  ///< from the first, to the last; counts over all
-  int merged = 1;                ///< number of regimes
-};
+/// Without those that are less than 1 % of the speed wide and lie between wider ones: they are one
+/// border to the eye.
+std::vector<carrier_track::Regime> without_narrow(
+    const std::vector<carrier_track::Regime>& regimes);
 
-/// The rows: regimes less than 1 % of the speed wide are merged with their narrow neighbours.
-std::vector<RegimeRow> rows_of(const std::vector<carrier_track::Regime>& regimes);
+/// "2", or "1 to 4" where turns differ.
+std::string counts_of(const carrier_track::Regime& regime);
 
-/// "silent up to 1.447 rad/s (13.82 rpm), then 2 collisions a turn up to 8.079 rad/s (77.15 rpm),
-/// then 4": the first few wide regimes.
+/// "silent up to 1.447 rad/s (13.82 rpm), at most 2 collisions a turn up to 8.079 rad/s (77.15
+/// rpm), at most 4 collisions a turn beyond": the first few levels; silence and the usual limit
+/// always.
 std::string summary_of(const std::vector<carrier_track::Regime>& regimes);
 
-/// The table with its header; the row that ends at `marked` [rad/s] is marked.
+/// The table with its header, without narrow regimes; the row that ends at `marked` [rad/s] is
+/// marked.
 std::string text_of(const std::vector<carrier_track::Regime>& regimes,
                     std::optional<double> marked);
 

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problems/carrier_track/advice/answer_notes.h"
 #include "problems/carrier_track/advice/design_parameter_grid.h"
 #include "problems/carrier_track/advice/model_choice.h"
 #include "problems/carrier_track/advice/path_chart.h"
 #include "problems/carrier_track/advice/quiet_speed_answer.h"
+#include "problems/carrier_track/advice/regime_table.h"
 #include "problems/carrier_track/advice/staircase_chart.h"
 #include "problems/carrier_track/counting/limit.h"
 #include "problems/carrier_track/counting/recording.h"
@@ -22,6 +24,20 @@ namespace {
 using namespace carrier_track;
 using namespace advice;
 using report::Json;
+
+/// The table of the regimes, in an engineer's units.
+Json regime_rows(const std::vector<Regime>& regimes) {
+  return report::list_of(without_narrow(regimes), [](const Regime& regime) {
+    return Json{{"from", regime.from},
+                {"to", regime.to},
+                {"rpm", regime.to * rpm},
+                {"collisions", counts_of(regime)},
+                {"energy", 1e3 * regime.last.energy_per_turn},
+                {"impact", 1e3 * regime.last.fastest_impact},
+                {"rest", regime.last.share_at_rest},
+                {"ends_by", name_of(regime.ends_by)}};
+  });
+}
 
 /// The energy taken by the walls in a turn and the fastest impact, at both ends of all regimes.
 Json wear_data(const std::vector<Regime>& regimes) {
@@ -127,6 +143,8 @@ Json compute(const AdviceOptions& options) {
   data["when"] = found.is_of_the_long_run() ? "a turn, in the long run" : "in the window";
   data["wear"] = found.is_of_the_long_run() ? wear_data(found.regimes)
                                             : wear_data(options.scene, found.options.fastest);
+  data["regime_rows"] = regime_rows(found.regimes);
+  data["irregular"] = is_irregular(options.scene, found);
   data["changes"] = change_data(answer.sensitivities);
   data["explorer"] = json_of(design_parameter_grid(options.scene, found));
   data["model"] = model_choice(options.scene, found);

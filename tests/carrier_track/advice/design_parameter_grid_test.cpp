@@ -44,6 +44,17 @@ TEST(QuietRange, SaysWhereEverySpeedIsOfOneKind) {
   EXPECT_FALSE(loud.to_the_end);
 }
 
+TEST(QuietRange, OfTheLongRunIsTheBorder) {
+  const Scene scene = case_scene("C1");
+  const QuietRange range = quiet_range(scene, {Measure::collisions_per_turn, 2}, {1, 18});
+  EXPECT_NEAR(*range.quiet, *quiet_up_to(scene, 2), 1e-9);
+  EXPECT_FALSE(range.divide) << "quiet and loud do not mix";
+  EXPECT_FALSE(range.mixed);
+  const QuietRange disturbed =
+      quiet_range(case_scene("C5"), {Measure::collisions_per_turn, 2}, {1, 18});
+  EXPECT_NEAR(*disturbed.quiet, *quiet_up_to(case_scene("C5"), 2), 1e-3 * *disturbed.quiet);
+}
+
 TEST(DesignParameterGrid, HasEveryCombinationInTheOrderOfItsDesignParameters) {
   const Scene scene = case_scene("C1");
   const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions, 7}, 1e-2, 18});

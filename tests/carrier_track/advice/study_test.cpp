@@ -48,6 +48,11 @@ TEST(AdviceStudy, DrawsTheLongRunUnlessTheWindowIsLimited) {
   const auto regimes = regimes_of(scene);
   ASSERT_EQ(data["staircase"].size(), regimes.size() + 1);
   ASSERT_EQ(data["regimes"].size(), regimes.size());
+  ASSERT_EQ(data["regime_rows"].size(), 4U);
+  EXPECT_EQ(data["regime_rows"][2]["collisions"], "2");
+  EXPECT_EQ(data["regime_rows"][2]["to"], regimes[3].to);
+  EXPECT_EQ(data["regime_rows"][2]["energy"], 1e3 * regimes[3].last.energy_per_turn);
+  EXPECT_EQ(data["regime_rows"][2]["impact"], 1e3 * regimes[3].last.fastest_impact);
   ASSERT_EQ(data["wear"].size(), 2 * regimes.size());
   EXPECT_EQ(data["wear"][7]["energy"], 1e3 * regimes[3].last.energy_per_turn);
 }

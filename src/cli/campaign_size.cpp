@@ -4,11 +4,22 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <string_view>
 
 namespace ricochet::cli {
 
 using report::Json;
+
+namespace {
+
+/// "1 run", "2 runs".
+std::string counted(std::int64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+}  // namespace
 
 std::string duration(double seconds) {
   if (seconds < 90) return fmt::format("{:.2g} s", std::max(seconds, 0.1));
@@ -38,10 +49,11 @@ Json size_of(const Campaign& campaign) {
 std::string in_words(const Json& size) {
   const auto to_search = size["to_search"].get<int>();
   return fmt::format(
-      "{} runs of {} solvers on {} problems, at most {:.3g} evaluations{}",
-      size["runs"].get<std::int64_t>(), size["solvers"].get<int>(), size["problems"].get<int>(),
+      "{} of {} on {}, at most {:.3g} evaluations{}", counted(size["runs"], "run"),
+      counted(size["solvers"], "solver"), counted(size["problems"], "problem"),
       size["evaluations"].get<double>(),
-      to_search > 0 ? fmt::format("; {} best values to be searched first", to_search) : "");
+      to_search > 0 ? fmt::format("; {} to be searched first", counted(to_search, "best value"))
+                    : "");
 }
 
 std::string in_words(const Forecast& forecast, int cores) {

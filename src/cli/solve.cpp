@@ -28,6 +28,8 @@
 namespace ricochet::cli {
 namespace {
 
+constexpr std::int64_t largest_budget = 1'000'000'000;
+
 using report::Json;
 
 Solver solver_of(const std::string& wanted) {
@@ -217,8 +219,10 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
 }  // namespace
 
 int solve(const SolveOptions& options) {
-  if (options.budget < 1)
-    throw InputError(fmt::format("--budget {}: must be >= 1", options.budget));
+  // A number beyond the range of an integer arrives here as the largest one.
+  if (options.budget < 1 || options.budget > largest_budget)
+    throw InputError(
+        fmt::format("--budget {}: must be within 1..{}", options.budget, largest_budget));
   if (options.instance < 0) {
     throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
   }

@@ -118,6 +118,14 @@ TEST_F(CampaignCommands, SayHowManyRunsThereAreAndMakeSoMany) {
   EXPECT_EQ(size["cells"].get<int>() * 3, size["runs"].get<int>()) << "instances";
 }
 
+TEST_F(CampaignCommands, CountOneOfAKindAsOne) {
+  write(folder_, "one.toml",
+        "[[part]]\nproblems = \"count-C1\"\nsolvers = \"scan\"\nformulations = \"count\"\n"
+        "budgets = [10]\ninstances = 1\n");
+  EXPECT_THAT(out_of("plan check " + (folder_ / "one.toml").string()),
+              HasSubstr("1 run of 1 solver on 1 problem, "));
+}
+
 TEST_F(CampaignCommands, SayHowLongTheWholeCommandTook) {
   const auto start = std::chrono::steady_clock::now();
   const std::string said = run("one");

@@ -32,6 +32,7 @@ namespace {
 using namespace carrier_track;
 
 constexpr double seconds = 60;
+constexpr double outlying = 5;  // deviations, at which a trial is named
 
 struct Kind {
   bool marks, strengths, constant, steps;
@@ -115,6 +116,11 @@ Trial trial(Scene truth, const Kind& kind, const Solver& solver, std::uint64_t s
   } catch (const std::exception& error) {
     fmt::print(stderr, "trial {}: {}\n", seed, error.what());
     result.failed = true;
+  }
+  for (std::size_t i = 0; i < result.scores.size(); ++i) {
+    if (std::abs(result.scores[i]) < outlying) continue;
+    fmt::print(stderr, "trial {}: number {} is {:.1f} deviations off{}\n", seed, i + 1,
+               result.scores[i], result.missed ? "; the truth explains more" : "");
   }
   result.seconds = processor_seconds() - start;
   return result;

@@ -95,6 +95,21 @@ std::vector<double> speeds_beside(const QuietSpeed& answer) {
   return speeds;
 }
 
+std::string text_of_steps(const QuietSpeed& answer) {
+  if (answer.staircase.steps.empty()) {
+    return "The staircase has no step by half or more.\n";
+  }
+  const double main = answer.staircase.main_step()->omega;
+  std::string text = "Steps of the staircase (a step is louder by half, and by two collisions):\n";
+  for (const Step& step : answer.staircase.steps) {
+    text += fmt::format(
+        "  {}: from at most {} to at least {} collisions; holds from {:.2f} to {:.2f} times it{}\n",
+        both_units(step.omega), step.below, step.above, 1 / step.reach, step.reach,
+        step.omega == main ? "  <- the most significant" : "");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string headline_of(const QuietSpeedAnswer& output) {
@@ -139,21 +154,6 @@ QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
   }
   output.uncertain = uncertain_divide(file, *answer.limit, divide, drawn_machines, 1);
   return output;
-}
-
-std::string text_of_steps(const QuietSpeed& answer) {
-  if (answer.staircase.steps.empty()) {
-    return "The staircase has no step by half or more.\n";
-  }
-  const double main = answer.staircase.main_step()->omega;
-  std::string text = "Steps of the staircase (a step is louder by half, and by two collisions):\n";
-  for (const Step& step : answer.staircase.steps) {
-    text += fmt::format(
-        "  {}: from at most {} to at least {} collisions; holds from {:.2f} to {:.2f} times it{}\n",
-        both_units(step.omega), step.below, step.above, 1 / step.reach, step.reach,
-        step.omega == main ? "  <- the most significant" : "");
-  }
-  return text;
 }
 
 std::string text_of(const QuietSpeedAnswer& output) {

@@ -39,9 +39,6 @@ std::string headline_of(const QuietSpeedAnswer& output);
 /// Several lines for an engineer, the answer first.
 std::string text_of(const QuietSpeedAnswer& output);
 
-/// The steps of the staircase, one per line, with the main one marked; a sentence if there is none.
-std::string text_of_steps(const carrier_track::QuietSpeed& answer);
-
 report::Json json_of(const QuietSpeedAnswer& output);
 
 }  // namespace ricochet::studies::advice

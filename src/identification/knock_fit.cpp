@@ -22,6 +22,9 @@ constexpr int most_rounds = 8;
 /// Two losses that differ by less belong to the same minimum.
 constexpr double same_loss = 0.02;
 
+/// ln of the friction over that of the best fit, where another fit starts.
+constexpr double neighbours[] = {0, -0.08, 0.08, -0.04, 0.04};
+
 /// The unknowns that are searched while the density is blurred: jitter and rates would only follow
 /// the blur.
 std::vector<Eigen::Index> of_motion(const KnockLoss& loss) {
@@ -129,8 +132,13 @@ KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t sta
     twin[coordinate::phase] += twin[coordinate::phase] > 0 ? -std::numbers::pi : std::numbers::pi;
     keep_better(twin, {0.006});
   }
-  // Another minimum may be close by: where an impact appears or vanishes the loss jumps.
-  keep_better(best.x, {0.015, 0.006});
+  // Another minimum may be close by: where an impact appears or vanishes the loss jumps. Friction
+  // decides that, and it is the constant that a wrong minimum shifts most.
+  for (const double shift : neighbours) {
+    Vector x = best.x;
+    x[coordinate::friction] += shift;
+    keep_better(x, {0.015, 0.006});
+  }
   converge(search, best.x);
   best.covariance = covariance_of(loss.information(best.x), loss.free());
   Vector slopes;

@@ -84,7 +84,7 @@ Scene guess_near(Scene scene, Random& random) {
 Vector truth_near(Vector x, const Scene& truth) {
   const Vector exact = point_of(guess_of(truth));
   x.head(machine_constants) = exact.head(machine_constants);
-  x[coordinate::phase] = truth.phase;
+  x[coordinate::phase] += std::remainder(truth.phase - x[coordinate::phase], 2 * std::numbers::pi);
   x[coordinate::speed_factor] = 0;
   return x;
 }

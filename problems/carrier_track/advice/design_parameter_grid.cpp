@@ -244,7 +244,7 @@ Json json_of(const std::optional<DesignParameterGrid>& grid) {
   return {{"from", grid->scan.lowest},
           {"to", grid->scan.highest},
           {"step", grid->scan.ratio - 1},
-          {"long_run", grid->long_run},
+          {"in_window", !grid->long_run},
           {"combinations", grid->combinations.size()},
           {"own", std::move(own)},
           {"top", top > 0 ? 1.1 * top : 1},  // of all charts, which share one scale

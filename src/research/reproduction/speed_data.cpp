@@ -21,10 +21,10 @@ RICOCHET_WRITTEN_AS_JSON(Span, least, most, one);
 struct Machine {
   std::string cases;
   double restitution, friction;
-  std::optional<Span> silent, speed, turns;  ///< in the long run: [rad/s], [rad/s], [rpm]
-  std::optional<Span> published;             ///< the paper's thresholds [rad/s]
+  std::optional<Span> silent, speed;  ///< [rad/s], in the long run
+  std::optional<Span> published;      ///< [rad/s], the paper's thresholds
 };
-RICOCHET_WRITTEN_AS_JSON(Machine, cases, restitution, friction, silent, speed, turns, published);
+RICOCHET_WRITTEN_AS_JSON(Machine, cases, restitution, friction, silent, speed, published);
 
 struct ExampleSpeed {
   std::string case_;
@@ -39,10 +39,10 @@ struct Speeds {
 };
 RICOCHET_WRITTEN_AS_JSON(Speeds, least, most, least_rpm, most_rpm, machines, example);
 
-std::optional<Span> span_of(const std::vector<double>& speeds, double unit = 1) {
+std::optional<Span> span_of(const std::vector<double>& speeds) {
   if (speeds.empty()) return std::nullopt;
   const auto [least, most] = std::ranges::minmax(speeds);
-  return Span{unit * least, unit * most, least == most};
+  return Span{least, most, least == most};
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ report::Json speed_data(const std::vector<CaseStudy>& cases) {
   for (const auto& [constants, group] : groups) {
     speeds.machines.push_back({group.cases, constants.first, constants.second,
                                span_of(group.silent), span_of(group.quiet),
-                               span_of(group.quiet, rpm), span_of(group.published)});
+                               span_of(group.published)});
   }
   return speeds;
 }

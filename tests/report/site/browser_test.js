@@ -376,7 +376,7 @@ await page.close();
 // What a stranger asks: a click on the question, and at most two screens below where it leads the answer.
 const walks = [];
 const answersTo = {
-  "How fast may C3 run?": ["#thresholds tbody th", /^C3$/],
+  "How fast may C3 run?": ["#long-run tbody th", /^C3$/],
   "Which solver for 16 variables and 500 evaluations?": ["main p, header p", /^Found: .*most probably/],
   "What does a gradient buy?": ["#changes tbody tr", /price of a gradient/],
   "Where does Ipopt fail?": ["#map svg text", /^ipopt$/],

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int resamples = 2000;
 constexpr std::uint64_t seed = 1;
+constexpr const char* few_parameters = "long-run";
 
 double mean_root(double squares, std::size_t size) {
   return std::sqrt(squares / static_cast<double>(size));
@@ -61,6 +62,25 @@ auto all_fitted(const char* words, const std::vector<What>& all, const Options& 
     fits[i] = fitted(all[i], plan);
     progress.advance(1);
   });
+  return fits;
+}
+
+/// More parameters begin at the best values of fewer.
+std::vector<CountFit> fitted_counts(const CountPlan& plan) {
+  const std::vector<CountInterpretation> all = count_interpretations();
+  const auto fewer = std::ranges::find(
+      all, few_parameters, [](const CountInterpretation& what) { return what.variant.name; });
+  const CountFit first = fitted(*fewer, plan);
+  std::vector<CountInterpretation> others;
+  for (CountInterpretation what : all) {
+    if (what.variant.name == few_parameters) continue;
+    const bool extends = what.goal == Goal::loss && what.variant.base == fewer->variant.base &&
+                         what.variant.free.size() > fewer->variant.free.size();
+    if (extends) what.variant.start = first.fit.constants;
+    others.push_back(std::move(what));
+  }
+  std::vector<CountFit> fits = all_fitted("fitting counts", others, plan);
+  fits.insert(fits.begin() + (fewer - all.begin()), first);
   return fits;
 }
 
@@ -110,7 +130,7 @@ Results long_run(const Plan& plan) {
   results.plan = plan;
   results.law = compared(default_interpretation().scene, plan.restitutions, plan.frictions);
   results.borders = all_fitted("fitting borders", border_interpretations(), plan.borders);
-  results.counts = all_fitted("fitting counts", count_interpretations(), plan.counts);
+  results.counts = fitted_counts(plan.counts);
   results.usual = usual_fit(plan);
   return results;
 }

@@ -19,7 +19,8 @@ using report::list_of;
 
 namespace {
 
-const double determined_within = std::log(2.0);
+const double determined_within = std::log(3.0);
+constexpr double undetermined = 1000;  // a factor that says nothing
 
 Json interval_data(const Interval& interval) {
   return {{"lower", interval.lower}, {"upper", interval.upper}};
@@ -110,6 +111,7 @@ Json constants_of(const std::string& name, const std::vector<Unknown>& free,
   for (const Unknown open : free) {
     const auto i = static_cast<std::size_t>(open);
     rows.push_back({{"name", name},
+                    {"parameters", free.size()},
                     {"parameter", calibration::words_of(open)},
                     {"value", constants[i]},
                     {"unit", unknown_parameters()[i].unit}});
@@ -135,7 +137,9 @@ Json border_row(const BorderFit& fit) {
       combination += fmt::format("{}{:+.2f} ln({})", j == 0 ? "" : " ", d.weights[j],
                                  calibration::words_of(fit.what.free[j]));
     }
-    return {{"combination", combination}, {"half_width", report::as_json(d.half_width)}};
+    return {
+        {"combination", combination},
+        {"factor", std::exp(d.half_width) < undetermined ? Json(std::exp(d.half_width)) : Json()}};
   });
   return row;
 }
@@ -163,7 +167,7 @@ Json formula_row(const char* fitted_to, const FormulaWorth& f) {
           {"worst", f.worst},
           {"rms_between", f.rms_between},
           {"worst_between", f.worst_between},
-          {"worst_between_size", std::abs(f.worst_between)}};
+          {"factor_between", std::exp(std::abs(f.worst_between))}};
 }
 
 /// The chart's curves at a friction of the paper.

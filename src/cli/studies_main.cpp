@@ -13,6 +13,7 @@
 #include "src/research/dynamics/study.h"
 #include "src/research/fireworks/study.h"
 #include "src/research/limits/study.h"
+#include "src/research/long_run/study.h"
 #include "src/research/suite/families.h"
 #include "src/research/surrogate/study.h"
 
@@ -45,7 +46,8 @@ class Studies : public CommandLine {
     CLI::App* command = add("calibrate", summary_of("calibrate"),
                             "  ricochet calibrate --quick\n"
                             "  ricochet calibrate --all-interpretations --check\n"
-                            "  ricochet calibrate --variants");
+                            "  ricochet calibrate --variants\n"
+                            "  ricochet calibrate --long-run");
     command->add_option("--interpretation", calibration_.interpretation,
                         "A name of `ricochet list interpretations`, in place of the default");
     command->add_flag("--all-interpretations", calibration_.all_interpretations,
@@ -62,7 +64,19 @@ class Studies : public CommandLine {
     command->add_option("--solver", calibration_.solver, "Solver that searches within the bounds")
         ->capture_default_str();
     StudyOptions& options = add_study_options(command, studies::calibration_study(calibration_));
-    on_call(command, [this, &options] {
+    command
+        ->add_flag("--long-run", long_run_,
+                   "Instead: fit borders and counts of the long run to the thresholds, as a report "
+                   "in reports/long-run")
+        ->excludes("--interpretation", "--all-interpretations", "--check", "--converge",
+                   "--variants", "--seed", "--solver");
+    on_call(command, [this, command, &options] {
+      if (long_run_) {
+        const studies::Study study = studies::long_run_study();
+        const bool elsewhere = command->count("--out") > 0;
+        tell(studies::run(study, options.quick, elsewhere ? options.out : "reports/" + study.name));
+        return 0;
+      }
       calibration_.folder = options.out;
       const studies::Study study = studies::calibration_study(calibration_);
       tell(studies::run(study, options.quick, options.out));
@@ -142,6 +156,7 @@ class Studies : public CommandLine {
   }
 
   studies::CalibrationOptions calibration_;
+  bool long_run_ = false;
   studies::VerificationOptions verification_;
   std::optional<int> scene_index_;
   bool verification_json_ = false;

@@ -17,6 +17,7 @@
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
 #include "embedded/template_limits.h"
+#include "embedded/template_long_run.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
@@ -47,6 +48,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"family", embedded::template_family},
     {"calibration", embedded::template_calibration},
     {"limits", embedded::template_limits},
+    {"long-run", embedded::template_long_run},
     {"verification", embedded::template_verification},
     {"stress", embedded::template_stress},
     {"fireworks", embedded::template_fireworks},

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
@@ -14,6 +16,15 @@ TEST(Calibrate, RefusesWhatItDoesNotKnowBeforeItWorks) {
   expect_refusal("calibrate --seed -1", "--seed -1");
   const auto file = write(fresh_folder(), "file", "mine");
   expect_refusal("calibrate --out " + (file / "report").string(), "file/report");
+  EXPECT_EQ(read(file), "mine");
+}
+
+TEST(Calibrate, FitsTheLongRunAlone) {
+  for (const char* other : {"--variants", "--check", "--all-interpretations", "--seed 2"}) {
+    expect_refusal(std::string("calibrate --long-run ") + other, "--long-run");
+  }
+  const auto file = write(fresh_folder(), "file", "mine");
+  expect_refusal("calibrate --long-run --out " + (file / "report").string(), "file/report");
   EXPECT_EQ(read(file), "mine");
 }
 

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "src/research/paper/sustained_bouncing.h"
+#include "src/research/paper/threshold_formula.h"
 #include "src/research/reproduction/data.h"
-#include "src/research/reproduction/theory.h"
 
 namespace ricochet::studies::reproduction {
 namespace {

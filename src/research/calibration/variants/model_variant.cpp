@@ -9,6 +9,7 @@ using namespace carrier_track;
 VariantConstants start_of(const ModelVariant& variant) {
   VariantConstants constants{
       variant.brief ? default_interpretation().constants : natural_constants(), {}};
+  if (variant.start) constants.base = *variant.start;
   for (const UnknownParameter& own : variant.own) constants.own.push_back(own.natural.value());
   return constants;
 }

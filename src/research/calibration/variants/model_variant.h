@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,9 +47,11 @@ struct ModelVariant {
   std::function<carrier_track::CountAt(const carrier_track::Case&, const VariantConstants&,
                                        const EarlyStopping&)>
       counts = {};
+  /// Of the base, where a search begins; empty: see start_of.
+  std::optional<carrier_track::Constants> start = {};
 };
 
-/// Start of a search: the natural values; for a brief variant the parameters of the default
+/// Start of a search: the variant's own; else the natural values; for a brief variant the parameters of the default
 /// interpretation.
 VariantConstants start_of(const ModelVariant& variant);
 

@@ -1,4 +1,4 @@
-#include "src/research/reproduction/theory.h"
+#include "src/research/paper/threshold_formula.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -9,11 +9,11 @@
 
 #include "src/research/paper/sustained_bouncing.h"
 
-namespace ricochet::studies::reproduction {
+namespace ricochet::carrier_track::inline paper {
 namespace {
 
 using Points = std::vector<ThresholdPoint>;
-using Constants = std::optional<std::vector<double>>;
+using Solved = std::optional<std::vector<double>>;
 
 double log_loss(const ThresholdPoint& point) {
   return std::log((1 - point.restitution) / (1 + point.restitution));
@@ -38,7 +38,7 @@ double disturbance(const ThresholdPoint& point) {
 Formula linear_formula(std::string words, std::vector<std::string> names, double power,
                        std::vector<Factor> factors) {
   factors.insert(factors.begin(), one);
-  const auto fit = [power, factors](const Points& points) -> Constants {
+  const auto fit = [power, factors](const Points& points) -> Solved {
     const auto rows = static_cast<Eigen::Index>(points.size());
     const auto columns = static_cast<Eigen::Index>(factors.size());
     Eigen::MatrixXd matrix(rows, columns);
@@ -69,8 +69,7 @@ Formula linear_formula(std::string words, std::vector<std::string> names, double
 /// Half the logarithm of the least drive over the pull, for a normal force of `ratio` times the
 /// pull. Not finite if that limit does not exist.
 double log_bouncing(double ratio, const ThresholdPoint& point) {
-  const auto limit =
-      carrier_track::sustained_bouncing(1.0, ratio * point.friction, point.restitution);
+  const auto limit = sustained_bouncing(1.0, ratio * point.friction, point.restitution);
   return limit ? 0.5 * std::log(limit->force) : std::numeric_limits<double>::infinity();
 }
 
@@ -94,7 +93,7 @@ BouncingFit bouncing_fit(double ratio, const Points& points) {
 
 /// The best ratio of a coarse scan, refined between its neighbours. Friction must be smaller than
 /// the pull, which bounds the ratio.
-Constants fit_bouncing(const Points& points) {
+Solved fit_bouncing(const Points& points) {
   double highest = 0;
   for (const ThresholdPoint& point : points) highest = std::max(highest, point.friction);
   if (!(highest > 0)) return std::nullopt;
@@ -144,7 +143,7 @@ std::optional<double> left_out_error(const Formula& formula, const Points& point
   for (std::size_t i = 0; i < points.size(); ++i) {
     Points others = points;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const Constants constants = formula.fit(others);
+    const Solved constants = formula.fit(others);
     if (!constants) return std::nullopt;
     const double predicted = formula.threshold(*constants, points[i]);
     if (!std::isfinite(predicted)) return std::nullopt;
@@ -201,10 +200,10 @@ Formula friction_formula() {
 
 std::optional<FormulaFit> fitted(const Formula& formula, const Points& points) {
   if (points.size() <= formula.constants.size()) return std::nullopt;
-  const Constants constants = formula.fit(points);
+  const Solved constants = formula.fit(points);
   if (!constants) return std::nullopt;
   return FormulaFit{*constants, errors_of(points, predictions(formula, *constants, points)),
                     left_out_error(formula, points)};
 }
 
-}  // namespace ricochet::studies::reproduction
+}  // namespace ricochet::carrier_track::inline paper

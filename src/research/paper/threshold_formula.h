@@ -6,7 +6,7 @@
 #include <vector>
 
 /// How much of a list of thresholds simple formulas explain.
-namespace ricochet::studies::reproduction {
+namespace ricochet::carrier_track::inline paper {
 
 /// The threshold of a case, of the paper or computed.
 struct ThresholdPoint {
@@ -66,4 +66,4 @@ struct FormulaFit {
 /// Nothing unless there are more points than parameters and they determine these.
 std::optional<FormulaFit> fitted(const Formula& formula, const std::vector<ThresholdPoint>& points);
 
-}  // namespace ricochet::studies::reproduction
+}  // namespace ricochet::carrier_track::inline paper

@@ -186,6 +186,28 @@ bool BorderCurve::follow_to(double constant) {
   return true;
 }
 
+std::string name_of(CurveEnd end) {
+  switch (end) {
+    case CurveEnd::range:
+      return "range";
+    case CurveEnd::fold_back:
+      return "fold-back";
+    case CurveEnd::other_border:
+      return "other-border";
+    case CurveEnd::impact_missing:
+      return "impact-missing";
+    case CurveEnd::speeds:
+      return "speeds";
+    case CurveEnd::other_motion:
+      return "other-motion";
+    case CurveEnd::not_sharp:
+      return "not-sharp";
+    case CurveEnd::not_found:
+      return "not-found";
+  }
+  return "";
+}
+
 Border<SteadyMotion> border_between(const Regime& slower, const Regime& faster) {
   return {slower.to, slower.ends_by, steady_motion(slower.last.orbit),
           steady_motion(faster.first.orbit)};

@@ -21,9 +21,14 @@ enum class CurveEnd {
   fold_back,       ///< it turns back: no such border beyond
   other_border,    ///< the motion itself changes: another border ends this one
   impact_missing,  ///< the impact that passes the counting limit is no longer there
-  no_machine,      ///< no machine has such a constant
+  speeds,          ///< it leaves the range of speeds
+  other_motion,    ///< there the carrier is on another motion when its speed rises slowly
+  not_sharp,       ///< such a border is not followed: beside a motion that does not repeat
   not_found        ///< the border is not found beyond, for none of these reasons
 };
+
+/// The name as it stands in JSON: "fold-back".
+std::string name_of(CurveEnd end);
 
 /// A border for machines with other values of one constant (see continuation_constants).
 ///

@@ -150,8 +150,7 @@ std::vector<Piece> pieces_of(const MapColumn& column, double from, double to) {
 /// The part of a strip between two of its borders.
 class Gap {
  public:
-  Gap(const MapColumn& left, const MapColumn& right, const StripLink& lower,
-      const StripLink& upper)
+  Gap(const MapColumn& left, const MapColumn& right, const StripLink& lower, const StripLink& upper)
       : lower_(lower), upper_(upper) {
     const auto between = [&](const MapColumn& column, std::size_t part) {
       return pieces_of(column, lower.points[part].omega, upper.points[part].omega);

@@ -16,8 +16,8 @@
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
-constexpr int finest = 16;   // parts of the distance of two values, where regimes are refined
-constexpr int at_most = 4;   // times as many columns as values
+constexpr int finest = 16;  // parts of the distance of two values, where regimes are refined
+constexpr int at_most = 4;  // times as many columns as values
 constexpr int most_values = 10'000;
 
 Scene machine_at(const Scene& machine, const std::string& constant, double value) {
@@ -33,13 +33,12 @@ bool is_disturbed(const Scene& scene) {
 
 void check_options(const Scene& machine, const RegimeMapOptions& options) {
   constant_named(machine, options.constant);
-  const std::string origin =
-      fmt::format("{} {} to {}", options.constant, options.from, options.to);
+  const std::string origin = fmt::format("{} {} to {}", options.constant, options.from, options.to);
   if (!(options.from < options.to && std::isfinite(options.from) && std::isfinite(options.to))) {
     throw InputError(origin + ": must rise");
   }
-  if (!(options.values >= 2 && options.values <= most_values)) {
-    throw InputError(fmt::format("values: {} is not within 2..{}", options.values, most_values));
+  if (options.values && !(*options.values >= 2 && *options.values <= most_values)) {
+    throw InputError(fmt::format("values: {} is not within 2..{}", *options.values, most_values));
   }
   check_regimes_exist(machine, "scene");
   for (const double end : {options.from, options.to}) {
@@ -64,13 +63,14 @@ class MapMaker {
       set_constant(scene, options.constant, value);
       if (is_disturbed(scene)) map_.followed = false;
     }
+    values_ = options.values.value_or(map_.followed ? usual_values : few_values);
   }
 
   RegimeMap map() {
     solve(first_values());
-    for (int parts = 2; parts <= finest; parts *= 2) {
+    for (int parts = 2; map_.followed && parts <= finest; parts *= 2) {
       const std::vector<double> refined = values_between();
-      const auto limit = static_cast<std::size_t>(at_most * options_.values);
+      const auto limit = static_cast<std::size_t>(at_most * values_);
       if (refined.empty() || columns_.size() + refined.size() > limit) break;
       solve(refined);
     }
@@ -89,11 +89,10 @@ class MapMaker {
 
   std::vector<double> first_values() const {
     std::vector<double> values;
-    for (int k = 0; k < options_.values; ++k) {
-      const double share = k / (options_.values - 1.0);
-      values.push_back(k + 1 == options_.values
-                           ? options_.to
-                           : options_.from + share * (options_.to - options_.from));
+    for (int k = 0; k < values_; ++k) {
+      const double share = k / (values_ - 1.0);
+      values.push_back(k + 1 == values_ ? options_.to
+                                        : options_.from + share * (options_.to - options_.from));
     }
     if (map_.own > options_.from && map_.own < options_.to) {
       // In place of a value that is the same but for rounding.
@@ -170,8 +169,13 @@ class MapMaker {
     const std::size_t border = link.left ? *link.left : *link.right;
     const Regime& slower = column.regimes[border];
     const Regime& faster = column.regimes[border + 1];
-    map_.curves.push_back({slower.ends_by, slower.most_per_turn, faster.most_per_turn, {},
-                           link.left && first ? CurveEnd::range : link.end, CurveEnd::range, {}});
+    map_.curves.push_back({slower.ends_by,
+                           slower.most_per_turn,
+                           faster.most_per_turn,
+                           {},
+                           link.left && first ? CurveEnd::range : link.end,
+                           CurveEnd::range,
+                           {}});
     // A curve that begins at a column is one that did not lead there from the column before.
     if (link.left && !first) map_.curves.back().begins = CurveEnd::other_motion;
     return map_.curves.size() - 1;
@@ -229,6 +233,7 @@ class MapMaker {
 
   const Scene& machine_;
   const RegimeMapOptions& options_;
+  int values_;
   RegimeMap map_;
   std::map<double, MapColumn> columns_;
   std::map<double, Strip> strips_;

@@ -10,12 +10,16 @@
 /// The regimes of machines that differ in one constant: a map of speed and constant.
 namespace ricochet::carrier_track::inline regimes {
 
+inline constexpr int usual_values = 61;
+inline constexpr int few_values = 13;
+
 struct RegimeMapOptions {
   std::string constant;  ///< see continuation_constants()
   double from, to;       ///< of the constant, in its own unit, from < to
   /// Values of the constant, evenly spaced, both ends among them, at which the regimes are solved;
-  /// those of the machine come on top, and more where the regimes of neighbours differ.
-  int values = 61;
+  /// the machine's own comes on top, and more where neighbours differ. If missing: usual_values, or
+  /// under a disturbance few_values, none on top but the machine's own.
+  std::optional<int> values = {};
   RegimeOptions speeds = {};
 };
 
@@ -54,11 +58,11 @@ struct MapRegion {
 
 struct RegimeMap {
   RegimeMapOptions options;
-  double own;                       ///< the machine's own value of the constant
-  bool followed;                    ///< false under a disturbance
-  std::vector<MapColumn> columns;   ///< by rising constant
-  std::vector<MapCurve> curves;     ///< by their speed at the first point
-  std::vector<MapRegion> regions;   ///< they cover the map
+  double own;                      ///< the machine's own value of the constant
+  bool followed;                   ///< false under a disturbance
+  std::vector<MapColumn> columns;  ///< by rising constant
+  std::vector<MapCurve> curves;    ///< by their speed at the first point
+  std::vector<MapRegion> regions;  ///< they cover the map
 
   /// The most collisions in a turn of a machine of the map; nothing outside of it.
   std::optional<double> collisions_at(double constant, double omega) const;

@@ -35,8 +35,8 @@ bool is_beside_a_border(const RegimeMap& map, double constant, double omega, dou
       const auto& b = region.edges[i + 1];
       if (constant < a.constant || constant > b.constant || a.constant == b.constant) continue;
       const double share = (constant - a.constant) / (b.constant - a.constant);
-      for (const double edge : {a.lower + share * (b.lower - a.lower),
-                                a.upper + share * (b.upper - a.upper)}) {
+      for (const double edge :
+           {a.lower + share * (b.lower - a.lower), a.upper + share * (b.upper - a.upper)}) {
         if (std::abs(edge / omega - 1) < reach) return true;
       }
     }
@@ -86,9 +86,8 @@ TEST(RegimeMap, HasThePointsAndSlopesOfBordersSolvedAnew) {
     other.restitution_lower = other.restitution_upper = restitution;
     return *quiet_up_to(other, 2, over_restitution().speeds);
   };
-  const auto curve = std::ranges::find_if(map.curves, [&](const MapCurve& a_curve) {
-    return a_curve.own && a_curve.slower == 2;
-  });
+  const auto curve = std::ranges::find_if(
+      map.curves, [&](const MapCurve& a_curve) { return a_curve.own && a_curve.slower == 2; });
   ASSERT_NE(curve, map.curves.end());
   ASSERT_GT(curve->points.size(), 100U);
   EXPECT_EQ(curve->begins, CurveEnd::speeds);
@@ -142,8 +141,7 @@ TEST(RegimeMap, JoinsTheBordersOfDisturbedMachines) {
 TEST(RegimeMap, RefusesWhatIsNoRangeOfMachines) {
   const Scene machine = machine_of("C1");
   const auto refuses = [&](const RegimeMapOptions& options, const char* part) {
-    EXPECT_THAT([&] { regime_map(machine, options); },
-                ThrowsMessage<InputError>(HasSubstr(part)));
+    EXPECT_THAT([&] { regime_map(machine, options); }, ThrowsMessage<InputError>(HasSubstr(part)));
   };
   refuses({"restitution", 0.5, 1.5}, "restitution");
   refuses({"restitution", 0.5, 0.5}, "must rise");

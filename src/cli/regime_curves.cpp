@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
+#include <string>
 
 #include "problems/carrier_track/advice/regime_curve_table.h"
 #include "problems/carrier_track/advice/regime_map_chart.h"
@@ -20,6 +22,12 @@ namespace {
 using namespace carrier_track;
 using namespace studies::advice;
 
+/// "normal force" for normal_force.
+std::string words_for(std::string constant) {
+  std::ranges::replace(constant, '_', ' ');
+  return constant;
+}
+
 /// Whether two machines are equal but for that constant.
 bool differ_in_one(const std::string& constant, const Scene& a, Scene b) {
   if (constant == "restitution" && b.restitution_lower != b.restitution_upper) return false;
@@ -28,7 +36,7 @@ bool differ_in_one(const std::string& constant, const Scene& a, Scene b) {
 }
 
 /// The machine, and the paper's thresholds of all cases that are on its map.
-MapMarks marks_of(const ChosenScene& chosen, const RegimeMap& map) {
+MapMarks marks_of(const ChosenScene& chosen, const RegimeMap& map, const ShownUnit& unit) {
   const std::string& constant = map.options.constant;
   MapMarks marks;
   const auto is_on_map = [&](double value) {
@@ -36,21 +44,24 @@ MapMarks marks_of(const ChosenScene& chosen, const RegimeMap& map) {
   };
   if (is_on_map(map.own)) {
     marks.machines.push_back(
-        {map.own, fmt::format("{}: {} {:.4g}", chosen.name, constant, map.own)});
+        {map.own, fmt::format("{}: {} {:.4g}{}{}", chosen.name, words_for(constant),
+                              map.own / unit.size, unit.name.empty() ? "" : " ", unit.name)});
   }
   for (const ChosenScene& other : every_case()) {
     const double value = constant_named(other.scene, constant);
     if (!other.claim.threshold || !is_on_map(value)) continue;
     if (!differ_in_one(constant, chosen.scene, other.scene)) continue;
-    marks.thresholds.push_back({value, *other.claim.threshold, other.name});
+    marks.thresholds.push_back({value, *other.claim.threshold,
+                                fmt::format("{}: {:.4g}", other.name, *other.claim.threshold)});
   }
   return marks;
 }
 
 report::Plot plot_of(const ChosenScene& chosen, const RegimeMap& map, const ShownUnit& unit) {
-  const std::string title = fmt::format("{}: collisions a turn in the long run, over speed and {}",
-                                        chosen.name, map.options.constant);
-  return report::plot_of({regime_map_chart(map, title, unit, marks_of(chosen, map))});
+  const std::string title =
+      fmt::format("Collisions a turn in the long run: {} with other values of the {}", chosen.name,
+                  words_for(map.options.constant));
+  return report::plot_of({regime_map_chart(map, title, unit, marks_of(chosen, map, unit))});
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ struct Area {
   std::string label;            ///< its entry in the legend; empty: no entry
   std::optional<double> shade;  ///< its place in the palette of heat maps; if missing: hatched
   std::vector<std::vector<Edge>> parts;  ///< each by rising position
-  std::string name = {};                 ///< written into each part with enough room
+  std::string name = {};                 ///< written into it, if it has room
 };
 
 /// Coloured cells over the categories of x and y. A cell without a value is hatched.

@@ -1,6 +1,7 @@
 #include "src/report/painted_areas.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace ricochet::report {
 namespace {
 
 constexpr int name_size = 12;    // pixels
-constexpr double name_room = 5;  // on each side of a name
+constexpr double name_step = 4;  // between places that are tried, pixels
+constexpr double name_room = 2;  // on each side of a name
 
 /// Pale enough for lines and names on top.
 Brush brush_of_area(const Area& area, Drawing& drawing) {
@@ -31,28 +33,60 @@ Outline outline_of_part(const std::vector<Area::Edge>& part, const Chart& chart,
   return outline;
 }
 
-/// Where a name fits best into a part: where that is highest, off its ends.
-std::optional<Pixel> place_of_name(const std::string& name, const std::vector<Area::Edge>& part,
-                                   const Chart& chart, const Frame& frame) {
-  const double half = text_width(name, name_size) / 2.0 + name_room;
-  const Box& plot = frame.plot;
-  const auto x_of = [&](const Area::Edge& edge) {
-    return place_of(chart, frame, edge.position, edge.between.lower).x;
-  };
-  const double from = std::max(plot.left, x_of(part.front()));
-  const double to = std::min(plot.right, x_of(part.back()));
-  double highest = name_size + 2 * name_room;
-  std::optional<Pixel> best;
-  for (const Area::Edge& edge : part) {
-    const double x = x_of(edge);
-    if (x - half < from || x + half > to) continue;
+/// A place for a name, and the least room around it.
+struct NamePlace {
+  Pixel place;
+  double room;  ///< pixels, from the name's middle to the nearest border of its area
+};
+
+/// A part of an area at one position, within the plot [pixels].
+struct Side {
+  double x, top, bottom;
+};
+
+/// A part of an area, at positions that are close to each other.
+std::vector<Side> sides_of(const std::vector<Area::Edge>& part, const Chart& chart,
+                           const Frame& frame) {
+  const auto side_at = [&](const Area::Edge& edge) {
     const Pixel low = place_of(chart, frame, edge.position, edge.between.lower);
     const Pixel high = place_of(chart, frame, edge.position, edge.between.upper);
-    const double bottom = std::min(low.y, plot.bottom), top = std::max(high.y, plot.top);
-    if (bottom - top > highest) {
-      highest = bottom - top;
-      best = Pixel{x, (bottom + top) / 2 + 4};
+    return Side{low.x, high.y, low.y};
+  };
+  std::vector<Side> sides = {side_at(part.front())};
+  for (std::size_t i = 1; i < part.size(); ++i) {
+    const Side from = sides.back(), to = side_at(part[i]);
+    const int steps = std::max(1, static_cast<int>((to.x - from.x) / name_step));
+    for (int k = 1; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
+      sides.push_back({from.x + share * (to.x - from.x), from.top + share * (to.top - from.top),
+                       from.bottom + share * (to.bottom - from.bottom)});
     }
+  }
+  std::erase_if(sides, [&](const Side& side) {
+    return side.x < frame.plot.left || side.x > frame.plot.right;
+  });
+  for (Side& side : sides) {
+    side.top = std::max(side.top, frame.plot.top);
+    side.bottom = std::min(side.bottom, frame.plot.bottom);
+  }
+  return sides;
+}
+
+/// Where a name fits best into a part of an area.
+std::optional<NamePlace> place_of_name(const std::string& name, const std::vector<Area::Edge>& part,
+                                       const Chart& chart, const Frame& frame) {
+  const double half = text_width(name, name_size) / 2.0 + name_room;
+  const std::vector<Side> sides = sides_of(part, chart, frame);
+  std::optional<NamePlace> best;
+  for (const Side& side : sides) {
+    const double middle = (side.top + side.bottom) / 2;
+    double room = std::min(side.x - half - sides.front().x, sides.back().x - half - side.x);
+    for (const Side& other : sides) {
+      if (std::abs(other.x - side.x) > half) continue;
+      room = std::min(
+          {room, middle - name_size / 2.0 - other.top, other.bottom - middle - name_size / 2.0});
+    }
+    if (room > 0 && (!best || room > best->room)) best = NamePlace{{side.x, middle + 4}, room};
   }
   return best;
 }
@@ -73,15 +107,15 @@ void paint_areas(const Chart& chart, const Frame& frame, const std::string& clip
 void write_names_of_areas(const Chart& chart, const Frame& frame, Drawing& drawing) {
   for (const Area& area : chart.areas) {
     if (area.name.empty()) continue;
-    std::vector<Writing> writings;
+    std::optional<NamePlace> best;
     for (const auto& part : area.parts) {
-      if (const auto place = place_of_name(area.name, part, chart, frame)) {
-        writings.push_back({*place, area.name});
-      }
+      const auto place = place_of_name(area.name, part, chart, frame);
+      if (place && (!best || place->room > best->room)) best = place;
     }
+    if (!best) continue;
     const bool dark = area.shade && *area.shade < 0.25;
     drawing.write({.colour = dark ? "#ffffff" : "#222222", .anchor = "middle", .size = name_size},
-                  writings);
+                  {{best->place, area.name}});
   }
 }
 

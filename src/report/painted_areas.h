@@ -11,7 +11,7 @@ namespace ricochet::report {
 /// Paints the areas of a chart, within its clipping region.
 void paint_areas(const Chart& chart, const Frame& frame, const std::string& clip, Drawing& drawing);
 
-/// Writes the names of the areas into those parts that have room.
+/// Writes the name of each area into it, where it has most room, if it has any.
 void write_names_of_areas(const Chart& chart, const Frame& frame, Drawing& drawing);
 
 /// Paints the legend's sample of an area; `from` is its left end, at half its height.

@@ -9,7 +9,7 @@ namespace ricochet::carrier_track::inline regimes {
 namespace {
 
 constexpr double same_border = 1e-7;  // relative, of the speed
-constexpr double alike = 0.3;         // of ln(speed), of borders that are matched
+constexpr double alike = 1.0;         // of ln(speed), of borders that are matched
 constexpr double sliver = 1e-7;       // relative: what rounding leaves between two solutions
 
 double place_in(const MapColumn& left, const MapColumn& right, std::size_t part) {

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int finest = 16;  // parts of the distance of two values, where regimes are refined
 constexpr int at_most = 4;  // times as many columns as values
+constexpr double least_width = 1e-9;  // relative, of a regime
 constexpr int most_values = 10'000;
 
 Scene machine_at(const Scene& machine, const std::string& constant, double value) {
@@ -29,6 +30,20 @@ Scene machine_at(const Scene& machine, const std::string& constant, double value
 
 bool is_disturbed(const Scene& scene) {
   return scene.disturbance != 0 && scene.disturbance_frequency != 0;
+}
+
+/// Without regimes of no width: where impacts of one speed pass the counting limit, rounding makes
+/// one border two.
+std::vector<Regime> of_some_width(std::vector<Regime> regimes) {
+  for (std::size_t i = 1; i + 1 < regimes.size();) {
+    if (regimes[i].to - regimes[i].from > least_width * regimes[i].to) {
+      ++i;
+      continue;
+    }
+    regimes[i + 1].from = regimes[i].from;
+    regimes.erase(regimes.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return regimes;
 }
 
 void check_options(const Scene& machine, const RegimeMapOptions& options) {
@@ -117,7 +132,7 @@ class MapMaker {
     std::vector<MapColumn> solved(values.size());
     tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
       const Scene scene = machine_at(machine_, options_.constant, values[i]);
-      solved[i] = {values[i], regimes_of(scene, options_.speeds)};
+      solved[i] = {values[i], of_some_width(regimes_of(scene, options_.speeds))};
     });
     for (MapColumn& column : solved) columns_[column.constant] = std::move(column);
     std::vector<std::pair<const MapColumn*, const MapColumn*>> open;

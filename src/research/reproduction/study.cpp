@@ -124,6 +124,7 @@ Json data_of(const Results& results) {
           {"counts", curve_data(results.cases)},
           {"sharpness", sharpness_data(results.cases)},
           {"steps", step_data(results.cases)},
+          {"regime_maps", regime_map_data(results.cases)},
           {"conclusions", conclusion_data(results.grid, results.trends)},
           {"paths", path_data(results.cases)},
           {"crossing", crossing_data()},

@@ -18,7 +18,8 @@ constexpr double converged = 1e-12;     // relative change of the speed
 constexpr double farthest = 0.1;        // relative change of the speed in a step
 constexpr double shortest_part = 1e-6;  // share of the way asked for
 constexpr int iterations = 8;
-constexpr double steep = 10;  // change of ln(speed) over the way, at a slope that turns back
+constexpr int most_changes = 12;  // tries in a row that meet another motion, which may take long
+constexpr double steep = 10;      // change of ln(speed) over the way, at a slope that turns back
 constexpr double shortest_solved_part = 1e-4;  // the same for what is solved anew
 constexpr double beside_a_fold =
     1e-4;  // relative: there the orbit that vanishes is found with ease
@@ -160,8 +161,9 @@ bool BorderCurve::follow_to(double constant) {
   const bool exact = kind_ == RegimeEnd::counting_limit || kind_ == RegimeEnd::release;
   const double shortest = (exact ? shortest_part : shortest_solved_part) * std::abs(way);
   CurveEnd obstacle = CurveEnd::range;
+  int changes = 0;
   while (here_.constant != constant) {
-    if (std::abs(step) < shortest) {
+    if (std::abs(step) < shortest || changes > most_changes) {
       const double rise = std::abs(here_.slope * way / here_.omega);
       end_ = obstacle != CurveEnd::other_border && rise > steep ? CurveEnd::fold_back : obstacle;
       return false;
@@ -175,11 +177,13 @@ bool BorderCurve::follow_to(double constant) {
     const auto point = near ? solved(there, guess, motion) : std::nullopt;
     if (!point || std::abs(point->omega / guess - 1) > farthest) {
       obstacle = end_;
+      if (obstacle == CurveEnd::other_border) ++changes;
       step /= 2;
       continue;
     }
     here_ = *point;
     motion_ = motion;
+    changes = 0;
     step *= 2;
   }
   end_ = CurveEnd::range;

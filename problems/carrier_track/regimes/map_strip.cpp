@@ -211,7 +211,10 @@ StripLink level(const MapColumn& left, const MapColumn& right, double omega) {
 
 std::vector<StripLink> strip_links(const MapColumn& left, const MapColumn& right,
                                    const RegimeMapOptions& options, bool followed) {
-  if (!followed) return matched(left, right);
+  const auto is_irregular = [](const Regime& regime) { return !regime.certain; };
+  const bool sharp = std::ranges::none_of(left.regimes, is_irregular) &&
+                     std::ranges::none_of(right.regimes, is_irregular);
+  if (!followed || !sharp) return matched(left, right);
   std::vector<StripLink> links;
   std::vector<bool> reached(right.regimes.size(), false);
   const Follower onwards(left, right, options);

@@ -25,7 +25,8 @@ struct StripLink {
   bool leads_through() const { return points.size() == strip_parts + 1; }
 };
 
-/// The borders between two columns. `followed`: by continuation, else by their kind and counts.
+/// The borders between two columns. `followed`: by continuation, unless a motion of a column does
+/// not repeat; else by their kind and counts.
 std::vector<StripLink> strip_links(const MapColumn& left, const MapColumn& right,
                                    const RegimeMapOptions& options, bool followed);
 

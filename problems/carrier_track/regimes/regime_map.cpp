@@ -123,7 +123,9 @@ class MapMaker {
   std::vector<double> values_between() const {
     std::vector<double> values;
     for (const auto& [from, strip] : strips_) {
-      if (!strip.regions.whole) values.push_back(0.5 * (from + strip.to));
+      const bool sharp = std::ranges::all_of(columns_.at(from).regimes,
+                                             [](const Regime& regime) { return regime.certain; });
+      if (sharp && !strip.regions.whole) values.push_back(0.5 * (from + strip.to));
     }
     return values;
   }

@@ -70,9 +70,10 @@ struct RegimeMap {
 
 /// The map of a valid machine. Its borders are followed from value to value of the constant by
 /// continuation; where that does not lead from the regimes at one value to those at the next, the
-/// regimes at more values between are solved. Under a disturbance that does not repeat, borders of
-/// one kind and count are joined by straight lines. Throws InputError for an unknown constant, an
-/// invalid range, a range that leaves the valid machines, or as regimes_of() does. In parallel.
+/// regimes at more values between are solved. Under a disturbance, and beside motions that do not
+/// repeat, borders of one kind and count are joined by straight lines. Throws InputError for an
+/// unknown constant, an invalid range, a range that leaves the valid machines, or as regimes_of()
+/// does. In parallel.
 RegimeMap regime_map(const Scene& machine, const RegimeMapOptions& options);
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -40,8 +40,8 @@ report::Json path_data(const std::vector<CaseStudy>& cases);
 report::Json crossing_data();
 
 /// Collisions a turn in the long run over restitution and speed, a map for each friction, with the
-/// paper's thresholds of the cases without disturbance.
-report::Json regime_map_data(const std::vector<CaseStudy>& cases);
+/// paper's thresholds of the cases without disturbance. Null without maps.
+report::Json regime_map_data(const std::vector<RestitutionMap>& maps);
 
 /// How well each solver finds the fewest collisions and the fastest quiet speed.
 report::Json comparison_data(const std::optional<StoredCampaign>& comparison);

@@ -44,7 +44,7 @@ Json series_of(const report::Chart& chart) {
 }
 
 /// The map of the machine of `cases`, which differ in their restitution alone.
-Json map_of(const std::vector<const CaseStudy*>& cases) {
+RestitutionMap map_of(const std::vector<const CaseStudy*>& cases) {
   MapMarks marks;
   std::string ids;
   for (const CaseStudy* c : cases) {
@@ -55,27 +55,36 @@ Json map_of(const std::vector<const CaseStudy*>& cases) {
           {c->the_case.restitution, *threshold, fmt::format("{}: {:.4g}", id, *threshold)});
     }
   }
-  const RegimeMap map = regime_map(cases.front()->scene, {"restitution", least, most, values});
-  const report::Chart chart = advice::regime_map_chart(map, "", {}, marks);
-  return {{"friction", cases.front()->the_case.friction},
-          {"cases", ids},
+  return {cases.front()->the_case.friction, ids,
+          regime_map(cases.front()->scene, {"restitution", least, most, values}), marks};
+}
+
+Json json_of(const RestitutionMap& shown) {
+  const report::Chart chart = advice::regime_map_chart(shown.map, "", {}, shown.marks);
+  return {{"friction", shown.friction},
+          {"cases", shown.cases},
           {"least", least},
           {"most", most},
-          {"fastest", map.options.speeds.to},
+          {"fastest", shown.map.options.speeds.to},
           {"areas", areas_of(chart)},
           {"series", series_of(chart)}};
 }
 
 }  // namespace
 
-Json regime_map_data(const std::vector<CaseStudy>& cases) {
+std::vector<RestitutionMap> restitution_maps(const std::vector<CaseStudy>& cases) {
   std::map<double, std::vector<const CaseStudy*>> machines;  // by friction
   for (const CaseStudy& c : cases) {
     if (c.the_case.disturbance == 0) machines[c.the_case.friction].push_back(&c);
   }
-  Json maps = Json::array();
+  std::vector<RestitutionMap> maps;
   for (const auto& [friction, of_it] : machines) maps.push_back(map_of(of_it));
-  return {{"maps", std::move(maps)}};
+  return maps;
+}
+
+Json regime_map_data(const std::vector<RestitutionMap>& maps) {
+  if (maps.empty()) return {};
+  return {{"maps", report::list_of(maps, json_of)}};
 }
 
 }  // namespace ricochet::studies::reproduction

@@ -87,7 +87,7 @@ std::optional<BorderPoint> BorderCurve::limit_passed(double constant, double ome
     const double rise = along(speed, OrbitMap::omega_index);
     const double limit_rise = key_ == "counting_limit" ? 1 : 0;
     const double step = (speed.a - scene.counting_limit) / rise;
-    const double slope = -(along(speed, OrbitMap::constant_index) - limit_rise) / rise;
+    const double slope = (limit_rise - along(speed, OrbitMap::constant_index)) / rise;
     motion = next;
     if (std::abs(step) <= converged * omega) return BorderPoint{constant, omega, slope};
     omega -= step;
@@ -110,7 +110,7 @@ std::optional<BorderPoint> BorderCurve::released(double constant, double omega,
     if (!std::isfinite(step)) return std::nullopt;
     if (std::abs(step) <= converged * omega) {
       motion = followed(motion, at_speed(scene, omega * (1 - onward_ * converged)));
-      return BorderPoint{constant, omega, -margin.over_constant / margin.over_omega};
+      return BorderPoint{constant, omega, (0 - margin.over_constant) / margin.over_omega};
     }
     omega -= step;
     if (!(omega > 0)) return std::nullopt;

@@ -3,6 +3,7 @@
 /// @file
 /// The regimes of a machine: what its carrier does in the long run, over the speed.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -92,5 +93,35 @@ double most_per_turn(const Scene& scene);
 /// first regime is louder; options.to if none is.
 std::optional<double> quiet_up_to(const Scene& scene, double at_most,
                                   const RegimeOptions& options = {});
+
+/// A motion that carriers settle on, and how many of the sampled starts lead to it.
+struct Basin {
+  LongRun motion;  ///< of the first such start; averages where the motion does not repeat
+  int turns;       ///< of one period; 0 if the motion does not repeat
+  int starts;
+};
+
+struct BasinOptions {
+  int starts = 1000;       ///< 1..10,000,000
+  std::uint64_t seed = 1;  ///< of the random starts
+  /// [m], highest start above the lower wall; if missing: the clearance, which must be finite.
+  std::optional<double> height = {};
+  /// [m/s], fastest start; if missing: the largest of the scene's own start velocity, of the
+  /// fastest impact in its long run, and of height times speed.
+  std::optional<double> fastest = {};
+};
+
+/// The motions between which starts divide.
+struct Basins {
+  double height, fastest;     ///< [m], [m/s], of the sampled starts
+  std::vector<Basin> basins;  ///< the most frequent first
+};
+
+/// Samples starts of a machine at its constant speed, position, velocity (both signs) and phase
+/// uniform, and lets each settle. Motions with the same period, collisions, energy, fastest impact
+/// and share at rest, all to 1e-6, are one, as mirror images are; all that do not repeat are one.
+/// The same seed gives the same starts. Throws InputError if the scene or an option is invalid, if
+/// a disturbance does not repeat within 16 turns, or as check_regimes_exist() does. In parallel.
+Basins basins_of(const Scene& scene, const BasinOptions& options = {});
 
 }  // namespace ricochet::carrier_track::inline regimes

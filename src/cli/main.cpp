@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/regimes/orbit_map.h"
+#include "problems/carrier_track/regimes/regime_map.h"
 #include "problems/carrier_track/scene/enum_names.h"
 #include "ricochet/error.h"
 #include "ricochet/recording.h"
@@ -142,17 +144,59 @@ class Program : public CommandLine {
   }
 
   void add_regimes() {
-    CLI::App* command = add("regimes", "Show what the carrier does in the long run, over the speed",
-                            "  ricochet regimes --case C1\n"
-                            "  ricochet regimes --scene machine.toml --to 10 --plot regimes.svg");
+    CLI::App* command =
+        add("regimes", "Show what the carrier does in the long run, over the speed",
+            "  ricochet regimes --case C1\n"
+            "  ricochet regimes --scene machine.toml --to 10 --plot regimes.svg\n"
+            "  ricochet regimes --case C1 --over restitution=0.05..0.95 --plot map.svg\n"
+            "  ricochet regimes --scene machine.toml --over 'clearance=0.5..2 mm'\n"
+            "  ricochet regimes --case C2 --omega 12 --starts 1000");
     add_scene_choice(command, regimes_.scene);
     add_format(command, regimes_.json);
     command->add_option("--from", regimes_.range.from, "Start of the speed range [rad/s]")
         ->capture_default_str();
     command->add_option("--to", regimes_.range.to, "End of the speed range [rad/s]")
         ->capture_default_str();
-    command->add_option("--plot", regimes_.plot, "SVG file for a chart of the collisions a turn")
+    command
+        ->add_option("--plot", regimes_.plot,
+                     "SVG file for a chart of the collisions a turn; with --over: for a map")
         ->type_name("FILE");
+    CLI::Option* over =
+        command
+            ->add_option(
+                "--over", regimes_.over,
+                "Follow every border over a constant: " +
+                    fmt::format("{}", fmt::join(carrier_track::continuation_constants(), ", ")))
+            ->type_name("CONSTANT=FROM..TO");
+    command
+        ->add_option(
+            "--values", regimes_.values,
+            fmt::format("Values of that constant to solve the regimes at; default: {}, or {} "
+                        "under a disturbance, where each takes up to some seconds",
+                        carrier_track::usual_values, carrier_track::few_values))
+        ->needs(over);
+    command
+        ->add_option("--csv", regimes_.csv, "CSV file for the points of the borders, in SI units")
+        ->type_name("FILE")
+        ->needs(over);
+    CLI::Option* starts =
+        command
+            ->add_option("--starts", regimes_.starts,
+                         "Sample so many starts at one speed: which motions do they lead to?")
+            ->excludes(over);
+    command->add_option("--omega", regimes_.omega, "That speed [rad/s], in place of the scene's")
+        ->needs(starts);
+    command->add_option("--seed", regimes_.sampled.seed, "Seed of the random starts")
+        ->capture_default_str()
+        ->needs(starts);
+    command
+        ->add_option("--height", regimes_.sampled.height,
+                     "Highest start [m] above the lower wall; default: the clearance")
+        ->needs(starts);
+    command
+        ->add_option("--start-speed", regimes_.sampled.fastest,
+                     "Fastest start [m/s]; default: from the machine")
+        ->needs(starts);
     on_call(command, [this] { return regimes(regimes_); });
   }
 

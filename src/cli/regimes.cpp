@@ -4,7 +4,9 @@
 
 #include "problems/carrier_track/advice/regime_table.h"
 #include "problems/carrier_track/advice/staircase_chart.h"
+#include "src/cli/basins.h"
 #include "src/cli/output_files.h"
+#include "src/cli/regime_curves.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/json.h"
@@ -12,6 +14,8 @@
 namespace ricochet::cli {
 
 int regimes(const RegimesOptions& options) {
+  if (!options.over.empty()) return regime_curves(options);
+  if (options.starts) return basins(options);
   const ChosenScene chosen = choose_scene(options.scene);
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
   const auto found = carrier_track::regimes_of(chosen.scene, options.range);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "ricochet/regimes.h"
@@ -11,11 +12,19 @@ struct RegimesOptions {
   SceneChoice scene;
   carrier_track::RegimeOptions range;
   bool json = false;
-  std::string plot;  ///< SVG file for collisions a turn over the speed; empty: none
+  std::string plot;  ///< SVG file for a chart; empty: none
+
+  std::string over;           ///< CONSTANT=FROM..TO: borders over it; empty: none
+  std::optional<int> values;  ///< of that constant
+  std::string csv;            ///< CSV file for the points of the borders; empty: none
+
+  std::optional<int> starts;    ///< to sample at one speed
+  std::optional<double> omega;  ///< [rad/s], that speed; if missing: the scene's
+  carrier_track::BasinOptions sampled = {};
 };
 
-/// Prints what the carrier of a machine does in the long run, from border to border. Returns the
-/// exit code.
+/// Prints what the carrier of a machine does in the long run, from border to border; or the borders
+/// over a constant; or the motions that sampled starts lead to. Returns the exit code.
 int regimes(const RegimesOptions& options);
 
 }  // namespace ricochet::cli

@@ -49,11 +49,29 @@ class Checker {
       require(sample.name.empty() || series.mark == Mark::points,
               where + ": only points have names");
       require(series.mark == Mark::points || i == 0 ||
-                  series.samples[i - 1].position <= sample.position,
+                  series.samples[i - 1].position <= sample.position ||
+                  (series.mark == Mark::line && is_gap_between(series.samples[i - 1], sample)),
               where + ": positions must rise");
     }
   }
+  static bool is_gap_between(const Sample& a, const Sample& b) { return !a.value || !b.value; }
+
+  void area(const Area& area) const {
+    for (const auto& part : area.parts) {
+      require(!part.empty(), fmt::format("area \"{}\": a part has no edge", area.label));
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const std::string where = fmt::format("area \"{}\", edge {}", area.label, i);
+        number(where, part[i].position, chart_.x);
+        range(where, part[i].between, chart_.y);
+        require(i == 0 || part[i - 1].position <= part[i].position,
+                where + ": positions must rise");
+      }
+    }
+    require(!area.shade || (*area.shade >= 0 && *area.shade <= 1),
+            fmt::format("area \"{}\": the shade must be within 0..1", area.label));
+  }
   void heat_map(const HeatMap& map) const {
+    require(chart_.areas.empty(), "has both areas and a heat map");
     require(chart_.series.empty(), "has both series and a heat map");
     require(
         !map.rows.empty() && map.rows.size() == chart_.y.categories.size(),
@@ -88,6 +106,7 @@ void check(const Chart& chart) {
   checker.axis(chart.x);
   checker.axis(chart.y);
   for (const Series& series : chart.series) checker.series(series);
+  for (const Area& area : chart.areas) checker.area(area);
   for (const ReferenceLine& line : chart.lines)
     checker.number(fmt::format("reference line \"{}\"", line.label), line.position,
                    line.direction == Direction::vertical ? chart.x : chart.y);
@@ -104,6 +123,8 @@ std::string description(const Chart& chart) {
                        fmt::join(axes, " and "));
   }
   std::vector<std::string> labels;
+  for (const Area& area : chart.areas)
+    if (!area.label.empty()) labels.push_back(area.label);
   for (const Series& series : chart.series)
     if (!series.label.empty()) labels.push_back(series.label);
   for (const ReferenceLine& line : chart.lines)

@@ -38,8 +38,22 @@ enum class Mark {
 struct Series {
   std::string label;  ///< its entry in the legend; empty: no entry
   Mark mark = Mark::line;
-  std::vector<Sample> samples;  ///< by rising position, if joined
+  std::vector<Sample> samples;  ///< by rising position between gaps, if joined
   bool pale = false;            ///< grey: a background for comparison
+  bool dark = false;            ///< nearly black: to be seen on coloured areas
+};
+
+/// A coloured area below the series.
+struct Area {
+  struct Edge {
+    double position;
+    Range between;
+  };
+
+  std::string label;            ///< its entry in the legend; empty: no entry
+  std::optional<double> shade;  ///< its place in the palette of heat maps; if missing: hatched
+  std::vector<std::vector<Edge>> parts;  ///< each by rising position
+  std::string name = {};                 ///< written into it, if it has room
 };
 
 /// Coloured cells over the categories of x and y. A cell without a value is hatched.
@@ -66,6 +80,7 @@ struct Chart {
   std::string title;
   Axis x, y;
   std::vector<Series> series = {};
+  std::vector<Area> areas = {};  ///< not below a heat map
   std::optional<HeatMap> heat_map = {};
   std::vector<ReferenceLine> lines = {};
   int width = 480, height = 320;  ///< pixels; the picture is larger if the content needs more room

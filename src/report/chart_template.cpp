@@ -77,8 +77,11 @@ Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
       part.filled_text("label", scopes),
       chosen<Mark>(part, "mark", scopes,
                    {{"line", Mark::line}, {"steps", Mark::steps}, {"points", Mark::points}}),
-      {},
-      chosen<bool>(part, "look", scopes, {{"coloured", false}, {"pale", true}})};
+      {}};
+  series.pale =
+      chosen<bool>(part, "look", scopes, {{"coloured", false}, {"pale", true}, {"dark", false}});
+  series.dark =
+      chosen<bool>(part, "look", scopes, {{"coloured", false}, {"pale", false}, {"dark", true}});
   const auto add = [&](const std::optional<double>& x, const std::optional<double>& y,
                        const std::optional<Range>& spread = {}, const std::string& name = {}) {
     if (!has_place(chart.x, x)) return;
@@ -102,10 +105,26 @@ Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
           part.filled_text("name", in_row));
     }
   }
-  if (series.mark != Mark::points) {
+  const bool sorts = chosen<bool>(part, "order", scopes, {{"up", true}, {"given", false}});
+  if (series.mark != Mark::points && sorts) {
     std::ranges::stable_sort(series.samples, {}, &Sample::position);
   }
   return series;
+}
+
+Area area_of(const Part& part, const Scopes& scopes) {
+  Area area{part.filled_text("label", scopes),
+            part.number("shade", scopes),
+            {},
+            part.filled_text("name", scopes)};
+  for (const Json& edges : found_in(scopes, part.text("parts"))) {
+    auto& added = area.parts.emplace_back();
+    for (const Json& edge : edges) {
+      added.push_back(
+          {edge.at(0).get<double>(), {edge.at(1).get<double>(), edge.at(2).get<double>()}});
+    }
+  }
+  return area;
 }
 
 HeatMap heat_map_of(const Part& part, const Part& y, const Scopes& scopes) {
@@ -132,6 +151,9 @@ Chart chart_of(const Part& part, const Scopes& scopes) {
   chart.title = filled(part.text("title"), scopes);
   chart.x = axis_of(part.part("x"), scopes);
   chart.y = axis_of(part.part("y"), scopes);
+  for (const Part& area : part.parts("areas")) {
+    for (const Scopes& place : places_of(area, scopes)) chart.areas.push_back(area_of(area, place));
+  }
   for (const Part& series : part.parts("series")) {
     for (const Scopes& place : places_of(series, scopes)) {
       chart.series.push_back(series_of(series, place, chart));

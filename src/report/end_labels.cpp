@@ -57,6 +57,7 @@ void move_apart(std::vector<EndLabel>& labels, double distance) {
 std::vector<EndLabel> end_labels(const Chart& chart, const Range& x, const Range& y,
                                  double height) {
   std::vector<EndLabel> labels;
+  if (!chart.areas.empty()) return {};  // which need a legend, with the series in it
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& series = chart.series[i];
     if (series.label.empty()) continue;

@@ -48,6 +48,14 @@ Range data_limits(const Chart& chart, Direction of_lines) {
         values.insert(values.end(), {sample.spread->lower, sample.spread->upper});
     }
   }
+  for (const Area& area : chart.areas) {
+    for (const auto& part : area.parts) {
+      for (const Area::Edge& edge : part) {
+        if (positions) values.push_back(edge.position);
+        if (!positions) values.insert(values.end(), {edge.between.lower, edge.between.upper});
+      }
+    }
+  }
   return limits(values, axis.scale);
 }
 
@@ -87,6 +95,8 @@ std::vector<LegendEntry> legend_of(const Chart& chart, const std::vector<EndLabe
     if (has_gaps(*chart.heat_map)) legend.push_back({Of::cells_without_value, 0, "no value"});
     return legend;
   }
+  for (std::size_t i = 0; i < chart.areas.size(); ++i)
+    if (!chart.areas[i].label.empty()) legend.push_back({Of::area, i, chart.areas[i].label});
   for (std::size_t i = 0; i < chart.series.size() && ends.empty(); ++i)
     if (!chart.series[i].label.empty()) legend.push_back({Of::series, i, chart.series[i].label});
   const std::vector<std::string> lines = line_labels(chart);

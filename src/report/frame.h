@@ -10,9 +10,9 @@
 
 namespace ricochet::report {
 
-/// An entry of the legend, of series or line number `index`.
+/// An entry of the legend, of area, series or line number `index`.
 struct LegendEntry {
-  enum class Of { series, line, cells_without_value } of;
+  enum class Of { area, series, line, cells_without_value } of;
   std::size_t index;
   std::string label;
   Pixel place = {};  ///< of the sample's left end, on the text's base line

@@ -20,6 +20,12 @@ SeriesLook series_look(std::size_t n) {
   return {colours[n % colours.size()], dashes[n % dashes.size()], markers[n % markers.size()]};
 }
 
+SeriesLook dark_look(std::size_t n) {
+  SeriesLook look = series_look(n);
+  look.colour = "#1a1a1a";
+  return look;
+}
+
 SeriesLook pale_look() {
   return {"#9a9a9a", "", {0, true}};
 }

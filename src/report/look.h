@@ -24,6 +24,9 @@ struct SeriesLook {
 };
 SeriesLook series_look(std::size_t n);
 
+/// Style of the n-th series if it is dark: its dashes.
+SeriesLook dark_look(std::size_t n);
+
 /// Style of a series in the background.
 SeriesLook pale_look();
 

@@ -7,6 +7,7 @@
 #include "src/report/frame.h"
 #include "src/report/look.h"
 #include "src/report/names_of_points.h"
+#include "src/report/painted_areas.h"
 #include "src/report/painted_cells.h"
 #include "src/report/polyline.h"
 
@@ -30,12 +31,15 @@ class Painter {
     if (chart_.heat_map) {
       paint_cells(*chart_.heat_map, frame_, drawing_);
     } else {
+      paint_areas(chart_, frame_, clip_, drawing_);
+      has_values_ |= !chart_.areas.empty();
       paint_lines();
       for (std::size_t i = 0; i < chart_.series.size(); ++i) paint_spread(i);
       for (std::size_t i = 0; i < chart_.series.size(); ++i) paint_series(i);
       if (!has_values_) write_no_data();
     }
     write_names();
+    write_names_of_areas(chart_, frame_, drawing_);
     write_ends();
     for (const LegendEntry& entry : frame_.legend) write_entry(entry);
     return drawing_.text();
@@ -50,6 +54,7 @@ class Painter {
   SeriesLook look_of(std::size_t index) const {
     const auto& all = chart_.series;
     if (all[index].pale) return pale_look();
+    if (all[index].dark) return dark_look(index);
     const auto before = std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(index),
                                       [](const Series& series) { return series.pale; });
     return series_look(index - static_cast<std::size_t>(before));
@@ -264,6 +269,8 @@ class Painter {
     const Pixel middle{(from.x + to.x) / 2, from.y};
     if (entry.of == LegendEntry::Of::cells_without_value) {
       paint_key_of_gaps(from, drawing_);
+    } else if (entry.of == LegendEntry::Of::area) {
+      paint_key_of(chart_.areas[entry.index], from, drawing_);
     } else if (entry.of == LegendEntry::Of::line) {
       drawing_.paint(brush_of(line_look(entry.index)), {{{from, to}}});
     } else if (chart_.series[entry.index].mark == Mark::points) {

@@ -180,5 +180,46 @@ TEST(ChartTemplate, RefusesWhatItDoesNotKnow) {
               ThrowsMessage<std::logic_error>(HasSubstr("y must be a table")));
 }
 
+TEST(ChartTemplate, MakesAreasOfTheirEdges) {
+  const Json maps = {{"regions",
+                      {{{"label", "few"}, {"shade", 0.5}, {"parts", {{{0, 1, 2}, {1, 1, 3}}}}},
+                       {{"label", "none"}, {"shade", nullptr}, {"parts", Json::array()}}}}};
+  const toml::table table = toml::parse(R"(
+name = "map"
+title = "Map"
+x = { label = "x" }
+y = { label = "y" }
+areas = [{ each = "regions", label = "{{label}}", name = "{{label}}", shade = "shade", parts = "parts" }]
+)");
+  const Chart chart = chart_of(Part(table), {&maps});
+  ASSERT_EQ(chart.areas.size(), 2U);
+  EXPECT_EQ(chart.areas[0].name, "few");
+  EXPECT_EQ(chart.areas[0].shade, 0.5);
+  ASSERT_EQ(chart.areas[0].parts.size(), 1U);
+  EXPECT_EQ(chart.areas[0].parts[0][1].position, 1);
+  EXPECT_EQ(chart.areas[0].parts[0][1].between.upper, 3);
+  EXPECT_EQ(chart.areas[1].shade, std::nullopt);
+}
+
+TEST(ChartTemplate, KeepsTheOrderOfLinesWithGaps) {
+  const Json lines = {{"samples",
+                       {{{"x", 1}, {"y", 1}},
+                        {{"x", 2}, {"y", 2}},
+                        {{"x", 2}, {"y", nullptr}},
+                        {{"x", 0}, {"y", 3}}}}};
+  const toml::table table = toml::parse(R"(
+name = "map"
+title = "Map"
+x = { label = "x" }
+y = { label = "y" }
+series = [{ label = "", look = "dark", order = "given", rows = "samples", x = "x", y = "y" }]
+)");
+  const Chart chart = chart_of(Part(table), {&lines});
+  ASSERT_EQ(chart.series.size(), 1U);
+  EXPECT_TRUE(chart.series[0].dark);
+  EXPECT_EQ(chart.series[0].samples.at(3).position, 0);
+  EXPECT_NO_THROW(check(chart));
+}
+
 }  // namespace
 }  // namespace ricochet::report

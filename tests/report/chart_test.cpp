@@ -141,5 +141,37 @@ TEST(Limits, HaveRoomAroundASingleValue) {
   EXPECT_LT(limits({0}, Scale::linear).lower, 0);
 }
 
+Chart area_chart() {
+  Chart chart = line_chart({{0, 1}, {4, 5}});
+  chart.areas = {{"few", 0.5, {{{0, {0, 1}}, {4, {0, 5}}}}, "2"},
+                 {"irregular", std::nullopt, {{{0, {1, 6}}, {4, {5, 6}}}}}};
+  return chart;
+}
+
+TEST(Chart, RefusesAreasThatCannotBePainted) {
+  EXPECT_NO_THROW(check(area_chart()));
+  Chart back = area_chart();
+  back.areas[0].parts[0][0].position = 9;
+  EXPECT_THAT(refuses(back),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("positions must rise")));
+  Chart turned = area_chart();
+  turned.areas[0].parts[0][0].between = {2, 1};
+  EXPECT_THAT(refuses(turned), ThrowsMessage<std::invalid_argument>(HasSubstr("is not a range")));
+  Chart empty = area_chart();
+  empty.areas[0].parts.emplace_back();
+  EXPECT_THAT(refuses(empty), ThrowsMessage<std::invalid_argument>(HasSubstr("has no edge")));
+  Chart bright = area_chart();
+  bright.areas[0].shade = 1.5;
+  EXPECT_THAT(refuses(bright), ThrowsMessage<std::invalid_argument>(HasSubstr("shade")));
+  Chart both = heat_map_chart({{1}});
+  both.areas = area_chart().areas;
+  EXPECT_THAT(refuses(both),
+              ThrowsMessage<std::invalid_argument>(HasSubstr("areas and a heat map")));
+}
+
+TEST(Chart, LetsALineBeginAnewBehindAGap) {
+  EXPECT_NO_THROW(check(line_chart({{1, 1}, {2, 2}, {2, {}}, {0, 3}, {1, 4}})));
+}
+
 }  // namespace
 }  // namespace ricochet::report

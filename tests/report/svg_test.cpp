@@ -9,6 +9,7 @@
 
 #include "src/report/drawing.h"
 #include "src/report/frame.h"
+#include "src/report/look.h"
 #include "tests/report/read_svg.h"
 #include "tests/report/sample_charts.h"
 
@@ -40,7 +41,13 @@ std::vector<Chart> gallery() {
   many.name = "many";
   for (int i = 0; i < 11; ++i)
     many.series.push_back({"solver " + std::to_string(i), Mark::points, {{0.5, 1.0 + i}}});
-  return {line_chart({{0, 1}, {1, 2}}), steps, names, many, heat_map_chart({{1.5, 2}, {{}, 4}})};
+  Chart areas = line_chart({{0, 1}, {4, 5}});
+  areas.name = "areas";
+  areas.series[0].dark = true;
+  areas.areas = {{"few", 0.5, {{{0, {0, 1}}, {4, {0, 5}}}}, "two"},
+                 {"irregular", std::nullopt, {{{0, {1, 6}}, {4, {5, 6}}}}, {}}};
+  return {line_chart({{0, 1}, {1, 2}}),       steps, names, many, areas,
+          heat_map_chart({{1.5, 2}, {{}, 4}})};
 }
 
 TEST(Svg, IsWellFormedForEveryKindOfChart) {
@@ -266,6 +273,22 @@ TEST(Svg, KeepsAStepCurveOfManyEqualSamplesSmall) {
   chart.series[0].mark = Mark::steps;
   for (int i = 0; i < 1800; ++i) chart.series[0].samples.push_back({0.01 * i, i / 600});
   EXPECT_LT(to_svg(chart).size(), 6000U);
+}
+
+TEST(Svg, PaintsAreasBelowLinesAndNamesThem) {
+  const std::vector<Chart> charts = gallery();
+  const Chart& chart = charts.at(4);
+  const std::string svg = to_svg(chart);
+  EXPECT_THAT(text_of(chart), AllOf(HasSubstr("few"), HasSubstr("two"), HasSubstr("irregular")));
+  const std::size_t area = svg.find(palette_colour(0.5)), line = svg.find("#1a1a1a");
+  ASSERT_NE(area, std::string::npos);
+  ASSERT_NE(line, std::string::npos);
+  EXPECT_LT(area, line);
+  EXPECT_THAT(svg, HasSubstr("-hatching)"));
+  Chart narrow = chart;
+  narrow.areas[0].name =
+      "a name that is far too long for an area of this size and that of the whole plot";
+  EXPECT_THAT(text_of(narrow), Not(HasSubstr("far too long")));
 }
 
 }  // namespace

@@ -104,13 +104,16 @@ double constant_named(const Scene& scene, const std::string& key) {
   return key == "clearance" ? result - scene.wall_lower : result;
 }
 
+void vary_constant(BasicScene<Number>& scene, const std::string& key, int index) {
+  visit_constant(scene, key, [&](Number& member) { member.v[index] = 1; });
+}
+
 OrbitMap map_of(const Scene& orbit, Rest rest, std::span<const std::string> constants) {
   BasicScene<Number> scene = lifted<Number>(orbit);
   scene.omega.v[OrbitMap::omega_index] = 1;
   int index = OrbitMap::constant_index;
   for (const std::string& key : constants) {
-    visit_constant(scene, key, [&](Number& member) { member.v[index] = 1; });
-    ++index;
+    vary_constant(scene, key, index++);
   }
   if (rest == Rest::on_a_wall) {
     scene.start_position =

@@ -33,6 +33,9 @@ std::vector<std::string> continuation_constants();
 void set_constant(Scene& scene, const std::string& key, double to);
 double constant_named(const Scene& scene, const std::string& key);
 
+/// Makes that constant of a scene the dual number's variable of that index.
+void vary_constant(BasicScene<OrbitMap::Number>& scene, const std::string& key, int index);
+
 /// The period that starts at `orbit`'s start, at rest if `rest` says so. At most two constants.
 OrbitMap map_of(const Scene& orbit, Rest rest, std::span<const std::string> constants = {});
 

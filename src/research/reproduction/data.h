@@ -40,6 +40,10 @@ report::Json path_data(const std::vector<CaseStudy>& cases);
 /// Velocity and acceleration along the track, as in Figure 3.
 report::Json crossing_data();
 
+/// Collisions a turn in the long run over restitution and speed, a map for each friction, with the
+/// paper's thresholds of the cases without disturbance. Null without maps.
+report::Json regime_map_data(const std::vector<RestitutionMap>& maps);
+
 /// How well each solver finds the fewest collisions and the fastest quiet speed.
 report::Json comparison_data(const std::optional<StoredCampaign>& comparison);
 

@@ -101,6 +101,7 @@ Results results_of(const StudyPlan& plan, const Catalogue& catalogue,
   }
   results.grid = count_grid(results.interpretation.scene, plan.grid_step, plan.coarse_grid);
   results.trends = trends(results.grid);
+  results.maps = restitution_maps(results.cases);
   make_runs(results.comparison->campaign, {}, results.comparison->store);
   return results;
 }
@@ -132,6 +133,7 @@ Json data_of(const Results& results) {
           {"counts", curve_data(results.cases)},
           {"sharpness", sharpness_data(results.cases)},
           {"steps", step_data(results.cases)},
+          {"regime_maps", regime_map_data(results.maps)},
           {"conclusions", conclusion_data(results.grid, results.trends)},
           {"paths", path_data(results.cases)},
           {"crossing", crossing_data()},

@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "problems/carrier_track/advice/regime_map_chart.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "problems/carrier_track/counting/staircase.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/regimes/regime_map.h"
 #include "ricochet/recording.h"
 #include "ricochet/threshold.h"
 #include "src/benchmark/comparison/group.h"
@@ -61,6 +64,17 @@ struct CaseStudy {
   std::optional<FigurePaths> paths;  ///< if the paper has a figure
 };
 
+/// The regimes of cases that differ in their restitution alone.
+struct RestitutionMap {
+  double friction;
+  std::string cases;  ///< "C1, C2"
+  carrier_track::RegimeMap map;
+  advice::MapMarks marks;  ///< the paper's thresholds
+};
+
+/// The maps of the cases without disturbance, by rising friction.
+std::vector<RestitutionMap> restitution_maps(const std::vector<CaseStudy>& cases);
+
 /// The contents of the report.
 struct Results {
   StudyPlan plan;
@@ -68,6 +82,7 @@ struct Results {
   std::vector<CaseStudy> cases;
   CountGrid grid;
   std::vector<Trend> trends;
+  std::vector<RestitutionMap> maps;
   std::optional<StoredCampaign> comparison;  ///< of solvers, if it has been run
 };
 

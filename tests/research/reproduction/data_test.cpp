@@ -195,5 +195,20 @@ TEST(ReproductionData, AreEnoughToDrawThePageAgain) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(ReproductionData, MapsTheRegimesOfBothFrictions) {
+  const Json& maps = tiny_data()["regime_maps"]["maps"];
+  ASSERT_EQ(maps.size(), 2U);
+  EXPECT_EQ(maps[0]["cases"], "C1, C2");
+  EXPECT_EQ(maps[1]["friction"], 0.4);
+  const report::Page page = page_of(tiny_data());
+  const auto& figures = section_of(page, "regimes").figures;
+  ASSERT_EQ(figures.size(), 2U);
+  for (const report::Figure& figure : figures) {
+    EXPECT_EQ(figure.failure, "");
+    EXPECT_NO_THROW(report::check(figure.chart));
+    EXPECT_EQ(figure.chart.areas.front().label, "silent: no impact is fast enough to count");
+  }
+}
+
 }  // namespace
 }  // namespace ricochet::studies::reproduction

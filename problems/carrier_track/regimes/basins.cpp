@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/scene/scene_check.h"
+#include "ricochet/error.h"
+#include "ricochet/random.h"
+#include "ricochet/regimes.h"
+
+namespace ricochet::carrier_track::inline regimes {
+namespace {
+
+constexpr double same_number = 1e-6;  // relative
+constexpr int most_starts = 10'000'000;
+
+/// What two starts of one motion have in common.
+struct SettledStart {
+  LongRun motion;
+  int turns;
+
+  bool is_like(const SettledStart& other) const {
+    const auto same = [](double a, double b) {
+      return std::abs(a - b) <= same_number * std::max(std::abs(a), std::abs(b));
+    };
+    if (turns == 0 || other.turns == 0) return turns == other.turns;
+    return turns == other.turns &&
+           same(motion.collisions_per_turn, other.motion.collisions_per_turn) &&
+           same(motion.energy_per_turn, other.motion.energy_per_turn) &&
+           same(motion.fastest_impact, other.motion.fastest_impact) &&
+           same(motion.share_at_rest, other.motion.share_at_rest);
+  }
+};
+
+SettledStart settled_from(const Scene& start) {
+  const SteadyMotion motion = steady_motion(start);
+  return {long_run_of(motion), signature_of(motion).turns};
+}
+
+/// Throws InputError unless a number is > 0 and finite.
+void check_positive(const char* name, double number, const char* unit) {
+  if (number > 0 && std::isfinite(number)) return;
+  throw InputError(fmt::format("{} {}: must be a finite number > 0 [{}]", name, number, unit));
+}
+
+void check_sampling(const Scene& scene, const BasinOptions& options) {
+  check(scene, "scene");
+  check_constant_speed(scene, "scene");
+  check_regimes_exist(scene, "scene");
+  if (!(scene.omega >= slowest_regime && scene.omega <= fastest_regime)) {
+    throw InputError(fmt::format("scene: omega {}: must be within {}..{} [rad/s]", scene.omega,
+                                 slowest_regime, fastest_regime));
+  }
+  if (forcing_turns(scene) == 0) {
+    throw InputError(
+        "scene: disturbance_frequency: must repeat with the driver plate within 16 turns: else no "
+        "start settles on an orbit");
+  }
+  if (options.starts < 1 || options.starts > most_starts) {
+    throw InputError(fmt::format("starts {}: must be within 1..{}", options.starts, most_starts));
+  }
+  if (options.height) check_positive("height", *options.height, "m");
+  if (options.fastest) check_positive("fastest start", *options.fastest, "m/s");
+  if (!options.height && !std::isfinite(scene.wall_upper)) {
+    throw InputError("scene: wall_upper is inf: give the height of the highest start [m]");
+  }
+}
+
+/// The machine at its speed, started at random within the limits of `basins`.
+std::vector<Scene> random_starts(const Scene& scene, const BasinOptions& options,
+                                 const Basins& basins) {
+  const double period =
+      2 * std::numbers::pi / scene.omega * static_cast<double>(forcing_turns(scene));
+  Random random(options.seed);
+  std::vector<Scene> starts(static_cast<std::size_t>(options.starts), scene);
+  for (Scene& start : starts) {
+    const double time = period * uniform(random);
+    constexpr double turn = 2 * std::numbers::pi;
+    start.phase = std::remainder(scene.phase + scene.omega * time, turn);
+    start.disturbance_phase =
+        std::remainder(scene.disturbance_phase + scene.disturbance_frequency * time, turn);
+    start.start_position = scene.wall_lower + basins.height * uniform(random);
+    start.start_velocity = basins.fastest * (2 * uniform(random) - 1);
+  }
+  return starts;
+}
+
+}  // namespace
+
+Basins basins_of(const Scene& scene, const BasinOptions& options) {
+  Scene hard = scene;
+  hard.fidelity = Fidelity::impact;
+  check_sampling(hard, options);
+  Basins result{};
+  const double clearance = hard.wall_upper - hard.wall_lower;
+  result.height = std::min(options.height.value_or(clearance), clearance);
+  result.fastest = options.fastest.value_or(
+      std::max({std::abs(hard.start_velocity), steady_motion(hard).fastest_impact(),
+                result.height * hard.omega}));
+  const std::vector<Scene> starts = random_starts(hard, options, result);
+  std::vector<std::optional<SettledStart>> settled(starts.size());
+  tbb::parallel_for(std::size_t{0}, starts.size(),
+                    [&](std::size_t i) { settled[i] = settled_from(starts[i]); });
+  for (const std::optional<SettledStart>& start : settled) {
+    const auto known = std::ranges::find_if(result.basins, [&](const Basin& basin) {
+      return start->is_like({basin.motion, basin.turns});
+    });
+    if (known == result.basins.end()) {
+      result.basins.push_back({start->motion, start->turns, 1});
+    } else {
+      ++known->starts;
+    }
+  }
+  std::ranges::stable_sort(result.basins, std::greater{}, &Basin::starts);
+  return result;
+}
+
+}  // namespace ricochet::carrier_track::inline regimes

@@ -22,6 +22,17 @@ bool is_narrow(const Regime& regime) {
   return regime.to < narrow * regime.from;
 }
 
+}  // namespace
+
+std::string counts_of(const Regime& regime) {
+  if (regime.least_per_turn == regime.most_per_turn) {
+    return fmt::format("{:.4g}", regime.most_per_turn);
+  }
+  return fmt::format("{:.4g} to {:.4g}", regime.least_per_turn, regime.most_per_turn);
+}
+
+namespace {
+
 std::string line_of(const Regime& regime, bool marked) {
   if (!regime.moves) {
     return fmt::format("{:>8.3f} {:>8.3f} {:>8.2f}  {:<12}{:>10}{:>10}{:>8}  {}{}\n", regime.from,
@@ -61,13 +72,6 @@ std::vector<Regime> without_narrow(const std::vector<Regime>& regimes) {
     if (!inner || !is_narrow(regimes[i])) shown.push_back(regimes[i]);
   }
   return shown;
-}
-
-std::string counts_of(const Regime& regime) {
-  if (regime.least_per_turn == regime.most_per_turn) {
-    return fmt::format("{:.4g}", regime.most_per_turn);
-  }
-  return fmt::format("{:.4g} to {:.4g}", regime.least_per_turn, regime.most_per_turn);
 }
 
 std::string summary_of(const std::vector<Regime>& regimes) {

@@ -26,6 +26,7 @@ constexpr int irregular_turns = 120;  // observed where they do not, after as ma
 constexpr int phase_bits = 24;        // of an extreme phase: its margin has twice as many
 constexpr double widest_window = 0.1;  // [rad], to each side, in which extremes are searched
 constexpr double narrowest_window = 1e-4;
+constexpr double jump = 1e-4;            // more than that, where an impact appears or vanishes
 constexpr double smooth = 1e-11;         // relative, what a polynomial may leave out
 constexpr double refined_within = 0.02;  // margins nearer to 0 are searched, not interpolated
 
@@ -166,23 +167,30 @@ struct Valley {
 /// The least margin, with that sign, near `phase`: within a step of the phases, or as far as it
 /// goes down.
 Valley least_near(const DisturbedMotion& motion, int rank, double sign, double phase) {
+  Valley found{phase, std::numeric_limits<double>::infinity()};
+  bool jumps = false;
   double centre = phase;
   double around = widest_window;
   for (int windows = 0; windows < 10 && around > narrowest_window; ++windows) {
     const PhaseWindow window(motion, rank, centre, around);
     if (!window.is_known()) break;
+    jumps = jumps || window.error() > jump;
     const PhaseWindow::Valley valley = window.least(sign);
     centre = valley.phase;
     if (!valley.inside) continue;
-    if (window.error() <= smooth) return {valley.phase, valley.value};
+    if (window.error() <= smooth) {
+      found = {valley.phase, valley.value};
+      break;
+    }
     around /= 8;
   }
+  if (std::isfinite(found.value) && !jumps) return found;
   const double reach = full_circle / phases;
   std::uintmax_t evaluations = 40;
   const auto [at, value] = boost::math::tools::brent_find_minima(
       [&](double there) { return sign * margin_of(motion.machine, turn_at(motion, there), rank); },
       phase - reach, phase + reach, phase_bits, evaluations);
-  return {at, value};
+  return value < found.value ? Valley{at, value} : found;
 }
 
 /// See rank_margin.

@@ -64,6 +64,12 @@ TEST(DisturbedMotion, FindsTheExtremeOfAMarginBetweenItsPhases) {
   }
 }
 
+TEST(DisturbedMotion, KnowsTheExtremesWhereImpactsAppearWithinAFewPhases) {
+  // Counted at 40,000 phases.
+  EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(27), 7.9598)).most, 13);
+  EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(50), 5.2931)).least, 2);
+}
+
 TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {
   const double held = 0.1 * 11.772 + 0.01;  // friction and pull of the machine [N]
   const double radius =

@@ -49,11 +49,19 @@ Bracket<Motion> sign_change(Bracket<Motion> bracket, const Of& margin) {
   const Motion low = up ? bracket.before : bracket.after;
   const Motion high = up ? bracket.after : bracket.before;
   std::uintmax_t evaluations = 100;
-  boost::math::tools::toms748_solve(at, low.omega(), high.omega(), margin(low), margin(high),
-                                    is_narrow, evaluations);
-  // The solver stops at a margin of exactly 0, on one side of the border.
-  for (double step = narrow / 8; !is_narrow(bracket.from(), bracket.to()) && step < 1; step *= 4) {
-    at(bracket.from() * (up ? 1 + step : 1 - step));
+  const double root = boost::math::tools::toms748_solve(at, low.omega(), high.omega(), margin(low),
+                                                        margin(high), is_narrow, evaluations)
+                          .first;
+  // The solver stops at a margin of exactly 0, which is on one side of the border: the other side
+  // is next to it.
+  const double away = bracket.before.omega() == root ? (up ? 1 : -1) : (up ? -1 : 1);
+  for (double step = narrow / 8; !is_narrow(bracket.from(), bracket.to()); step *= 4) {
+    const double there = root * (1 + away * step);
+    if (!(std::min(bracket.from(), bracket.to()) < there &&
+          there < std::max(bracket.from(), bracket.to()))) {
+      break;
+    }
+    at(there);
   }
   return bracket;
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "problems/carrier_track/regimes/disturbed_turn.h"
 #include "ricochet/scene.h"
 
 /// The motion of a machine in the long run under a disturbance that does not repeat with the driver
@@ -9,17 +10,15 @@
 /// frequent.
 namespace ricochet::carrier_track::inline regimes {
 
-/// One turn of the driver plate.
-struct DisturbedTurn {
-  double phase;                ///< [rad], of the disturbance at the start of the motion before
-  std::vector<double> speeds;  ///< [m/s], of the impacts, the fastest first
-  int collisions;
-  double energy;         ///< [J]
-  double share_at_rest;  ///< of the time
-};
-
 /// Which of the phases a margin is taken at.
 enum class Extreme { least, most };
+
+/// A margin that was searched before.
+struct KnownMargin {
+  int rank;
+  Extreme extreme;
+  double value;
+};
 
 struct DisturbedMotion {
   /// At the speed; it starts at rest on a wall, where every turn starts, or `turns_before` turns
@@ -28,16 +27,20 @@ struct DisturbedMotion {
   int turns_before;
   bool settled;  ///< a turn depends on its phase alone, because a rest erases what was before
   bool moves;
-  std::vector<DisturbedTurn>
-      turns;        ///< over evenly spaced phases; or successive ones, if not settled
+  /// Over evenly spaced phases. If not settled, none before observe(), then successive ones.
+  std::vector<DisturbedTurn> turns;
   int least, most;  ///< collisions in a turn, over all phases
 
+  mutable std::vector<KnownMargin> known;  ///< of these turns
+
   double omega() const { return machine.omega; }
-  double mean_collisions() const;
 };
 
 /// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
 DisturbedMotion disturbed_motion(const Scene& scene);
+
+/// Simulates many turns of a motion that is not settled, and counts them.
+void observe(DisturbedMotion& motion);
 
 /// The turn at another phase [rad] of the disturbance, of a motion that is settled.
 DisturbedTurn turn_at(const DisturbedMotion& motion, double phase);
@@ -64,8 +67,5 @@ class ExtremeMargin {
   double sign_;   // that makes the extreme the least
   double phase_;  // [rad]
 };
-
-/// What stands for the margin of an impact that is not there.
-inline constexpr double lowest_margin = -6;
 
 }  // namespace ricochet::carrier_track::inline regimes

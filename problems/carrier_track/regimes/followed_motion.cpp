@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/regimes/orbit_map.h"
 
 namespace ricochet::carrier_track::inline regimes {
@@ -15,6 +16,20 @@ constexpr double far_below = 3;
 /// The step of the speed, relative, that the slope of a margin is taken over where it has no exact
 /// derivative.
 constexpr double slope_step = 1e-5;
+
+/// A series of impacts ends in a rest if its last is this slow, relative to the counting limit.
+constexpr double end_of_series = 1e-3;
+
+constexpr double near_speeds = 0.2;  // of the logarithm
+
+/// The impacts of a period that count.
+std::vector<Impact> collisions_of(const SteadyMotion& motion) {
+  std::vector<Impact> found;
+  for (const Impact& impact : motion.impacts) {
+    if (is_counted(impact.speed, motion.orbit.counting_limit)) found.push_back(impact);
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -43,6 +58,16 @@ Signature signature_of(const SteadyMotion& motion) {
           motion.rest != Rest::always};
 }
 
+double collisions_per_turn(const SteadyMotion& motion) {
+  return motion.collisions_per_turn();
+}
+
+double collisions_per_turn(const DisturbedMotion& motion) {
+  double sum = 0;
+  for (const DisturbedTurn& turn : motion.turns) sum += turn.collisions;
+  return sum / static_cast<double>(motion.turns.size());
+}
+
 double rank_margin(const SteadyMotion& motion, int rank, Extreme /*extreme*/) {
   const std::optional<std::size_t> place = place_of_rank(motion, rank);
   if (!place) return lowest_margin;
@@ -55,60 +80,81 @@ Signature signature_of(const DisturbedMotion& motion) {
   return {1, motion.least, motion.most, true, motion.moves, motion.moves};
 }
 
+bool is_near(const SteadyMotion& a, const SteadyMotion& b) {
+  const std::vector<Impact> first = collisions_of(a);
+  std::vector<Impact> second = collisions_of(b);
+  if (first.size() != second.size()) return false;
+  const auto alike = [](const Impact& x, const Impact& y) {
+    return x.wall == y.wall && std::abs(std::log(x.speed / y.speed)) <= near_speeds;
+  };
+  // Each may start at another of its rests.
+  for (std::size_t k = 0; k < second.size(); ++k) {
+    if (std::equal(first.begin(), first.end(), second.begin(), alike)) return true;
+    std::rotate(second.begin(), second.begin() + 1, second.end());
+  }
+  return second.empty();
+}
+
+bool is_near(const DisturbedMotion& /*a*/, const DisturbedMotion& /*b*/) {
+  return true;
+}
+
 DisturbedMotion followed(const DisturbedMotion& motion, double omega) {
   return disturbed_motion(at_speed(motion.machine, omega));
 }
 
-std::vector<Margin> margins_of(const SteadyMotion& motion) {
-  std::vector<Margin> margins;
-  if (!motion.settled || motion.rest == Rest::always) return margins;
-  std::optional<OrbitMap> map;
-  for (const int rank : {motion.collisions, motion.collisions + 1}) {
-    const std::optional<std::size_t> place = place_of_rank(motion, rank);
-    if (!place || rank_margin(motion, rank) < -far_below) continue;
-    if (!map) map = map_of(motion.orbit, motion.rest);
-    if (*place >= map->speeds.size()) continue;
-    const auto& speed = map->speeds[*place];
-    const double slope = AlongOrbit(*map, motion.rest)(speed, OrbitMap::omega_index);
-    margins.push_back({rank_margin(motion, rank), slope / speed.a * motion.omega()});
+Margins margins_of(const SteadyMotion& motion) {
+  Margins margins;
+  if (!motion.settled || motion.rest == Rest::always || motion.impacts.empty()) return margins;
+  const OrbitMap map = map_of(motion.orbit, motion.rest);
+  const AlongOrbit along(map, motion.rest);
+  const double limit = motion.orbit.counting_limit;
+  std::size_t series = 0;
+  std::size_t place = 0;
+  const std::size_t size = std::min(motion.impacts.size(), map.speeds.size());
+  for (std::size_t i = 0; i < size; ++i) {
+    const Impact& impact = motion.impacts[i];
+    const double value = std::log(impact.speed / limit);
+    if (value > -far_below) {
+      const auto& speed = map.speeds[i];
+      margins.known.push_back(
+          {value, along(speed, OrbitMap::omega_index) / speed.a * motion.omega(), series, place});
+    }
+    ++place;
+    if (i + 1 == size || motion.impacts[i + 1].wall != impact.wall) {
+      const bool rests = impact.speed < end_of_series * limit;
+      margins.structure.push_back(2 * (rests ? 0 : place) + (impact.wall == Wall::upper ? 1 : 0));
+      ++series;
+      place = 0;
+    }
   }
   return margins;
 }
 
-std::vector<Margin> margins_of(const DisturbedMotion& motion) {
-  std::vector<Margin> margins;
+Margins margins_of(const DisturbedMotion& motion) {
+  Margins margins;
   if (!motion.settled || !motion.moves) return margins;
   DisturbedMotion faster = motion;
   faster.machine = at_speed(motion.machine, motion.omega() * (1 + slope_step));
-  for (DisturbedTurn& turn : faster.turns) turn = turn_at(faster, turn.phase);
+  std::vector<double> phases;
+  for (const DisturbedTurn& turn : motion.turns) phases.push_back(turn.phase);
+  faster.turns = turns_at_phases(faster.machine, phases, faster.turns_before);
   for (const Extreme extreme : {Extreme::least, Extreme::most}) {
     const int collisions = extreme == Extreme::least ? motion.least : motion.most;
     for (const int rank : {collisions, collisions + 1}) {
       const double here = sampled_margin(motion, rank, extreme);
       if (rank == 0 || here < -far_below) continue;
-      margins.push_back({here, (sampled_margin(faster, rank, extreme) - here) / slope_step});
+      margins.known.push_back({here, (sampled_margin(faster, rank, extreme) - here) / slope_step,
+                               margins.known.size(), 0});
     }
   }
+  margins.structure.push_back(margins.known.size());
   return margins;
 }
 
 LongRun long_run_of(const SteadyMotion& motion) {
   return {motion.orbit, motion.collisions_per_turn(), motion.energy_per_turn(),
           motion.fastest_impact(), motion.share_at_rest};
-}
-
-LongRun long_run_of(const DisturbedMotion& motion) {
-  LongRun result{motion.machine, 0, 0, 0, 0};
-  const auto count = static_cast<double>(motion.turns.size());
-  for (const DisturbedTurn& turn : motion.turns) {
-    result.collisions_per_turn += turn.collisions / count;
-    result.energy_per_turn += turn.energy / count;
-    result.share_at_rest += turn.share_at_rest / count;
-    if (!turn.speeds.empty()) {
-      result.fastest_impact = std::max(result.fastest_impact, turn.speeds.front());
-    }
-  }
-  return result;
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -28,14 +28,32 @@ struct Signature {
   }
 };
 
-/// A margin of an impact as a function of the speed: see rank_margin.
+/// A margin of an impact as a function of the speed: ln(approach speed / counting limit).
 struct Margin {
   double value;
   double slope;  ///< per unit of the logarithm of the speed
+  /// Which impact of the period: the series of impacts on one wall that it belongs to, and its
+  /// place there. Under a disturbance, which extreme.
+  std::size_t series = 0, place = 0;
+};
+
+/// The margins of a motion.
+struct Margins {
+  std::vector<Margin> known;
+  /// By which walls the impacts are, and how many are in a series that does not end in a rest: it
+  /// changes where the carrier starts or ceases to touch a wall.
+  std::vector<std::size_t> structure;
 };
 
 Signature signature_of(const SteadyMotion& motion);
 Signature signature_of(const DisturbedMotion& motion);
+
+/// Makes sure that the collisions of a motion are known.
+inline void observe(SteadyMotion& /*motion*/) {}
+
+/// The mean.
+double collisions_per_turn(const SteadyMotion& motion);
+double collisions_per_turn(const DisturbedMotion& motion);
 
 /// The place among a period's impacts of the `rank`-th fastest, rank 1 the fastest; nothing if
 /// there are fewer.
@@ -45,10 +63,15 @@ std::optional<std::size_t> place_of_rank(const SteadyMotion& motion, int rank);
 /// counts if that is > 0. At least lowest_margin.
 double rank_margin(const SteadyMotion& motion, int rank, Extreme extreme = Extreme::most);
 
-/// The margins of the slowest impact that counts and of the fastest that does not, in a fixed
-/// order; those that are far away may be left out.
-std::vector<Margin> margins_of(const SteadyMotion& motion);
-std::vector<Margin> margins_of(const DisturbedMotion& motion);
+/// The margins of all impacts that are not far slower than the counting limit; under a disturbance,
+/// those of the slowest that counts and of the fastest that does not.
+Margins margins_of(const SteadyMotion& motion);
+Margins margins_of(const DisturbedMotion& motion);
+
+/// Whether two motions of equal signature at speeds next to each other have the same collisions,
+/// with speeds that differ by at most some 20 %.
+bool is_near(const SteadyMotion& a, const SteadyMotion& b);
+bool is_near(const DisturbedMotion& a, const DisturbedMotion& b);
 
 DisturbedMotion followed(const DisturbedMotion& motion, double omega);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
@@ -14,8 +16,11 @@
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
-constexpr double shortest_step = 1e-4;  // of the logarithm of the speed
+constexpr double shortest_step = 1e-7;       // of the logarithm of the speed
+constexpr double shortest_disturbed = 1e-4;  // where margins have no exact slopes
+constexpr double first_step = 1e-4;          // at least, after a border
 constexpr double longest_step = 0.1;
+constexpr double rounding = 1e-12;
 constexpr double irregular_step = 0.02;  // where the motion does not repeat
 
 /// Whether the cubic through the values and slopes at both ends of a step keeps its sign, and is
@@ -45,6 +50,29 @@ double memory_of(const DisturbedMotion& /*motion*/) {
   return 0;
 }
 
+/// Whether the way to a border is looked at too.
+bool checks_way(const SteadyMotion& /*motion*/) {
+  return true;
+}
+bool checks_way(const DisturbedMotion& /*motion*/) {
+  return false;
+}
+
+/// The longest step between motions with different impacts.
+double unlike_step_of(const SteadyMotion& /*motion*/) {
+  return 1e-4;
+}
+double unlike_step_of(const DisturbedMotion& /*motion*/) {
+  return 1e-3;
+}
+
+double shortest_of(const SteadyMotion& /*motion*/) {
+  return shortest_step;
+}
+double shortest_of(const DisturbedMotion& /*motion*/) {
+  return shortest_disturbed;
+}
+
 /// Takes the collisions of a motion into a regime.
 void widen(Regime& regime, double least, double most) {
   regime.least_per_turn = std::min(regime.least_per_turn, least);
@@ -55,6 +83,29 @@ void widen(Regime& regime, const SteadyMotion& motion) {
 }
 void widen(Regime& regime, const DisturbedMotion& motion) {
   widen(regime, motion.least, motion.most);
+}
+
+/// Whether the motion beyond such a border is another one, which may be far away.
+bool is_jump(RegimeEnd kind) {
+  return kind == RegimeEnd::grazing || kind == RegimeEnd::irregular ||
+         kind == RegimeEnd::end_of_rest || kind == RegimeEnd::start_of_rest;
+}
+
+/// Takes the certainty from periodic motions in a narrow range between others that are not certain:
+/// there are such ranges of all widths among irregular motions.
+void doubt_islands(std::vector<Regime>& regimes) {
+  const auto is_certain = [](const Regime& regime) { return regime.certain; };
+  const auto end = regimes.end();
+  auto first = std::find_if_not(regimes.begin(), end, is_certain);
+  while (first != end) {
+    first = std::find_if(first, end, is_certain);
+    const auto last = std::find_if_not(first, end, is_certain);
+    if (last == end) return;
+    if (std::log(last->from / first->from) < irregular_step) {
+      std::for_each(first, last, [](Regime& regime) { regime.certain = false; });
+    }
+    first = last;
+  }
 }
 
 /// Follows a motion from border to border.
@@ -71,14 +122,15 @@ class Walk {
     }
     if (here_.omega() < to_) to_ = here_.omega();
     close(here_, to_, RegimeEnd::range);
+    doubt_islands(regimes_);
     return regimes_;
   }
 
  private:
   /// Takes a step, to its end or to the border within it; false if it is too long.
   bool advance() {
-    const double length = std::min(signature_of(here_).settled ? step_ : irregular_step,
-                                   std::log(to_ / here_.omega()));
+    const double length =
+        std::min(is_certain() ? step_ : irregular_step, std::log(to_ / here_.omega()));
     const double end = length < step_ ? std::min(to_, here_.omega() * std::exp(length))
                                       : here_.omega() * std::exp(length);
     Motion next = followed(here_, end >= to_ * (1 - 1e-15) ? to_ : end);
@@ -86,6 +138,8 @@ class Walk {
     if (!(signature_of(next) == signature_of(here_))) {
       if (step > longest_structured && signature_of(here_).moves) return false;
       const Border<Motion> border = first_border(here_, next);
+      // On the way there the motion may change, and change back.
+      if (checks_way(here_) && !reaches(border.before)) return false;
       if (signature_of(border.after) == signature_of(here_)) {  // it moved, to rest elsewhere
         here_ = border.after;
         margins_ = margins_of(here_);
@@ -93,28 +147,48 @@ class Walk {
       }
       close(border.before, border.omega, border.kind);
       open(border.after, border.omega);
-      step_ = std::max(shortest_step, std::min(step_, 0.01));
+      step_ = std::max(first_step, std::min(step_, 0.01));
       return true;
     }
-    const std::vector<Margin> margins = margins_of(next);
-    if (step > shortest_step && !smooth(margins, step)) return false;
+    if (!reaches(next)) return false;
     here_ = std::move(next);
-    margins_ = margins;
+    observe(here_);
+    margins_ = reached_ ? *std::move(reached_) : margins_of(here_);
     add(here_);
     step_ = std::min(longest_step, 2 * step_);
     return true;
   }
 
-  bool smooth(const std::vector<Margin>& margins, double step) const {
-    if (margins.size() != margins_.size()) return step <= 10 * shortest_step;
-    for (std::size_t i = 0; i < margins.size(); ++i) {
-      if (!keeps_sign(margins_[i], margins[i], step)) return false;
+  bool is_certain() const { return regimes_.back().certain; }
+
+  /// Whether a motion is surely the one here, followed without a border on the way; if not, and
+  /// shorter steps are of no use, the regime is not certain.
+  bool reaches(const Motion& there) {
+    reached_.reset();
+    if (!is_certain() || !signature_of(here_).moves) return true;
+    const double step = std::log(there.omega() / here_.omega());
+    reached_ = margins_of(there);
+    if (step <= rounding || smooth(*reached_, step)) return true;
+    if (step > shortest_of(there)) return false;
+    regimes_.back().certain = is_near(here_, there);
+    return true;
+  }
+
+  bool smooth(const Margins& margins, double step) const {
+    if (margins.structure != margins_.structure) return step <= unlike_step_of(here_);
+    for (const Margin& margin : margins.known) {
+      const auto before =
+          std::find_if(margins_.known.begin(), margins_.known.end(), [&](const Margin& other) {
+            return other.series == margin.series && other.place == margin.place;
+          });
+      if (before != margins_.known.end() && !keeps_sign(*before, margin, step)) return false;
     }
     return true;
   }
 
   void open(const Motion& first, double from) {
     here_ = first;
+    observe(here_);
     margins_ = margins_of(first);
     const Signature signature = signature_of(first);
     Regime regime{};
@@ -128,13 +202,13 @@ class Walk {
     regimes_.push_back(regime);
     sum_ = 0;
     added_ = 0;
-    add(first);
+    add(here_);
   }
 
   /// Takes another motion into the regime.
   void add(const Motion& motion) {
     widen(regimes_.back(), motion);
-    sum_ += long_run_of(motion).collisions_per_turn;
+    sum_ += collisions_per_turn(motion);
     regimes_.back().collisions_per_turn = sum_ / ++added_;
   }
 
@@ -144,12 +218,17 @@ class Walk {
     regime.last = long_run_of(last);
     regime.ends_by = kind;
     regime.memory = memory_of(last);
+    // Between jumps so near to each other, motions may hide that no step meets.
+    const RegimeEnd start = regimes_.size() > 1 ? regimes_.end()[-2].ends_by : RegimeEnd::range;
+    const bool jumps = is_jump(kind) || is_jump(start);
+    if (jumps && std::log(to / regime.from) < first_step) regime.certain = false;
   }
 
   static constexpr double longest_structured = 0.02;
 
   Motion here_;
-  std::vector<Margin> margins_;
+  Margins margins_;
+  std::optional<Margins> reached_;  // of the motion that reaches() was last asked for
   double to_;
   double step_ = 0.01;
   double sum_ = 0;  // of the regime's collisions per turn
@@ -230,7 +309,11 @@ std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options)
 double most_per_turn(const Scene& scene) {
   Scene hard = scene;
   hard.fidelity = Fidelity::impact;
-  if (forcing_turns(hard) == 0) return disturbed_motion(hard).most;
+  if (forcing_turns(hard) == 0) {
+    DisturbedMotion motion = disturbed_motion(hard);
+    observe(motion);
+    return motion.most;
+  }
   return steady_motion(hard).collisions_per_turn();
 }
 

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int turns_at_most = 200;   // after which a motion without a period is averaged
 constexpr int averaged_turns = 120;  // over which
-constexpr std::size_t impacts_at_most = 2'000'000;  // before a motion is given up as not periodic
-constexpr std::size_t longest_period = 8;           // in periods of the forcing
+constexpr std::size_t impacts_at_most = 200'000;  // before a motion is given up as not periodic
+constexpr std::size_t longest_period = 8;         // in periods of the forcing
 constexpr double same_state = 1e-13;  // relative; rounding adds up to some 1e-14 in a period
 constexpr double close_state = 2e-3;  // relative; from here on Newton's method is tried
 constexpr int newton_iterations = 25;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/regimes/followed_motion.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {
@@ -24,7 +25,7 @@ TEST(DisturbedMotion, CountsAsManyAsALongSimulation) {
     const DisturbedMotion motion = disturbed_motion(disturbed(1.0, omega));
     ASSERT_TRUE(motion.settled) << omega;
     EXPECT_DOUBLE_EQ(collisions_in_the_long_run(motion.machine, omega, 700, 600),
-                     motion.mean_collisions());
+                     collisions_per_turn(motion));
     EXPECT_EQ(motion.least, motion.most);
   }
 }
@@ -61,6 +62,12 @@ TEST(DisturbedMotion, FindsTheExtremeOfAMarginBetweenItsPhases) {
     EXPECT_GT(beyond, -1e-9);
     EXPECT_LT(beyond, 2e-6);
   }
+}
+
+TEST(DisturbedMotion, KnowsTheExtremesWhereImpactsAppearWithinAFewPhases) {
+  // Counted at 40,000 phases.
+  EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(27), 7.9598)).most, 13);
+  EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(50), 5.2931)).least, 2);
 }
 
 TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {

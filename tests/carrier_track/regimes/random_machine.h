@@ -50,6 +50,15 @@ inline Scene random_machine(std::uint64_t seed) {
   return scene;
 }
 
+/// The same with a disturbance.
+inline Scene random_disturbed_machine(std::uint64_t seed) {
+  Scene scene = random_machine(seed);
+  MachineDraw draw(seed + 1'000'000);
+  scene.disturbance = draw.even_logarithm(0.01, 1);
+  scene.disturbance_frequency = draw.even_logarithm(0.2, 5);
+  return scene;
+}
+
 /// Counts the impacts of the last turns of a long simulation.
 class LateCollisions : public Observer {
  public:

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 
+#include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/regimes/steady_motion.h"
 #include "problems/carrier_track/scene/window.h"
 #include "ricochet/error.h"
 #include "tests/carrier_track/regimes/random_machine.h"
@@ -49,30 +52,124 @@ TEST(Regimes, OfTheDefaultMachineAreALadder) {
   EXPECT_EQ(regimes.back().ends_by, RegimeEnd::range);
 }
 
-TEST(Regimes, HaveBordersThatLongSimulationsBracket) {
-  int borders = 0;
-  for (int seed = 1; seed <= machines(); ++seed) {
-    const Scene machine = random_machine(static_cast<std::uint64_t>(seed));
-    const auto regimes = regimes_of(machine, {0.3, 18});
-    for (std::size_t i = 0; i + 1 < regimes.size(); ++i) {
-      const Regime& slow = regimes[i];
-      const Regime& fast = regimes[i + 1];
-      if (slow.certain && slow.to - slow.from > 2 * beside(slow) * slow.to) {
-        EXPECT_DOUBLE_EQ(slow.collisions_per_turn,
-                         collisions_in_the_long_run(slow.last.orbit, slow.to * (1 - beside(slow)),
-                                                    300, observed_turns(slow)))
-            << "machine " << seed << " below " << slow.to << ", " << name_of(slow.ends_by);
-      }
-      if (fast.certain && fast.to - fast.from > 2 * beside(slow) * fast.to) {
-        EXPECT_DOUBLE_EQ(fast.collisions_per_turn,
-                         collisions_in_the_long_run(fast.first.orbit, slow.to * (1 + beside(slow)),
-                                                    300, observed_turns(fast)))
-            << "machine " << seed << " above " << slow.to << ", " << name_of(slow.ends_by);
-      }
-      ++borders;
+/// Compares both sides of every border of a machine with long simulations; returns how many.
+int compare_borders(int seed) {
+  const Scene machine = random_machine(static_cast<std::uint64_t>(seed));
+  const auto regimes = regimes_of(machine, {0.3, 18});
+  for (std::size_t i = 0; i + 1 < regimes.size(); ++i) {
+    const Regime& slow = regimes[i];
+    const Regime& fast = regimes[i + 1];
+    if (slow.certain && slow.to - slow.from > 2 * beside(slow) * slow.to) {
+      EXPECT_DOUBLE_EQ(slow.collisions_per_turn,
+                       collisions_in_the_long_run(slow.last.orbit, slow.to * (1 - beside(slow)),
+                                                  300, observed_turns(slow)))
+          << "machine " << seed << " below " << slow.to << ", " << name_of(slow.ends_by);
+    }
+    if (fast.certain && fast.to - fast.from > 2 * beside(slow) * fast.to) {
+      EXPECT_DOUBLE_EQ(fast.collisions_per_turn,
+                       collisions_in_the_long_run(fast.first.orbit, slow.to * (1 + beside(slow)),
+                                                  300, observed_turns(fast)))
+          << "machine " << seed << " above " << slow.to << ", " << name_of(slow.ends_by);
     }
   }
+  return static_cast<int>(regimes.size()) - 1;
+}
+
+TEST(Regimes, HaveBordersThatLongSimulationsBracket) {
+  int borders = 0;
+  for (int seed = 1; seed <= machines(); ++seed) borders += compare_borders(seed);
   EXPECT_GT(borders, 5 * machines());
+}
+
+TEST(Regimes, HaveBordersWhereASearchMeetsOne) {
+  compare_borders(30);  // its margin is exactly 0 at 1.2267 rad/s
+}
+
+TEST(Regimes, AreNotCertainAmongIrregularMotions) {
+  for (const int seed : {148, 151}) compare_borders(seed);
+}
+
+TEST(Regimes, EndWhereAnUnstableOrbitIsFollowed) {
+  const auto regimes = regimes_of(random_machine(134), {8, 12});
+  EXPECT_EQ(regimes.back().to, 12);
+}
+
+/// The regime of a speed.
+const Regime& regime_at(const std::vector<Regime>& regimes, double omega) {
+  std::size_t i = 0;
+  while (omega > regimes.at(i).to) ++i;
+  return regimes[i];
+}
+
+TEST(Regimes, MissNoPairOfBordersWithinAStep) {
+  // One rebound counts from 4.018 to 4.026 rad/s: then the carrier touches a wall once more.
+  const auto rebound = regimes_of(random_machine(787), {3.9, 4.1});
+  EXPECT_EQ(regime_at(rebound, 4.0120).collisions_per_turn, 8);
+  EXPECT_EQ(regime_at(rebound, 4.0195).collisions_per_turn, 9);
+  EXPECT_EQ(regime_at(rebound, 4.0300).collisions_per_turn, 8);
+  // One impact ceases to count just before another begins to.
+  const auto exchange = regimes_of(random_machine(4), {2.6, 2.8});
+  EXPECT_EQ(regime_at(exchange, 2.6937).collisions_per_turn, 5);
+  EXPECT_EQ(regime_at(exchange, 2.6941).collisions_per_turn, 4);
+  EXPECT_EQ(regime_at(exchange, 2.7000).collisions_per_turn, 5);
+}
+
+/// Collisions and energy of the late turns.
+struct LateTurns : Observer {
+  const Scene* scene = nullptr;
+  double from = 0;
+  int collisions = 0;
+  double energy = 0;
+
+  void impact(double time, Wall wall, double speed) {
+    if (time < from || speed <= 0) return;
+    if (is_counted(speed, scene->counting_limit)) ++collisions;
+    energy += impact_loss(*scene, wall) * speed * speed;
+  }
+};
+
+/// Brings the carrier of an orbit to another speed, in steps of 1 %.
+Scene brought(Scene scene, double omega) {
+  while (scene.omega != omega) {
+    scene = at_speed(scene, omega > scene.omega ? std::min(omega, 1.01 * scene.omega)
+                                                : std::max(omega, scene.omega / 1.01));
+    scene.window = Revolutions{24};
+    Observer nobody;
+    const End<double> end = ImpactModel<double>(scene).run(nobody);
+    scene.start_position = end.position;
+    scene.start_velocity = end.velocity;
+  }
+  return scene;
+}
+
+TEST(Regimes, HaveTheCollisionsAndTheEnergyOfLongSimulationsAtRandomSpeeds) {
+  constexpr int before = 150;
+  int compared = 0;
+  for (int seed = 1; seed <= machines(); ++seed) {
+    const Scene machine = random_machine(static_cast<std::uint64_t>(seed));
+    MachineDraw draw(static_cast<std::uint64_t>(seed) + 7'000'000);
+    for (const Regime& regime : regimes_of(machine, {0.3, 18})) {
+      if (!regime.certain || regime.to - regime.from < 4e-6 * regime.to) continue;
+      const double drawn = draw.even(regime.from, regime.to);
+      const double omega = std::clamp(drawn, regime.from * (1 + 1e-6), regime.to * (1 - 1e-6));
+      const bool early = omega - regime.from < regime.to - omega;
+      Scene scene = brought(early ? regime.first.orbit : regime.last.orbit, omega);
+      const SteadyMotion motion = steady_motion(scene);
+      const int observed = observed_turns(regime);
+      scene.window = Revolutions{static_cast<double>(before + observed)};
+      LateTurns late;
+      late.scene = &scene;
+      late.from = duration_of(scene) * before / (before + observed);
+      ImpactModel<double>(scene).run(late);
+      EXPECT_DOUBLE_EQ(regime.collisions_per_turn, static_cast<double>(late.collisions) / observed)
+          << "machine " << seed << " at " << omega;
+      EXPECT_NEAR(motion.energy_per_turn() / (late.energy / observed + 1e-15), 1,
+                  late.energy > 0 ? 1e-6 : 1)
+          << "machine " << seed << " at " << omega;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 5 * machines());
 }
 
 /// A machine whose speed rises in small steps, and what it counts at each.
@@ -131,6 +228,14 @@ TEST(Regimes, OfADisturbedMachineHaveBlurredBorders) {
   // At 1 N in 0.58 kg m 8.08^2 rad^2/s^2 = 38 N the border is blurred by some 0.3 %.
   EXPECT_NEAR(regimes.front().to, 8.065, 0.002);
   EXPECT_NEAR(regimes.back().from, 8.094, 0.002);
+}
+
+TEST(Regimes, OfADisturbedMachineHaveAllTheirBorders) {
+  const auto regimes = regimes_of(random_disturbed_machine(19), {2.3, 5});
+  EXPECT_EQ(regime_at(regimes, 3).least_per_turn, 2);
+  EXPECT_EQ(regime_at(regimes, 3).most_per_turn, 2);
+  EXPECT_EQ(regime_at(regimes, 4).least_per_turn, 3);
+  EXPECT_EQ(regime_at(regimes, 4).most_per_turn, 3);
 }
 
 TEST(Regimes, RefuseWhatTheyCannotTell) {

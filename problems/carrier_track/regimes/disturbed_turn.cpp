@@ -1,0 +1,77 @@
+#include "problems/carrier_track/regimes/disturbed_turn.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <numbers>
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/models/impact_lanes.h"
+
+namespace ricochet::carrier_track::inline regimes {
+namespace {
+
+/// Rebounds slower than this share of the counting limit are summed: they are too slow for any
+/// margin above lowest_margin.
+constexpr double summed_rebounds = 1e-3;
+
+/// Takes the impacts of the last turn.
+struct LastTurn : Observer {
+  static constexpr bool hears_impacts_alone = true;
+
+  double start = 0;    // [s]
+  double slowest = 0;  // [m/s]
+  std::vector<Impact> impacts;
+
+  void impact(double time, Wall wall, double speed) {
+    if (time >= start && speed > slowest) impacts.push_back({time, wall, speed});
+  }
+};
+
+}  // namespace
+
+std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
+                                           int before) {
+  Scene there = scene;
+  there.window = Revolutions{static_cast<double>(before + 1)};
+  const double resting = summed_rebounds * scene.counting_limit;
+  std::vector<LastTurn> last(phases.size());
+  for (LastTurn& turn : last) {
+    turn.start = before * 2 * std::numbers::pi / scene.omega;
+    turn.slowest = std::exp(lowest_margin) * scene.counting_limit;
+  }
+  const auto model_at = [&](std::size_t k) {
+    there.disturbance_phase = phases[k];
+    return ImpactModel<double>(there, resting);
+  };
+  std::vector<LaneOutcome> outcomes;
+  if (phases.size() == 1) {
+    outcomes.push_back({model_at(0).run(last[0]), nullptr});
+  } else {
+    outcomes =
+        run_in_lanes(phases.size(), model_at, [&](std::size_t k) -> LastTurn& { return last[k]; });
+  }
+  std::vector<DisturbedTurn> turns;
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
+    const End<double>& end = outcomes[k].end;
+    DisturbedTurn turn{phases[k], std::move(last[k].impacts), {}, 0, false};
+    turn.returns = end.position == scene.start_position && end.velocity == 0;
+    for (const Impact& impact : turn.impacts) {
+      turn.speeds.push_back(impact.speed);
+      if (is_counted(impact.speed, scene.counting_limit)) ++turn.collisions;
+    }
+    std::sort(turn.speeds.begin(), turn.speeds.end(), std::greater<>());
+    turns.push_back(std::move(turn));
+  }
+  return turns;
+}
+
+double margin_of(const Scene& scene, const DisturbedTurn& turn, int rank) {
+  if (rank < 1 || rank > static_cast<int>(turn.speeds.size())) return lowest_margin;
+  const double speed = turn.speeds[static_cast<std::size_t>(rank - 1)];
+  return std::max(lowest_margin, std::log(speed / scene.counting_limit));
+}
+
+}  // namespace ricochet::carrier_track::inline regimes

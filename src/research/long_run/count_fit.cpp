@@ -86,7 +86,7 @@ Fit fit_at(const ModelVariant& variant, const calibration::BestPoint& best,
           left_out};
 }
 
-/// ln(threshold / paper) of a case, for the problem's best point.
+/// ln(threshold / paper) of a case, with exact counts.
 double error_at(const ModelVariant& variant, const Constants& constants, const Case& a_case,
                 double step) {
   const CountAt count = variant.counts(a_case, {constants, {}}, variants::judging);

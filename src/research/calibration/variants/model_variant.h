@@ -51,8 +51,8 @@ struct ModelVariant {
   std::optional<carrier_track::Constants> start = {};
 };
 
-/// Start of a search: the variant's own; else the natural values; for a brief variant the parameters of the default
-/// interpretation.
+/// Start of a search: the variant's own; else the natural values; for a brief variant the
+/// parameters of the default interpretation.
 VariantConstants start_of(const ModelVariant& variant);
 
 /// The loss (loss.h) of a variant.

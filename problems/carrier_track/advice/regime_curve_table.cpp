@@ -83,7 +83,7 @@ std::string words_for(CurveEnd end) {
   return "";
 }
 
-std::string counts_of(double slower, double faster) {
+std::string change_of_counts(double slower, double faster) {
   return slower == faster ? fmt::format("{:.4g}", slower)
                           : fmt::format("{:.4g} to {:.4g}", slower, faster);
 }
@@ -95,7 +95,7 @@ std::string ends_of(const Row& row, const RegimeMap& map, const ShownUnit& unit)
   const auto add = [&](const char* side, const MapPoint& point, CurveEnd end) {
     if (end == CurveEnd::range) return;
     text += fmt::format("The border of {} collisions a turn ends at {} {} {:.4g}{}{}: {}.\n",
-                        counts_of(row.slower, row.faster), side, map.options.constant,
+                        change_of_counts(row.slower, row.faster), side, map.options.constant,
                         point.constant / unit.size, unit.name.empty() ? "" : " ", unit.name,
                         words_for(end));
   };
@@ -117,7 +117,7 @@ std::string text_of(const RegimeMap& map, const ShownUnit& unit) {
   text += "\n";
   for (const Row& row : rows) {
     text +=
-        fmt::format("{:<12}{:<16}", counts_of(row.slower, row.faster), name_of(row.curve->kind));
+        fmt::format("{:<12}{:<16}", change_of_counts(row.slower, row.faster), name_of(row.curve->kind));
     for (const double value : values) text += fmt::format("{:>9}", speed_at(*row.curve, value));
     text += "\n";
   }

@@ -48,8 +48,12 @@ bool is_disturbed(const Scene& scene) {
 double collisions_per_turn(const Scene& scene) {
   Scene machine = scene;
   machine.fidelity = Fidelity::impact;
-  return is_disturbed(machine) ? disturbed_motion(machine).mean_collisions()
-                               : steady_motion(machine).collisions_per_turn();
+  if (!is_disturbed(machine)) return steady_motion(machine).collisions_per_turn();
+  DisturbedMotion motion = disturbed_motion(machine);
+  if (!motion.settled) observe(motion);
+  double sum = 0;
+  for (const DisturbedTurn& turn : motion.turns) sum += turn.collisions;
+  return sum / static_cast<double>(motion.turns.size());
 }
 
 double brief_collisions_per_turn(const Scene& scene, int most) {

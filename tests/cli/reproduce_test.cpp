@@ -14,7 +14,7 @@ TEST(Reproduce, WritesAReportThatStandsAlone) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr((folder / "index.html").string()));
   const std::string html = read(folder / "index.html");
-  EXPECT_THAT(html, HasSubstr("Thresholds, against the paper"));
+  EXPECT_THAT(html, HasSubstr("How fast, in the long run?"));
   EXPECT_EQ(html.find("<script src"), std::string::npos);
   EXPECT_EQ(html.find("<link"), std::string::npos);
   EXPECT_EQ(html.find("<img"), std::string::npos);

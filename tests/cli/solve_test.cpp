@@ -126,7 +126,8 @@ TEST(Solve, RefusesWhatIsNotThere) {
   expect_refusal("solve scan count-C1 --perturbation permuted",
                  "--perturbation permuted: does not apply to count-C1, formulation count");
   expect_refusal("solve scan count-C1 --budget 0", "--budget 0");
-  expect_refusal("solve scan count-C1 --budget 99999999999999999999", "must be within 1..1000000000");
+  expect_refusal("solve scan count-C1 --budget 99999999999999999999",
+                 "must be within 1..1000000000");
   expect_refusal("solve scan count-C1 --instance -1", "--instance -1");
 }
 

@@ -116,8 +116,8 @@ std::string text_of(const RegimeMap& map, const ShownUnit& unit) {
   for (const double value : values) text += fmt::format("{:>9.4g}", value / unit.size);
   text += "\n";
   for (const Row& row : rows) {
-    text +=
-        fmt::format("{:<12}{:<16}", change_of_counts(row.slower, row.faster), name_of(row.curve->kind));
+    text += fmt::format("{:<12}{:<16}", change_of_counts(row.slower, row.faster),
+                        name_of(row.curve->kind));
     for (const double value : values) text += fmt::format("{:>9}", speed_at(*row.curve, value));
     text += "\n";
   }

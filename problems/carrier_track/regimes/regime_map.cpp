@@ -240,10 +240,12 @@ class MapMaker {
         }
       }
       // Regions that end before this strip's end are complete.
-      const auto ended = std::ranges::stable_partition(
-          open, [&](const MapRegion& region) { return region.edges.back().constant == strip.to; });
-      map_.regions.insert(map_.regions.end(), ended.begin(), ended.end());
-      open.erase(ended.begin(), ended.end());
+      const auto ended = std::stable_partition(open.begin(), open.end(),
+                                               [end = strip.to](const MapRegion& region) {
+                                                 return region.edges.back().constant == end;
+                                               });
+      map_.regions.insert(map_.regions.end(), ended, open.end());
+      open.erase(ended, open.end());
     }
     map_.regions.insert(map_.regions.end(), open.begin(), open.end());
   }

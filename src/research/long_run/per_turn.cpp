@@ -20,7 +20,7 @@ constexpr double resting_share = 0.5;
 
 /// Counts the collisions from a time on; throws TooMany.
 struct LateCount : Observer {
-  static constexpr bool hears_impacts_alone = true;
+  [[maybe_unused]] static constexpr bool hears_impacts_alone = true;
   struct TooMany {};
 
   double from;   // [s]

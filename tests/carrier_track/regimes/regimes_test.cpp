@@ -112,6 +112,12 @@ TEST(Regimes, MissNoPairOfBordersWithinAStep) {
   EXPECT_EQ(regime_at(exchange, 2.6937).collisions_per_turn, 5);
   EXPECT_EQ(regime_at(exchange, 2.6941).collisions_per_turn, 4);
   EXPECT_EQ(regime_at(exchange, 2.7000).collisions_per_turn, 5);
+  // A second impact counts for a little: a touch makes both slower, the second one first.
+  const auto touch = regimes_of(random_machine(1277), {5.5, 5.7});
+  EXPECT_EQ(regime_at(touch, 5.63275).collisions_per_turn, 1);
+  EXPECT_EQ(regime_at(touch, 5.63304).collisions_per_turn, 2);
+  EXPECT_EQ(regime_at(touch, 5.63305).collisions_per_turn, 1);
+  EXPECT_EQ(regime_at(touch, 5.63310).collisions_per_turn, 0);
 }
 
 /// Collisions and energy of the late turns.

@@ -58,13 +58,10 @@ bool checks_way(const DisturbedMotion& /*motion*/) {
   return false;
 }
 
-/// The longest way to a border whose motion has other impacts: one that appears there may make
-/// others faster, and slower again.
-constexpr double unlike_way = 1e-5;
-
-/// The longest step between motions with different impacts.
+/// The longest step between motions with different impacts: one that appears may make others
+/// slower, and two that were just about to count vanish between the ends of the step.
 double unlike_step_of(const SteadyMotion& /*motion*/) {
-  return 1e-4;
+  return 1e-5;
 }
 double unlike_step_of(const DisturbedMotion& /*motion*/) {
   return 1e-3;
@@ -143,7 +140,7 @@ class Walk {
       if (step > longest_structured && signature_of(here_).moves) return false;
       const Border<Motion> border = first_border(here_, next);
       // On the way there the motion may change, and change back.
-      if (checks_way(here_) && !reaches(border.before, unlike_way)) return false;
+      if (checks_way(here_) && !reaches(border.before)) return false;
       if (signature_of(border.after) == signature_of(here_)) {  // it moved, to rest elsewhere
         here_ = border.after;
         margins_ = margins_of(here_);
@@ -154,7 +151,7 @@ class Walk {
       step_ = std::max(first_step, std::min(step_, 0.01));
       return true;
     }
-    if (!reaches(next, unlike_step_of(here_))) return false;
+    if (!reaches(next)) return false;
     here_ = std::move(next);
     observe(here_);
     margins_ = reached_ ? *std::move(reached_) : margins_of(here_);
@@ -165,22 +162,21 @@ class Walk {
 
   bool is_certain() const { return regimes_.back().certain; }
 
-  /// Whether a motion is surely the one here, followed without a border on the way, over a step of
-  /// at most `unlike` if it has other impacts; if not, and shorter steps are of no use, the regime
-  /// is not certain.
-  bool reaches(const Motion& there, double unlike) {
+  /// Whether a motion is surely the one here, followed without a border on the way; if not, and
+  /// shorter steps are of no use, the regime is not certain.
+  bool reaches(const Motion& there) {
     reached_.reset();
     if (!is_certain() || !signature_of(here_).moves) return true;
     const double step = std::log(there.omega() / here_.omega());
     reached_ = margins_of(there);
-    if (step <= rounding || smooth(*reached_, step, unlike)) return true;
+    if (step <= rounding || smooth(*reached_, step)) return true;
     if (step > shortest_of(there)) return false;
     regimes_.back().certain = is_near(here_, there);
     return true;
   }
 
-  bool smooth(const Margins& margins, double step, double unlike) const {
-    if (margins.structure != margins_.structure) return step <= unlike;
+  bool smooth(const Margins& margins, double step) const {
+    if (margins.structure != margins_.structure) return step <= unlike_step_of(here_);
     for (const Margin& margin : margins.known) {
       const auto before =
           std::find_if(margins_.known.begin(), margins_.known.end(), [&](const Margin& other) {

@@ -141,6 +141,7 @@ class Walk {
       const Border<Motion> border = first_border(here_, next);
       // On the way there the motion may change, and change back.
       if (checks_way(here_) && !reaches(border.before)) return false;
+      if (is_passed(border)) return true;
       if (signature_of(border.after) == signature_of(here_)) {  // it moved, to rest elsewhere
         here_ = border.after;
         margins_ = margins_of(here_);
@@ -157,6 +158,23 @@ class Walk {
     margins_ = reached_ ? *std::move(reached_) : margins_of(here_);
     add(here_);
     step_ = std::min(longest_step, 2 * step_);
+    return true;
+  }
+
+  /// Whether the motion here goes on beyond a jump, which a long step has made into one of several
+  /// motions that are possible there. Then it is followed on, some times; after these the regime
+  /// is not certain.
+  bool is_passed(const Border<Motion>& border) {
+    if (!is_certain() || !is_jump(border.kind)) return false;
+    Motion beyond = followed(border.before, border.omega * (1 + just_beyond_a_jump));
+    if (!(signature_of(beyond) == signature_of(here_)) || beyond.omega() >= to_) return false;
+    if (++passed_ > most_passed) {
+      regimes_.back().certain = false;
+      return false;
+    }
+    here_ = std::move(beyond);
+    margins_ = margins_of(here_);
+    step_ = first_step;
     return true;
   }
 
@@ -203,6 +221,7 @@ class Walk {
     regimes_.push_back(regime);
     sum_ = 0;
     added_ = 0;
+    passed_ = 0;
     add(here_);
   }
 
@@ -226,6 +245,8 @@ class Walk {
   }
 
   static constexpr double longest_structured = 0.02;
+  static constexpr double just_beyond_a_jump = 1e-9;  // relative
+  static constexpr int most_passed = 20;
 
   Motion here_;
   Margins margins_;
@@ -234,6 +255,7 @@ class Walk {
   double step_ = 0.01;
   double sum_ = 0;  // of the regime's collisions per turn
   int added_ = 0;
+  int passed_ = 0;  // jumps in the regime beyond which its motion goes on
   std::vector<Regime> regimes_;
 };
 

@@ -120,6 +120,12 @@ TEST(Regimes, MissNoPairOfBordersWithinAStep) {
   EXPECT_EQ(regime_at(touch, 5.63310).collisions_per_turn, 0);
 }
 
+/// At 14.5 rad/s two motions are possible. A long step meets the one of 10 collisions.
+TEST(Regimes, KeepTheMotionThatTheyHave) {
+  const auto regimes = regimes_of(random_machine(125), {0.3, 14.6});
+  EXPECT_EQ(regime_at(regimes, 14.52).collisions_per_turn, 9);
+}
+
 /// Collisions and energy of the late turns.
 struct LateTurns : Observer {
   const Scene* scene = nullptr;

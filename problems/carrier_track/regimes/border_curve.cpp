@@ -20,7 +20,7 @@ constexpr double shortest_part = 1e-6;  // share of the way asked for
 constexpr int iterations = 8;
 constexpr int most_changes = 12;  // tries in a row that meet another motion, which may take long
 constexpr double steep = 10;      // change of ln(speed) over the way, at a slope that turns back
-constexpr double shortest_solved_part = 1e-4;  // the same for what is solved anew
+constexpr double shortest_solved_part = 1e-4;  // the same for what is solved again
 constexpr double beside_a_fold =
     1e-4;  // relative: there the orbit that vanishes is found with ease
 constexpr double slope_difference =
@@ -61,12 +61,12 @@ std::optional<BorderPoint> BorderCurve::solved(double constant, double omega,
     if (end_ == CurveEnd::other_border) return std::nullopt;
     motion = std::move(first);
     const CurveEnd reason = end_;
-    const auto point = anew(constant, omega, motion);
+    const auto point = solved_again(constant, omega, motion);
     if (!point) end_ = reason;
     return point;
   }
   if (kind_ == RegimeEnd::release && !before_.moves) return released(constant, omega, motion);
-  return anew(constant, omega, motion);
+  return solved_again(constant, omega, motion);
 }
 
 std::optional<BorderPoint> BorderCurve::limit_passed(double constant, double omega,
@@ -142,7 +142,8 @@ std::optional<double> BorderCurve::border_near(double constant, double omega,
   return std::nullopt;
 }
 
-std::optional<BorderPoint> BorderCurve::anew(double constant, double omega, SteadyMotion& motion) {
+std::optional<BorderPoint> BorderCurve::solved_again(double constant, double omega,
+                                                     SteadyMotion& motion) {
   const std::optional<double> here = border_near(constant, omega, motion);
   if (!here) return std::nullopt;
   const double step = slope_difference * std::max(std::abs(constant), 1e-9);

@@ -34,7 +34,7 @@ std::string name_of(CurveEnd end);
 ///
 /// Where an impact passes the counting limit, and where the forces start to beat friction, a point
 /// is the solution of one equation by Newton's method, and its slope is exact. A border of another
-/// kind is solved anew near where it is expected, and its slope is a central difference, right to
+/// kind is solved again near where it is expected, and its slope is a central difference, right to
 /// some 1e-6 of itself.
 class BorderCurve {
  public:
@@ -55,7 +55,7 @@ class BorderCurve {
   std::optional<BorderPoint> solved(double constant, double omega, SteadyMotion& motion);
   std::optional<BorderPoint> limit_passed(double constant, double omega, SteadyMotion& motion);
   std::optional<BorderPoint> released(double constant, double omega, SteadyMotion& motion);
-  std::optional<BorderPoint> anew(double constant, double omega, SteadyMotion& motion);
+  std::optional<BorderPoint> solved_again(double constant, double omega, SteadyMotion& motion);
   std::optional<double> border_near(double constant, double omega, SteadyMotion& motion);
   Scene machine_at(double constant) const;
 

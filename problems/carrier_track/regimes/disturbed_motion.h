@@ -36,6 +36,12 @@ struct DisturbedMotion {
   double omega() const { return machine.omega; }
 };
 
+/// Whether a force of its own frequency shakes the carrier: a disturbance of frequency 0 is
+/// constant.
+inline bool is_disturbed(const Scene& scene) {
+  return scene.disturbance != 0 && scene.disturbance_frequency != 0;
+}
+
 /// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
 DisturbedMotion disturbed_motion(const Scene& scene);
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/regimes/map_strip.h"
 #include "problems/carrier_track/regimes/orbit_map.h"
 #include "problems/carrier_track/scene/scene_check.h"
@@ -26,10 +27,6 @@ Scene machine_at(const Scene& machine, const std::string& constant, double value
   set_constant(scene, constant, value);
   scene.start_position = std::clamp(scene.start_position, scene.wall_lower, scene.wall_upper);
   return scene;
-}
-
-bool is_disturbed(const Scene& scene) {
-  return scene.disturbance != 0 && scene.disturbance_frequency != 0;
 }
 
 /// Without regimes of no width: where impacts of one speed pass the counting limit, rounding makes

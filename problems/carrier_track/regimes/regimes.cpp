@@ -318,9 +318,8 @@ std::vector<Regime> walked(const Scene& scene, const RegimeOptions& options, dou
   Scene turn = slow;
   turn.window = Revolutions{1};
   check(turn, "scene, in a turn at the slowest speed");
-  const bool disturbed = scene.disturbance != 0 && scene.disturbance_frequency != 0;
-  return disturbed ? Walk(disturbed_motion(slow), options.to).regimes(at_most)
-                   : Walk(steady_motion(slow), options.to).regimes(at_most);
+  return is_disturbed(scene) ? Walk(disturbed_motion(slow), options.to).regimes(at_most)
+                             : Walk(steady_motion(slow), options.to).regimes(at_most);
 }
 
 }  // namespace

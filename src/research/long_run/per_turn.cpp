@@ -39,10 +39,6 @@ struct LateCount : Observer {
   }
 };
 
-bool is_disturbed(const Scene& scene) {
-  return scene.disturbance != 0 && scene.disturbance_frequency != 0;
-}
-
 }  // namespace
 
 double collisions_per_turn(const Scene& scene) {

@@ -1,6 +1,7 @@
 #include "bench/overhead_bench.h"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
@@ -8,18 +9,21 @@
 
 #include "ricochet/run.h"
 #include "ricochet/solvers.h"
+#include "src/core/instance.h"
 #include "src/core/scorer.h"
 
 namespace ricochet::bench {
 namespace {
 
-/// |x| on [-1, 2], with derivatives; not an instance, which would add cost.
+/// |x| on [-1, 2], with derivatives.
 Problem free_function() {
   Problem problem;
   problem.name = "free";
   problem.lower = Vector::Constant(1, -1);
   problem.upper = Vector::Constant(1, 2);
   problem.start = Vector::Constant(1, 1.5);
+  problem.best_known = 0.0;
+  problem.best_point = Vector::Zero(1);
   problem.evaluate = [](const Vector& x) { return Values{std::abs(x[0]), {}}; };
   problem.differentiate = [](const Vector& x) {
     return Derivatives{{std::abs(x[0]), {}}, Vector::Constant(1, x[0] < 0 ? -1 : 1), Matrix(0, 1)};
@@ -27,13 +31,12 @@ Problem free_function() {
   return problem;
 }
 
-void evaluator(benchmark::State& state) {
-  const Problem problem = free_function();
+void evaluator(benchmark::State& state, const Problem& problem) {
   Scorer scorer(problem);
   Evaluator evaluator(problem, {std::numeric_limits<std::int64_t>::max()}, &scorer);
   Vector x = problem.start;
   for (auto _ : state) {
-    x[0] = -x[0];  // another point every time
+    x = problem.lower + problem.upper - x;  // another point every time
     benchmark::DoNotOptimize(evaluator.values(x));
   }
 }
@@ -52,7 +55,10 @@ void solver(benchmark::State& state, const Solver& solver) {
 }  // namespace
 
 void add_overhead_benchmarks() {
-  benchmark::RegisterBenchmark("overhead/evaluator", evaluator);
+  for (const int number : {0, 1}) {
+    const auto name = fmt::format("overhead/evaluator/{}", number == 0 ? "stated" : "instance");
+    benchmark::RegisterBenchmark(name.c_str(), evaluator, instance(free_function(), number));
+  }
   for (const Solver& each : all_solvers()) {
     if (!each.accepts(free_function())) continue;
     benchmark::RegisterBenchmark(("overhead/" + each.name).c_str(), solver, each);

@@ -102,6 +102,9 @@ struct Problem {
   /// True if the problem is defined on all of R^n and best_point, which is then known, is best
   /// there too: instances may then be rotated about it.
   bool rotates = false;
+  /// True if the problem goes on beyond an end of its box as its mirror image, without a corner
+  /// there: instances may then move a best point away from that end.
+  bool mirrors = false;
   /// Empty if instances draw their start. Otherwise the start is part of the problem: instance k
   /// starts at its own image of start_scales[(k - 1) % size] times the start.
   std::vector<double> start_scales = {};

@@ -29,8 +29,9 @@ struct Frame {
   Vector centre;
 
   Vector natural(const Vector& x) const {
-    const Vector straight = direction.cwiseProduct(x - offset);
-    return turns ? Vector(centre + turn * (straight - centre)) : straight;
+    Vector straight = direction.cwiseProduct(x - offset);
+    if (turns) straight = centre + turn * (straight - centre);
+    return straight;
   }
   Vector straight(const Vector& natural) const {
     return turns ? Vector(centre + turn.transpose() * (natural - centre)) : natural;
@@ -43,6 +44,13 @@ struct Frame {
   }
 };
 
+/// Whether a coordinate of the best point, which is known, is at an end of the box.
+bool is_at_end(const Problem& problem, Eigen::Index i) {
+  const double close = 1e-6 * (problem.upper[i] - problem.lower[i]);
+  const double best = (*problem.best_point)[i];
+  return best - problem.lower[i] <= close || problem.upper[i] - best <= close;
+}
+
 /// Returns a box in which the best point has another relative position.
 Box box_around_best(const Problem& problem, Random& random) {
   Box box{problem.lower, problem.upper};
@@ -52,52 +60,73 @@ Box box_around_best(const Problem& problem, Random& random) {
     const double whole = problem.upper[i] - problem.lower[i];
     const double share = uniform(random);
     const double width = problem.rotates ? whole : (0.5 + 0.5 * uniform(random)) * whole;
+    const bool goes_on = problem.rotates || (problem.mirrors && is_at_end(problem, i));
     // The lower end is drawn from [from, to].
     const double from =
-        problem.rotates ? best[i] - 0.9 * width : std::max(problem.lower[i], best[i] - width);
-    const double to =
-        problem.rotates ? best[i] - 0.1 * width : std::min(problem.upper[i] - width, best[i]);
-    box.lower[i] = from + share * (to - from);
-    box.upper[i] = box.lower[i] + width;
+        goes_on ? best[i] - 0.9 * width : std::max(problem.lower[i], best[i] - width);
+    const double to = goes_on ? best[i] - 0.1 * width : std::min(problem.upper[i] - width, best[i]);
+    box.lower[i] = std::min(from + share * (to - from), best[i]);  // despite rounding
+    box.upper[i] = std::max(box.lower[i] + width, best[i]);
+    if (goes_on) continue;
+    box.lower[i] = std::max(box.lower[i], problem.lower[i]);
+    box.upper[i] = std::min(box.upper[i], problem.upper[i]);
   }
-  box.hold(best);  // despite rounding
-  if (!problem.rotates)
-    box = {box.lower.cwiseMax(problem.lower), box.upper.cwiseMin(problem.upper)};
   return box;
+}
+
+/// Leads a point outside the box onto it: to the point that it mirrors, or to the nearest one.
+/// Rounding in a frame can lead slightly outside, too.
+void lead_inside(const Problem& problem, Vector& x) {
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double lower = problem.lower[i], upper = problem.upper[i];
+    if (problem.mirrors && x[i] < lower) x[i] = 2 * lower - x[i];
+    if (problem.mirrors && x[i] > upper) x[i] = 2 * upper - x[i];
+    x[i] = std::clamp(x[i], lower, upper);
+  }
 }
 
 /// The problem with its functions in the frame's coordinates, otherwise unchanged.
 Problem seen_through(const Frame& frame, const Problem& problem) {
   const auto original = std::make_shared<const Problem>(problem);
-  // NOTE: rounding in the frame can lead slightly outside the box, so the point is projected onto
-  // it. A problem that can be rotated is defined outside, too.
   const auto inside = [original, frame](const Vector& x) -> Vector {
-    const Vector natural = frame.natural(x);
-    return original->rotates ? natural
-                             : natural.cwiseMax(original->lower).cwiseMin(original->upper);
+    Vector natural = frame.natural(x);
+    if (!original->rotates) lead_inside(*original, natural);  // else it is defined outside, too
+    return natural;
   };
-  const Matrix slope = frame.slope();
+  const auto slope_at = [original, frame, slope = frame.slope()](const Vector& x) -> Matrix {
+    if (!original->mirrors) return slope;
+    const Vector natural = frame.natural(x);
+    Matrix result = slope;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const bool outside = natural[i] < original->lower[i] || natural[i] > original->upper[i];
+      if (outside) result.row(i) = -result.row(i);
+    }
+    return result;
+  };
   Problem result = problem;
   result.evaluate = [original, inside](const Vector& x) { return original->evaluate(inside(x)); };
   if (problem.differentiate) {
-    result.differentiate = [original, inside, slope](const Vector& x) {
+    result.differentiate = [original, inside, slope_at](const Vector& x) {
       Derivatives d = original->differentiate(inside(x));
+      const Matrix slope = slope_at(x);
       d.gradient = slope.transpose() * d.gradient;
       d.jacobian = d.jacobian * slope;
       return d;
     };
   }
   if (problem.lagrangian_hessian) {
-    result.lagrangian_hessian = [original, inside, slope](const Vector& x, double objective_factor,
-                                                          const Vector& multipliers) -> Matrix {
+    result.lagrangian_hessian = [original, inside, slope_at](const Vector& x,
+                                                             double objective_factor,
+                                                             const Vector& multipliers) -> Matrix {
+      const Matrix slope = slope_at(x);
       const Matrix hessian = original->lagrangian_hessian(inside(x), objective_factor, multipliers);
       return slope.transpose() * hessian * slope;
     };
   }
   if (problem.residuals) {
-    result.residuals = [original, inside, slope](const Vector& x) {
+    result.residuals = [original, inside, slope_at](const Vector& x) {
       Residuals r = original->residuals(inside(x));
-      r.jacobian = r.jacobian * slope;
+      r.jacobian = r.jacobian * slope_at(x);
       return r;
     };
   }
@@ -113,6 +142,13 @@ Problem seen_through(const Frame& frame, const Problem& problem) {
 
 Vector uniform_point(const Problem& problem, Random& random) {
   return uniform_point(problem.lower, problem.upper, random);
+}
+
+Eigen::Index coordinates_at_ends(const Problem& problem) {
+  if (problem.rotates || problem.mirrors || !problem.best_point) return 0;
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < problem.dimension(); ++i) count += is_at_end(problem, i) ? 1 : 0;
+  return count;
 }
 
 Problem instance(const Problem& problem, int number) {

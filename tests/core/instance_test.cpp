@@ -59,6 +59,60 @@ TEST(Instance, StaysWithinTheBoxOfAProblemThatIsNotDefinedOutside) {
   }
 }
 
+/// A problem with its best point at an end of its box, beyond which it is its mirror image.
+Problem bowl(Eigen::Index n) {
+  Problem problem = parabola(n);
+  problem.name = "bowl";
+  problem.mirrors = true;
+  problem.best_point = Vector::Zero(n);
+  const auto check = [](const Vector& x) {
+    EXPECT_TRUE((x.array() >= 0).all() && (x.array() <= 1).all());
+  };
+  problem.evaluate = [check](const Vector& x) {
+    check(x);
+    return Values{x.squaredNorm(), {}};
+  };
+  problem.differentiate = [check, n](const Vector& x) {
+    check(x);
+    return Derivatives{{x.squaredNorm(), {}}, 2 * x, Matrix(0, n)};
+  };
+  return problem;
+}
+
+TEST(Instance, MovesABestPointOffTheEndBeyondWhichTheProblemIsMirrored) {
+  double lowest = 1, highest = 0;
+  for (int number = 1; number <= 40; ++number) {
+    const Problem moved = instance(bowl(2), number);
+    const Vector best = *moved.best_point;
+    EXPECT_EQ(moved.evaluate(best).objective, 0);
+    lowest = std::min(lowest, place(moved, best[0]));
+    highest = std::max(highest, place(moved, best[0]));
+    for (const Vector& x : {moved.lower, moved.upper, moved.start}) {
+      EXPECT_NEAR(moved.evaluate(x).objective, (x - best).squaredNorm(), 1e-12);
+      EXPECT_LT((moved.differentiate(x).gradient - 2 * (x - best)).norm(), 1e-12);
+    }
+  }
+  EXPECT_GE(lowest, 0.1 - 1e-12);
+  EXPECT_LE(highest, 0.9 + 1e-12);
+  EXPECT_LT(lowest, 0.25);
+  EXPECT_GT(highest, 0.75);
+}
+
+TEST(Instance, CountsTheCoordinatesThatStayAtAnEnd) {
+  Problem problem = parabola(3);
+  EXPECT_EQ(coordinates_at_ends(problem), 0);
+  problem.best_point = (Vector(3) << 1 - 1e-9, 0.5, 0).finished();
+  EXPECT_EQ(coordinates_at_ends(problem), 2);
+  for (int number = 1; number <= 20; ++number) {
+    const Problem moved = instance(problem, number);
+    EXPECT_EQ(coordinates_at_ends(moved), 2);
+  }
+  problem.mirrors = true;
+  EXPECT_EQ(coordinates_at_ends(problem), 0);
+  problem.best_point.reset();
+  EXPECT_EQ(coordinates_at_ends(problem), 0);
+}
+
 TEST(Instance, KeepsTheBoxWhereNoBestPointIsKnown) {
   Problem problem = parabola(1);
   problem.best_point.reset();

@@ -16,6 +16,7 @@ Problem count_problem(const Machine& machine) {
   Problem frame = speed_problem("count", machine, "collision count, equations (31)-(33)");
   frame.smoothing = default_smoothing;
   frame.tolerance = 0.5;  // the count must be exact
+  frame.mirrors = true;   // the forces depend on the square of the speed
   return smoothable(frame, define_at);
 }
 

@@ -7,6 +7,7 @@
 
 #include "embedded/families.h"
 #include "ricochet/verdict.h"
+#include "src/core/instance.h"
 #include "src/report/filled_text.h"
 #include "src/report/simplified.h"
 
@@ -65,6 +66,8 @@ Json row_of(const Problem& problem, double sign) {
               {"shown_point", nullptr},
               {"more_coordinates", false},
               {"point", nullptr},
+              {"at_ends", coordinates_at_ends(problem)},
+              {"dimension", problem.dimension()},
               {"provenance", problem.provenance.empty() ? Json() : Json(problem.provenance)}};
   if (problem.best_point) {
     const Vector& point = *problem.best_point;

@@ -57,6 +57,11 @@ struct TrueValues {
   double violation = 0;  ///< largest constraint value, absolute for equalities; 0 if feasible
 };
 
+/// A range of a coordinate.
+struct CoordinateRange {
+  double from, to;
+};
+
 /// Name and unit of a coordinate.
 struct Variable {
   std::string name;  ///< e.g. "omega"
@@ -99,6 +104,9 @@ struct Problem {
   std::optional<double> best_known;
   std::optional<Vector> best_point;
   std::string provenance;
+  /// For a problem of one variable: the ranges of x in which a point that is better than this true
+  /// objective is not excluded, by an argument that covers the whole box. Empty if there is none.
+  std::function<std::vector<CoordinateRange>(double objective)> not_excluded = {};
   /// True if the problem is defined on all of R^n and best_point, which is then known, is best
   /// there too: instances may then be rotated about it.
   bool rotates = false;

@@ -13,6 +13,7 @@
 #include "src/core/text_file.h"
 #include "src/research/best_values/best_values.h"
 #include "src/research/best_values/hard_search.h"
+#include "src/research/best_values/stored_values.h"
 #include "src/research/paper/calibration_problem.h"
 
 namespace ricochet::cli {
@@ -38,11 +39,21 @@ int best_values(const BestValuesOptions& options) {
   Plan plan;
   plan.problems = options.problems;
   if (options.seconds) plan.seconds = *options.seconds;
+  plan.effort.evaluations_per_variable = options.budget;
   const std::filesystem::path file = options.out;
   const FolderLock alone(file.has_parent_path() ? file.parent_path() : ".");
   std::vector<Family> families = carrier_track::case_families();
   families.push_back(carrier_track::calibration_family());
   const std::vector<Problem> problems = every_problem(families);
+  if (!options.from.empty()) {
+    const std::size_t improved = take_stored_values(problems, options.from, file);
+    fmt::print("{} best values better than before{}\n", improved,
+               improved == 0
+                   ? ""
+                   : "; the file: " +
+                         one_line(std::filesystem::absolute(file).lexically_normal().string()));
+    return 0;
+  }
   const Outcome outcome = find_best_values(problems, plan, file);
   fmt::print(
       "{} of {} best values looked for; {} better than before or new; {} without a feasible "

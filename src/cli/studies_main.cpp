@@ -142,16 +142,26 @@ class Studies : public CommandLine {
         ->type_name("PROBLEMS");
     command->add_option("--seconds", best_values_.seconds,
                         "Start no search after this time [s]; the same command continues");
+    command
+        ->add_option("--budget", best_values_.budget,
+                     "Evaluations a variable of each search: 50 times those of a comparison")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))
+        ->capture_default_str();
     command->add_option("--out", best_values_.out, "The file of the values")
         ->type_name("FILE")
         ->capture_default_str();
+    command
+        ->add_option("--from", best_values_.from,
+                     "Instead: take the values of a store's runs that are better than those known")
+        ->type_name("STORE")
+        ->excludes("--problems", "--seconds", "--budget");
     command
         ->add_option(
             "--hard-machines", best_values_.hard_machines,
             "Instead: search machines whose fastest quiet speed is hard to find, and write "
             "this file")
         ->type_name("FILE")
-        ->excludes("--problems", "--seconds", "--out");
+        ->excludes("--problems", "--seconds", "--budget", "--from", "--out");
     on_call(command, [this] { return best_values(best_values_); });
   }
 

@@ -104,6 +104,7 @@ Problem seen_through(const Frame& frame, const Problem& problem) {
     return result;
   };
   Problem result = problem;
+  result.not_excluded = nullptr;  // it is in the natural coordinates
   result.evaluate = [original, inside](const Vector& x) { return original->evaluate(inside(x)); };
   if (problem.differentiate) {
     result.differentiate = [original, inside, slope_at](const Vector& x) {
@@ -138,23 +139,14 @@ Problem seen_through(const Frame& frame, const Problem& problem) {
   return result;
 }
 
-}  // namespace
+/// Where an instance of a problem lies.
+struct Placement {
+  Frame frame;
+  Box box;
+  Vector start;  // straight; empty if it is drawn
+};
 
-Vector uniform_point(const Problem& problem, Random& random) {
-  return uniform_point(problem.lower, problem.upper, random);
-}
-
-Eigen::Index coordinates_at_ends(const Problem& problem) {
-  if (problem.rotates || problem.mirrors || !problem.best_point) return 0;
-  Eigen::Index count = 0;
-  for (Eigen::Index i = 0; i < problem.dimension(); ++i) count += is_at_end(problem, i) ? 1 : 0;
-  return count;
-}
-
-Problem instance(const Problem& problem, int number) {
-  if (number < 0) throw std::invalid_argument("instance: the number must be >= 0");
-  if (number == 0) return problem;
-  Random random(seed_of(problem.name, "instance", number, 0));
+Placement placement_of(const Problem& problem, int number, Random& random) {
   const Eigen::Index n = problem.dimension();
   Frame frame{Vector(n), Vector(n), problem.rotates && n > 1, Matrix(), Vector()};
   if (frame.turns) {
@@ -175,6 +167,35 @@ Problem instance(const Problem& problem, int number) {
     frame.direction[i] = reflected ? -1.0 : 1.0;
     frame.offset[i] = (reflected ? box.lower[i] + box.upper[i] : 0.0) + shift;
   }
+  return {frame, box, start};
+}
+
+}  // namespace
+
+Vector uniform_point(const Problem& problem, Random& random) {
+  return uniform_point(problem.lower, problem.upper, random);
+}
+
+Vector stated_point(const Problem& problem, int number, const Vector& x) {
+  if (number == 0) return x;
+  Random random(seed_of(problem.name, "instance", number, 0));
+  Vector natural = placement_of(problem, number, random).frame.natural(x);
+  if (!problem.rotates) lead_inside(problem, natural);
+  return natural;
+}
+
+Eigen::Index coordinates_at_ends(const Problem& problem) {
+  if (problem.rotates || problem.mirrors || !problem.best_point) return 0;
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < problem.dimension(); ++i) count += is_at_end(problem, i) ? 1 : 0;
+  return count;
+}
+
+Problem instance(const Problem& problem, int number) {
+  if (number < 0) throw std::invalid_argument("instance: the number must be >= 0");
+  if (number == 0) return problem;
+  Random random(seed_of(problem.name, "instance", number, 0));
+  const auto [frame, box, start] = placement_of(problem, number, random);
   Problem result = seen_through(frame, problem);
   result.instance = number;
   const Vector a = frame.shown(box.lower);

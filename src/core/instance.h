@@ -23,6 +23,10 @@ namespace ricochet {
 /// std::invalid_argument for number < 0.
 Problem instance(const Problem& problem, int number);
 
+/// The point of the problem as stated that x is in the instance with this number >= 0. In the box,
+/// unless the problem rotates.
+Vector stated_point(const Problem& problem, int number, const Vector& x);
+
 /// The number of coordinates of the best point that are at an end of the box, to a millionth of its
 /// width, in every instance. 0 if no best point is known.
 Eigen::Index coordinates_at_ends(const Problem& problem);

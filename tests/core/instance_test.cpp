@@ -166,6 +166,20 @@ Problem valley() {
   return problem;
 }
 
+TEST(Instance, KnowsItsPointsInTheProblemAsStated) {
+  for (const Problem& problem : {parabola(3), bowl(3), valley()}) {
+    for (int number = 0; number <= 10; ++number) {
+      const Problem moved = instance(problem, number);
+      for (const Vector& x : {moved.lower, moved.upper, moved.start, *moved.best_point}) {
+        const Vector stated = stated_point(problem, number, x);
+        EXPECT_EQ(problem.evaluate(stated).objective, moved.evaluate(x).objective);
+      }
+      const Vector best = stated_point(problem, number, *moved.best_point);
+      EXPECT_LT((best - *problem.best_point).norm(), 1e-12);
+    }
+  }
+}
+
 TEST(Instance, TurnsAProblemAboutItsBestPoint) {
   for (int number = 1; number <= 10; ++number) {
     const Problem moved = instance(valley(), number);

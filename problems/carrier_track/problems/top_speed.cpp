@@ -1,5 +1,7 @@
 #include "problems/carrier_track/problems/top_speed.h"
 
+#include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/exclusion.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/gradients/surrogate.h"
 #include "problems/carrier_track/problems/problem_from_function.h"
@@ -23,6 +25,12 @@ Problem top_speed_problem_of(const std::string& family, const Machine& machine) 
   frame.smoothing = default_smoothing;
   frame.tolerance = speed_tolerance;
   frame.penalty_weight = speed_penalty;
+  if (suits_lanes(machine.scene)) {
+    frame.not_excluded = [machine](double objective) {
+      const double faster = -objective + speed_tolerance;
+      return not_excluded(machine.scene, faster, fastest_speed, machine.quiet_limit);
+    };
+  }
   return smoothable(frame, define_at);
 }
 

@@ -23,21 +23,26 @@ constexpr double longest_step = 0.1;
 constexpr double rounding = 1e-12;
 constexpr double irregular_step = 0.02;  // where the motion does not repeat
 
-/// Whether the cubic through the values and slopes at both ends of a step keeps its sign, and is
-/// near enough to what it stands for: its error is of the size of `surprise`, the difference
-/// between the rise and what the slopes say.
+/// Whether a margin keeps its sign over a step, by the cubic through the values and slopes at both
+/// ends. The cubic's error is of the size of `surprise`, the difference between the rise and what
+/// the slopes say, and of a share of how far its extremum is from the nearer end.
 bool keeps_sign(const Margin& a, const Margin& b, double step) {
   if ((a.value > 0) != (b.value > 0)) return false;
-  const double surprise = std::abs(b.value - a.value - step * (a.slope + b.slope) / 2);
-  const double size = std::abs(a.value) + std::abs(b.value);
-  if (surprise > 0.5 * size) return false;
-  for (const double t : {0.25, 0.5, 0.75}) {
-    const double s = 1 - t;
-    const double there = s * s * (1 + 2 * t) * a.value + t * t * (1 + 2 * s) * b.value +
-                         step * s * t * (s * a.slope - t * b.slope);
-    if ((there > 0) != (a.value > 0)) return false;
-  }
-  return true;
+  const double sign = a.value > 0 ? 1 : -1;
+  const double from = sign * a.value, to = sign * b.value;
+  const double leaves = sign * step * a.slope, arrives = sign * step * b.slope;
+  const double surprise = std::abs(to - from - (leaves + arrives) / 2);
+  if (surprise > 0.5 * (from + to)) return false;
+  const double square = 3 * (to - from) - 2 * leaves - arrives;
+  const double cube = leaves + arrives - 2 * (to - from);
+  // The least value within the step, where 3 cube t^2 + 2 square t + leaves = 0 and it rises.
+  const double root = square * square - 3 * cube * leaves;
+  if (root < 0) return true;
+  const double t =
+      square > 0 ? -leaves / (square + std::sqrt(root)) : (std::sqrt(root) - square) / (3 * cube);
+  if (!(t > 0 && t < 1)) return true;
+  const double least = from + t * (leaves + t * (square + t * cube));
+  return least > 0.1 * surprise + 0.05 * (std::min(from, to) - least);
 }
 
 /// The largest modulus of the eigenvalues of a period.

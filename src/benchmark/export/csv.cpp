@@ -38,7 +38,8 @@ problem's tolerance. terminations: what the solver said at the end of its starts
 thrown. Coordinates of points are separated by blanks.
 improvements.csv: one row for every point of a run (its number) with a better true value than all
 points before it: less violation, or equal violation and a lower objective. violation 0: feasible.
-problems.csv: one row per problem, with the factors of its machine.
+problems.csv: one row per problem, with the factors of its machine. Runs of two stores can be compared
+if the problem's hash is the same.
 
 For Parquet, use DuckDB: COPY 'runs.csv' TO 'runs.parquet'.
 )";
@@ -144,8 +145,9 @@ void write_problems(const CampaignDescription& description, const std::filesyste
   for (const StoredProblem& problem : description.problems) {
     for (const auto& [name, value] : problem.factors) factors.insert(name);
   }
-  std::vector<std::string> header = {"problem",     "family",     "machine",   "variables",
-                                     "constraints", "equalities", "tolerance", "best_known"};
+  std::vector<std::string> header = {"problem",   "family",      "machine",
+                                     "variables", "constraints", "equalities",
+                                     "tolerance", "best_known",  "hash"};
   for (const std::string& factor : factors) header.push_back(one_line(factor));
   std::string text = csv_row(header);
   for (const StoredProblem& problem : description.problems) {
@@ -156,7 +158,8 @@ void write_problems(const CampaignDescription& description, const std::filesyste
                                     std::to_string(problem.constraints),
                                     std::to_string(problem.equalities),
                                     number(problem.tolerance),
-                                    number(problem.best_known)};
+                                    number(problem.best_known),
+                                    problem.hash};
     for (const std::string& factor : factors) {
       const auto value = problem.factors.find(factor);
       row.push_back(value == problem.factors.end() ? "" : number(value->second));

@@ -49,6 +49,7 @@ Json json_of(const StoredProblem& problem) {
           {"equalities", problem.equalities},
           {"tolerance", problem.tolerance},
           {"best_known", problem.best_known},
+          {"hash", problem.hash},
           {"factors", problem.factors}};
 }
 

@@ -1,12 +1,14 @@
 #include "src/benchmark/problem_pages/family_data.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 
 #include "embedded/families.h"
 #include "ricochet/verdict.h"
+#include "src/benchmark/problem_pages/difficulty.h"
 #include "src/core/instance.h"
 #include "src/report/filled_text.h"
 #include "src/report/simplified.h"
@@ -55,6 +57,12 @@ Json variables_of(const Problem& problem) {
   return rows;
 }
 
+/// Points at which the difficulty is sampled: more where one is cheap.
+int sampled_points(const Problem& problem) {
+  const double simulations = problem.dimension() == 1 ? 5000 : 1000;
+  return static_cast<int>(simulations / std::max(1.0, problem.cost));
+}
+
 /// A row of the table. An objective to be maximised is minimised as its negative; `sign` restores
 /// it.
 Json row_of(const Problem& problem, double sign) {
@@ -68,12 +76,34 @@ Json row_of(const Problem& problem, double sign) {
               {"point", nullptr},
               {"at_ends", coordinates_at_ends(problem)},
               {"dimension", problem.dimension()},
+              {"difficulty", nullptr},
+              {"proven", nullptr},
+              {"not_excluded", Json::array()},
               {"provenance", problem.provenance.empty() ? Json() : Json(problem.provenance)}};
   if (problem.best_point) {
     const Vector& point = *problem.best_point;
     row["shown_point"] = list_of(point.head(std::min(point.size(), coordinates_shown)));
     row["more_coordinates"] = point.size() > coordinates_shown;
     row["point"] = list_of(point);
+  }
+  const int points = sampled_points(problem);
+  if (const auto difficulty = difficulty_of(problem, points)) {
+    row["difficulty"] = {{"points", points},
+                         {"feasible", difficulty->feasible_share},
+                         {"solving", difficulty->solving_share},
+                         {"lower", difficulty->interval.lower},
+                         {"upper", difficulty->interval.upper},
+                         {"random_search", Json()},
+                         {"at_least", 1 / difficulty->interval.upper},
+                         {"plateau", difficulty->plateau}};
+    if (difficulty->random_search) row["difficulty"]["random_search"] = *difficulty->random_search;
+  }
+  if (problem.best_known && problem.not_excluded) {
+    const std::vector<CoordinateRange> ranges = problem.not_excluded(*problem.best_known);
+    row["proven"] = ranges.empty();
+    row["not_excluded"] = report::list_of(ranges, [](const CoordinateRange& range) -> Json {
+      return {{"from", range.from}, {"to", range.to}};
+    });
   }
   return row;
 }
@@ -186,9 +216,10 @@ Json family_data(const Family& family) {
       {"charts", Json::array()}};
   data.update(texts_of(family));
   const double sign = data["maximised"] == "" ? 1 : -1;
-  for (const Problem& problem : family.problems) {
-    data["problems"].push_back(row_of(problem, sign));
-  }
+  std::vector<Json> rows(family.problems.size());
+  tbb::parallel_for(std::size_t{0}, rows.size(),
+                    [&](std::size_t i) { rows[i] = row_of(family.problems[i], sign); });
+  data["problems"] = rows;
   if (first.dimension() == 1) data["charts"].push_back(chart_of(family));
   return data;
 }

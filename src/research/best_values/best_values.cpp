@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <optional>
 
@@ -21,46 +19,12 @@
 #include "src/core/patterns.h"
 #include "src/core/progress.h"
 #include "src/core/text_file.h"
+#include "src/research/best_values/known_values.h"
 
 namespace ricochet::studies::best_values {
 namespace {
 
 using namespace carrier_track;
-
-BestValues read_if_there(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return {default_machine_hash(), {}};
-  std::ifstream stream(file, std::ios::binary);
-  return parse_best_values({std::istreambuf_iterator<char>(stream), {}}, file.string());
-}
-
-/// Returns the true objective of the entry, evaluated by this version; infinite if it is not a
-/// feasible point of the problem.
-double worth(const Problem& problem, const BestKnown& best) {
-  if (best.point.size() != problem.dimension()) return std::numeric_limits<double>::infinity();
-  const TrueValues true_values = true_values_at(problem, best.point);
-  return true_values.violation > 0 ? std::numeric_limits<double>::infinity()
-                                   : true_values.objective;
-}
-
-/// Returns the values known so far, evaluated by this version.
-BestValues known_values(const std::vector<Problem>& problems, const std::filesystem::path& file) {
-  BestValues known{default_machine_hash(), {}};
-  const BestValues in_file = read_if_there(file);
-  for (const Problem& problem : problems) {
-    std::vector<BestKnown> candidates;
-    if (problem.best_point) candidates.push_back({0, *problem.best_point, problem.provenance});
-    const auto found = in_file.of.find(problem.name);
-    if (found != in_file.of.end()) candidates.push_back(found->second);
-    for (BestKnown& best : candidates) {
-      best.value = worth(problem, best);
-      const auto before = known.of.find(problem.name);
-      const double so_far =
-          before == known.of.end() ? std::numeric_limits<double>::infinity() : before->second.value;
-      if (best.value < so_far) known.of.insert_or_assign(problem.name, best);
-    }
-  }
-  return known;
-}
 
 /// Returns the finished results of an interrupted call if their values are reproduced at their
 /// points. The others are searched again.
@@ -86,11 +50,10 @@ std::string nothing_matches(const std::vector<Problem>& problems, const std::str
                      near.empty() ? "see ricochet list problems" : what_instead(pattern, names));
 }
 
-/// Estimated work for a problem, for the progress display, about proportional to the time. A scan
-/// in steps of 1e-3 takes as long as a search over two variables.
+/// Estimated work for a problem, for the progress display, about proportional to the time.
 double work_of(const Problem& problem) {
   const double n = static_cast<double>(problem.dimension());
-  return n == 1 ? 6e-3 * problem.cost / problem.scan_step : n * n + 5;
+  return n == 1 ? 1e-4 * problem.cost / problem.scan_step : n;
 }
 
 }  // namespace
@@ -137,9 +100,13 @@ Outcome find_best_values(const std::vector<Problem>& problems, const Plan& plan,
           return;
         }
       }
+      const auto before = known.of.find(problem.name);
       // Isolated: a thread that waits within a run must not begin another, which would disturb the
       // solver libraries' thread-local state.
-      BestKnown best = tbb::this_task_arena::isolate([&] { return best_of(problem, plan.effort); });
+      BestKnown best = tbb::this_task_arena::isolate([&] {
+        return best_of(before == known.of.end() ? problem : knowing(problem, before->second),
+                       plan.effort);
+      });
       const std::lock_guard lock(mutex);
       finished.of.insert_or_assign(problem.name, std::move(best));
       write_text_file(part, write_best_values(finished));
@@ -155,10 +122,12 @@ Outcome find_best_values(const std::vector<Problem>& problems, const Plan& plan,
     ++outcome.finished;
     const BestKnown& best = found->second;
     const auto before = known.of.find(problem->name);
-    if (std::isfinite(best.value) &&
-        (before == known.of.end() || best.value < before->second.value)) {
+    const bool is_new = before == known.of.end();
+    if (std::isfinite(best.value) && (is_new || best.value < before->second.value)) {
       ++outcome.improved;
       known.of.insert_or_assign(problem->name, best);
+    } else if (!is_new && best.point == before->second.point) {
+      before->second.provenance = best.provenance;  // how many searches agree
     }
     if (!known.of.contains(problem->name)) ++outcome.infeasible;
   }

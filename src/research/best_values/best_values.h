@@ -32,8 +32,8 @@ bool matches(const std::string& name, const std::string& pattern);
 /// best_known.h once all are complete. Until then finished values are kept in "<file>.part", so
 /// that an interrupted call can be resumed; values from calls for other problems are kept there
 /// too. Known values, in the file or in the program, are evaluated again at their points, and stay
-/// unless a better one is found. Throws InputError if a pattern matches nothing, or if a file
-/// cannot be read or written.
+/// unless a better one is found; their provenance says how many searches agree. Throws InputError
+/// if a pattern matches nothing, or if a file cannot be read or written.
 Outcome find_best_values(const std::vector<Problem>& problems, const Plan& plan,
                          const std::filesystem::path& file);
 

@@ -12,14 +12,16 @@ using carrier_track::scan_for_best;
 
 /// Effort for a best value, in evaluations instead of seconds, so that results are reproducible.
 struct Effort {
-  std::int64_t evaluations = 1500;             ///< of each run of a solver
-  std::int64_t evaluations_per_variable = 40;  ///< added for each variable
+  /// Of each search: fifty times the largest budget of any plan.
+  std::int64_t evaluations_per_variable = 50'000;
+  int rounds = 2;  ///< of three searches each; none begins after two agree
 };
 
-/// Returns the best true objective that several solvers find on a problem of several variables:
-/// those without derivatives use the original problem, those with derivatives the surrogates of
-/// several smoothing parameters, and local solvers start from the best point. Constraints are
-/// penalised for solvers that take none.
+/// Returns the best true objective of a problem of several variables: by three solvers that do best
+/// on such problems, each restarted until its evaluations are spent and improved by local solvers,
+/// until two searches end within the problem's tolerance of the best, or all rounds are over.
+/// Constraints are penalised for solvers that take none. The problem's best known point stays if no
+/// search finds a better one. The provenance says how many searches agree.
 BestKnown search_for_best(const Problem& problem, const Effort& effort);
 
 /// Scans a problem of one variable at its step; uses solvers for several variables.

@@ -118,6 +118,11 @@ TEST(Regimes, MissNoPairOfBordersWithinAStep) {
   EXPECT_EQ(regime_at(touch, 5.63304).collisions_per_turn, 2);
   EXPECT_EQ(regime_at(touch, 5.63305).collisions_per_turn, 1);
   EXPECT_EQ(regime_at(touch, 5.63310).collisions_per_turn, 0);
+  // The speed of one impact falls 0.02 % below the counting limit and rises again.
+  const auto dip = regimes_of(random_machine(4267), {1.509, 1.525});
+  EXPECT_EQ(regime_at(dip, 1.5160).collisions_per_turn, 2);
+  EXPECT_EQ(regime_at(dip, 1.5166).collisions_per_turn, 1);
+  EXPECT_EQ(regime_at(dip, 1.5180).collisions_per_turn, 2);
 }
 
 /// At 14.5 rad/s two motions are possible. A long step meets the one of 10 collisions.

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "ricochet/error.h"
-#include "src/benchmark/experiment/campaign/data_hash.h"
+#include "src/benchmark/experiment/campaign/problem_hash.h"
 #include "src/benchmark/experiment/campaign/relocated_optimum.h"
 #include "src/core/near_names.h"
 #include "src/core/patterns.h"
@@ -371,14 +371,13 @@ double Campaign::work() const {
 CampaignDescription Campaign::description() const {
   CampaignDescription description;
   description.plan = text_of(plan_);
-  description.data = data_hash(problems_);
   for (std::size_t q = 0; q < problems_.size(); ++q) {
     const Problem& problem = problems_[q];
     const auto found = found_.find(problem.name);
-    description.problems.push_back({problem.name, families_[q], problem.machine,
-                                    problem.dimension(), problem.constraints, problem.equalities,
-                                    problem.tolerance, problem.best_known.value(), problem.factors,
-                                    found == found_.end() ? Findings() : found->second});
+    description.problems.push_back(
+        {problem.name, families_[q], problem.machine, problem.dimension(), problem.constraints,
+         problem.equalities, problem.tolerance, problem.best_known.value(), problem.factors,
+         found == found_.end() ? Findings() : found->second, problem_hash(problem)});
   }
   for (const Solver& solver : solvers_) {
     description.solvers.push_back({solver.name, solver.version});

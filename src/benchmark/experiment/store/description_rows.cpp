@@ -46,10 +46,8 @@ std::map<std::string, double> numbers_in(SQLite::Database& database, const std::
 void add_description(SQLite::Database& database, const CampaignDescription& description) {
   check_names(description.problems, "problems");
   check_names(description.solvers, "solvers");
-  SQLite::Statement plan(database, "INSERT INTO campaign VALUES (?, ?, ?)");
-  Use(plan)
-      .with(description.plan, description.data, static_cast<std::int64_t>(checksum(description)))
-      .execute();
+  SQLite::Statement plan(database, "INSERT INTO campaign VALUES (?, ?)");
+  Use(plan).with(description.plan, static_cast<std::int64_t>(checksum(description))).execute();
   SQLite::Statement note(database, "INSERT INTO note VALUES (?, ?, ?)");
   for (const auto& [name, value] : description.program) {
     Use(note).with(std::string("program"), name, value).execute();
@@ -57,14 +55,16 @@ void add_description(SQLite::Database& database, const CampaignDescription& desc
   for (const auto& [name, value] : description.made) {
     Use(note).with(std::string("made"), name, value).execute();
   }
-  SQLite::Statement add_problem(database, "INSERT INTO problem VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  SQLite::Statement add_problem(database,
+                                "INSERT INTO problem VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   SQLite::Statement add_factor(database, "INSERT INTO factor VALUES (?, ?, ?)");
   SQLite::Statement add_finding(database, "INSERT INTO finding VALUES (?, ?, ?)");
   int number = 0;
   for (const StoredProblem& problem : description.problems) {
     Use(add_problem)
         .with(++number, problem.name, problem.family, problem.machine, problem.variables,
-              problem.constraints, problem.equalities, problem.tolerance, problem.best_known)
+              problem.constraints, problem.equalities, problem.tolerance, problem.best_known,
+              problem.hash)
         .execute();
     for (const auto& [name, value] : problem.factors) {
       Use(add_factor).with(number, name, value).execute();
@@ -82,28 +82,28 @@ void add_description(SQLite::Database& database, const CampaignDescription& desc
 
 CampaignDescription description_in(SQLite::Database& database) {
   CampaignDescription description;
-  SQLite::Statement campaigns(database, "SELECT plan, data, checksum FROM campaign");
+  SQLite::Statement campaigns(database, "SELECT plan, checksum FROM campaign");
   Use campaign(campaigns);
   if (!campaign.next()) throw Damage("the description is missing");
   description.plan = campaign.text(0);
-  description.data = campaign.text(1);
   description.program = notes_in(database, "program");
   description.made = notes_in(database, "made");
-  SQLite::Statement problems(database,
-                             "SELECT number, name, family, machine, variables, constraints, "
-                             "equalities, tolerance, best_known FROM problem ORDER BY number");
+  SQLite::Statement problems(
+      database,
+      "SELECT number, name, family, machine, variables, constraints, "
+      "equalities, tolerance, best_known, hash FROM problem ORDER BY number");
   Use problem(problems);
   while (problem.next()) {
-    description.problems.push_back({problem.text(1), problem.text(2), problem.text(3),
-                                    problem.integer(4), problem.integer(5), problem.integer(6),
-                                    problem.number(7), problem.number(8),
-                                    numbers_in(database, "factor", problem.integer(0)),
-                                    numbers_in(database, "finding", problem.integer(0))});
+    description.problems.push_back(
+        {problem.text(1), problem.text(2), problem.text(3), problem.integer(4), problem.integer(5),
+         problem.integer(6), problem.number(7), problem.number(8),
+         numbers_in(database, "factor", problem.integer(0)),
+         numbers_in(database, "finding", problem.integer(0)), problem.text(9)});
   }
   SQLite::Statement solvers(database, "SELECT name, version FROM solver ORDER BY number");
   Use solver(solvers);
   while (solver.next()) description.solvers.push_back({solver.text(0), solver.text(1)});
-  if (static_cast<std::uint64_t>(campaign.integer(2)) != checksum(description)) {
+  if (static_cast<std::uint64_t>(campaign.integer(1)) != checksum(description)) {
     throw Damage("the description is not what was written");
   }
   return description;

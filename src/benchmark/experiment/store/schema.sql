@@ -4,7 +4,6 @@ PRAGMA application_id = 0x5249434F;  -- the user_version is that of the suite
 
 CREATE TABLE campaign (
   plan TEXT NOT NULL,        -- TOML
-  data TEXT NOT NULL,        -- hash of the problems
   checksum INTEGER NOT NULL  -- of the whole description; that of a run is of its key, too
 );
 
@@ -24,7 +23,8 @@ CREATE TABLE problem (
   constraints INTEGER NOT NULL,
   equalities INTEGER NOT NULL,
   tolerance REAL NOT NULL,  -- optimality gap that still counts as solved
-  best_known REAL NOT NULL
+  best_known REAL NOT NULL,
+  hash TEXT NOT NULL  -- of all that its runs' scores rest on, 16 hexadecimal digits
 );
 
 CREATE TABLE factor (  -- of the problem's machine

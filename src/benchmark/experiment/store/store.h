@@ -27,6 +27,7 @@ struct StoredProblem {
   double best_known = 0;
   std::map<std::string, double> factors;        ///< of the machine: see Problem::factors
   std::map<std::string, double> findings = {};  ///< of its search, if its best value was not known
+  std::string hash = {};                        ///< see problem_hash.h
 
   bool operator==(const StoredProblem&) const = default;
 };
@@ -42,7 +43,6 @@ struct StoredSolver {
 /// campaign if all of this except `made` is equal.
 struct CampaignDescription {
   std::string plan;  ///< TOML text
-  std::string data;  ///< hash of the problems, see data_hash.h
   std::vector<StoredProblem> problems;
   std::vector<StoredSolver> solvers;
   std::map<std::string, std::string> program;  ///< version, commit, compiler, libraries

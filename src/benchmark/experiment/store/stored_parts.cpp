@@ -46,7 +46,8 @@ class Bytes {
 std::string bytes_of(const StoredProblem& problem) {
   Bytes bytes;
   bytes << problem.name << problem.family << problem.machine << problem.variables
-        << problem.constraints << problem.equalities << problem.tolerance << problem.best_known;
+        << problem.constraints << problem.equalities << problem.tolerance << problem.best_known
+        << problem.hash;
   for (const auto* numbers : {&problem.factors, &problem.findings}) {
     bytes << std::uint64_t{numbers->size()};
     for (const auto& [name, value] : *numbers) bytes << name << value;
@@ -118,8 +119,7 @@ void add_parts(FnvHash& hash, const std::vector<StoredPart>& parts) {
 }  // namespace
 
 std::vector<StoredPart> parts_of(const CampaignDescription& description) {
-  std::vector<StoredPart> parts = {{"plan", description.plan},
-                                   {"data of the problems", description.data}};
+  std::vector<StoredPart> parts = {{"plan", description.plan}};
   for (const StoredProblem& problem : description.problems) {
     parts.push_back({"problem " + problem.name, bytes_of(problem)});
   }

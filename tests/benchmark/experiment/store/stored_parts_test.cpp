@@ -102,12 +102,12 @@ TEST(StoredParts, DifferWithEveryBitOfAKey) {
 TEST(StoredParts, DifferWithEveryBitOfADescription) {
   const std::pair<const char*, std::function<void(CampaignDescription&)>> changes[] = {
       {"plan", [](auto& d) { d.plan += ' '; }},
-      {"data of the problems", [](auto& d) { d.data += ' '; }},
       {"problem quiet", [](auto& d) { flip_last_bit(d.problems[0].findings["best_point"]); }},
       {"problem quiet", [](auto& d) { std::swap(d.problems[0].findings, d.problems[0].factors); }},
       {"problem quiet", [](auto& d) { std::swap(d.problems[0], d.problems[1]); }},
       {"problem quiet", [](auto& d) { d.problems[0].family += ' '; }},
       {"problem quiet", [](auto& d) { d.problems[0].machine += ' '; }},
+      {"problem quiet", [](auto& d) { d.problems[0].hash += ' '; }},
       {"problem valley", [](auto& d) { d.problems[1].variables ^= 1; }},
       {"problem valley", [](auto& d) { d.problems[1].constraints ^= 1; }},
       {"problem valley", [](auto& d) { d.problems[1].equalities ^= 1; }},

@@ -75,7 +75,6 @@ inline RunRecord any_record(std::mt19937_64& random) {
 inline CampaignDescription a_description() {
   CampaignDescription description;
   description.plan = "solvers = [\"fast\"]\n";
-  description.data = "0123456789abcdef";
   description.problems = {
       {"quiet", "speed", "C1", 1, 2, 1, 1e-6, -0.0, {{"friction", 0.25}}, {{"best_point", 0.1}}},
       {"valley", "classic", "", 2, 0, 0, 0, 1e300, {}, {}}};

@@ -1,4 +1,4 @@
-#include "src/benchmark/experiment/campaign/data_hash.h"
+#include "src/benchmark/experiment/campaign/problem_hash.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace ricochet {
 namespace {
 
-TEST(DataHash, DependsOnAllThatAScoreRestsOn) {
+TEST(ProblemHash, DependsOnAllThatAScoreRestsOn) {
   const std::function<void(Problem&)> changes[] = {
       [](Problem&) {},
       [](Problem& q) { q.name = "another"; },
@@ -19,6 +19,8 @@ TEST(DataHash, DependsOnAllThatAScoreRestsOn) {
       [](Problem& q) { q.start[0] = 0.8; },
       [](Problem& q) { q.tolerance = 1e-5; },
       [](Problem& q) { q.penalty_weight = 2; },
+      [](Problem& q) { q.smoothed = [q](double) { return q; }; },
+      [](Problem& q) { q.rotates = true; },
       [](Problem& q) { q.best_known = std::numeric_limits<double>::min(); },
       [](Problem& q) { q.best_point = Vector::Constant(2, 0.25); },
       [](Problem& q) {
@@ -31,9 +33,9 @@ TEST(DataHash, DependsOnAllThatAScoreRestsOn) {
   for (const auto& change : changes) {
     Problem problem = bowl("bowl", 2);
     change(problem);
-    const std::string hash = data_hash({problem});
+    const std::string hash = problem_hash(problem);
     EXPECT_EQ(hash.size(), 16U);
-    EXPECT_EQ(data_hash({problem}), hash);
+    EXPECT_EQ(problem_hash(problem), hash);
     hashes.insert(hash);
   }
   EXPECT_EQ(hashes.size(), std::size(changes));

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "ricochet/problem.h"
+#include "src/benchmark/statistics/interval.h"
+
+namespace ricochet::studies::problems {
+
+/// How hard a problem is for a solver that knows nothing: from points uniform in the box.
+struct Difficulty {
+  /// Share of the box whose points are feasible and within the tolerance of the best known value,
+  /// in [0, 1], with a 95 % interval.
+  double solving_share;
+  Interval interval;
+  double feasible_share;  ///< in [0, 1]; 1 without constraints
+  /// Expected evaluations of random search until it solves the problem; empty if no point did.
+  std::optional<double> random_search;
+  /// Median distance, along one coordinate and in widths of the box, over which what is simulated
+  /// stays the same: the constraints, or the objective if there are none. Not above 1.
+  double plateau;
+};
+
+/// Samples the problem at `points` >= 1 points, and its plateaus at a twentieth of them.
+/// Deterministic in the problem's name. Returns nothing if no best value is known.
+std::optional<Difficulty> difficulty_of(const Problem& problem, int points);
+
+}  // namespace ricochet::studies::problems

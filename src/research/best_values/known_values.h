@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "problems/carrier_track/problems/best_known.h"
+#include "ricochet/problem.h"
+
+namespace ricochet::studies::best_values {
+
+using carrier_track::BestKnown;
+using carrier_track::BestValues;
+
+/// The values in a file; none if there is no file. Throws InputError for invalid text.
+BestValues read_if_there(const std::filesystem::path& file);
+
+/// The true objective of a value's point, evaluated by this version; infinite if it is not a
+/// feasible point of the problem.
+double worth(const Problem& problem, const BestKnown& best);
+
+/// The best values of the problems, by name: those in the program or in the file, whichever is
+/// better, evaluated by this version.
+BestValues known_values(const std::vector<Problem>& problems, const std::filesystem::path& file);
+
+}  // namespace ricochet::studies::best_values

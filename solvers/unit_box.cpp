@@ -17,23 +17,15 @@ Vector UnitBox::from_unit(const Vector& u) const {
   return lower_ + width_.cwiseProduct(u);
 }
 
-void UnitBox::keep_inside(Values& values) const {
-  const Eigen::Index inequalities = values.constraints.size() - evaluator_.equalities();
-  values.constraints.tail(inequalities).array() += feasibility_margin;
-}
-
 std::optional<Values> UnitBox::values(const Vector& u, Part part) {
   if (!u.allFinite()) return std::nullopt;
-  auto shown = evaluator_.values(from_unit(u), part);
-  if (shown) keep_inside(*shown);
-  return shown;
+  return evaluator_.values(from_unit(u), part);
 }
 
 std::optional<Derivatives> UnitBox::derivatives(const Vector& u, Part part) {
   if (!u.allFinite()) return std::nullopt;
   auto shown = evaluator_.derivatives(from_unit(u), part);
   if (!shown) return std::nullopt;
-  keep_inside(shown->values);
   shown->gradient.array() *= width_.array();
   shown->jacobian *= width_.asDiagonal();
   return shown;

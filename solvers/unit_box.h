@@ -14,10 +14,6 @@ inline constexpr const char* stopped_by_evaluator = "stopped by the evaluator";
 /// not finite.
 inline constexpr const char* not_finite = "a number is not finite";
 
-/// How far inside the feasible set the solvers of libraries are kept. They converge to a violation
-/// of about their tolerance, but the verdict allows none.
-inline constexpr double feasibility_margin = 1e-8;
-
 /// An evaluator over the unit cube, u = (x - lower) / (upper - lower), so that one step and one
 /// tolerance suit every coordinate of every problem.
 class UnitBox {
@@ -28,9 +24,8 @@ class UnitBox {
   Vector to_unit(const Vector& x) const;
   Vector from_unit(const Vector& u) const;
 
-  /// Objective and constraints at u; the inequalities are raised by feasibility_margin. Nothing
-  /// once the run is over, or if u is not finite: the evaluator would end the run, but only this
-  /// start has failed.
+  /// Objective and constraints at u. Nothing once the run is over, or if u is not finite: the
+  /// evaluator would end the run, but only this start has failed.
   std::optional<Values> values(const Vector& u, Part part = Part::everything);
 
   /// The same with derivatives with respect to u.
@@ -49,8 +44,6 @@ class UnitBox {
   bool over() const { return evaluator_.over(); }
 
  private:
-  void keep_inside(Values& values) const;
-
   Evaluator& evaluator_;
   Vector lower_, width_;
 };

@@ -14,7 +14,7 @@
 namespace ricochet {
 
 /// Objective and constraints at one point. A point is feasible if the equalities, which come first,
-/// are 0 (see equality_tolerance) and every other constraint is <= 0.
+/// are 0 and every other constraint is <= 0, all to within constraint_tolerance.
 struct Values {
   double objective = 0;
   Vector constraints;  ///< length Problem::constraints
@@ -48,13 +48,19 @@ struct Residuals {
   Matrix jacobian;  ///< residuals x n
 };
 
-/// An equality holds if its absolute value is at most this: rounding violates every exact equation.
-inline constexpr double equality_tolerance = 1e-6;
+/// A constraint holds if it is violated by at most this: a solver that converges to a limit ends on
+/// either side of it. The score, and every solver that takes a tolerance, use this one; see
+/// docs/benchmark-method.md.
+inline constexpr double constraint_tolerance = 1e-6;
+
+/// The violation of a constraint, absolute for an equality: 0 where it holds to within
+/// constraint_tolerance, NaN where the constraint is NaN.
+double violation_of(double constraint, bool is_equality);
 
 /// The true objective and the true violation of a point, whatever the formulation.
 struct TrueValues {
   double objective = 0;
-  double violation = 0;  ///< largest constraint value, absolute for equalities; 0 if feasible
+  double violation = 0;  ///< largest violation of a constraint; 0 if feasible
 };
 
 /// A range of a coordinate.
@@ -117,9 +123,11 @@ struct Problem {
   /// starts at its own image of start_scales[(k - 1) % size] times the start.
   std::vector<double> start_scales = {};
 
-  std::string machine = {};   ///< whose scene it is, e.g. "C1"; empty where it is of none
-  double smoothing = 0;       ///< smoothing parameter of the formulation "surrogate"
-  double tolerance = 1e-6;    ///< >= 0, optimality gap that still counts as solved
+  std::string machine = {};  ///< whose scene it is, e.g. "C1"; empty where it is of none
+  double smoothing = 0;      ///< smoothing parameter of the formulation "surrogate"
+  /// Optimality gap that still counts as solved: >= 0, and no less than what constraint_tolerance
+  /// is worth, since a feasible point may be better than best_known by that.
+  double tolerance = 1e-6;
   double penalty_weight = 1;  ///< > 0: the best point stays best where constraints are penalised
   double scan_step = 1e-3;    ///< of an exhaustive scan of the box, if n = 1
   double cost = 1;            ///< approximate number of simulations per evaluation

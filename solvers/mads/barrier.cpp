@@ -20,10 +20,8 @@ bool dominates(const Trial& a, const Trial& b) {
 double violation_of(const Values& values, Eigen::Index equalities) {
   double sum = 0;
   for (Eigen::Index i = 0; i < values.constraints.size(); ++i) {
-    const double constraint = values.constraints[i];
-    const bool holds =
-        i < equalities ? std::abs(constraint) <= equality_tolerance : constraint <= 0;
-    if (!holds) sum += constraint * constraint;
+    const double violation = violation_of(values.constraints[i], i < equalities);
+    sum += violation * violation;
   }
   return sum;
 }

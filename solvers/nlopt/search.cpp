@@ -70,15 +70,13 @@ void NloptSearch::constrain() {
   nlopt_opt nlopt = nlopt_.get();
   const auto m = static_cast<unsigned>(evaluator_.equalities());
   const auto others = static_cast<unsigned>(evaluator_.constraints()) - m;
-  if (m > 0) {
-    const std::vector<double> tolerances(m, equality_tolerance);
-    nlopt_add_equality_mconstraint(nlopt, m, equalities, this, tolerances.data());
-  }
+  const std::vector<double> tolerances(m + others, constraint_tolerance);
+  if (m > 0) nlopt_add_equality_mconstraint(nlopt, m, equalities, this, tolerances.data());
   if (others == 0) return;
   if (algorithm_.id == NLOPT_GN_AGS) {  // it takes them one by one, at most ten
-    nlopt_add_inequality_constraint(nlopt, largest_inequality, this, 0.0);
+    nlopt_add_inequality_constraint(nlopt, largest_inequality, this, constraint_tolerance);
   } else {
-    nlopt_add_inequality_mconstraint(nlopt, others, inequalities, this, nullptr);
+    nlopt_add_inequality_mconstraint(nlopt, others, inequalities, this, tolerances.data());
   }
 }
 

@@ -50,9 +50,7 @@ pagmo::population population_of(UnitBox& box, const Vector& start, Eigen::Index 
                                 Random& random) {
   const Evaluator& evaluator = box.evaluator();
   pagmo::problem shown{UnitProblem(&box)};
-  pagmo::vector_double tolerances(shown.get_nc(), 0.0);
-  std::fill_n(tolerances.begin(), evaluator.equalities(), equality_tolerance);
-  shown.set_c_tol(tolerances);
+  shown.set_c_tol(pagmo::vector_double(shown.get_nc(), constraint_tolerance));
   pagmo::population population(shown, 0, seed_from(random));
   Vector x = start;
   for (Eigen::Index i = 0; i < size; ++i) {

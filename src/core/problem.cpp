@@ -4,6 +4,11 @@
 
 namespace ricochet {
 
+double violation_of(double constraint, bool is_equality) {
+  const double excess = is_equality ? std::abs(constraint) : constraint;
+  return excess <= constraint_tolerance ? 0 : excess;
+}
+
 TrueValues true_values_at(const Problem& problem, const Vector& x) {
   return problem.true_values ? problem.true_values(x)
                              : true_values_of(problem.evaluate(x), problem.equalities);
@@ -12,13 +17,9 @@ TrueValues true_values_at(const Problem& problem, const Vector& x) {
 TrueValues true_values_of(const Values& values, Eigen::Index equalities) {
   double violation = 0;
   for (Eigen::Index i = 0; i < values.constraints.size(); ++i) {
-    double excess = values.constraints[i];
-    if (i < equalities) {
-      excess = std::abs(excess);
-      if (excess <= equality_tolerance) continue;
-    }
+    const double broken_by = violation_of(values.constraints[i], i < equalities);
     // NaN stays NaN, so that the point is not feasible.
-    if (excess > violation || std::isnan(excess)) violation = excess;
+    if (broken_by > violation || std::isnan(broken_by)) violation = broken_by;
   }
   return {values.objective, violation};
 }

@@ -24,10 +24,17 @@ TEST(Problem, IsViolatedByAnEqualityOfEitherSign) {
   EXPECT_EQ(violation(Vector{{-1, 4}}, 1), 4);
 }
 
-TEST(Problem, GrantsRoundingToEqualitiesAlone) {
-  EXPECT_EQ(violation(Vector{{-equality_tolerance, -1}}, 1), 0);
-  EXPECT_GT(violation(Vector{{-2 * equality_tolerance, -1}}, 1), 0);
-  EXPECT_GT(violation(Vector{{0, equality_tolerance}}, 1), 0);
+TEST(Problem, GrantsEveryConstraintTheSameTolerance) {
+  for (const Eigen::Index equalities : {0, 1, 2}) {
+    EXPECT_EQ(violation(Vector{{constraint_tolerance, constraint_tolerance}}, equalities), 0);
+    EXPECT_EQ(violation(Vector{{2 * constraint_tolerance, 0}}, equalities),
+              2 * constraint_tolerance);
+    EXPECT_EQ(violation(Vector{{0, 2 * constraint_tolerance}}, equalities),
+              2 * constraint_tolerance);
+  }
+  EXPECT_EQ(violation(Vector{{-constraint_tolerance, -1}}, 1), 0);
+  EXPECT_GT(violation(Vector{{-2 * constraint_tolerance, -1}}, 1), 0);
+  EXPECT_EQ(violation(Vector{{-2 * constraint_tolerance, -1}}, 0), 0);
 }
 
 TEST(Problem, IsNotFeasibleWhereAConstraintIsNoNumber) {

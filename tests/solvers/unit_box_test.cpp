@@ -48,12 +48,12 @@ TEST(UnitBox, ScalesTheDerivativesOfResidualsByTheWidth) {
   EXPECT_EQ(seen->jacobian, 200 * std::sqrt(2.0) * Matrix::Identity(2, 2));
 }
 
-TEST(UnitBox, RaisesTheConstraintsByTheMargin) {
+TEST(UnitBox, ShowsAConstraintAtItsLimitAsZero) {
   const Problem problem = disc();
   Evaluator evaluator(problem, {10});
   UnitBox box(evaluator);
-  EXPECT_EQ(box.values(Vector{{0.75, 0.5}})->constraints[0], feasibility_margin);
-  EXPECT_EQ(box.derivatives(Vector{{0.5, 0.25}})->values.constraints[0], feasibility_margin);
+  EXPECT_EQ(box.values(Vector{{0.75, 0.5}})->constraints[0], 0);
+  EXPECT_EQ(box.derivatives(Vector{{0.5, 0.25}})->values.constraints[0], 0);
 }
 
 TEST(UnitBox, DoesNotAskTheEvaluatorWhereThePointIsNotFinite) {

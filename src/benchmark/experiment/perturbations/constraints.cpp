@@ -33,9 +33,7 @@ class Binary : public PerturbedCalls {
   static Values answered(Values told, Eigen::Index equalities) {
     for (Eigen::Index k = 0; k < told.constraints.size(); ++k) {
       double& constraint = told.constraints[k];
-      const bool holds =
-          k < equalities ? std::abs(constraint) <= equality_tolerance : constraint <= 0;
-      constraint = holds ? 0 : 1;
+      constraint = violation_of(constraint, k < equalities) == 0 ? 0 : 1;
     }
     return told;
   }
@@ -73,7 +71,8 @@ class Infinite : public PerturbedCalls {
 
  private:
   static bool broken(const Problem& shown, const Values& told) {
-    return !(told.constraints.tail(shown.constraints - shown.equalities).array() <= 0).all();
+    const Vector inequalities = told.constraints.tail(shown.constraints - shown.equalities);
+    return true_values_of({told.objective, inequalities}).violation != 0;
   }
 };
 

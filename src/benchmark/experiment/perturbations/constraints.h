@@ -4,7 +4,7 @@
 
 namespace ricochet {
 
-/// Every constraint is shown as 0 where it holds - an equality within its tolerance - and as 1
+/// Every constraint is shown as 0 where it holds, to within constraint_tolerance, and as 1
 /// elsewhere, where there is no number, too. Its slopes are 0, the derivative of that wherever it
 /// has one; the Hessian of the Lagrangian is that of the objective. For problems with constraints.
 Perturbation binary_constraints();

@@ -8,6 +8,7 @@
 #include <IpTNLP.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <mutex>
@@ -45,7 +46,9 @@ enum class Hessian {
   exact            ///< from the problem
 };
 
-/// A problem in the unit cube with Ipopt's interface. The Jacobian is dense and row-major.
+/// A problem in the unit cube with Ipopt's interface. The Jacobian is dense and row-major. An
+/// evaluation fails where a number is not finite: Ipopt then halves its step or, where it needs
+/// derivatives or starts, ends with Invalid_Number_Detected.
 class UnitProblem : public Ipopt::TNLP {
  public:
   UnitProblem(Evaluator& evaluator, const Vector& start, Hessian hessian)
@@ -84,20 +87,23 @@ class UnitProblem : public Ipopt::TNLP {
 
   bool eval_f(Index n, const Number* u, bool, Number& objective) override {
     const auto values = box_.values(Eigen::Map<const Vector>(u, n), Part::objective);
-    if (values) objective = values->objective;
-    return done(values.has_value());
+    const bool finite = values && std::isfinite(values->objective);
+    if (finite) objective = values->objective;
+    return done(finite);
   }
 
   bool eval_grad_f(Index n, const Number* u, bool, Number* gradient) override {
     const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n), Part::objective);
-    if (derivatives) Eigen::Map<Vector>(gradient, n) = derivatives->gradient;
-    return done(derivatives.has_value());
+    const bool finite = derivatives && derivatives->gradient.allFinite();
+    if (finite) Eigen::Map<Vector>(gradient, n) = derivatives->gradient;
+    return done(finite);
   }
 
   bool eval_g(Index n, const Number* u, bool, Index m, Number* constraints) override {
     const auto values = box_.values(Eigen::Map<const Vector>(u, n), constraints_only);
-    if (values) Eigen::Map<Vector>(constraints, m) = values->constraints;
-    return done(values.has_value());
+    const bool finite = values && values->constraints.allFinite();
+    if (finite) Eigen::Map<Vector>(constraints, m) = values->constraints;
+    return done(finite);
   }
 
   bool eval_jac_g(Index n, const Number* u, bool, Index m, Index, Index* rows, Index* columns,
@@ -110,10 +116,11 @@ class UnitProblem : public Ipopt::TNLP {
       return true;
     }
     const auto derivatives = box_.derivatives(Eigen::Map<const Vector>(u, n), constraints_only);
-    if (derivatives) {
-      Eigen::Map<Matrix>(entries, n, m) = derivatives->jacobian.transpose();
-    }
-    return done(derivatives.has_value());
+    // NOTE: Ipopt does not look at these numbers, and MUMPS 5.5 reads beyond its memory where one
+    // of its matrix is not finite.
+    const bool finite = derivatives && derivatives->jacobian.allFinite();
+    if (finite) Eigen::Map<Matrix>(entries, n, m) = derivatives->jacobian.transpose();
+    return done(finite);
   }
 
   bool eval_h(Index n, const Number* u, bool, Number objective_factor, Index m,
@@ -237,7 +244,11 @@ Ipopt::ApplicationReturnStatus solve(const Ipopt::SmartPtr<UnitProblem>& problem
     options->SetStringValue("mu_strategy", tuned_strategy);
     options->SetNumericValue("mu_init", tuned_barrier);
   }
-  // The verdict allows no violation, so the solver must not widen the bounds.
+  // What Ipopt calls solved, even to an acceptable level, must be feasible to the score. Its own
+  // tolerances are 1e-4 and 1e-2.
+  options->SetNumericValue("constr_viol_tol", constraint_tolerance);
+  options->SetNumericValue("acceptable_constr_viol_tol", constraint_tolerance);
+  // The evaluator knows no points outside the box, so Ipopt must not widen the bounds.
   options->SetNumericValue("bound_relax_factor", 0.0);
   give(*application, given);
   // "": no options file, not even one in the working directory.
@@ -398,6 +409,9 @@ Solver ipopt_exact() {
 std::vector<AdjustableSolver> adjustable_ipopt() {
   std::vector<SolverOption> options = known_options();
   tell_own(options, "bound_relax_factor", "0");
+  for (const char* name : {"constr_viol_tol", "acceptable_constr_viol_tol"}) {
+    tell_own(options, name, text_of(OptionValue(constraint_tolerance)));
+  }
   std::vector<AdjustableSolver> solvers;
   for (const Choice& choice : {own_choice, exact_choice, tuned_choice}) {
     // With a limited-memory Hessian Ipopt changes its own default.

@@ -48,6 +48,27 @@ TEST(Ipopt, StopsAtWhateverCallTheEvaluatorRefuses) {
   }
 }
 
+/// disc(), whose constraint has a slope that is infinite and one that is NaN wherever it is asked.
+Problem broken_disc() {
+  Problem problem = disc();
+  problem.differentiate = [differentiate = problem.differentiate](const Vector& x) {
+    Derivatives derivatives = differentiate(x);
+    derivatives.jacobian << HUGE_VAL, not_a_number;
+    return derivatives;
+  };
+  return problem;
+}
+
+// In the process's memory MUMPS finds by chance what it crashes at: several starts find it, too.
+TEST(Ipopt, EndsWhereASlopeOfAConstraintIsNotFinite) {
+  const RunRecord record = run(broken_disc(), ipopt(Settings::tuned), {300}, 0);
+  ASSERT_GT(record.terminations.size(), 2U);
+  for (const SolverTermination& exit : record.terminations) {
+    if (&exit == &record.terminations.back()) break;  // stopped by the evaluator
+    EXPECT_EQ(exit.reason, "a number is not finite");
+  }
+}
+
 TEST(Ipopt, SaysNothingEvenWhenItFails) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();

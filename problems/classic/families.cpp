@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "problems/classic/classic.h"
 #include "problems/classic/least_squares.h"
+#include "problems/classic/multipliers.h"
 
 namespace ricochet::classic {
 namespace {
 
-/// An optimality gap relative to the best value, or to 1, that still counts as solved.
+/// An optimality gap relative to the best value, or to 1, that still counts as solved. What
+/// constraint_tolerance is worth is added.
 constexpr double relative_tolerance = 1e-6;
 
 /// Larger than any multiplier at the best point: in Hock and Schittkowski's problems 72 and 99 the
@@ -17,6 +20,16 @@ constexpr double relative_tolerance = 1e-6;
 /// so no weight is large enough.
 double penalty_weight(const Problem& problem) {
   return problem.name == "hs-72" || problem.name == "hs-99" ? 1e5 : 1e4;
+}
+
+/// How much better than the best value a feasible point can be, to first order: the sum of the
+/// multipliers times constraint_tolerance. Hock and Schittkowski's problem 13 has no multipliers:
+/// there x_1 can be 1 + constraint_tolerance^(1/3) in place of 1, and (2 - x_1)^2 is minimised.
+double worth_of_constraint_tolerance(const Problem& problem) {
+  if (problem.constraints == 0) return 0;
+  const std::optional<Vector> multipliers = multipliers_at_best(problem);
+  return multipliers ? constraint_tolerance * multipliers->lpNorm<1>()
+                     : 1 - std::pow(1 - std::cbrt(constraint_tolerance), 2);
 }
 
 /// Approximate cost of a gradient beside the value [evaluations]: Problem::gradient_cost. Each pass
@@ -33,7 +46,7 @@ std::vector<Problem> family_of(const std::vector<Problem>& all, const std::strin
   for (Problem problem : all) {
     if (!problem.name.starts_with(prefix)) continue;
     const double size = std::max(1.0, std::abs(problem.best_known.value()));
-    problem.tolerance = relative_tolerance * size;
+    problem.tolerance = relative_tolerance * size + worth_of_constraint_tolerance(problem);
     problem.penalty_weight = penalty_weight(problem);
     problem.gradient_cost = gradient_cost(problem);
     problems.push_back(std::move(problem));

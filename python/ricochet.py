@@ -6,9 +6,9 @@
         print(q.lower, q.upper, q(q.start))
 
 A problem is a minimisation problem within a box: an objective, and constraints of which the first
-`equalities` must be 0 and the others <= 0. What its variables are, and in which units, is said by
-`ricochet evaluate NAME --describe`; constraints and objectives have the units that `source` there
-names. Points outside the box are evaluated at their projection onto it.
+`equalities` must be 0 and the others <= 0, all to within 1e-6. What its variables are, and in which
+units, is said by `ricochet evaluate NAME --describe`; constraints and objectives have the units that
+`source` there names. Points outside the box are evaluated at their projection onto it.
 
 The C library libricochet.so.3 is looked for where the environment variable RICOCHET_LIBRARY says,
 else beside this file, else where the system keeps its libraries. Needs NumPy.

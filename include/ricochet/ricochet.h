@@ -20,7 +20,7 @@ extern "C" {
 #define RICOCHET_ABI 3
 
 /** A minimisation problem with bounds. The constraints are the equalities (= 0), then the
- * inequalities (<= 0). */
+ * inequalities (<= 0). A violation of up to 1e-6 is allowed. */
 typedef struct ricochet_problem {
   int32_t abi; /**< RICOCHET_ABI of the program that made it */
   int32_t dimension;

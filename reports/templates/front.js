@@ -229,20 +229,20 @@ const drawAccuracy = () => {
 const boardColumns = [
   ["place", "place", (row) => row.shown_place, "right"],
   ["solver", "solver, formulation", (row) => full(row), "left"],
-  ["best", "P(best)", (row) => row.best === null ? "–" : row.best.toFixed(2), "right"],
+  ["best", "P(best), problems", (row) => `${row.best === null ? "–" : row.best.toFixed(2)}, ${comparison.families[row.family].problems}`, "right"],
   ["targets", "targets [%]", (row) => row.targets === null ? "–" : `${Math.round(100 * row.targets)} [${Math.round(100 * row.lower)}, ${Math.round(100 * row.upper)}]`, "right"],
-  ["found", "solved [%]", (row) => row.found === null ? "–" : String(Math.round(100 * row.found)), "right"],
+  ["returned", "solved [%]", (row) => row.returned === null ? "–" : String(Math.round(100 * row.returned)), "right"],
   ["evaluations", "evaluations", (row) => number(row.evaluations), "right"],
   ["seconds", "ms", (row) => row.seconds === null ? "–" : number(1000 * row.seconds, 2), "right"],
 ];
 const sorting = {by: "place", down: false};
 
-// The same rank and chance: the same place.
+// The same rank and chance: the same place. Entries without a rank have none.
 const withPlaces = (list) => {
   let first = null;
   return list.map((row) => {
     if (!first || first.rank !== row.rank || first.best !== row.best) first = row;
-    return {...row, shown_place: String(first.place)};
+    return {...row, shown_place: row.rank === null ? "–" : String(first.place)};
   });
 };
 

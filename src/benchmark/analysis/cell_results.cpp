@@ -1,6 +1,7 @@
 #include "src/benchmark/analysis/cell_results.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -11,8 +12,15 @@ namespace ricochet::comparison {
 
 std::vector<CellResult> cell_results(const Campaign& campaign, const Store& store,
                                      const std::function<void(const StoredRun&)>& also) {
+  const std::vector<Problem>& problems = campaign.problems();
+  std::vector<std::shared_ptr<const Targets>> targets(problems.size());
+  tbb::parallel_for(std::size_t{0}, problems.size(), [&](std::size_t q) {
+    targets[q] = std::make_shared<const Targets>(targets_of(problems[q]));
+  });
   std::vector<CellResult> all;
-  for (const PlannedCell& cell : campaign.cells()) all.push_back({&cell, {}});
+  for (const PlannedCell& cell : campaign.cells()) {
+    all.push_back({&cell, {}, targets[cell.problem]});
+  }
   std::int64_t there = 0;
   each_judged(
       store, [&](const JudgedRun& run) { also(run.stored); },

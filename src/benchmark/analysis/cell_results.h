@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "src/benchmark/analysis/outcomes.h"
+#include "src/benchmark/analysis/targets.h"
 #include "src/benchmark/experiment/campaign/campaign.h"
 
 namespace ricochet::comparison {
@@ -15,6 +17,7 @@ namespace ricochet::comparison {
 struct CellResult {
   const PlannedCell* cell;
   Outcomes outcomes;
+  std::shared_ptr<const Targets> targets;  ///< of the problem
 };
 
 /// The results of every cell of a campaign, which must outlive them. Each run of the store is read

@@ -24,10 +24,11 @@ Comparison comparison_of(const Campaign& campaign, const std::vector<CellResult>
         cell.cell.perturbation == conditions.perturbation &&
         cell.cell.gradient_price == conditions.gradient_price && conditions.run < cell.seeds;
     if (!asked) continue;
-    comparison.results.push_back(
-        {&cell, result.outcomes.every(static_cast<std::size_t>(cell.seeds),
-                                      static_cast<std::size_t>(conditions.run),
-                                      static_cast<std::size_t>(part.instances))});
+    comparison.results.push_back({&cell,
+                                  result.outcomes.every(static_cast<std::size_t>(cell.seeds),
+                                                        static_cast<std::size_t>(conditions.run),
+                                                        static_cast<std::size_t>(part.instances)),
+                                  result.targets});
   }
   return comparison;
 }

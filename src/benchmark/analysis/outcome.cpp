@@ -1,5 +1,6 @@
 #include "src/benchmark/analysis/outcome.h"
 
+#include <limits>
 #include <mutex>
 #include <unordered_set>
 
@@ -10,6 +11,38 @@ Reason::Reason(const std::string& text) {
   static std::unordered_set<std::string> texts;
   const std::lock_guard lock(mutex);
   text_ = &*texts.insert(text).first;
+}
+
+double Outcome::optimality_gap(Criterion criterion) const {
+  const auto& gap =
+      criterion == Criterion::returned ? verdict.returned_optimality_gap : verdict.optimality_gap;
+  return gap.value_or(std::numeric_limits<double>::infinity());
+}
+
+std::vector<Step> steps_of(const Outcome& outcome, Criterion criterion) {
+  if (criterion == Criterion::evaluated) return outcome.steps;
+  const auto& gap = outcome.verdict.returned_optimality_gap;
+  if (!gap) return {};
+  std::vector<Step> steps;
+  for (const Step& step : outcome.steps) {
+    steps.push_back(step);
+    if (step.optimality_gap <= *gap) {
+      steps.back().optimality_gap = *gap;
+      return steps;
+    }
+  }
+  steps.push_back({outcome.evaluations, outcome.seconds, *gap});
+  return steps;
+}
+
+std::int64_t evaluations_until_solved(const Outcome& outcome, Criterion criterion) {
+  if (!outcome.solved(criterion)) return outcome.evaluations;
+  return outcome.verdict.evaluations_to_solve.value_or(outcome.evaluations);
+}
+
+double seconds_until_solved(const Outcome& outcome, Criterion criterion) {
+  if (!outcome.solved(criterion)) return outcome.seconds;
+  return outcome.verdict.seconds_to_solve.value_or(outcome.seconds);
 }
 
 Outcome outcome_of(const RunRecord& record, double best_known, double tolerance) {

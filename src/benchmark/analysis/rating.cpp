@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "src/benchmark/statistics/empirical_distribution.h"
-#include "src/benchmark/statistics/plackett_luce.h"
+#include "src/benchmark/statistics/probability_of_being_first.h"
 #include "src/benchmark/statistics/ranking.h"
 #include "src/core/seed.h"
 
@@ -29,126 +30,169 @@ std::vector<double> places(double budget) {
 
 /// Evaluations for each variable until each target of the problem was reached, over all runs;
 /// infinite if it never was.
-std::vector<double> hitting_times(const Problem& problem, const CellResult& result) {
+std::vector<double> hitting_times(const Problem& problem, const CellResult& result,
+                                  Criterion criterion) {
   std::vector<double> times;
   const auto n = static_cast<double>(problem.dimension());
   for (const Outcome& outcome : result.outcomes) {
-    for (const double target : targets_of(problem)) {
-      const auto reached =
-          std::find_if(outcome.steps.begin(), outcome.steps.end(),
-                       [&](const Step& step) { return step.optimality_gap <= target; });
-      times.push_back(reached == outcome.steps.end()
-                          ? infinity
-                          : static_cast<double>(reached->evaluations) / n);
+    const std::vector<Step> steps = steps_of(outcome, criterion);
+    for (const double target : *result.targets) {
+      const auto reached = std::find_if(steps.begin(), steps.end(),
+                                        [&](const Step& s) { return s.optimality_gap <= target; });
+      times.push_back(reached == steps.end() ? infinity
+                                             : static_cast<double>(reached->evaluations) / n);
     }
   }
   return times;
 }
 
-Reached reached_by(const Outcome& outcome) {
-  if (outcome.steps.empty()) return {infinity, infinity};
+Reached reached_by(const Outcome& outcome, Criterion criterion) {
+  const std::vector<Step> steps = steps_of(outcome, criterion);
+  if (steps.empty()) return {infinity, infinity};
   // Solved runs are equal in value: accuracy beyond the tolerance does not count.
-  if (const auto solved = outcome.verdict.evaluations_to_solve) {
-    return {0, static_cast<double>(*solved)};
+  if (outcome.solved(criterion)) {
+    return {0, static_cast<double>(evaluations_until_solved(outcome, criterion))};
   }
-  return {outcome.steps.back().optimality_gap,
-          static_cast<double>(outcome.steps.back().evaluations)};
+  return {steps.back().optimality_gap, static_cast<double>(steps.back().evaluations)};
 }
 
 /// The results of one entry, by problem.
 using ByProblem = std::map<std::size_t, const CellResult*>;
+using Name = std::pair<std::string, std::string>;  ///< solver and formulation
 
-/// Ranks the entries on every instance of every problem and stores the result in `ratings`.
-void place(std::vector<Rating>& ratings, const std::vector<const ByProblem*>& entries,
-           const std::vector<std::size_t>& problems, std::size_t instances, std::size_t budget) {
-  std::vector<Ranking> rankings;
-  std::vector<double> sums(ratings.size());
-  std::vector<int> taken(ratings.size());
-  for (const std::size_t q : problems) {
-    for (std::size_t i = 0; i < instances; ++i) {
-      std::vector<std::optional<Reached>> reached(ratings.size());
-      for (std::size_t c = 0; c < ratings.size(); ++c) {
-        const auto mine = entries[c]->find(q);
-        if (mine != entries[c]->end()) reached[c] = reached_by(mine->second->outcomes[i]);
-      }
-      rankings.push_back(ranking_of(reached));
-      double before = 0;
-      for (const auto& tied : rankings.back()) {
-        for (const std::size_t c : tied) {
-          sums[c] += before + (static_cast<double>(tied.size()) + 1) / 2;
-          ++taken[c];
-        }
-        before += static_cast<double>(tied.size());
-      }
-    }
+std::map<Name, ByProblem> by_entry(const Comparison& comparison,
+                                   const std::vector<std::size_t>& problems, std::size_t budget) {
+  std::map<Name, ByProblem> entries;
+  for (const CellResult& result : comparison.results) {
+    const Cell& cell = result.cell->cell;
+    const std::size_t q = result.cell->problem;
+    if (cell.budget != comparison.part->budgets[budget]) continue;
+    if (std::find(problems.begin(), problems.end(), q) == problems.end()) continue;
+    entries[{cell.solver, cell.formulation}][q] = &result;
   }
-  const auto strengths =
-      plackett_luce(rankings, ratings.size(), seed_of("rating", "", static_cast<int>(budget), 0));
-  for (std::size_t c = 0; c < ratings.size(); ++c) {
-    ratings[c].probability_of_being_best = strengths[c].probability_of_being_best;
-    ratings[c].rank = taken[c] > 0 ? sums[c] / taken[c] : infinity;
+  return entries;
+}
+
+/// The entries' rankings on every instance of one problem.
+RivalsAhead on_problem(const std::vector<const ByProblem*>& entries, std::size_t problem,
+                       Criterion criterion) {
+  std::vector<const Outcomes*> outcomes;
+  std::size_t instances = 0;
+  for (const ByProblem* mine : entries) {
+    const auto found = mine->find(problem);
+    outcomes.push_back(found == mine->end() ? nullptr : &found->second->outcomes);
+    if (outcomes.back() != nullptr) instances = outcomes.back()->size();  // the same for all
+  }
+  std::vector<Ranking> rankings;
+  for (std::size_t i = 0; i < instances; ++i) {
+    std::vector<std::optional<Reached>> reached(entries.size());
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+      if (outcomes[e] != nullptr) reached[e] = reached_by((*outcomes[e])[i], criterion);
+    }
+    rankings.push_back(ranking_of(reached));
+  }
+  return rivals_ahead(rankings);
+}
+
+bool is_ranked(const ByProblem& entry, const std::vector<std::size_t>& problems) {
+  return 2 * entry.size() >= problems.size();
+}
+
+RankedEntries ranked(const std::map<Name, ByProblem>& entries,
+                     const std::vector<std::size_t>& problems, Criterion criterion) {
+  RankedEntries all;
+  std::vector<const ByProblem*> results;
+  for (const auto& [name, mine] : entries) {
+    if (!is_ranked(mine, problems)) continue;
+    all.names.push_back(entry(name.first, name.second));
+    results.push_back(&mine);
+  }
+  for (const std::size_t q : problems) {
+    RivalsAhead of_problem = on_problem(results, q, criterion);
+    if (!of_problem.entries.empty()) all.problems.push_back(std::move(of_problem));
+  }
+  return all;
+}
+
+/// Everything but the ranks.
+Rating rating_of(const Name& name, const ByProblem& mine, const Comparison& comparison,
+                 std::size_t budget, Criterion criterion) {
+  Rating rating;
+  rating.solver = name.first;
+  rating.formulation = name.second;
+  rating.problems = static_cast<int>(mine.size());
+  std::vector<std::vector<double>> times;
+  for (const auto& [q, result] : mine) {
+    rating.surrogate = result->cell->formulation.smoothing > 0;
+    times.push_back(hitting_times(comparison.problem_of(*result), *result, criterion));
+    int found = 0;
+    int returned = 0;
+    for (const Outcome& outcome : result->outcomes) {
+      found += outcome.solved(Criterion::evaluated) ? 1 : 0;
+      returned += outcome.solved(Criterion::returned) ? 1 : 0;
+    }
+    rating.never += (criterion == Criterion::returned ? returned : found) == 0 ? 1 : 0;
+    const auto all = static_cast<double>(result->outcomes.size() * mine.size());
+    rating.found += found / all;
+    rating.returned += returned / all;
+  }
+  for (const double place : places(static_cast<double>(comparison.part->budgets[budget]))) {
+    const auto share = empirical_distribution(times, place);
+    rating.progress.push_back({place, share.mean, share.interval});
+  }
+  return rating;
+}
+
+/// Sets ranks and probabilities of the ratings that are ranked, which are in the order of `places`.
+void set_ranks(std::vector<Rating*>& ratings, const RankedEntries& places, std::size_t budget,
+               Criterion criterion) {
+  const std::size_t size = ratings.size();
+  const auto means = mean_rivals_ahead(places.problems, size);
+  for (std::size_t e = 0; e < size; ++e) {
+    ratings[e]->rank = 1 + means[e].value_or(0) * (static_cast<double>(size) - 1);
+  }
+  const bool solved = std::any_of(ratings.begin(), ratings.end(),
+                                  [&](const Rating* r) { return r->solved(criterion) > 0; });
+  if (!solved || places.problems.size() < 2) return;
+  const auto probabilities = probabilities_of_being_first(
+      places.problems, size, seed_of("rating", "", static_cast<int>(budget), 0));
+  for (std::size_t e = 0; e < size; ++e) {
+    ratings[e]->probability_of_being_best = probabilities[e];
   }
 }
 
 }  // namespace
 
-std::vector<double> targets_of(const Problem& problem) {
-  if (problem.tolerance == 0.5) return {0.5, 1.5, 2.5, 4.5, 8.5};  // a count: whole levels
-  std::vector<double> targets;
-  for (int k = 0; k <= 3; ++k) targets.push_back(problem.tolerance * std::pow(10.0, k));
-  return targets;
+RankedEntries ranked_entries(const Comparison& comparison, const std::vector<std::size_t>& problems,
+                             std::size_t budget, Criterion criterion) {
+  return ranked(by_entry(comparison, problems, budget), problems, criterion);
 }
 
 std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::size_t>& problems,
-                         std::size_t budget) {
-  using Name = std::pair<std::string, std::string>;
-  // By entry, then by problem.
-  std::map<Name, ByProblem> by_name;
-  std::size_t instances = 0;
-  for (const CellResult& result : comparison.results) {
-    const PlannedCell& planned = *result.cell;
-    const Cell& cell = planned.cell;
-    if (cell.budget != comparison.part->budgets[budget]) continue;
-    if (std::find(problems.begin(), problems.end(), planned.problem) == problems.end()) {
-      continue;
-    }
-    by_name[{cell.solver, cell.formulation}][planned.problem] = &result;
-    instances = result.outcomes.size();  // the same for all
-  }
+                         std::size_t budget, Criterion criterion) {
+  const std::map<Name, ByProblem> entries = by_entry(comparison, problems, budget);
   std::vector<Rating> ratings;
-  std::vector<const ByProblem*> entries;
-  for (const auto& [name, mine] : by_name) {
-    Rating rating;
-    rating.solver = name.first;
-    rating.formulation = name.second;
-    rating.problems = static_cast<int>(mine.size());
-    std::vector<std::vector<double>> times;
-    for (const auto& [q, result] : mine) {
-      times.push_back(hitting_times(comparison.problem_of(*result), *result));
-      int found = 0;
-      int returned = 0;
-      for (const Outcome& outcome : result->outcomes) {
-        found += outcome.verdict.solved ? 1 : 0;
-        returned += outcome.verdict.returned_solved ? 1 : 0;
-      }
-      rating.never += found == 0 ? 1 : 0;
-      const auto all = static_cast<double>(result->outcomes.size() * mine.size());
-      rating.found += found / all;
-      rating.returned += returned / all;
-    }
-    for (const double place : places(static_cast<double>(comparison.part->budgets[budget]))) {
-      const auto share = empirical_distribution(times, place);
-      rating.progress.push_back({place, share.mean, share.interval});
-    }
-    ratings.push_back(std::move(rating));
-    entries.push_back(&mine);
+  for (const auto& [name, mine] : entries) {
+    ratings.push_back(rating_of(name, mine, comparison, budget, criterion));
   }
-  place(ratings, entries, problems, instances, budget);
-  std::stable_sort(ratings.begin(), ratings.end(), [](const Rating& a, const Rating& b) {
-    return std::pair(-a.probability_of_being_best, a.rank) <
-           std::pair(-b.probability_of_being_best, b.rank);
-  });
+  std::vector<Rating*> compared;
+  std::size_t k = 0;
+  for (const auto& [name, mine] : entries) {
+    if (is_ranked(mine, problems)) compared.push_back(&ratings[k]);
+    ++k;
+  }
+  set_ranks(compared, ranked(entries, problems, criterion), budget, criterion);
+  const auto key = [](const Rating& r) {
+    return std::tuple(r.rank.value_or(infinity), -r.problems, -r.returned);
+  };
+  std::stable_sort(ratings.begin(), ratings.end(),
+                   [&](const Rating& a, const Rating& b) { return key(a) < key(b); });
   return ratings;
+}
+
+const Rating* leader_of(const std::vector<Rating>& ratings, Criterion criterion) {
+  if (ratings.empty() || !ratings.front().rank) return nullptr;
+  return ratings.front().solved(criterion) > 0 ? &ratings.front() : nullptr;
 }
 
 }  // namespace ricochet::comparison

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "src/benchmark/analysis/comparison.h"
 #include "src/benchmark/statistics/interval.h"
+#include "src/benchmark/statistics/rivals_ahead.h"
 
 namespace ricochet::comparison {
 
@@ -20,13 +22,22 @@ struct Reach {
 struct Rating {
   std::string solver;
   std::string formulation;
-  int problems = 0;             ///< number of problems that the solver takes in this formulation
-  int never = 0;                ///< number of these that no run solved
-  double found = 0;             ///< success rate, mean over the problems
-  double returned = 0;          ///< the same for the returned points
-  std::vector<Reach> progress;  ///< the ECDF of runtimes
-  double probability_of_being_best = 0;  ///< Plackett-Luce model of all problems' rankings
-  double rank = 0;                       ///< mean over problems and instances, ties share theirs
+  bool surrogate = false;  ///< it saw a surrogate: which evaluated point is best it could not know
+  int problems = 0;        ///< number of problems that the solver takes in this formulation
+  int never = 0;           ///< number of these that no run solved, by the criterion
+  double found = 0;        ///< success rate by the best evaluated points, mean over the problems
+  double returned = 0;     ///< the same by the returned points
+  std::vector<Reach> progress;  ///< the ECDF of runtimes, by the criterion
+  /// Mean rank among the ranked entries, over problems and instances; ties share theirs. A problem
+  /// that only some of them take counts as if all did. Empty if the entry is not ranked.
+  std::optional<double> rank;
+  /// Probability of having the least mean rank on problems like these. Empty if the entry is not
+  /// ranked, if there is only one problem, or if no entry solved a run.
+  std::optional<double> probability_of_being_best;
+
+  double solved(Criterion criterion) const {
+    return criterion == Criterion::returned ? returned : found;
+  }
 };
 
 /// The name of an entry in tables and charts.
@@ -34,13 +45,26 @@ inline std::string entry(const std::string& solver, const std::string& formulati
   return solver + ", " + formulation;
 }
 
-/// Optimality gaps that are the targets of a problem: its own tolerance, and larger ones.
-std::vector<double> targets_of(const Problem& problem);
+/// How the ranked entries of a group did on each of its problems. Those are the entries that take
+/// at least half of the problems: others cannot be compared with them.
+struct RankedEntries {
+  std::vector<std::string> names;     ///< as entry() has them
+  std::vector<RivalsAhead> problems;  ///< those that several of them take
+};
+
+RankedEntries ranked_entries(const Comparison& comparison, const std::vector<std::size_t>& problems,
+                             std::size_t budget, Criterion criterion = Criterion::returned);
 
 /// Rates all entries of the part with budget number `budget` on these problems (indices of the
-/// campaign's). Sorted by probability of being best, the largest first, then by mean rank. On every
-/// instance the entries are ranked by the best optimality gap and then by the evaluations it took.
+/// campaign's). The ranked ones first, by mean rank; then the others, by the number of problems
+/// that they take. On every instance the entries are ranked by the optimality gap of the point that
+/// is judged, all that solve being equal, and then by the evaluations it took.
 std::vector<Rating> rate(const Comparison& comparison, const std::vector<std::size_t>& problems,
-                         std::size_t budget);
+                         std::size_t budget, Criterion criterion = Criterion::returned);
+
+/// The first of the ratings, or null if it is not ranked or solved none of its runs: who solved
+/// nothing is not the best.
+const Rating* leader_of(const std::vector<Rating>& ratings,
+                        Criterion criterion = Criterion::returned);
 
 }  // namespace ricochet::comparison

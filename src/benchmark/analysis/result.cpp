@@ -14,10 +14,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns true if both runs made as many evaluations and had the same improvements at the same
-/// evaluations: the solver draws no random numbers, or the instances look alike to it.
+/// Returns true if both runs made as many evaluations, had the same improvements at the same
+/// evaluations and returned points of one value: the solver draws no random numbers, or the
+/// instances look alike to it.
 bool same(const Outcome& a, const Outcome& b) {
-  return a.evaluations == b.evaluations &&
+  return a.evaluations == b.evaluations && a.optimality_gap() == b.optimality_gap() &&
          std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
                     [](const Step& p, const Step& q) {
                       return p.evaluations == q.evaluations && p.optimality_gap == q.optimality_gap;
@@ -43,6 +44,18 @@ SolvedShare share_of(const std::vector<const Outcome*>& outcomes, Solved solved)
   return {successes / trials, wilson_interval(successes, trials)};
 }
 
+std::optional<Estimate> running_time_of(const std::vector<const Outcome*>& outcomes,
+                                        Criterion criterion) {
+  std::vector<Effort> evaluations;
+  for (const Outcome* o : outcomes) {
+    evaluations.push_back(
+        {static_cast<double>(evaluations_until_solved(*o, criterion)), o->solved(criterion)});
+  }
+  const auto time = expected_running_time(evaluations);
+  if (!time) return std::nullopt;
+  return Estimate{*time, expected_running_time_interval(evaluations)};
+}
+
 }  // namespace
 
 Result result_of(const Outcomes& outcomes) {
@@ -50,21 +63,15 @@ Result result_of(const Outcomes& outcomes) {
   result.runs = static_cast<int>(outcomes.size());
   const std::vector<const Outcome*> once = distinct(outcomes);
   result.distinct = static_cast<int>(once.size());
-  result.found = share_of(once, [](const Outcome* o) { return o->verdict.solved; });
-  result.returned = share_of(once, [](const Outcome* o) { return o->verdict.returned_solved; });
-  std::vector<Effort> evaluations;
+  result.found = share_of(once, [](const Outcome* o) { return o->solved(Criterion::evaluated); });
+  result.returned = share_of(once, [](const Outcome* o) { return o->solved(); });
+  result.running_time = running_time_of(once, Criterion::evaluated);
+  result.returned_running_time = running_time_of(once, Criterion::returned);
   std::vector<Effort> seconds;
   std::vector<double> gaps;
   for (const Outcome* o : once) {
-    const Verdict& verdict = o->verdict;
-    evaluations.push_back(
-        {static_cast<double>(verdict.evaluations_to_solve.value_or(o->evaluations)),
-         verdict.solved});
-    seconds.push_back({verdict.seconds_to_solve.value_or(o->seconds), verdict.solved});
-    gaps.push_back(verdict.optimality_gap.value_or(infinity));
-  }
-  if (const auto time = expected_running_time(evaluations)) {
-    result.running_time = {*time, expected_running_time_interval(evaluations)};
+    seconds.push_back({seconds_until_solved(*o), o->solved()});
+    gaps.push_back(o->optimality_gap());
   }
   result.seconds_to_solve = expected_running_time(seconds);
   result.gap.value = quantile(gaps, 0.5);

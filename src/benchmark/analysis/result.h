@@ -24,11 +24,13 @@ struct Estimate {
 /// A summary of the runs of one cell. Intervals are of 95 %.
 struct Result {
   int runs = 0;
-  int distinct = 0;                        ///< number of different runs: repeats are counted once
-  SolvedShare found{}, returned{};         ///< solved by an evaluated point, by the returned point
-  std::optional<Estimate> running_time;    ///< ERT [evaluations]; nothing if solved in no run
-  std::optional<double> seconds_to_solve;  ///< expected processor time
-  Estimate gap{};  ///< median optimality gap; infinite: no feasible point found
+  int distinct = 0;                 ///< number of different runs: repeats are counted once
+  SolvedShare found{}, returned{};  ///< solved by an evaluated point, by the returned point
+  /// ERT [evaluations] of the problem's tolerance, by the best evaluated and by the returned point;
+  /// nothing if no run solved it.
+  std::optional<Estimate> running_time, returned_running_time;
+  std::optional<double> seconds_to_solve;  ///< expected processor time, by the returned point
+  Estimate gap{};  ///< median optimality gap of the returned points; infinite: none is feasible
   int failed = 0;  ///< runs that ended in an exception
   std::map<std::string, int> terminations;  ///< number of starts by termination reason
 };

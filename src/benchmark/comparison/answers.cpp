@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,10 +16,13 @@ namespace {
 using report::Json;
 
 struct Leader {
-  std::string family, solver, formulation;
-  double budget, best;
+  std::string family;
+  std::optional<std::string> solver, formulation;  ///< nothing if none is first
+  double budget;
+  std::optional<double> best;  ///< nothing for one problem
+  std::int64_t of;             ///< problems
 };
-RICOCHET_READ_FROM_JSON(Leader, family, solver, formulation, budget, best);
+RICOCHET_READ_FROM_JSON(Leader, family, solver, formulation, budget, best, of);
 
 struct Sized {
   double variables;
@@ -38,9 +42,9 @@ RICOCHET_READ_FROM_JSON(Page, folder, data);
 
 struct Change {
   std::string family, changed, setting;
-  std::optional<double> found;
+  std::optional<double> returned;
 };
-RICOCHET_READ_FROM_JSON(Change, family, changed, setting, found);
+RICOCHET_READ_FROM_JSON(Change, family, changed, setting, returned);
 
 struct FamilyName {
   std::string family;
@@ -88,10 +92,18 @@ std::string told(const MeasuredLeader& one) {
   const std::string variables = one.least == one.most
                                     ? fmt::format("{}", one.most)
                                     : fmt::format("{} to {}", one.least, one.most);
-  return fmt::format(
-      "{} ({} variables, {} evaluations each): {} on the {} formulation (P(best) {:.2f})",
-      one.leader.family, variables, one.leader.budget, one.leader.solver, one.leader.formulation,
-      one.leader.best);
+  const Leader& leader = one.leader;
+  const std::string problems = fmt::format("{} problem{}", leader.of, leader.of == 1 ? "" : "s");
+  const std::string sure =
+      leader.best ? fmt::format("P(best) {:.2f} on {}", *leader.best, problems) : "on " + problems;
+  const std::string first = leader.solver ? fmt::format("{} on the {} formulation ({})",
+                                                        *leader.solver, *leader.formulation, sure)
+                                          : fmt::format(
+                                                "none, as the entry with the least mean rank "
+                                                "solved none of its runs on {}",
+                                                problems);
+  return fmt::format("{} ({} variables, {} evaluations each): {}", leader.family, variables,
+                     leader.budget, first);
 }
 
 /// Returns the nearest leaders: of the family whose problems have this number of variables, or else
@@ -139,9 +151,10 @@ std::optional<Answer> on_gradient(const Comparison& all) {
     for (const Change& differences : all.changes) {
       const bool same = differences.changed == measured.changed && differences.setting == "n" &&
                         differences.family == measured.family;
-      if (!same || !measured.found || !differences.found) continue;
-      text += fmt::format("{} {} to {} on {}", text.empty() ? "" : ",", percent(*differences.found),
-                          percent(*measured.found), measured.family);
+      if (!same || !measured.returned || !differences.returned) continue;
+      text +=
+          fmt::format("{} {} to {} on {}", text.empty() ? "" : ",", percent(*differences.returned),
+                      percent(*measured.returned), measured.family);
     }
   }
   if (text.empty()) return std::nullopt;

@@ -22,6 +22,7 @@ std::string kind_of_failure(const Outcome& outcome, std::int64_t budget) {
                        outcome.failure.starts_with("ended the process");
     return ended ? "killed or crashed" : "threw";
   }
+  if (outcome.verdict.solved) return "evaluated, not returned";
   if (!outcome.verdict.feasible) return "nothing feasible";
   return outcome.evaluations < budget ? "gave up early" : "budget spent";
 }
@@ -113,7 +114,7 @@ Json atlas_data(const Campaign& campaign, const std::vector<CellResult>& results
     for (std::size_t i = 0; i < s.outcomes.size(); ++i) {
       const Outcome& outcome = s.outcomes[i];
       ++fate.runs;
-      if (outcome.verdict.solved) {
+      if (outcome.solved()) {
         ++fate.solved;
         continue;
       }

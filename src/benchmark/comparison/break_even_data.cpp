@@ -49,10 +49,12 @@ Asked asked_by(const CellResult& result) {
   for (const Outcome& outcome : result.outcomes) {
     // The ledger does not record when each request was made: we assume a constant rate.
     const double all = std::max<double>(static_cast<double>(outcome.evaluations), 1);
-    const double times = outcome.verdict.solved ? evaluations_of(outcome) / all : 10;
+    const double times =
+        outcome.solved() ? static_cast<double>(evaluations_until_solved(outcome)) / all : 10;
     mean.values += times * static_cast<double>(outcome.values) / runs;
     mean.gradients += times * static_cast<double>(outcome.derivatives) / runs;
-    mean.seconds += (outcome.verdict.solved ? seconds_of(outcome) : 10 * outcome.seconds) / runs;
+    mean.seconds +=
+        (outcome.solved() ? seconds_until_solved(outcome) : 10 * outcome.seconds) / runs;
   }
   return mean;
 }

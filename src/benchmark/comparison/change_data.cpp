@@ -24,6 +24,7 @@ struct Setting {
   std::string name;
   std::vector<Rating> ratings;  ///< the best first
   Order order;
+  std::size_t problems;
 };
 
 /// A row for each setting; all are compared with the first.
@@ -32,17 +33,20 @@ void add_rows(Json& rows, const std::string& family, const std::string& changed,
   if (settings.size() < 2) return;
   const Setting& usual = settings.front();
   for (const Setting& setting : settings) {
-    const Rating& first = setting.ratings.front();
+    const Rating* first = leader_of(setting.ratings);
+    const auto of_first = [&](const auto& value) { return first ? Json(value(*first)) : Json(); };
     const bool is_usual = &setting == &usual;
-    rows.push_back({{"family", family},
-                    {"changed", changed},
-                    {"setting", setting.name},
-                    {"leader", setting.order.leader},
-                    {"same_leader", setting.order.leader == usual.order.leader},
-                    {"best", first.probability_of_being_best},
-                    {"found", first.found},
-                    {"entries", setting.ratings.size()},
-                    {"agreement", is_usual ? Json() : agreement_of(usual.order, setting.order)}});
+    rows.push_back(
+        {{"family", family},
+         {"changed", changed},
+         {"setting", setting.name},
+         {"leader", setting.order.leader},
+         {"same_leader", setting.order.leader == usual.order.leader},
+         {"best", of_first([](const Rating& r) { return Json(r.probability_of_being_best); })},
+         {"returned", of_first([](const Rating& r) { return Json(r.returned); })},
+         {"problems", setting.problems},
+         {"entries", setting.order.entries.size()},
+         {"agreement", is_usual ? Json() : agreement_of(usual.order, setting.order)}});
   }
 }
 
@@ -67,7 +71,8 @@ void add_prices(Json& rows, const Campaign& campaign, const std::vector<CellResu
       std::vector<Rating> ratings = rated(comparison, group.problems);
       Order order = order_of(ratings);
       if (!settings.contains(group.family)) families.push_back(group.family);
-      settings[group.family].push_back({price, std::move(ratings), std::move(order)});
+      settings[group.family].push_back(
+          {price, std::move(ratings), std::move(order), group.problems.size()});
     }
   }
   for (const std::string& family : families) {
@@ -103,7 +108,8 @@ void add_smoothings(Json& rows, const Comparison& comparison, const Group& group
                     [&](const CellResult& r) { return r.cell->formulation != formulation; });
       std::vector<Rating> ratings = rated(shown, group.problems);
       Order order = order_in(ratings, ratings.front().formulation);
-      settings.push_back({fmt::format("{}", smoothing), std::move(ratings), std::move(order)});
+      settings.push_back({fmt::format("{}", smoothing), std::move(ratings), std::move(order),
+                          group.problems.size()});
     }
     add_rows(rows, group.family,
              penalised ? "smoothing of the penalised surrogate" : "smoothing of the surrogate",
@@ -124,7 +130,8 @@ void add_levels(Json& rows, const Comparison& comparison, const Group& group) {
     for (const auto& [level, problems] : levels) {
       std::vector<Rating> ratings = rated(comparison, problems);
       Order order = order_of(ratings);
-      settings.push_back({level_name(name, level), std::move(ratings), std::move(order)});
+      settings.push_back(
+          {level_name(name, level), std::move(ratings), std::move(order), problems.size()});
     }
     add_rows(rows, group.family, name, settings);
   }

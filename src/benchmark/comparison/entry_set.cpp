@@ -29,23 +29,14 @@ std::tuple<std::size_t, double, double> merit(const Campaign& campaign, const By
 
 }  // namespace
 
-double evaluations_of(const Outcome& outcome) {
-  return static_cast<double>(outcome.verdict.evaluations_to_solve.value_or(outcome.evaluations));
-}
-
-double seconds_of(const Outcome& outcome) {
-  return outcome.verdict.seconds_to_solve.value_or(outcome.seconds);
-}
-
 OnProblem on_problem(const Campaign& campaign, const CellResult& of_cell) {
   OnProblem result{0, 0, 0, 0};
   std::vector<double> optimality_gaps;
   for (const Outcome& outcome : of_cell.outcomes) {
-    result.evaluations += evaluations_of(outcome);
-    result.seconds += seconds_of(outcome);
-    result.share += outcome.verdict.solved ? 1 : 0;
-    optimality_gaps.push_back(
-        outcome.verdict.optimality_gap.value_or(std::numeric_limits<double>::infinity()));
+    result.evaluations += static_cast<double>(evaluations_until_solved(outcome));
+    result.seconds += seconds_until_solved(outcome);
+    result.share += outcome.solved() ? 1 : 0;
+    optimality_gaps.push_back(outcome.optimality_gap());
   }
   const auto runs = static_cast<double>(of_cell.outcomes.size());
   const auto& stated = campaign.problems()[of_cell.cell->problem];

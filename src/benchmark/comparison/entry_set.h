@@ -56,18 +56,12 @@ report::Json of_compared(const std::vector<EntrySet>& sets, const Tell& tell) {
   return all;
 }
 
-/// Evaluations of a run until it solved the problem, or all its evaluations if it did not.
-double evaluations_of(const Outcome& outcome);
-
-/// The same in seconds of processor time.
-double seconds_of(const Outcome& outcome);
-
-/// The results of one entry on one problem; all runs have the same weight.
+/// The results of one entry on one problem, by the returned points; all runs have the same weight.
 struct OnProblem {
   double evaluations;     ///< mean, per variable; a run without evaluations counts as 1
   double seconds;         ///< mean
   double share;           ///< solved
-  double optimality_gap;  ///< median; infinite if most runs evaluated no feasible point
+  double optimality_gap;  ///< median; infinite if most runs returned no feasible point
 };
 OnProblem on_problem(const Campaign& campaign, const CellResult& result);
 

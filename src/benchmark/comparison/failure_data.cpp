@@ -12,26 +12,26 @@ using report::Json;
 
 Json failure_data(const ricochet::comparison::Comparison& comparison) {
   Json rows = Json::array();
-  for (const auto& [planned, outcomes] : comparison.results) {
-    const Cell& cell = planned->cell;
+  for (const auto& result : comparison.results) {
+    const Cell& cell = result.cell->cell;
     // The number of failures, and the first instance with one.
     std::map<std::string, std::pair<int, int>> failures;
-    for (const auto& outcome : outcomes) {
+    for (const auto& outcome : result.outcomes) {
       if (outcome.failure.empty()) continue;
       ++failures.try_emplace(outcome.failure, 0, outcome.instance).first->second.first;
     }
     for (const auto& [what, times] : failures) {
-      rows.push_back(
-          {{"solver", cell.solver},
-           {"problem", cell.problem},
-           {"formulation", cell.formulation},
-           {"what", what},
-           {"times", times.first},
-           {"runs", outcomes.size()},
-           {"command", fmt::format("ricochet solve '{}' {} --formulation {} --budget {} "
-                                   "--instance {} --seed {}",
-                                   cell.solver, cell.problem, cell.formulation,
-                                   planned->budget.evaluations, times.second, comparison.run)}});
+      rows.push_back({{"solver", cell.solver},
+                      {"problem", cell.problem},
+                      {"formulation", cell.formulation},
+                      {"what", what},
+                      {"times", times.first},
+                      {"runs", result.outcomes.size()},
+                      {"command", fmt::format("ricochet solve '{}' {} --formulation {} --budget {} "
+                                              "--instance {} --seed {}",
+                                              cell.solver, cell.problem, cell.formulation,
+                                              result.cell->budget.evaluations, times.second,
+                                              comparison.run)}});
     }
   }
   return rows;

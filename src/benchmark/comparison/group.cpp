@@ -42,12 +42,14 @@ Json result_data(const CellResult& of_cell) {
   return {{"problem", cell.problem},
           {"solver", cell.solver},
           {"formulation", cell.formulation},
+          {"surrogate", of_cell.cell->formulation.smoothing > 0},
           {"budget", cell.budget},
           {"runs", result.runs},
           {"distinct", result.distinct},
           {"found", share_data(result.found)},
           {"returned", share_data(result.returned)},
-          {"running_time", result.running_time ? estimate_data(*result.running_time) : Json()},
+          {"running_time",
+           result.returned_running_time ? estimate_data(*result.returned_running_time) : Json()},
           {"milliseconds", result.seconds_to_solve ? Json(1e3 * *result.seconds_to_solve) : Json()},
           {"gap", estimate_data(result.gap)},
           {"failed", result.failed},
@@ -63,18 +65,54 @@ Json rating_data(const Rating& rating) {
                         {"upper", reach.interval.upper}});
   }
   const Reach& last = rating.progress.back();
-  return {{"solver", rating.solver},      {"formulation", rating.formulation},
-          {"problems", rating.problems},  {"never", rating.never},
-          {"found", rating.found},        {"returned", rating.returned},
-          {"share", last.share},          {"lower", last.interval.lower},
-          {"upper", last.interval.upper}, {"best", rating.probability_of_being_best},
-          {"rank", rating.rank},          {"progress", std::move(progress)}};
+  return {{"solver", rating.solver},
+          {"formulation", rating.formulation},
+          {"surrogate", rating.surrogate},
+          {"problems", rating.problems},
+          {"never", rating.never},
+          {"found", rating.found},
+          {"returned", rating.returned},
+          {"share", last.share},
+          {"lower", last.interval.lower},
+          {"upper", last.interval.upper},
+          {"best", rating.probability_of_being_best},
+          {"rank", rating.rank},
+          {"progress", std::move(progress)}};
+}
+
+/// The first by the returned points, and by the best evaluated ones if that is another one; members
+/// are null if none is first.
+Json leader_data(const std::vector<Rating>& by_returned, const std::vector<Rating>& by_evaluated,
+                 std::size_t problems) {
+  const Rating* first = leader_of(by_returned);
+  const Rating* other = leader_of(by_evaluated, Criterion::evaluated);
+  Json data = rating_data(first != nullptr ? *first : by_returned.front());
+  data.erase("progress");
+  if (first == nullptr) {
+    for (auto& [key, value] : data.items()) value = nullptr;
+  }
+  const auto name = [](const Rating* r) { return r ? entry(r->solver, r->formulation) : ""; };
+  const bool differs = name(first) != name(other);
+  data["differs"] = differs;
+  data["by_evaluated"] = nullptr;
+  if (differs && other != nullptr) {
+    data["by_evaluated"] = {{"entry", name(other)},
+                            {"found", other->found},
+                            {"returned", other->returned},
+                            {"surrogate", other->surrogate}};
+  }
+  data["of"] = problems;
+  data["single"] = problems == 1;
+  data["ranked"] = std::count_if(by_returned.begin(), by_returned.end(),
+                                 [](const Rating& r) { return r.rank.has_value(); });
+  data["entries"] = by_returned.size();
+  return data;
 }
 
 /// Entries that are compared problem by problem.
 constexpr std::size_t compared = 20;
 
-/// Returns a row for each of the first entries with the share of runs solved on every problem with
+/// Returns a row for each of the first entries with the success rate on every problem with
 /// the largest budget; null if it does not take the problem in this formulation.
 Json share_rows(const Comparison& comparison, const Group& group, const Json& ratings) {
   std::map<std::string, Json> rows;
@@ -87,7 +125,7 @@ Json share_rows(const Comparison& comparison, const Group& group, const Json& ra
     Json& cells = rows[entry(cell.solver, cell.formulation)];
     if (cells.is_null()) cells = Json(group.problems.size(), Json());
     cells[static_cast<std::size_t>(place - group.problems.begin())] =
-        result_of(result.outcomes).found.share;
+        result_of(result.outcomes).returned.share;
   }
   Json all = Json::array();
   for (std::size_t i = 0; i < std::min(compared, ratings.size()); ++i) {
@@ -95,6 +133,13 @@ Json share_rows(const Comparison& comparison, const Group& group, const Json& ra
     all.push_back({{"entry", name}, {"shares", std::move(rows.at(name))}});
   }
   return all;
+}
+
+std::shared_ptr<const Targets> targets_on(const Comparison& comparison, std::size_t problem) {
+  for (const CellResult& result : comparison.results) {
+    if (result.cell->problem == problem) return result.targets;
+  }
+  return nullptr;  // a group has problems with results only
 }
 
 }  // namespace
@@ -123,7 +168,8 @@ Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& group
   for (const Group& group : groups) {
     auto& of_group = ratings.emplace_back();
     for (std::size_t b = 0; b < comparison.part->budgets.size(); ++b) {
-      of_group.push_back(rate(comparison, group.problems, b));
+      of_group.push_back({rate(comparison, group.problems, b),
+                          rate(comparison, group.problems, b, Criterion::evaluated)});
     }
   }
   return ratings;
@@ -139,21 +185,26 @@ Json group_data(const Comparison& comparison, const std::vector<Group>& groups,
     const Group& group = groups[g];
     Json budgets = Json::array();
     for (std::size_t b = 0; b < all_budgets.size(); ++b) {
-      Json ratings = report::list_of(rated[g][b], rating_data);
+      const auto& [by_returned, by_evaluated] = rated[g][b];
+      Json ratings = report::list_of(by_returned, rating_data);
       Json first = Json::array();
       for (std::size_t i = 0; i < std::min(drawn, ratings.size()); ++i) first.push_back(ratings[i]);
       for (Json& rating : ratings) rating.erase("progress");  // only the first ones are drawn
       budgets.push_back({{"budget", all_budgets[b]},
-                         {"leader", ratings.empty() ? Json() : ratings[0]},
+                         {"of", group.problems.size()},
+                         {"leader", leader_data(by_returned, by_evaluated, group.problems.size())},
                          {"ratings", ratings},
                          {"first", std::move(first)}});
     }
     Json problems = Json::array();
     for (const std::size_t q : group.problems) {
       const Problem& stated = comparison.campaign->problems()[q];
+      const Targets& targets = *targets_on(comparison, q);
       problems.push_back({{"problem", stated.name},
                           {"variables", stated.dimension()},
                           {"constraints", stated.constraints},
+                          {"targets", targets.size()},
+                          {"easiest", targets.back()},
                           {"best_known", stated.best_known}});
     }
     std::vector<const CellResult*> mine;

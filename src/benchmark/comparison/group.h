@@ -22,8 +22,13 @@ struct Group {
 /// Returns the families of the problems that are compared, in the order of their first problems.
 std::vector<Group> groups_of(const Comparison& comparison);
 
-/// For each group and each budget of the part, the ratings, best first.
-using Ratings = std::vector<std::vector<std::vector<Rating>>>;
+/// Ratings, best first, by either criterion.
+struct BothRatings {
+  std::vector<Rating> by_returned, by_evaluated;
+};
+
+/// For each group and each budget of the part.
+using Ratings = std::vector<std::vector<BothRatings>>;
 Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& groups);
 
 /// Returns, for each group, the ratings for each budget, its problems and, if there are few, all

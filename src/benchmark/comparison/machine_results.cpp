@@ -12,19 +12,14 @@
 namespace ricochet::studies::comparison {
 namespace {
 
-MachineResult result_of(const Problem& problem, const Outcomes& outcomes) {
+MachineResult result_of(const Problem& problem, const CellResult& of_cell) {
   MachineResult result{&problem};
-  const std::vector<double> targets = targets_of(problem);
+  const Outcomes& outcomes = of_cell.outcomes;
   for (const Outcome& outcome : outcomes) {
-    const Verdict& verdict = outcome.verdict;
-    result.solved += verdict.solved ? 1 : 0;
-    result.cost += std::log10(static_cast<double>(
-        std::max<std::int64_t>(1, verdict.evaluations_to_solve.value_or(outcome.evaluations))));
-    if (!verdict.optimality_gap) continue;
-    for (const double target : targets) {
-      result.accuracy +=
-          *verdict.optimality_gap <= target ? 1 / static_cast<double>(targets.size()) : 0;
-    }
+    result.solved += outcome.solved() ? 1 : 0;
+    result.cost += std::log10(
+        static_cast<double>(std::max<std::int64_t>(1, evaluations_until_solved(outcome))));
+    result.accuracy += share_reached(*of_cell.targets, outcome.optimality_gap());
   }
   const auto runs = static_cast<double>(outcomes.size());
   result.solved /= runs;
@@ -49,7 +44,7 @@ std::map<std::string, ByEntry> machine_results(const Campaign& campaign,
                         cell.gradient_price == part.usual.gradient_price && cell.budget == budget;
     if (!counts) continue;
     const std::string& family = part.families.at(campaign.family_of(s.cell->problem));
-    families[family][{cell.solver, cell.formulation}].push_back(result_of(problem, s.outcomes));
+    families[family][{cell.solver, cell.formulation}].push_back(result_of(problem, s));
   }
   return families;
 }

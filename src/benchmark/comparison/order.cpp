@@ -1,6 +1,10 @@
 #include "src/benchmark/comparison/order.h"
 
+#include <set>
+#include <utility>
+
 #include "src/benchmark/statistics/rank_correlation.h"
+#include "src/core/seed.h"
 
 namespace ricochet::studies::comparison {
 
@@ -8,20 +12,21 @@ using report::Json;
 
 Order order_of(const std::vector<Rating>& ratings) {
   Order order;
+  if (const Rating* leader = leader_of(ratings)) {
+    order.leader = entry(leader->solver, leader->formulation);
+  }
   for (const Rating& r : ratings) {
-    const std::string name = entry(r.solver, r.formulation);
-    if (order.leader.empty()) order.leader = name;
-    order.ranks[name] = r.rank;
+    if (r.rank) order.entries[entry(r.solver, r.formulation)] = {r.solver, *r.rank};
   }
   return order;
 }
 
-Order order_in(const std::vector<Rating>& ratings, const std::string& formulation) {
+Order order_in(std::vector<Rating> ratings, const std::string& formulation) {
+  std::erase_if(ratings, [&](const Rating& r) { return r.formulation != formulation; });
   Order order;
+  if (const Rating* leader = leader_of(ratings)) order.leader = leader->solver;
   for (const Rating& r : ratings) {
-    if (r.formulation != formulation) continue;
-    if (order.leader.empty()) order.leader = r.solver;
-    order.ranks[r.solver] = r.rank;
+    if (r.rank) order.entries[r.solver] = {r.solver, *r.rank};
   }
   return order;
 }
@@ -29,20 +34,22 @@ Order order_in(const std::vector<Rating>& ratings, const std::string& formulatio
 Json agreement_of(const Order& a, const Order& b) {
   std::vector<double> ranks_a;
   std::vector<double> ranks_b;
-  for (const auto& [name, rank] : a.ranks) {
-    const auto other = b.ranks.find(name);
-    if (other == b.ranks.end()) continue;
-    ranks_a.push_back(rank);
-    ranks_b.push_back(other->second);
+  std::vector<std::string> solvers;
+  for (const auto& [name, ranked] : a.entries) {
+    const auto other = b.entries.find(name);
+    if (other == b.entries.end()) continue;
+    ranks_a.push_back(ranked.rank);
+    ranks_b.push_back(other->second.rank);
+    solvers.push_back(ranked.solver);
   }
-  if (ranks_a.size() < 5) return {};
-  const auto correlation = kendall_rank_correlation(ranks_a, ranks_b);
-  if (!correlation) return {};
-  const Interval interval = kendall_interval(*correlation, ranks_a.size());
+  if (ranks_a.size() < 2) return {};
+  const auto interval = kendall_interval(ranks_a, ranks_b, solvers, seed_of("agreement", "", 0, 0));
+  if (!interval) return {};
   return {{"entries", ranks_a.size()},
-          {"correlation", *correlation},
-          {"lower", interval.lower},
-          {"upper", interval.upper}};
+          {"solvers", std::set<std::string>(solvers.begin(), solvers.end()).size()},
+          {"correlation", *kendall_rank_correlation(ranks_a, ranks_b)},
+          {"lower", interval->lower},
+          {"upper", interval->upper}};
 }
 
 }  // namespace ricochet::studies::comparison

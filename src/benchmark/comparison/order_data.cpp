@@ -41,12 +41,13 @@ Json order_data(const Comparison& comparison, const std::vector<CellResult>& res
   Json rows = Json::array();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group& group = groups[g];
-    const std::vector<Rating>& first = ratings[g].front();
-    const std::vector<Rating>& most = ratings[g].back();
+    const std::vector<Rating>& first = ratings[g].front().by_returned;
+    const std::vector<Rating>& most = ratings[g].back().by_returned;
     const auto add = [&](const std::string& what, const Order& a, const Order& b) {
       Json row = agreement_of(a, b);
       if (row.is_null()) return;  // the orders cannot be compared
       row.update({{"family", group.family},
+                  {"problems", group.problems.size()},
                   {"what", what},
                   {"leader", a.leader},
                   {"other_leader", b.leader},

@@ -43,12 +43,14 @@ std::vector<double> differences(const Campaign& campaign, const Entry& a, const 
 std::vector<double> times_of(const CellResult& result) {
   std::vector<double> times;
   for (const Outcome& outcome : result.outcomes) {
-    times.push_back(outcome.verdict.solved ? evaluations_of(outcome) : never);
+    times.push_back(outcome.solved() ? static_cast<double>(evaluations_until_solved(outcome))
+                                     : never);
   }
   return times;
 }
 
-/// The improvements of all runs, with evaluations per variable and optimality gaps in tolerances.
+/// The improvements of all runs as far as their returned points, with evaluations per variable and
+/// optimality gaps in tolerances.
 RunsOfUnits histories_of(const Campaign& campaign, const Entry& entry, double variables) {
   RunsOfUnits units;
   for (const CellResult* result : entry.results) {
@@ -57,7 +59,7 @@ RunsOfUnits histories_of(const Campaign& campaign, const Entry& entry, double va
     auto& runs = units.emplace_back();
     for (const Outcome& outcome : result->outcomes) {
       History& history = runs.emplace_back();
-      for (const Step& step : outcome.steps) {
+      for (const Step& step : steps_of(outcome)) {
         const double at = longer * static_cast<double>(step.evaluations);
         const double value = step.optimality_gap / tolerance_of(problem);
         const bool improves =

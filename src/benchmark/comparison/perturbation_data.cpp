@@ -154,7 +154,7 @@ Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& 
     if (cell.budget != largest.at(s.cell->problem)) continue;
     Tally& tally = table[{campaign.family_of(s.cell->problem), cell.solver}][cell.formulation]
                         [cell.perturbation];
-    for (const Outcome& outcome : s.outcomes) tally.solved += outcome.verdict.solved ? 1 : 0;
+    for (const Outcome& outcome : s.outcomes) tally.solved += outcome.solved() ? 1 : 0;
     tally.runs += static_cast<int>(s.outcomes.size());
   }
   Json names = Json::array();

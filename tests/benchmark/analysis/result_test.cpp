@@ -31,8 +31,24 @@ TEST(Result, SumsUpTheRuns) {
   EXPECT_EQ(result.running_time->value, (10 + 30 + 100 + 100) / 2.0);
   EXPECT_LT(result.running_time->interval.lower, 120);
   EXPECT_GT(result.running_time->interval.upper, 120);
-  EXPECT_EQ(result.gap.value, 1);
+  EXPECT_FALSE(result.returned_running_time) << "no run returned a point";
   EXPECT_EQ(result.terminations.at("done"), 8);
+}
+
+TEST(Result, KnowsTheReturnedPointApart) {
+  Outcome kept = run_of(10, 0);
+  kept.verdict.returned_solved = true;
+  kept.verdict.returned_optimality_gap = 0;
+  Outcome lost = run_of(10, 0);
+  lost.verdict.returned_optimality_gap = 6;
+  Outcome none = run_of(30, 0);
+  const Result result = result_of({kept, lost, none});
+  EXPECT_EQ(result.distinct, 3) << "two differ in what they returned alone";
+  EXPECT_EQ(result.found.share, 1);
+  EXPECT_DOUBLE_EQ(result.returned.share, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(result.running_time->value, (10 + 10 + 30) / 3.0);
+  EXPECT_EQ(result.returned_running_time->value, 10 + 100 + 100);
+  EXPECT_EQ(result.gap.value, 6);
 }
 
 TEST(Result, CountsRepeatsOnce) {

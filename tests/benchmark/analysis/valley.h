@@ -42,15 +42,20 @@ inline Problem valley_problem() {
   return problem;
 }
 
-/// Asks for `wasted` points at the lower end, then for the best point, and hands over the end.
-inline Solver patient(std::string name, int wasted, bool needs_derivatives = false) {
+/// Asks for `wasted` points at the lower end, then for the best point, and returns the end; or the
+/// best point, if it got that far and `returns_best`.
+inline Solver patient(std::string name, int wasted, bool needs_derivatives = false,
+                      bool returns_best = false) {
   Solver solver;
   solver.name = std::move(name);
   if (needs_derivatives) solver.capabilities.derivatives = Capabilities::Order::gradient;
-  solver.solve = [wasted](Evaluator& evaluator, const Vector&, Random&) {
+  solver.solve = [=](Evaluator& evaluator, const Vector&, Random&) {
     for (int i = 0; i < wasted; ++i) evaluator.objective(evaluator.lower());
-    evaluator.objective(best_point_of(valley(0), evaluator));
-    return SolverTermination{"done", evaluator.lower()};
+    Problem known = valley(0);
+    known.name = evaluator.name();
+    const Vector best = best_point_of(known, evaluator);
+    const bool evaluated = evaluator.objective(best).has_value();
+    return SolverTermination{"done", evaluated && returns_best ? best : evaluator.lower()};
   };
   return solver;
 }

@@ -10,11 +10,8 @@ using testing::EndsWith;
 using testing::StartsWith;
 
 Json leading(const char* family, int budget, const char* solver) {
-  return {{"family", family},
-          {"budget", budget},
-          {"solver", solver},
-          {"formulation", "count"},
-          {"best", 0.5}};
+  return {{"family", family},       {"budget", budget}, {"solver", solver},
+          {"formulation", "count"}, {"best", 0.5},      {"of", 3}};
 }
 
 Json page_of(const char* family, int least, int most) {
@@ -23,7 +20,7 @@ Json page_of(const char* family, int least, int most) {
 }
 
 Json change(const char* changed, const char* setting, double found) {
-  return {{"family", "few"}, {"changed", changed}, {"setting", setting}, {"found", found}};
+  return {{"family", "few"}, {"changed", changed}, {"setting", setting}, {"returned", found}};
 }
 
 Json comparison() {
@@ -55,11 +52,23 @@ TEST(Answers, OnASolverSayWhatWasMeasuredNearest) {
   EXPECT_EQ(
       answer["answer"],
       "Not measured itself; nearest: few (2 to 8 variables, 30 evaluations each): near on the "
-      "count formulation (P(best) 0.50); many (32 to 64 variables, 30 evaluations each): large on "
+      "count formulation (P(best) 0.50 on 3 problems); many (32 to 64 variables, 30 evaluations "
+      "each): large on "
       "the "
-      "count formulation (P(best) 0.50).");
+      "count formulation (P(best) 0.50 on 3 problems).");
   ASSERT_EQ(answer["links"].size(), 2U);
   EXPECT_EQ(answer["links"][1]["to"], "many");
+}
+
+TEST(Answers, OnASolverAreTrueForOneProblemAndForNoneSolved) {
+  Json all = comparison();
+  all["leaders"][0]["best"] = all["leaders"][2]["best"] = nullptr;
+  all["leaders"][0]["of"] = all["leaders"][2]["of"] = 1;
+  all["leaders"][3]["solver"] = all["leaders"][3]["formulation"] = nullptr;
+  const std::string answer = answer_to(all, "Which solver")["answer"];
+  EXPECT_THAT(answer, testing::HasSubstr("near on the count formulation (on 1 problem);"));
+  EXPECT_THAT(answer, EndsWith("none, as the entry with the least mean rank solved none of "
+                               "its runs on 3 problems."));
 }
 
 TEST(Answers, OnASolverSayWhatWasMeasuredWhereItWas) {

@@ -19,7 +19,7 @@ Outcome run_of(std::int64_t values, std::int64_t derivatives, double seconds, bo
   outcome.values = values;
   outcome.derivatives = derivatives;
   outcome.seconds = seconds;
-  outcome.verdict.solved = solved;
+  outcome.verdict.solved = outcome.verdict.returned_solved = solved;
   if (solved) {
     outcome.verdict.evaluations_to_solve = outcome.evaluations;
     outcome.verdict.seconds_to_solve = seconds;

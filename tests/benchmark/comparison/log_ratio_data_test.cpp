@@ -13,7 +13,7 @@ using report::Json;
 Outcome ended_after(std::optional<std::int64_t> solved) {
   Outcome outcome;
   outcome.evaluations = 100;
-  outcome.verdict.solved = solved.has_value();
+  outcome.verdict.solved = outcome.verdict.returned_solved = solved.has_value();
   outcome.verdict.evaluations_to_solve = solved;
   return outcome;
 }

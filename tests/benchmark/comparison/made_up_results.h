@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,8 @@ template <class RunsOf>
 std::vector<CellResult> made_up_results(const Campaign& campaign, const RunsOf& runs_of) {
   std::vector<CellResult> results;
   for (const PlannedCell& cell : campaign.cells()) {
-    CellResult result{&cell, {}};
+    const Problem& problem = campaign.problems()[cell.problem];
+    CellResult result{&cell, {}, std::make_shared<const Targets>(targets_of(problem))};
     result.outcomes = runs_of(cell);
     results.push_back(std::move(result));
   }

@@ -23,7 +23,9 @@ Outcome run_solved_after(std::optional<std::int64_t> solved) {
   outcome.verdict.solved = solved.has_value();
   outcome.verdict.evaluations_to_solve = solved;
   if (solved) outcome.verdict.seconds_to_solve = 0.01 * static_cast<double>(*solved);
+  outcome.verdict.returned_solved = outcome.verdict.solved;
   outcome.verdict.optimality_gap = solved ? 0.0 : 3.0;
+  outcome.verdict.returned_optimality_gap = outcome.verdict.optimality_gap;
   outcome.steps = {{solved.value_or(50), 0.1, *outcome.verdict.optimality_gap}};
   return outcome;
 }

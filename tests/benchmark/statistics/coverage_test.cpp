@@ -14,7 +14,6 @@
 #include "src/benchmark/statistics/factorial_effects.h"
 #include "src/benchmark/statistics/mean_share.h"
 #include "src/benchmark/statistics/order_statistic_interval.h"
-#include "src/benchmark/statistics/plackett_luce.h"
 #include "src/benchmark/statistics/rank_correlation.h"
 #include "src/benchmark/statistics/wilson_interval.h"
 
@@ -181,25 +180,34 @@ TEST(Coverage, OfAMeanOfSharesIsAboutRight) {
 
 TEST(Coverage, OfKendallsCorrelationIsAboutRight) {
   Random random(4);
-  for (const int size : {12, 30}) {
+  for (const int alike : {1, 3}) {  // pairs of one solver
     Coverages coverages;
     for (const double true_values : {0.0, 0.3, 0.6, 0.8}) {
       const double pearson =
           std::sin(std::acos(-1.0) / 2 * true_values);  // of normal pairs (Greiner 1909)
-      coverages.all.push_back(coverage(1000, true_values, [&] {
+      coverages.all.push_back(coverage(400, true_values, [&] {
         std::vector<double> a;
         std::vector<double> b;
-        for (int i = 0; i < size; ++i) {
-          a.push_back(standard_normal(random));
-          b.push_back(pearson * a.back() +
-                      std::sqrt(1 - pearson * pearson) * standard_normal(random));
+        std::vector<std::string> solvers;
+        const auto add = [&](const Vector& x) {
+          a.push_back(x[0]);
+          b.push_back(pearson * x[0] + std::sqrt(1 - pearson * pearson) * x[1]);
+        };
+        for (int solver = 0; solver < 12; ++solver) {
+          const Vector common = normal(2, random);
+          for (int k = 0; k < alike; ++k) {
+            const Vector own = normal(2, random);
+            add(std::sqrt(0.7) * common + std::sqrt(0.3) * own);
+            solvers.push_back(std::to_string(solver));
+          }
         }
-        return kendall_interval(*kendall_rank_correlation(a, b), a.size());
+        return *kendall_interval(a, b, solvers, 1, 0.95, 500);
       }));
     }
-    coverages.print("Kendall's correlation of " + std::to_string(size) + " pairs");
-    EXPECT_GT(coverages.mean(), 0.93);
-    EXPECT_LT(coverages.mean(), 0.97);
+    coverages.print("Kendall's correlation of 12 solvers with " + std::to_string(alike) +
+                    " entries each");
+    EXPECT_GT(coverages.mean(), 0.92);
+    EXPECT_LT(coverages.mean(), 0.98);
   }
 }
 
@@ -292,35 +300,6 @@ TEST(Coverage, OfFactorialEffectsIsAboutRight) {
       EXPECT_LT(coverages.mean(), 0.98);
     }
   }
-}
-
-/// Solvers in the order that their weights draw, each among those left.
-Ranking drawn_ranking(const std::vector<double>& weights, Random& random) {
-  std::vector<std::pair<double, std::size_t>> arrivals;  // the earliest of exponential times
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    arrivals.emplace_back(exponential(random) / weights[k], k);
-  }
-  std::sort(arrivals.begin(), arrivals.end());
-  Ranking ranking;
-  for (const auto& arrival : arrivals) ranking.push_back({arrival.second});
-  return ranking;
-}
-
-TEST(Coverage, OfPlackettAndLucesWeightsIsRightOnAverageOverThem) {
-  Random random(5);
-  int held = 0;
-  constexpr int trials = 100;
-  for (int i = 0; i < trials; ++i) {
-    std::vector<double> weights;
-    for (int k = 0; k < 3; ++k) weights.push_back(exponential(random));
-    const double first = weights[0] / (weights[0] + weights[1] + weights[2]);
-    std::vector<Ranking> rankings;
-    for (int k = 0; k < 8; ++k) rankings.push_back(drawn_ranking(weights, random));
-    const auto strengths = plackett_luce(rankings, 3, static_cast<std::uint64_t>(i));
-    held += holds(strengths[0].weight_interval, first) ? 1 : 0;
-  }
-  Coverages{{static_cast<double>(held) / trials}}.print("Plackett and Luce's weights");
-  EXPECT_GT(held, 0.88 * trials);  // 0.95 but for three deviations of the simulation
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(Curves, LeaveOutTheMidstOfALevel) {
 
 TEST(Comparison, OfAnotherVersionIsNotRead) {
   Json family = small_family();
-  family["budgets"][0]["ratings"][0].erase("rank");
+  family["budgets"][0]["ratings"][0].erase("returned");
   EXPECT_THROW(comparison_of(found_comparison(small_comparison(), {family})), Json::exception);
 }
 

@@ -59,7 +59,7 @@ inline Json small_comparison() {
 inline Json small_family() {
   const auto rating = [](const char* solver, double best, double rank) {
     return Json{{"solver", solver}, {"formulation", "count"}, {"problems", 2},
-                {"never", 0},       {"found", 0.5},           {"share", 0.75},
+                {"never", 0},       {"returned", 0.5},        {"share", 0.75},
                 {"lower", 1.0 / 3}, {"upper", 0.9},           {"best", best},
                 {"rank", rank}};
   };

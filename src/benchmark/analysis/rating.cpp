@@ -17,15 +17,17 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Positions on the axis of evaluations for each variable, from 1 up to the budget.
+/// Positions on the axis of evaluations for each variable, from 1 up to the budget, which is one.
 std::vector<double> places(double budget) {
   std::vector<double> all;
   constexpr int of_a_decade = 6;
   for (int k = 0;; ++k) {
     const double place = std::pow(10.0, k / static_cast<double>(of_a_decade));
-    if (place > budget * 1.0001) return all;
+    if (place > budget * 0.9999) break;
     all.push_back(place);
   }
+  all.push_back(budget);
+  return all;
 }
 
 /// Evaluations for each variable until each target of the problem was reached, over all runs;

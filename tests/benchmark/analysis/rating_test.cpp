@@ -146,6 +146,7 @@ TEST_F(RatedCampaign, GivesEqualsTheSameChance) {
 TEST_F(RatedCampaign, CountsEveryTargetOfEveryRunOverTime) {
   const Comparison comparison = compared({honest("quick", 3)});
   const Rating rating = rate(comparison, all_, 0)[0];
+  EXPECT_EQ(rating.progress.back().evaluations, 50) << "the budget, which is no power of 10";
   for (const Reach& reach : rating.progress) {
     double share = 0;
     for (const CellResult& result : comparison.results) {

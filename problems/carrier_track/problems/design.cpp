@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/counting/threshold.h"
@@ -83,7 +84,7 @@ Problem design_count_problem(const Machine& machine) {
   know_best(frame, machine.default_hash);
   const auto define_at = [machine, scale](Problem& problem, double smoothing) {
     define(problem, Cost{scale}, ObjectiveOfDesign{machine.scene, smoothing},
-           smoothing > 0 ? half_level(machine.quiet_limit) : machine.quiet_limit,
+           smoothing > 0 ? half_level(machine.quiet_limit) : std::floor(machine.quiet_limit),
            smoothing > 0 && carries_derivatives(machine.scene));
   };
   return smoothable(frame, define_at);

@@ -1,5 +1,7 @@
 #include "problems/carrier_track/problems/top_speed.h"
 
+#include <cmath>
+
 #include "problems/carrier_track/counting/counts.h"
 #include "problems/carrier_track/counting/exclusion.h"
 #include "problems/carrier_track/counting/threshold.h"
@@ -16,7 +18,7 @@ Problem top_speed_problem(const Machine& machine) {
 Problem top_speed_problem_of(const std::string& family, const Machine& machine) {
   const auto define_at = [machine](Problem& problem, double smoothing) {
     define(problem, Slowness{}, ObjectiveAtSpeed{machine.scene, smoothing},
-           smoothing > 0 ? half_level(machine.quiet_limit) : machine.quiet_limit,
+           smoothing > 0 ? half_level(machine.quiet_limit) : std::floor(machine.quiet_limit),
            smoothing > 0 && carries_derivatives(machine.scene));
   };
   Problem frame = speed_problem(family, machine, "fastest speed whose collision count is quiet");

@@ -16,6 +16,7 @@
 #include "src/benchmark/analysis/chosen.h"
 #include "src/benchmark/analysis/comparison.h"
 #include "src/benchmark/comparison/answers.h"
+#include "src/benchmark/comparison/beaten_data.h"
 #include "src/benchmark/comparison/break_even_data.h"
 #include "src/benchmark/comparison/change_data.h"
 #include "src/benchmark/comparison/entry_set.h"
@@ -218,6 +219,7 @@ Json compute(const Campaign& campaign, const Store& store) {
   data.update(perturbation_data(campaign, results));
   data.update(factor_data(campaign, results, parts));
   data.update(machine_data(campaign, results, parts));
+  data["beaten"] = beaten_data(campaign, results);
   data["changes"] = change_data(campaign, results, parts);
   Json solvers = Json::array();
   const std::vector<Solver> known = all_solvers();

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "problems/carrier_track/regimes/fold.h"
+#include "problems/carrier_track/regimes/phase_margin.h"
+#include "problems/carrier_track/regimes/phase_tip.h"
 #include "problems/carrier_track/regimes/release_margin.h"
 
 namespace ricochet::carrier_track::inline regimes {
@@ -17,6 +19,7 @@ namespace {
 constexpr double narrow = 1e-13;     // relative width at which a bracket is a border
 constexpr double blurred = 1e-5;     // the same beside a motion that does not repeat
 constexpr double beside = 1e-10;     // relative, on both sides of a root that is known
+constexpr int most_tips = 8;         // that are tried, of other phases
 constexpr double continuous = 1e-5;  // a margin so small on both sides passes 0 without a jump
 constexpr double near_bifurcation = 1e-2;  // of eigenvalue conditions, at the end of a bisection
 constexpr double just_beyond = 1e-4;  // relative, where a new motion is large enough to be seen
@@ -36,18 +39,18 @@ struct Bracket {
 };
 
 /// Narrows a bracket to the sign change of a margin of the motion.
-template <class Motion, class Of>
-Bracket<Motion> sign_change(Bracket<Motion> bracket, const Of& margin) {
+template <class Of>
+Bracket<SteadyMotion> sign_change(Bracket<SteadyMotion> bracket, const Of& margin) {
   const bool side = margin(bracket.before) > 0;
   const auto at = [&](double omega) {
-    Motion motion = followed(bracket.before, omega);
+    SteadyMotion motion = followed(bracket.before, omega);
     const double there = margin(motion);
     ((there > 0) == side ? bracket.before : bracket.after) = std::move(motion);
     return there;
   };
   const bool up = bracket.upwards();
-  const Motion low = up ? bracket.before : bracket.after;
-  const Motion high = up ? bracket.after : bracket.before;
+  const SteadyMotion low = up ? bracket.before : bracket.after;
+  const SteadyMotion high = up ? bracket.after : bracket.before;
   std::uintmax_t evaluations = 100;
   const double root = boost::math::tools::toms748_solve(at, low.omega(), high.omega(), margin(low),
                                                         margin(high), is_narrow, evaluations)
@@ -64,43 +67,6 @@ Bracket<Motion> sign_change(Bracket<Motion> bracket, const Of& margin) {
     at(there);
   }
   return bracket;
-}
-
-Bracket<SteadyMotion> count_change(const Bracket<SteadyMotion>& bracket, int rank,
-                                   Extreme /*extreme*/) {
-  return sign_change(bracket,
-                     [rank](const SteadyMotion& motion) { return rank_margin(motion, rank); });
-}
-
-/// The same for an impact at the phase at which it is slowest or fastest, which changes little
-/// within the bracket.
-Bracket<DisturbedMotion> count_change(const Bracket<DisturbedMotion>& bracket, int rank,
-                                      Extreme extreme) {
-  const auto margin_of = [&](const DisturbedMotion& motion) {
-    return rank_margin(motion, rank, extreme);
-  };
-  const double before = margin_of(bracket.before);
-  const double after = margin_of(bracket.after);
-  const bool nearer = std::abs(before) < std::abs(after);
-  ExtremeMargin margin(nearer ? bracket.before : bracket.after, rank, extreme);
-  const double low = std::min(bracket.from(), bracket.to());
-  const double high = std::max(bracket.from(), bracket.to());
-  const double at_low = margin.at(low);
-  const double at_high = margin.at(high);
-  if ((at_low > 0) != (at_high > 0)) {
-    std::uintmax_t evaluations = 60;
-    const auto root =
-        boost::math::tools::toms748_solve([&](double omega) { return margin.at(omega); }, low, high,
-                                          at_low, at_high, is_narrow, evaluations);
-    const double away = bracket.upwards() ? beside : -beside;
-    const double omega = 0.5 * (root.first + root.second);
-    const Bracket<DisturbedMotion> end{followed(bracket.before, omega * (1 - away)),
-                                       followed(bracket.before, omega * (1 + away))};
-    const bool passes =
-        (margin_of(end.before) > 0) == (before > 0) && (margin_of(end.after) > 0) == (after > 0);
-    if (passes) return end;
-  }
-  return sign_change(bracket, margin_of);  // another phase becomes the extreme one
 }
 
 /// Narrows a bracket to the place where `stays(signature)` becomes false.
@@ -203,22 +169,132 @@ Border<Motion> border_of_kind(const Bracket<Motion>& bracket) {
   return solved(end);
 }
 
-template <class Motion>
-Border<Motion> border_of_count(const Bracket<Motion>& bracket, int rank, Extreme extreme) {
-  const auto margin = [&](const Motion& motion) { return rank_margin(motion, rank, extreme); };
-  // Extremes over the phase may be found on one side alone: then the count itself is narrowed.
-  const bool crosses = (margin(bracket.before) > 0) != (margin(bracket.after) > 0);
-  const Signature first = signature_of(bracket.before);
-  const Bracket<Motion> end =
-      crosses ? count_change(bracket, rank, extreme)
-              : change(bracket, [&](const Signature& there) { return there == first; });
+Border<SteadyMotion> border_of_count(const Bracket<SteadyMotion>& bracket, int rank,
+                                     Extreme /*extreme*/) {
+  const auto margin = [rank](const SteadyMotion& motion) { return rank_margin(motion, rank); };
+  const Bracket<SteadyMotion> end = sign_change(bracket, margin);
   // The kind may have changed, and changed back, on the way.
   if (!signature_of(end.before).same_kind(signature_of(bracket.before))) {
-    return border_of_kind<Motion>({bracket.before, end.before});
+    return border_of_kind<SteadyMotion>({bracket.before, end.before});
   }
   const bool passes =
       std::abs(margin(end.before)) < continuous && std::abs(margin(end.after)) < continuous;
   return {end.to(), passes ? RegimeEnd::counting_limit : RegimeEnd::grazing, end.before, end.after};
+}
+
+/// Whether some turns of a motion count so.
+bool has_beyond(const DisturbedMotion& motion, int rank, Extreme extreme) {
+  return extreme == Extreme::most ? motion.most >= rank : motion.least < rank;
+}
+
+/// A phase at which a turn counts so.
+double phase_beyond(const DisturbedMotion& motion, int rank, Extreme extreme) {
+  std::optional<PhaseMargin> best;
+  for (const auto* turns : {&motion.turns, &motion.watched}) {
+    for (const DisturbedTurn& turn : *turns) {
+      const double margin = margin_of(motion.machine, turn, rank);
+      const double sign = sign_of(extreme);
+      if (!is_beyond(extreme, margin) || (best && sign * margin >= sign * best->value)) continue;
+      best = {margin, turn.phase};
+    }
+  }
+  return best ? best->phase : extreme_margin(motion, rank, extreme).phase;
+}
+
+/// A motion next to `end` at a border, where the turn at that phase counts, or does not.
+DisturbedMotion just_beyond_tip(const DisturbedMotion& end, double omega, int rank,
+                                Extreme extreme) {
+  DisturbedMotion beyond = end;
+  beyond.machine = at_speed(end.machine, omega);
+  beyond.known.clear();
+  if (extreme == Extreme::most) {
+    beyond.most = std::max(beyond.most, rank);
+  } else {
+    beyond.least = std::min(beyond.least, rank - 1);
+  }
+  return beyond;
+}
+
+/// A speed before the bracket at which the turn at that phase does not count so.
+std::optional<double> before_opening(const Bracket<DisturbedMotion>& bracket, int rank,
+                                     Extreme extreme, double phase) {
+  const double back = bracket.upwards() ? -1 : 1;
+  for (double step = just_beyond; step < 0.1; step *= 4) {
+    const double omega = bracket.from() * (1 + back * step);
+    const Scene machine = machine_at(bracket.after, omega, phase);
+    const DisturbedTurn turn = turns_of({&machine, 1}, bracket.after.turns_before).front();
+    if (!is_beyond(extreme, margin_of(machine, turn, rank))) return omega;
+  }
+  return std::nullopt;
+}
+
+/// The border where the first or last phase counts so.
+Border<DisturbedMotion> border_of_count(const Bracket<DisturbedMotion>& bracket, int rank,
+                                        Extreme extreme) {
+  const bool opens = !has_beyond(bracket.before, rank, extreme);
+  DisturbedMotion outside = opens ? bracket.before : bracket.after;
+  DisturbedMotion inside = opens ? bracket.after : bracket.before;
+  std::optional<DisturbedMotion> seen;  // at the bracket's start, if turns count so there
+  double last = 0;
+  for (int tries = 0; tries < most_tips; ++tries) {
+    const double phase = phase_beyond(inside, rank, extreme);
+    const std::optional<PhaseTip> tip = phase_tip(inside, rank, extreme, phase, outside.omega());
+    if (!tip) break;
+    if (!tip->is_reached && !opens) {
+      DisturbedMotion far = bracket.after;
+      watch(far, tip->phase);
+      if (!has_beyond(far, rank, extreme)) break;
+      if (signature_of(far) == signature_of(bracket.before)) {
+        return {far.omega(), RegimeEnd::grazing, bracket.before, far};
+      }
+      return border_within<DisturbedMotion>({bracket.before, far});
+    }
+    if (!tip->is_reached) {  // it opened before, unseen
+      if (!seen) {
+        seen = bracket.before;
+        watch(*seen, tip->phase);
+      }
+      const std::optional<double> earlier = before_opening(bracket, rank, extreme, tip->phase);
+      if (earlier) outside = followed(bracket.before, *earlier);
+      if (!earlier || !(signature_of(outside) == signature_of(bracket.before))) {
+        return {bracket.from(), RegimeEnd::grazing, bracket.before, *seen};
+      }
+      continue;
+    }
+    const double away = outside.omega() < inside.omega() ? -beside : beside;
+    DisturbedMotion end = followed(outside, tip->omega * (1 + away));
+    if (!signature_of(end).same_kind(signature_of(outside))) {
+      return border_of_kind<DisturbedMotion>({bracket.before, end});
+    }
+    if (has_beyond(end, rank, extreme)) {
+      const bool again = std::abs(tip->omega - last) <= 3 * beside * last;
+      last = tip->omega;
+      inside = std::move(end);
+      if (!again) continue;  // another phase is beyond, too
+      end = inside;
+      end.least = outside.least;
+      end.most = outside.most;
+    }
+    const double past = tip->omega * (1 - away);
+    DisturbedMotion beyond = just_beyond_tip(end, past, rank, extreme);
+    const auto margin = [&](const DisturbedMotion& motion) {
+      return std::abs(margin_of(motion.machine, turn_at(motion, tip->phase), rank));
+    };
+    const bool passes = margin(end) < continuous && margin(beyond) < continuous;
+    watch(beyond, tip->phase);
+    return {tip->omega, passes ? RegimeEnd::counting_limit : RegimeEnd::grazing,
+            opens ? end : beyond,
+            seen    ? *seen
+            : opens ? beyond
+                    : end};
+  }
+  const Signature first = signature_of(bracket.before);
+  const Bracket<DisturbedMotion> end =
+      change(bracket, [&](const Signature& there) { return there == first; });
+  if (!signature_of(end.before).same_kind(first)) {
+    return border_of_kind<DisturbedMotion>({bracket.before, end.before});
+  }
+  return {end.to(), RegimeEnd::grazing, end.before, end.after};
 }
 
 template <class Motion>

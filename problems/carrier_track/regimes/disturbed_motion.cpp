@@ -1,18 +1,16 @@
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "problems/carrier_track/flight/applied_forces.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/regimes/observed_turn.h"
-#include "problems/carrier_track/regimes/phase_window.h"
+#include "problems/carrier_track/regimes/phase_margin.h"
 #include "problems/carrier_track/regimes/release_margin.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
 
@@ -23,12 +21,6 @@ constexpr double full_circle = 2 * std::numbers::pi;
 constexpr int phases = 16;
 constexpr int erasing_turns = 2;      // whose rests erase the start, if it is not where turns start
 constexpr int irregular_turns = 120;  // observed where they do not, after as many
-constexpr int phase_bits = 24;        // of an extreme phase: its margin has twice as many
-constexpr double widest_window = 0.1;  // [rad], to each side, in which extremes are searched
-constexpr double narrowest_window = 1e-4;
-constexpr double jump = 1e-4;            // more than that, where an impact appears or vanishes
-constexpr double smooth = 1e-11;         // relative, what a polynomial may leave out
-constexpr double refined_within = 0.02;  // margins nearer to 0 are searched, not interpolated
 
 /// Lets the turns of the plate begin where its force passes zero from above: a carrier that rests
 /// in every half turn then rests.
@@ -68,6 +60,7 @@ std::vector<double> even_phases() {
 bool all_return(DisturbedMotion& motion, double wall) {
   if (!std::isfinite(wall)) return false;
   motion.machine.start_position = wall;
+  motion.turns_before = 0;
   motion.turns.clear();
   const std::vector<double> even = even_phases();
   // Half of them may tell that some do not.
@@ -86,15 +79,40 @@ std::vector<ObservedTurn> irregular_turns_of(const Scene& machine) {
                         irregular_turns);
 }
 
-/// Takes the turns of a motion that moves.
-void take_turns(DisturbedMotion& motion) {
-  const Scene machine = motion.machine;
-  if (all_return(motion, machine.wall_upper) || all_return(motion, machine.wall_lower)) return;
-  motion.machine = machine;
+/// Takes the turns after some that erase the start on that wall.
+void take_erased_turns(DisturbedMotion& motion, double wall) {
+  motion.machine.start_position = wall;
   motion.turns_before = erasing_turns;
-  motion.turns = turns_at_phases(machine, even_phases(), erasing_turns);
+  motion.turns = turns_at_phases(motion.machine, even_phases(), erasing_turns);
   motion.settled = forgets(motion);
   if (!motion.settled) motion.turns.clear();
+}
+
+/// Takes the turns of a motion that moves and is pressed to that wall.
+void take_turns(DisturbedMotion& motion, double wall) {
+  if (all_return(motion, motion.machine.wall_upper)) return;
+  if (all_return(motion, motion.machine.wall_lower)) return;
+  take_erased_turns(motion, wall);
+}
+
+/// The same of a motion that changes little from `before`: what was the case there is tried first.
+void take_turns_as(DisturbedMotion& motion, double wall, const DisturbedMotion& before) {
+  if (!before.moves || !before.settled) return take_turns(motion, wall);
+  if (before.turns_before == 0) {
+    if (!all_return(motion, before.machine.start_position)) take_turns(motion, wall);
+    return;
+  }
+  take_erased_turns(motion, wall);
+  if (!motion.settled) return;
+  const std::optional<Wall> rest = motion.turns.front().rests_on;
+  const bool returns = rest && std::all_of(motion.turns.begin(), motion.turns.end(),
+                                           [&](const auto& turn) { return turn.rests_on == rest; });
+  if (!returns) return;
+  const Scene& machine = motion.machine;
+  DisturbedMotion returning = motion;
+  if (all_return(returning, rest == Wall::lower ? machine.wall_lower : machine.wall_upper)) {
+    motion = std::move(returning);
+  }
 }
 
 /// Takes the least and the most collisions of the turns.
@@ -106,111 +124,50 @@ void take_extremes(DisturbedMotion& motion) {
   motion.most = most->collisions;
 }
 
-/// The least value of the parabola through the values at -1, 0 and 1, of which that at 0 is the
-/// least.
-double vertex_of(double before, double here, double after) {
-  const double bend = before - 2 * here + after;
-  if (!(bend > 0)) return here;
-  const double place = (before - after) / (2 * bend);
-  return here - bend * place * place / 2;
+/// Watches the phases that a motion before has watched, as long as no even phase tells of the same.
+void watch_as(DisturbedMotion& motion, const DisturbedMotion& before) {
+  if (before.watched.empty()) return;
+  const double turn = full_circle * motion.machine.disturbance_frequency / motion.omega();
+  std::vector<double> there;
+  for (const DisturbedTurn& watched : before.watched) {
+    there.push_back(watched.phase + turn * (before.turns_before - motion.turns_before));
+  }
+  for (DisturbedTurn& watched : turns_at_phases(motion.machine, there, motion.turns_before)) {
+    if (watched.collisions >= motion.least && watched.collisions <= motion.most) continue;
+    motion.watched.push_back(std::move(watched));
+  }
+  for (const DisturbedTurn& watched : motion.watched) {
+    motion.least = std::min(motion.least, watched.collisions);
+    motion.most = std::max(motion.most, watched.collisions);
+  }
 }
 
-/// The margins of an impact over the phases, with a sign that makes the extreme one the least.
-class PhaseMargins {
- public:
-  PhaseMargins(const DisturbedMotion& motion, int rank, Extreme extreme)
-      : sign_(extreme == Extreme::most ? -1 : 1) {
-    for (const DisturbedTurn& turn : motion.turns) {
-      values_.push_back(sign_ * margin_of(motion.machine, turn, rank));
-    }
-    interpolates_ = motion.settled && values_.size() > 2;
+/// The motion of a scene, which is like one `before`, if that is given.
+DisturbedMotion motion_like(const Scene& scene, const DisturbedMotion* before) {
+  DisturbedMotion motion{scene};
+  Scene& machine = motion.machine;
+  begin_turns_at_rest(machine);
+  const bool pressed_down =
+      release_margin(machine, machine.wall_lower) <= release_margin(machine, machine.wall_upper);
+  const double wall =
+      pressed_down || !std::isfinite(machine.wall_upper) ? machine.wall_lower : machine.wall_upper;
+  machine.start_position = wall;
+  machine.start_velocity = 0;
+  if (release_margin(machine, wall) <= 0) {
+    motion.moves = false;
+    motion.turns = {{0, {}, {}, 0, true}};
+    return motion;
   }
-
-  double sign() const { return sign_; }
-  double at(std::size_t k) const { return values_[k % values_.size()]; }
-  std::size_t deepest() const {
-    return static_cast<std::size_t>(std::min_element(values_.begin(), values_.end()) -
-                                    values_.begin());
+  before != nullptr ? take_turns_as(motion, wall, *before) : take_turns(motion, wall);
+  if (!motion.settled) return motion;
+  take_extremes(motion);
+  if (before != nullptr) watch_as(motion, *before);
+  // Between the phases there may be turns with fewer and with more.
+  while (motion.least > 0 && !(extreme_margin(motion, motion.least, Extreme::least).value > 0)) {
+    --motion.least;
   }
-
-  /// Phases lower than both neighbours, the deepest first.
-  std::vector<std::size_t> valleys() const {
-    std::vector<std::size_t> found;
-    for (std::size_t k = 0; k < values_.size(); ++k) {
-      if (at(k) <= at(k + values_.size() - 1) && at(k) <= at(k + 1)) found.push_back(k);
-    }
-    std::sort(found.begin(), found.end(),
-              [&](std::size_t a, std::size_t b) { return at(a) < at(b); });
-    return found;
-  }
-
-  /// The least, between the phases by parabolas.
-  double least() const {
-    double least = at(deepest());
-    if (!interpolates_ || std::abs(least) >= -lowest_margin) return least;
-    for (const std::size_t k : valleys()) {
-      least = std::min(least, vertex_of(at(k + values_.size() - 1), at(k), at(k + 1)));
-    }
-    return least;
-  }
-
- private:
-  double sign_;
-  bool interpolates_;
-  std::vector<double> values_;
-};
-
-struct Valley {
-  double phase, value;
-};
-
-/// The least margin, with that sign, near `phase`: within a step of the phases, or as far as it
-/// goes down.
-Valley least_near(const DisturbedMotion& motion, int rank, double sign, double phase) {
-  Valley found{phase, std::numeric_limits<double>::infinity()};
-  bool jumps = false;
-  double centre = phase;
-  double around = widest_window;
-  for (int windows = 0; windows < 10 && around > narrowest_window; ++windows) {
-    const PhaseWindow window(motion, rank, centre, around);
-    if (!window.is_known()) break;
-    jumps = jumps || window.error() > jump;
-    const PhaseWindow::Valley valley = window.least(sign);
-    centre = valley.phase;
-    if (!valley.inside) continue;
-    if (window.error() <= smooth) {
-      found = {valley.phase, valley.value};
-      break;
-    }
-    around /= 8;
-  }
-  if (std::isfinite(found.value) && !jumps) return found;
-  const double reach = full_circle / phases;
-  std::uintmax_t evaluations = 40;
-  const auto [at, value] = boost::math::tools::brent_find_minima(
-      [&](double there) { return sign * margin_of(motion.machine, turn_at(motion, there), rank); },
-      phase - reach, phase + reach, phase_bits, evaluations);
-  return value < found.value ? Valley{at, value} : found;
-}
-
-/// See rank_margin.
-double found_margin(const DisturbedMotion& motion, int rank, Extreme extreme) {
-  if (motion.turns.empty()) {
-    DisturbedMotion long_motion = motion;
-    observe(long_motion);
-    return found_margin(long_motion, rank, extreme);
-  }
-  const PhaseMargins margins(motion, rank, extreme);
-  if (!motion.settled || std::abs(margins.least()) > refined_within) {
-    return margins.sign() * margins.least();
-  }
-  double refined = std::numeric_limits<double>::infinity();
-  for (const std::size_t k : margins.valleys()) {
-    if (margins.at(k) > refined + refined_within) continue;
-    const Valley valley = least_near(motion, rank, margins.sign(), motion.turns[k].phase);
-    refined = std::min({refined, margins.at(k), valley.value});
-  }
-  return margins.sign() * refined;
+  while (extreme_margin(motion, motion.most + 1, Extreme::most).value > 0) ++motion.most;
+  return motion;
 }
 
 }  // namespace
@@ -219,31 +176,18 @@ DisturbedTurn turn_at(const DisturbedMotion& motion, double phase) {
   return turns_at_phases(motion.machine, std::span(&phase, 1), motion.turns_before).front();
 }
 
-double sampled_margin(const DisturbedMotion& motion, int rank, Extreme extreme) {
-  const PhaseMargins margins(motion, rank, extreme);
-  return margins.sign() * margins.least();
+Scene machine_at(const DisturbedMotion& motion, double omega, double phase) {
+  Scene machine = at_speed(motion.machine, omega);
+  begin_turns_at_rest(machine);
+  machine.disturbance_phase = phase;
+  return machine;
 }
 
-double rank_margin(const DisturbedMotion& motion, int rank, Extreme extreme) {
-  for (const KnownMargin& known : motion.known) {
-    if (known.rank == rank && known.extreme == extreme) return known.value;
-  }
-  motion.known.push_back({rank, extreme, found_margin(motion, rank, extreme)});
-  return motion.known.back().value;
-}
-
-ExtremeMargin::ExtremeMargin(const DisturbedMotion& motion, int rank, Extreme extreme)
-    : motion_(motion), rank_(rank) {
-  const PhaseMargins margins(motion, rank, extreme);
-  sign_ = margins.sign();
-  phase_ = motion.turns[margins.deepest()].phase;
-}
-
-double ExtremeMargin::at(double omega) {
-  motion_.machine = at_speed(motion_.machine, omega);
-  const Valley valley = least_near(motion_, rank_, sign_, phase_);
-  phase_ = valley.phase;
-  return sign_ * valley.value;
+void watch(DisturbedMotion& motion, double phase) {
+  motion.watched.push_back(turn_at(motion, phase));
+  motion.least = std::min(motion.least, motion.watched.back().collisions);
+  motion.most = std::max(motion.most, motion.watched.back().collisions);
+  motion.known.clear();
 }
 
 LongRun long_run_of(const DisturbedMotion& motion) {
@@ -276,28 +220,11 @@ void observe(DisturbedMotion& motion) {
 }
 
 DisturbedMotion disturbed_motion(const Scene& scene) {
-  DisturbedMotion motion{scene, 0, true, true, {}, 0, 0, {}};
-  Scene& machine = motion.machine;
-  begin_turns_at_rest(machine);
-  const bool pressed_down =
-      release_margin(machine, machine.wall_lower) <= release_margin(machine, machine.wall_upper);
-  machine.start_position =
-      pressed_down || !std::isfinite(machine.wall_upper) ? machine.wall_lower : machine.wall_upper;
-  machine.start_velocity = 0;
-  if (release_margin(machine, machine.start_position) <= 0) {
-    motion.moves = false;
-    motion.turns = {{0, {}, {}, 0, true}};
-    return motion;
-  }
-  take_turns(motion);
-  if (!motion.settled) return motion;
-  take_extremes(motion);
-  // Between the phases there may be turns with fewer and with more.
-  while (motion.least > 0 && !(rank_margin(motion, motion.least, Extreme::least) > 0)) {
-    --motion.least;
-  }
-  while (rank_margin(motion, motion.most + 1, Extreme::most) > 0) ++motion.most;
-  return motion;
+  return motion_like(scene, nullptr);
+}
+
+DisturbedMotion followed(const DisturbedMotion& motion, double omega) {
+  return motion_like(at_speed(motion.machine, omega), &motion);
 }
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -13,25 +13,34 @@ namespace ricochet::carrier_track::inline regimes {
 /// Which of the phases a margin is taken at.
 enum class Extreme { least, most };
 
+/// 1 or -1: makes the extreme the least.
+inline double sign_of(Extreme extreme) {
+  return extreme == Extreme::least ? 1 : -1;
+}
+
 /// A margin that was searched before.
 struct KnownMargin {
   int rank;
   Extreme extreme;
   double value;
+  double phase;  ///< [rad]
 };
 
 struct DisturbedMotion {
   /// At the speed; it starts at rest on a wall, where every turn starts, or `turns_before` turns
   /// earlier, whose rests erase the start.
   Scene machine;
-  int turns_before;
-  bool settled;  ///< a turn depends on its phase alone, because a rest erases what was before
-  bool moves;
+  int turns_before = 0;
+  bool settled =
+      true;  ///< a turn depends on its phase alone, because a rest erases what was before
+  bool moves = true;
   /// Over evenly spaced phases. If not settled, none before observe(), then successive ones.
-  std::vector<DisturbedTurn> turns;
-  int least, most;  ///< collisions in a turn, over all phases
+  std::vector<DisturbedTurn> turns = {};
+  /// Turns with fewer or more collisions than those, at phases next to which no even phase is.
+  std::vector<DisturbedTurn> watched = {};
+  int least = 0, most = 0;  ///< collisions in a turn, over all phases
 
-  mutable std::vector<KnownMargin> known;  ///< of these turns
+  mutable std::vector<KnownMargin> known = {};  ///< of these turns
 
   double omega() const { return machine.omega; }
 };
@@ -45,33 +54,19 @@ inline bool is_disturbed(const Scene& scene) {
 /// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
 DisturbedMotion disturbed_motion(const Scene& scene);
 
+/// The same at another speed [rad/s], near that of `motion`; looks at what `motion` watches, too.
+DisturbedMotion followed(const DisturbedMotion& motion, double omega);
+
+/// Lets a motion that is settled watch the turn at another phase [rad].
+void watch(DisturbedMotion& motion, double phase);
+
 /// Simulates many turns of a motion that is not settled, and counts them.
 void observe(DisturbedMotion& motion);
 
 /// The turn at another phase [rad] of the disturbance, of a motion that is settled.
 DisturbedTurn turn_at(const DisturbedMotion& motion, double phase);
 
-/// ln(speed / counting limit) of the rank-th fastest impact of a turn, rank 1 the fastest, at the
-/// phase at which it is least or most; exact near 0, else by a parabola through three phases. At
-/// least lowest_margin.
-double rank_margin(const DisturbedMotion& motion, int rank, Extreme extreme);
-
-/// The same by the parabola alone.
-double sampled_margin(const DisturbedMotion& motion, int rank, Extreme extreme);
-
-/// That margin of motions at other speeds nearby, by a search near the phase at which it was
-/// extreme before.
-class ExtremeMargin {
- public:
-  ExtremeMargin(const DisturbedMotion& motion, int rank, Extreme extreme);
-
-  double at(double omega);
-
- private:
-  DisturbedMotion motion_;
-  int rank_;
-  double sign_;   // that makes the extreme the least
-  double phase_;  // [rad]
-};
+/// The machine whose start leads to that turn, at another speed [rad/s].
+Scene machine_at(const DisturbedMotion& motion, double omega, double phase);
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -33,31 +33,39 @@ struct LastTurn : Observer {
 
 std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
                                            int before) {
-  Scene there = scene;
-  there.window = Revolutions{static_cast<double>(before + 1)};
-  const double resting = summed_rebounds * scene.counting_limit;
-  std::vector<LastTurn> last(phases.size());
-  for (LastTurn& turn : last) {
-    turn.start = before * 2 * std::numbers::pi / scene.omega;
-    turn.slowest = std::exp(lowest_margin) * scene.counting_limit;
-  }
+  std::vector<Scene> scenes(phases.size(), scene);
+  for (std::size_t k = 0; k < phases.size(); ++k) scenes[k].disturbance_phase = phases[k];
+  return turns_of(scenes, before);
+}
+
+std::vector<DisturbedTurn> turns_of(std::span<const Scene> scenes, int before) {
+  std::vector<LastTurn> last(scenes.size());
   const auto model_at = [&](std::size_t k) {
-    there.disturbance_phase = phases[k];
-    return ImpactModel<double>(there, resting);
+    Scene there = scenes[k];
+    there.window = Revolutions{static_cast<double>(before + 1)};
+    last[k].start = before * 2 * std::numbers::pi / there.omega;
+    last[k].slowest = std::exp(lowest_margin) * there.counting_limit;
+    return ImpactModel<double>(there, summed_rebounds * there.counting_limit);
   };
   std::vector<LaneOutcome> outcomes;
-  if (phases.size() == 1) {
-    outcomes.push_back({model_at(0).run(last[0]), nullptr});
+  if (scenes.size() == 1) {
+    ImpactModel<double> model = model_at(0);
+    outcomes.push_back({model.run(last[0]), nullptr});
   } else {
     outcomes =
-        run_in_lanes(phases.size(), model_at, [&](std::size_t k) -> LastTurn& { return last[k]; });
+        run_in_lanes(scenes.size(), model_at, [&](std::size_t k) -> LastTurn& { return last[k]; });
   }
   std::vector<DisturbedTurn> turns;
-  for (std::size_t k = 0; k < phases.size(); ++k) {
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
     if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
+    const Scene& scene = scenes[k];
     const End<double>& end = outcomes[k].end;
-    DisturbedTurn turn{phases[k], std::move(last[k].impacts), {}, 0, false};
-    turn.returns = end.position == scene.start_position && end.velocity == 0;
+    DisturbedTurn turn{scene.disturbance_phase, std::move(last[k].impacts), {}, 0, false};
+    if (end.velocity == 0) {
+      turn.returns = end.position == scene.start_position;
+      if (end.position == scene.wall_lower) turn.rests_on = Wall::lower;
+      if (end.position == scene.wall_upper) turn.rests_on = Wall::upper;
+    }
     for (const Impact& impact : turn.impacts) {
       turn.speeds.push_back(impact.speed);
       if (is_counted(impact.speed, scene.counting_limit)) ++turn.collisions;

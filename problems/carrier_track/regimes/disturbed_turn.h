@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct DisturbedTurn {
   std::vector<Impact> impacts;  ///< by time, those of margins above lowest_margin
   std::vector<double> speeds;   ///< [m/s], of these, the fastest first
   int collisions;
-  bool returns;  ///< the carrier ends at rest where it started
+  bool returns;                       ///< the carrier ends at rest where it started
+  std::optional<Wall> rests_on = {};  ///< the wall on which it ends at rest
 };
 
 /// The turns that follow on `before` turns from the start of a valid scene of fidelity impact, for
@@ -25,6 +27,9 @@ struct DisturbedTurn {
 /// rebounds: impacts are exact where the carrier rests before it moves again.
 std::vector<DisturbedTurn> turns_at_phases(const Scene& scene, std::span<const double> phases,
                                            int before);
+
+/// The same of any such scenes that differ in their speed and in the phase of their disturbance.
+std::vector<DisturbedTurn> turns_of(std::span<const Scene> scenes, int before);
 
 /// ln(speed / counting limit) of the rank-th fastest impact of a turn, rank 1 the fastest. At least
 /// lowest_margin.

@@ -6,6 +6,7 @@
 
 #include "problems/carrier_track/counting/collisions.h"
 #include "problems/carrier_track/regimes/orbit_map.h"
+#include "problems/carrier_track/regimes/phase_margin.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -99,10 +100,6 @@ bool is_near(const DisturbedMotion& /*a*/, const DisturbedMotion& /*b*/) {
   return true;
 }
 
-DisturbedMotion followed(const DisturbedMotion& motion, double omega) {
-  return disturbed_motion(at_speed(motion.machine, omega));
-}
-
 Margins margins_of(const SteadyMotion& motion) {
   Margins margins;
   if (!motion.settled || motion.rest == Rest::always || motion.impacts.empty()) return margins;
@@ -134,19 +131,31 @@ Margins margins_of(const SteadyMotion& motion) {
 Margins margins_of(const DisturbedMotion& motion) {
   Margins margins;
   if (!motion.settled || !motion.moves) return margins;
-  DisturbedMotion faster = motion;
-  faster.machine = at_speed(motion.machine, motion.omega() * (1 + slope_step));
+  struct Watched {
+    int rank;
+    Extreme extreme;
+    PhaseMargin margin;
+  };
+  std::vector<Watched> watched;
   std::vector<double> phases;
-  for (const DisturbedTurn& turn : motion.turns) phases.push_back(turn.phase);
-  faster.turns = turns_at_phases(faster.machine, phases, faster.turns_before);
   for (const Extreme extreme : {Extreme::least, Extreme::most}) {
     const int collisions = extreme == Extreme::least ? motion.least : motion.most;
     for (const int rank : {collisions, collisions + 1}) {
-      const double here = sampled_margin(motion, rank, extreme);
-      if (rank == 0 || here < -far_below) continue;
-      margins.known.push_back({here, (sampled_margin(faster, rank, extreme) - here) / slope_step,
-                               margins.known.size(), 0});
+      const PhaseMargin margin = sampled_margin(motion, rank, extreme);
+      if (rank == 0 || margin.value < -far_below) continue;
+      watched.push_back({rank, extreme, margin});
+      phases.push_back(margin.phase);
     }
+  }
+  // Where a margin is extreme, it changes with the speed as it does at that phase.
+  const Scene faster = at_speed(motion.machine, motion.omega() * (1 + slope_step));
+  const std::vector<DisturbedTurn> turns = turns_at_phases(faster, phases, motion.turns_before);
+  for (std::size_t i = 0; i < watched.size(); ++i) {
+    const auto& [rank, extreme, margin] = watched[i];
+    const auto here = std::find_if(motion.turns.begin(), motion.turns.end(),
+                                   [&](const auto& turn) { return turn.phase == phases[i]; });
+    const double rise = margin_of(faster, turns[i], rank) - margin_of(faster, *here, rank);
+    margins.known.push_back({margin.value, rise / slope_step, i, 0});
   }
   margins.structure.push_back(margins.known.size());
   return margins;

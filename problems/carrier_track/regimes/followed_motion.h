@@ -73,8 +73,6 @@ Margins margins_of(const DisturbedMotion& motion);
 bool is_near(const SteadyMotion& a, const SteadyMotion& b);
 bool is_near(const DisturbedMotion& a, const DisturbedMotion& b);
 
-DisturbedMotion followed(const DisturbedMotion& motion, double omega);
-
 LongRun long_run_of(const SteadyMotion& motion);
 LongRun long_run_of(const DisturbedMotion& motion);
 

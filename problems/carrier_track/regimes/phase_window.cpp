@@ -45,6 +45,24 @@ std::vector<Row> common_impacts(const std::vector<DisturbedTurn>& turns) {
   return rows;
 }
 
+using Cosines = std::array<std::array<double, PhaseWindow::nodes>, PhaseWindow::nodes>;
+
+/// Of the Chebyshev polynomials at the nodes.
+const Cosines& cosines() {
+  constexpr std::size_t count = PhaseWindow::nodes;
+  static const Cosines table = [] {
+    Cosines all;
+    for (std::size_t j = 0; j < count; ++j) {
+      for (std::size_t k = 0; k < count; ++k) {
+        const double angle = std::numbers::pi * (static_cast<double>(k) + 0.5) / count;
+        all[j][k] = std::cos(static_cast<double>(j) * angle);
+      }
+    }
+    return all;
+  }();
+  return table;
+}
+
 }  // namespace
 
 PhaseWindow::PhaseWindow(const DisturbedMotion& motion, int rank, double centre, double reach)
@@ -78,8 +96,7 @@ void PhaseWindow::fit(const std::vector<DisturbedTurn>& turns) {
     for (std::size_t j = 0; j < nodes; ++j) {
       double sum = 0;
       for (std::size_t k = 0; k < nodes; ++k) {
-        sum += row[k] * std::cos(std::numbers::pi * static_cast<double>(j) *
-                                 (static_cast<double>(k) + 0.5) / nodes);
+        sum += row[k] * cosines()[j][k];
       }
       polynomial[j] = sum * (j == 0 ? 1.0 : 2.0) / nodes;
     }
@@ -90,7 +107,8 @@ void PhaseWindow::fit(const std::vector<DisturbedTurn>& turns) {
 }
 
 double PhaseWindow::speed_at(double place) const {
-  std::vector<double> speeds;
+  std::vector<double>& speeds = there_;
+  speeds.clear();
   for (const Polynomial& polynomial : speeds_) {
     double here = 0;
     double next = 0;

@@ -12,6 +12,8 @@ namespace ricochet::carrier_track::inline regimes {
 /// the Chebyshev nodes, whose turns are simulated side by side.
 class PhaseWindow {
  public:
+  static constexpr std::size_t nodes = 8;
+
   /// Around a centre, as far as `reach` [rad] to each side; for margins of that rank.
   PhaseWindow(const DisturbedMotion& motion, int rank, double centre, double reach);
 
@@ -31,7 +33,6 @@ class PhaseWindow {
   Valley least(double sign) const;
 
  private:
-  static constexpr std::size_t nodes = 8;
   using Polynomial = std::array<double, nodes>;  // coefficients of Chebyshev polynomials
 
   double speed_at(double place) const;
@@ -44,6 +45,7 @@ class PhaseWindow {
   double error_ = 0;
   std::size_t faster_ = 0;  // impacts that are faster than the rank's in the whole window
   std::vector<Polynomial> speeds_;
+  mutable std::vector<double> there_;  // speeds at one phase, kept for their memory
 };
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -79,6 +79,18 @@ double shortest_of(const DisturbedMotion& /*motion*/) {
   return shortest_disturbed;
 }
 
+/// The long run beyond a border with this long run before it.
+LongRun long_run_beyond(const LongRun& /*before*/, RegimeEnd /*kind*/, const SteadyMotion& motion) {
+  return long_run_of(motion);
+}
+LongRun long_run_beyond(const LongRun& before, RegimeEnd kind, const DisturbedMotion& motion) {
+  // Where one impact passes the limit at one phase, no mean changes.
+  if (kind != RegimeEnd::counting_limit) return long_run_of(motion);
+  LongRun beyond = before;
+  beyond.orbit = motion.machine;
+  return beyond;
+}
+
 /// Takes the collisions of a motion into a regime.
 void widen(Regime& regime, double least, double most) {
   regime.least_per_turn = std::min(regime.least_per_turn, least);
@@ -152,8 +164,14 @@ class Walk {
         margins_ = margins_of(here_);
         return true;
       }
-      close(border.before, border.omega, border.kind);
-      open(border.after, border.omega);
+      if (border.omega > regimes_.back().from) {
+        close(border.before, border.omega, border.kind);
+        open(border.after, border.omega);
+      } else {  // what begins there was not seen since then
+        const Motion before = here_;
+        close(before, before.omega(), border.kind);
+        open(border.after, before.omega());
+      }
       step_ = std::max(first_step, std::min(step_, 0.01));
       return true;
     }
@@ -217,8 +235,11 @@ class Walk {
     const Signature signature = signature_of(first);
     Regime regime{};
     regime.from = from;
-    regime.first = long_run_of(first);
-    regime.least_per_turn = regime.most_per_turn = regime.first.collisions_per_turn;
+    regime.first = regimes_.empty()
+                       ? long_run_of(first)
+                       : long_run_beyond(regimes_.back().last, regimes_.back().ends_by, first);
+    regime.least_per_turn = std::numeric_limits<double>::infinity();
+    regime.most_per_turn = -regime.least_per_turn;
     regime.turns = signature.turns;
     regime.rests = signature.rests;
     regime.moves = signature.moves;

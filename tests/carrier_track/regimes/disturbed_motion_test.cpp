@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "tests/carrier_track/regimes/random_machine.h"
@@ -47,27 +48,37 @@ TEST(DisturbedMotion, KnowsTheLeastAndTheMostOfAllPhases) {
   EXPECT_LT(least, most);
 }
 
-TEST(DisturbedMotion, FindsTheExtremeOfAMarginBetweenItsPhases) {
-  const DisturbedMotion motion = disturbed_motion(disturbed(1.0, 8.0779));
-  for (const Extreme extreme : {Extreme::least, Extreme::most}) {
-    double best = extreme == Extreme::least ? 10 : -10;
-    for (int k = 0; k < 5000; ++k) {
-      const DisturbedTurn turn = turn_at(motion, 2 * std::numbers::pi * k / 5000);
-      const double margin = std::log(turn.speeds.at(2) / motion.machine.counting_limit);
-      best = extreme == Extreme::least ? std::min(best, margin) : std::max(best, margin);
-    }
-    // At a kink, where two impacts change places, the even phases miss the extreme by their slope.
-    const double beyond =
-        (rank_margin(motion, 3, extreme) - best) * (extreme == Extreme::least ? -1 : 1);
-    EXPECT_GT(beyond, -1e-9);
-    EXPECT_LT(beyond, 2e-6);
-  }
-}
-
 TEST(DisturbedMotion, KnowsTheExtremesWhereImpactsAppearWithinAFewPhases) {
   // Counted at 40,000 phases.
   EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(27), 7.9598)).most, 13);
   EXPECT_EQ(disturbed_motion(at_speed(random_disturbed_machine(50), 5.2931)).least, 2);
+}
+
+TEST(DisturbedMotion, IsTheSameFollowedFromAnotherSpeed) {
+  for (const double omega : {1.6, 3.0, 7.7, 8.0779}) {
+    const DisturbedMotion here = disturbed_motion(disturbed(1.0, omega));
+    const DisturbedMotion there = followed(disturbed_motion(disturbed(1.0, omega * 0.99)), omega);
+    EXPECT_EQ(there.settled, here.settled) << omega;
+    EXPECT_EQ(there.least, here.least) << omega;
+    EXPECT_EQ(there.most, here.most) << omega;
+    EXPECT_EQ(there.turns_before, here.turns_before) << omega;
+    EXPECT_EQ(there.machine.start_position, here.machine.start_position) << omega;
+  }
+}
+
+TEST(DisturbedMotion, WatchesAPhaseWhileNoEvenOneTellsOfIt) {
+  // Up to 2.89778 rad/s some phases near 2.32 rad have a turn without collisions.
+  const auto& cases = all_cases();
+  const auto found =
+      std::find_if(cases.begin(), cases.end(), [](const auto& one) { return one.id == "C7"; });
+  DisturbedMotion motion = disturbed_motion(at_speed(scene_of(*found, default_machine()), 2.8973));
+  motion.least = 1;
+  motion.watched.clear();
+  watch(motion, 2.317);
+  EXPECT_EQ(motion.least, 0);
+  EXPECT_EQ(followed(motion, 2.8975).least, 0);
+  EXPECT_EQ(followed(motion, 2.8985).least, 1);
+  EXPECT_TRUE(followed(motion, 2.8985).watched.empty());
 }
 
 TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "problems/carrier_track/problems/default_machine.h"
@@ -29,6 +32,12 @@ TEST(DisturbedTurn, HasTheImpactsOfASimulationToTheLastRebound) {
       ASSERT_LE(turns[k].speeds.size(), observed[k].turn.speeds.size());
       ASSERT_GT(turns[k].speeds.size(), static_cast<std::size_t>(turns[k].collisions));
       EXPECT_EQ(turns[k].impacts.size(), turns[k].speeds.size());
+      // None is left out of those that a margin can be taken of.
+      const double slowest = std::exp(lowest_margin) * machine.counting_limit;
+      const auto& speeds = observed[k].turn.speeds;
+      EXPECT_EQ(static_cast<std::ptrdiff_t>(turns[k].speeds.size()),
+                std::count_if(speeds.begin(), speeds.end(),
+                              [slowest](double speed) { return speed > slowest; }));
       for (std::size_t i = 0; i < turns[k].speeds.size(); ++i) {
         EXPECT_NEAR(turns[k].speeds[i] / observed[k].turn.speeds[i], 1, 1e-12);
       }

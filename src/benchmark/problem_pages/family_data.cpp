@@ -58,14 +58,14 @@ Json variables_of(const Problem& problem) {
 }
 
 /// Points at which the difficulty is sampled: more where one is cheap.
-int sampled_points(const Problem& problem) {
-  const double simulations = problem.dimension() == 1 ? 5000 : 1000;
-  return static_cast<int>(simulations / std::max(1.0, problem.cost));
+int sampled_points(const Problem& problem, int simulations) {
+  const int more = problem.dimension() == 1 ? 5 * simulations : simulations;
+  return std::max(1, static_cast<int>(more / std::max(1.0, problem.cost)));
 }
 
 /// A row of the table. An objective to be maximised is minimised as its negative; `sign` restores
 /// it.
-Json row_of(const Problem& problem, double sign) {
+Json row_of(const Problem& problem, double sign, int simulations) {
   const TrueValues start = true_values_at(problem, problem.start);
   Json row = {{"name", problem.name},
               {"start", sign * start.objective},
@@ -86,7 +86,7 @@ Json row_of(const Problem& problem, double sign) {
     row["more_coordinates"] = point.size() > coordinates_shown;
     row["point"] = list_of(point);
   }
-  const int points = sampled_points(problem);
+  const int points = sampled_points(problem, simulations);
   if (const auto difficulty = difficulty_of(problem, points)) {
     row["difficulty"] = {{"points", points},
                          {"feasible", difficulty->feasible_share},
@@ -201,7 +201,7 @@ Json texts_of(const Family& family) {
 
 }  // namespace
 
-Json family_data(const Family& family) {
+Json family_data(const Family& family, int simulations) {
   const Problem& first = family.problems.front();
   const Problem& constrained = most_constrained(family);
   Json data = {
@@ -217,8 +217,9 @@ Json family_data(const Family& family) {
   data.update(texts_of(family));
   const double sign = data["maximised"] == "" ? 1 : -1;
   std::vector<Json> rows(family.problems.size());
-  tbb::parallel_for(std::size_t{0}, rows.size(),
-                    [&](std::size_t i) { rows[i] = row_of(family.problems[i], sign); });
+  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
+    rows[i] = row_of(family.problems[i], sign, simulations);
+  });
   data["problems"] = rows;
   if (first.dimension() == 1) data["charts"].push_back(chart_of(family));
   return data;

@@ -9,6 +9,8 @@ namespace {
 
 using report::Json;
 
+constexpr int simulations = 1000;  // of a problem, to see how hard it is
+
 Json compute(const std::vector<Family>& families, const std::string& scene_file) {
   Json data = {{"scene", Json()},
                {"problems", 0},
@@ -21,7 +23,8 @@ Json compute(const std::vector<Family>& families, const std::string& scene_file)
     if (family.problems.empty()) continue;
     problems += family.problems.size();
     data["families"].push_back(problems::family_row(family));
-    data["pages"].push_back({{"folder", family.name}, {"data", problems::family_data(family)}});
+    data["pages"].push_back(
+        {{"folder", family.name}, {"data", problems::family_data(family, simulations)}});
   }
   data["problems"] = problems;
   data["kinds"] = data["families"].size();

@@ -36,7 +36,7 @@ BestValues known_values(const std::vector<Problem>& problems, const std::filesys
       const auto before = known.of.find(problem.name);
       const double so_far =
           before == known.of.end() ? std::numeric_limits<double>::infinity() : before->second.value;
-      if (best.value < so_far) known.of.insert_or_assign(problem.name, best);
+      if (best.value <= so_far) known.of.insert_or_assign(problem.name, best);
     }
   }
   return known;

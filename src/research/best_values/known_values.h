@@ -19,7 +19,7 @@ BestValues read_if_there(const std::filesystem::path& file);
 double worth(const Problem& problem, const BestKnown& best);
 
 /// The best values of the problems, by name: those in the program or in the file, whichever is
-/// better, evaluated by this version.
+/// better, the file's if they are equal; evaluated by this version.
 BestValues known_values(const std::vector<Problem>& problems, const std::filesystem::path& file);
 
 }  // namespace ricochet::studies::best_values

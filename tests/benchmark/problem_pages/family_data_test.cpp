@@ -28,7 +28,8 @@ std::vector<Family> families() {
 }
 
 report::Section facts_of(const Family& family) {
-  return report::drawn(report::page_template("family"), family_data(family)).page.sections.at(0);
+  return report::drawn(report::page_template("family"), family_data(family, 10))
+      .page.sections.at(0);
 }
 
 /// The value of a chart's curve at a position; of steps the last one's.
@@ -45,7 +46,7 @@ double value_on(const report::Json& points, double x, bool steps) {
 TEST(FamilyData, ChartsNeedFewPointsAndShowAll) {
   for (const Family& family : families()) {
     if (family.name != "count" && family.name != "top-speed") continue;
-    const report::Json data = family_data(family);
+    const report::Json data = family_data(family, 10);
     const report::Json& chart = data["charts"].at(0);
     const Problem& problem = family.problems.front();
     for (const bool smooth : {false, true}) {
@@ -69,7 +70,7 @@ TEST(FamilyData, SayWhatEveryFamilyAsks) {
   for (const Family& whole : suite_families()) {
     // A chart of a family takes long, and is not asked for with more than one variable.
     if (whole.name.rfind("robust-", 0) == 0) continue;
-    const report::Json data = family_data(whole);
+    const report::Json data = family_data(whole, 10);
     for (const char* text : {"title", "asks", "formula", "instances", "users"}) {
       EXPECT_GT(data[text].get<std::string>().size(), 10U) << whole.name << ' ' << text;
     }
@@ -96,7 +97,7 @@ TEST(FamilyData, SayWhatEveryFamilyAsks) {
 TEST(FamilyData, FillInTheTextsOfAFamilyThatIsLikeAnother) {
   Family family = families()[0];
   family.name = "robust-mean";
-  const report::Json data = family_data(family);
+  const report::Json data = family_data(family, 10);
   EXPECT_EQ(data["title"], "The fastest speed quiet in spite of tolerances, on average");
   EXPECT_EQ(data["constraints"], "The mean of the 32 counts <= quiet limit.");
 }
@@ -104,8 +105,8 @@ TEST(FamilyData, FillInTheTextsOfAFamilyThatIsLikeAnother) {
 TEST(FamilyData, SayNothingOfAFamilyThatNobodyDescribed) {
   Family family = families()[0];
   family.name = "mine";
-  EXPECT_EQ(family_data(family)["title"], "mine");
-  EXPECT_EQ(family_data(family)["asks"], "");
+  EXPECT_EQ(family_data(family, 10)["title"], "mine");
+  EXPECT_EQ(family_data(family, 10)["asks"], "");
 }
 
 TEST(FamilyData, MakeARowOfTheTableOfAllFamilies) {
@@ -167,7 +168,7 @@ TEST(FamilyData, ShowWhatIsToBeLargeAsItIsMeant) {
   const report::Section facts = facts_of(family);
   EXPECT_EQ(facts.tables[2].columns[2].title, "best known speed [rad/s]");
   EXPECT_EQ(facts.tables[2].rows.at(0)[2].text, "8.25");
-  EXPECT_GT(family_data(family)["problems"][0]["start"], 0);
+  EXPECT_GT(family_data(family, 10)["problems"][0]["start"], 0);
 }
 
 TEST(FamilyData, ShortenLongPoints) {
@@ -178,7 +179,7 @@ TEST(FamilyData, ShortenLongPoints) {
   problem.best_known = 0;
   const report::Section facts = facts_of(family);
   EXPECT_EQ(facts.tables[2].rows.back()[3].text, "1, 1, 1, 1, 1, …");
-  EXPECT_EQ(family_data(family)["problems"].back()["point"].size(), 64U);
+  EXPECT_EQ(family_data(family, 10)["problems"].back()["point"].size(), 64U);
 }
 
 TEST(FamilyData, SayThatNothingIsKnown) {

@@ -54,7 +54,9 @@ TEST(Exclusion, HoldsEverySpeedThatIsQuiet) {
     for (std::size_t k = 0; k < ranges.size(); ++k) {
       excluded -= ranges[k].to - ranges[k].from;
       EXPECT_LE(ranges[k].from, ranges[k].to);
-      if (k > 0) EXPECT_GT(ranges[k].from, ranges[k - 1].to);
+      if (k > 0) {
+        EXPECT_GT(ranges[k].from, ranges[k - 1].to);
+      }
     }
   }
   EXPECT_GT(held, 1000);

@@ -16,7 +16,7 @@ TEST(Search, OfSeveralVariablesFindsTheConstrainedOptimum) {
   const BestKnown best = best_of(problem, Effort{200});
   EXPECT_NEAR(best.value, 2.0, 1e-6);
   EXPECT_NEAR(best.point[0], 0, 1e-3);
-  EXPECT_LE(best.point.sum(), 1.0);
+  EXPECT_LE(best.point.sum(), 1 + constraint_tolerance);
   EXPECT_NE(best.provenance.find("seed"), std::string::npos);
 }
 

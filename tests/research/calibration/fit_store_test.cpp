@@ -103,9 +103,9 @@ TEST(FitStore, RefusesAFileOfSomethingElse) {
 
 TEST(FitStore, RefusesFitsOfAnotherVersion) {
   EXPECT_THAT(
-      termination_reason_with("version = 2", "version = 3"),
-      AllOf(HasSubstr("fits.toml"), HasSubstr("version 3 of the suite, this is version 2")));
-  EXPECT_THAT(termination_reason_with("version = 2", ""), HasSubstr("of version 1 of the suite"));
+      termination_reason_with("version = 3", "version = 4"),
+      AllOf(HasSubstr("fits.toml"), HasSubstr("version 4 of the suite, this is version 3")));
+  EXPECT_THAT(termination_reason_with("version = 3", ""), HasSubstr("of version 1 of the suite"));
 }
 
 TEST(FitStore, RefusesFitsToOtherData) {

@@ -23,6 +23,7 @@
 
 #include "ricochet/error.h"
 #include "src/core/interruption.h"
+#include "src/core/suite_version.h"
 #include "src/core/text_file.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
@@ -339,8 +340,9 @@ TEST_F(StoreFile, OfAnotherProgramOrVersionIsRefusedUntouched) {
   const std::string whole = bytes();
   // Offsets as in https://www.sqlite.org/fileformat2.html, 1.3.
   for (const auto& [offset, reason] :
-       {std::pair(68, "another program made it"),
-        std::pair(60, "made by version 167772162 of the suite, this is version 2")}) {
+       {std::pair(68, std::string("another program made it")),
+        std::pair(60, fmt::format("made by version {} of the suite, this is version {}",
+                                  0x0A000000 + suite_version, suite_version))}) {
     std::string changed = whole;
     changed[static_cast<std::size_t>(offset)] = 10;
     write(changed);
@@ -361,7 +363,7 @@ TEST_F(StoreFile, OfVersion1OfTheSuiteIsRefusedInALineThatSaysSo) {
   write(old);
   EXPECT_THAT([&] { Store::open(file, Store::For::reading); },
               ThrowsMessage<InputError>(file.string() +
-                                        ": made by version 1 of the suite, this is version 2; run "
+                                        ": made by version 1 of the suite, this is version 3; run "
                                         "the plan again, or use ricochet 0.1"));
 }
 

@@ -66,7 +66,10 @@ Bracket<SteadyMotion> sign_change(Bracket<SteadyMotion> bracket, const Of& margi
     }
     at(there);
   }
-  return bracket;
+  // Where the margin is 0 at an end, it may touch 0 there, and change its sign farther on.
+  const double width = std::abs(bracket.to() - bracket.from());
+  const bool again = width < high.omega() - low.omega() && !is_narrow(bracket.from(), bracket.to());
+  return again ? sign_change(bracket, margin) : bracket;
 }
 
 /// Narrows a bracket to the place where `stays(signature)` becomes false.

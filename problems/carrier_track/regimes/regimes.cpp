@@ -19,7 +19,6 @@ namespace {
 constexpr double shortest_step = 1e-7;       // of the logarithm of the speed
 constexpr double shortest_disturbed = 1e-4;  // where margins have no exact slopes
 constexpr double first_step = 1e-4;          // at least, after a border
-constexpr double longest_step = 0.1;
 constexpr double rounding = 1e-12;
 constexpr double irregular_step = 0.02;  // where the motion does not repeat
 
@@ -42,7 +41,7 @@ bool keeps_sign(const Margin& a, const Margin& b, double step) {
       square > 0 ? -leaves / (square + std::sqrt(root)) : (std::sqrt(root) - square) / (3 * cube);
   if (!(t > 0 && t < 1)) return true;
   const double least = from + t * (leaves + t * (square + t * cube));
-  return least > 0.1 * surprise + 0.05 * (std::min(from, to) - least);
+  return least > 0.1 * surprise + 0.4 * (std::min(from, to) - least);
 }
 
 /// The largest modulus of the eigenvalues of a period.
@@ -70,6 +69,14 @@ double unlike_step_of(const SteadyMotion& /*motion*/) {
 }
 double unlike_step_of(const DisturbedMotion& /*motion*/) {
   return 1e-3;
+}
+
+/// The longest step: an impact may come and go within a longer one.
+double longest_of(const SteadyMotion& /*motion*/) {
+  return 0.02;
+}
+double longest_of(const DisturbedMotion& /*motion*/) {
+  return 0.1;
 }
 
 double shortest_of(const SteadyMotion& /*motion*/) {
@@ -180,7 +187,7 @@ class Walk {
     observe(here_);
     margins_ = reached_ ? *std::move(reached_) : margins_of(here_);
     add(here_);
-    step_ = std::min(longest_step, 2 * step_);
+    step_ = std::min(longest_of(here_), 2 * step_);
     return true;
   }
 

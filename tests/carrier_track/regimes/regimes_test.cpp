@@ -123,6 +123,23 @@ TEST(Regimes, MissNoPairOfBordersWithinAStep) {
   EXPECT_EQ(regime_at(dip, 1.5160).collisions_per_turn, 2);
   EXPECT_EQ(regime_at(dip, 1.5166).collisions_per_turn, 1);
   EXPECT_EQ(regime_at(dip, 1.5180).collisions_per_turn, 2);
+  const auto shallow = regimes_of(random_machine(522), {1.5, 1.618});
+  EXPECT_EQ(regime_at(shallow, 1.6080).collisions_per_turn, 6);
+  EXPECT_EQ(regime_at(shallow, 1.6100).collisions_per_turn, 5);
+  EXPECT_EQ(regime_at(shallow, 1.6120).collisions_per_turn, 6);
+  // An impact appears at 7.74 rad/s and vanishes at 8.31.
+  const auto visit = regimes_of(random_machine(798), {6.4, 8.5});
+  EXPECT_EQ(regime_at(visit, 7.7).collisions_per_turn, 3);
+  EXPECT_EQ(regime_at(visit, 8.0).collisions_per_turn, 4);
+  EXPECT_EQ(regime_at(visit, 8.4).collisions_per_turn, 3);
+}
+
+/// From 1.602 rad/s on, the walk goes on from a border at which the margin is exactly 0.
+TEST(Regimes, EndAtTheSecondZeroOfAMarginThatIsZeroAtTheFirst) {
+  const auto regimes = regimes_of(random_machine(522), {1.602, 1.6158});
+  ASSERT_EQ(regimes.size(), 3U);
+  EXPECT_EQ(regimes[1].collisions_per_turn, 5);
+  EXPECT_NEAR(regimes[1].to, 1.610743, 1e-6);
 }
 
 /// At 14.5 rad/s two motions are possible. A long step meets the one of 10 collisions.

@@ -91,8 +91,8 @@ Json row_of(const Problem& problem, double sign, int simulations) {
     row["difficulty"] = {{"points", points},
                          {"feasible", difficulty->feasible_share},
                          {"solving", difficulty->solving_share},
-                         {"lower", difficulty->interval.lower},
-                         {"upper", difficulty->interval.upper},
+                         {"solving_lower", difficulty->interval.lower},
+                         {"solving_upper", difficulty->interval.upper},
                          {"random_search", Json()},
                          {"at_least", 1 / difficulty->interval.upper},
                          {"plateau", difficulty->plateau}};

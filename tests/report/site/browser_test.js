@@ -377,7 +377,7 @@ await page.close();
 const walks = [];
 const answersTo = {
   "How fast may C3 run?": ["#long-run tbody th", /^C3$/],
-  "Which solver for 16 variables and 500 evaluations?": ["main p, header p", /^Found: .*most probably/],
+  "Which solver for 16 variables and 500 evaluations?": ["main p, header p", /^Found: .*the first is/],
   "What does a gradient buy?": ["#changes tbody tr", /price of a gradient/],
   "Where does Ipopt fail?": ["#map svg text", /^ipopt$/],
   "Is the planar model needed for my machine?": ["#levels p", /Both directions are needed only where/],

@@ -47,6 +47,7 @@ inline Json small_comparison() {
       {"runs", 8},
       {"campaign", "compare"},
       {"compared", true},
+      {"beaten", Json::array()},
       {"leaders", Json::array()},
       {"answers", Json::array()},
       {"families", Json::array()},

@@ -18,7 +18,7 @@ namespace ricochet::carrier_track::inline regimes {
 namespace {
 
 constexpr double full_circle = 2 * std::numbers::pi;
-constexpr int phases = 32;            // with 16, turns that few of the phases have stayed unseen
+constexpr int phases = 48;            // with 32, turns that few of the phases have stayed unseen
 constexpr int erasing_turns = 2;      // whose rests erase the start, if it is not where turns start
 constexpr int irregular_turns = 120;  // observed where they do not, after as many
 

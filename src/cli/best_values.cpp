@@ -19,12 +19,16 @@
 namespace ricochet::cli {
 namespace {
 
+/// The whole path of a file, as a terminal may show it.
+std::string shown(const std::filesystem::path& file) {
+  return one_line(std::filesystem::absolute(file).lexically_normal().string());
+}
+
 /// Finds the twenty hardest of 500 machines around each case.
 int look_for_hard_machines(const std::string& file) {
   const auto found = studies::best_values::find_hard_machines(500, 20);
   write_text_file(file, carrier_track::write_hard_machines(found));
-  fmt::print("{} hard machines; the file: {}\n", found.machines.size(),
-             one_line(std::filesystem::absolute(file).lexically_normal().string()));
+  fmt::print("{} hard machines; the file: {}\n", found.machines.size(), shown(file));
   return 0;
 }
 
@@ -48,10 +52,7 @@ int best_values(const BestValuesOptions& options) {
   if (!options.from.empty()) {
     const std::size_t improved = take_stored_values(problems, options.from, file);
     fmt::print("{} best values better than before{}\n", improved,
-               improved == 0
-                   ? ""
-                   : "; the file: " +
-                         one_line(std::filesystem::absolute(file).lexically_normal().string()));
+               improved == 0 ? "" : "; the file: " + shown(file));
     return 0;
   }
   const Outcome outcome = find_best_values(problems, plan, file);
@@ -62,8 +63,7 @@ int best_values(const BestValuesOptions& options) {
   if (outcome.finished < outcome.wanted) {
     fmt::print("Not all are finished: the same command goes on.\n");
   } else {
-    fmt::print("The file: {}\n",
-               one_line(std::filesystem::absolute(file).lexically_normal().string()));
+    fmt::print("The file: {}\n", shown(file));
   }
   return 0;
 }

@@ -85,13 +85,18 @@ void lead_inside(const Problem& problem, Vector& x) {
   }
 }
 
+/// The point of the problem as stated that x is in the frame.
+Vector stated(const Problem& problem, const Frame& frame, const Vector& x) {
+  Vector natural = frame.natural(x);
+  if (!problem.rotates) lead_inside(problem, natural);  // else it is defined outside, too
+  return natural;
+}
+
 /// The problem with its functions in the frame's coordinates, otherwise unchanged.
 Problem seen_through(const Frame& frame, const Problem& problem) {
   const auto original = std::make_shared<const Problem>(problem);
   const auto inside = [original, frame](const Vector& x) -> Vector {
-    Vector natural = frame.natural(x);
-    if (!original->rotates) lead_inside(*original, natural);  // else it is defined outside, too
-    return natural;
+    return stated(*original, frame, x);
   };
   const auto slope_at = [original, frame, slope = frame.slope()](const Vector& x) -> Matrix {
     if (!original->mirrors) return slope;
@@ -179,9 +184,7 @@ Vector uniform_point(const Problem& problem, Random& random) {
 Vector stated_point(const Problem& problem, int number, const Vector& x) {
   if (number == 0) return x;
   Random random(seed_of(problem.name, "instance", number, 0));
-  Vector natural = placement_of(problem, number, random).frame.natural(x);
-  if (!problem.rotates) lead_inside(problem, natural);
-  return natural;
+  return stated(problem, placement_of(problem, number, random).frame, x);
 }
 
 Eigen::Index coordinates_at_ends(const Problem& problem) {

@@ -1,5 +1,7 @@
 #include "src/research/best_values/known_values.h"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -21,6 +23,11 @@ double worth(const Problem& problem, const BestKnown& best) {
   const TrueValues true_values = true_values_at(problem, best.point);
   return true_values.violation > 0 ? std::numeric_limits<double>::infinity()
                                    : true_values.objective;
+}
+
+std::string finder_of(const RunRecord& record) {
+  return fmt::format("{}, seed {}, {} of {} evaluations", record.solver, record.seed,
+                     record.trace.back().evaluations, record.budget.evaluations);
 }
 
 BestValues known_values(const std::vector<Problem>& problems, const std::filesystem::path& file) {

@@ -12,6 +12,7 @@
 #include "ricochet/run.h"
 #include "ricochet/solvers.h"
 #include "ricochet/verdict.h"
+#include "src/research/best_values/known_values.h"
 
 namespace ricochet::studies::best_values {
 namespace {
@@ -50,9 +51,7 @@ void improve(const Problem& problem, double smoothing, const std::string& solver
   if (record.trace.empty()) return;
   const Improvement& last = record.trace.back();
   if (best.true_values && !better(last.true_values, *best.true_values)) return;
-  best = {last.true_values, last.x,
-          fmt::format("{}, seed {}, {} of {} evaluations", solver->name, record.seed,
-                      last.evaluations, evaluations)};
+  best = {last.true_values, last.x, finder_of(record)};
 }
 
 /// The solvers that do best on problems with derivatives, and without.

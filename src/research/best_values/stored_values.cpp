@@ -1,7 +1,5 @@
 #include "src/research/best_values/stored_values.h"
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <map>
 #include <set>
@@ -18,10 +16,8 @@ using namespace carrier_track;
 
 /// The last point of a run's trace, in the problem as stated, and its value there.
 BestKnown best_of(const Problem& problem, const StoredRun& run) {
-  const Improvement& last = run.record.trace.back();
-  BestKnown best{0, stated_point(problem, run.key.instance, last.x),
-                 fmt::format("{}, seed {}, {} of {} evaluations", run.key.cell.solver,
-                             run.record.seed, last.evaluations, run.record.budget.evaluations)};
+  const Vector& x = run.record.trace.back().x;
+  BestKnown best{0, stated_point(problem, run.key.instance, x), finder_of(run.record)};
   best.value = worth(problem, best);
   return best;
 }
@@ -39,12 +35,11 @@ std::size_t take_stored_values(const std::vector<Problem>& problems,
     const auto problem = named.find(run.key.cell.problem);
     if (problem == named.end() || run.record.trace.empty()) return;
     const auto before = known.of.find(problem->first);
-    const TrueValues& last = run.record.trace.back().true_values;
-    if (before != known.of.end() && last.objective >= before->second.value) return;
+    const double so_far =
+        before == known.of.end() ? std::numeric_limits<double>::infinity() : before->second.value;
+    if (run.record.trace.back().true_values.objective >= so_far) return;  // without an evaluation
     BestKnown best = best_of(*problem->second, run);
-    if (!(best.value < (before == known.of.end() ? std::numeric_limits<double>::infinity()
-                                                 : before->second.value)))
-      return;
+    if (!(best.value < so_far)) return;
     improved.insert(problem->first);
     known.of.insert_or_assign(problem->first, std::move(best));
   });

@@ -8,9 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "problems/carrier_track/regimes/count_border.h"
 #include "problems/carrier_track/regimes/fold.h"
-#include "problems/carrier_track/regimes/phase_margin.h"
-#include "problems/carrier_track/regimes/phase_tip.h"
 #include "problems/carrier_track/regimes/release_margin.h"
 
 namespace ricochet::carrier_track::inline regimes {
@@ -18,8 +17,6 @@ namespace {
 
 constexpr double narrow = 1e-13;     // relative width at which a bracket is a border
 constexpr double blurred = 1e-5;     // the same beside a motion that does not repeat
-constexpr double beside = 1e-10;     // relative, on both sides of a root that is known
-constexpr int most_tips = 8;         // that are tried, of other phases
 constexpr double continuous = 1e-5;  // a margin so small on both sides passes 0 without a jump
 constexpr double near_bifurcation = 1e-2;  // of eigenvalue conditions, at the end of a bisection
 constexpr double just_beyond = 1e-4;  // relative, where a new motion is large enough to be seen
@@ -185,111 +182,11 @@ Border<SteadyMotion> border_of_count(const Bracket<SteadyMotion>& bracket, int r
   return {end.to(), passes ? RegimeEnd::counting_limit : RegimeEnd::grazing, end.before, end.after};
 }
 
-/// Whether some turns of a motion count so.
-bool has_beyond(const DisturbedMotion& motion, int rank, Extreme extreme) {
-  return extreme == Extreme::most ? motion.most >= rank : motion.least < rank;
-}
-
-/// A phase at which a turn counts so.
-double phase_beyond(const DisturbedMotion& motion, int rank, Extreme extreme) {
-  std::optional<PhaseMargin> best;
-  for (const auto* turns : {&motion.turns, &motion.watched}) {
-    for (const DisturbedTurn& turn : *turns) {
-      const double margin = margin_of(motion.machine, turn, rank);
-      const double sign = sign_of(extreme);
-      if (!is_beyond(extreme, margin) || (best && sign * margin >= sign * best->value)) continue;
-      best = {margin, turn.phase};
-    }
-  }
-  return best ? best->phase : extreme_margin(motion, rank, extreme).phase;
-}
-
-/// A motion next to `end` at a border, where the turn at that phase counts, or does not.
-DisturbedMotion just_beyond_tip(const DisturbedMotion& end, double omega, int rank,
-                                Extreme extreme) {
-  DisturbedMotion beyond = end;
-  beyond.machine = at_speed(end.machine, omega);
-  beyond.known.clear();
-  if (extreme == Extreme::most) {
-    beyond.most = std::max(beyond.most, rank);
-  } else {
-    beyond.least = std::min(beyond.least, rank - 1);
-  }
-  return beyond;
-}
-
-/// A speed before the bracket at which the turn at that phase does not count so.
-std::optional<double> before_opening(const Bracket<DisturbedMotion>& bracket, int rank,
-                                     Extreme extreme, double phase) {
-  const double back = bracket.upwards() ? -1 : 1;
-  for (double step = just_beyond; step < 0.1; step *= 4) {
-    const double omega = bracket.from() * (1 + back * step);
-    const Scene machine = machine_at(bracket.after, omega, phase);
-    const DisturbedTurn turn = turns_of({&machine, 1}, bracket.after.turns_before).front();
-    if (!is_beyond(extreme, margin_of(machine, turn, rank))) return omega;
-  }
-  return std::nullopt;
-}
-
 /// The border where the first or last phase counts so.
 Border<DisturbedMotion> border_of_count(const Bracket<DisturbedMotion>& bracket, int rank,
                                         Extreme extreme) {
-  const bool opens = !has_beyond(bracket.before, rank, extreme);
-  DisturbedMotion outside = opens ? bracket.before : bracket.after;
-  DisturbedMotion inside = opens ? bracket.after : bracket.before;
-  std::optional<DisturbedMotion> seen;  // at the bracket's start, if turns count so there
-  double last = 0;
-  for (int tries = 0; tries < most_tips; ++tries) {
-    const double phase = phase_beyond(inside, rank, extreme);
-    const std::optional<PhaseTip> tip = phase_tip(inside, rank, extreme, phase, outside.omega());
-    if (!tip) break;
-    if (!tip->is_reached && !opens) {
-      DisturbedMotion far = bracket.after;
-      watch(far, tip->phase);
-      if (!has_beyond(far, rank, extreme)) break;
-      if (signature_of(far) == signature_of(bracket.before)) {
-        return {far.omega(), RegimeEnd::grazing, bracket.before, far};
-      }
-      return border_within<DisturbedMotion>({bracket.before, far});
-    }
-    if (!tip->is_reached) {  // it opened before, unseen
-      if (!seen) {
-        seen = bracket.before;
-        watch(*seen, tip->phase);
-      }
-      const std::optional<double> earlier = before_opening(bracket, rank, extreme, tip->phase);
-      if (earlier) outside = followed(bracket.before, *earlier);
-      if (!earlier || !(signature_of(outside) == signature_of(bracket.before))) {
-        return {bracket.from(), RegimeEnd::grazing, bracket.before, *seen};
-      }
-      continue;
-    }
-    const double away = outside.omega() < inside.omega() ? -beside : beside;
-    DisturbedMotion end = followed(outside, tip->omega * (1 + away));
-    if (!signature_of(end).same_kind(signature_of(outside))) {
-      return border_of_kind<DisturbedMotion>({bracket.before, end});
-    }
-    if (has_beyond(end, rank, extreme)) {
-      const bool again = std::abs(tip->omega - last) <= 3 * beside * last;
-      last = tip->omega;
-      inside = std::move(end);
-      if (!again) continue;  // another phase is beyond, too
-      end = inside;
-      end.least = outside.least;
-      end.most = outside.most;
-    }
-    const double past = tip->omega * (1 - away);
-    DisturbedMotion beyond = just_beyond_tip(end, past, rank, extreme);
-    const auto margin = [&](const DisturbedMotion& motion) {
-      return std::abs(margin_of(motion.machine, turn_at(motion, tip->phase), rank));
-    };
-    const bool passes = margin(end) < continuous && margin(beyond) < continuous;
-    watch(beyond, tip->phase);
-    return {tip->omega, passes ? RegimeEnd::counting_limit : RegimeEnd::grazing,
-            opens ? end : beyond,
-            seen    ? *seen
-            : opens ? beyond
-                    : end};
+  if (const auto border = count_border(bracket.before, bracket.after, rank, extreme)) {
+    return *border;
   }
   const Signature first = signature_of(bracket.before);
   const Bracket<DisturbedMotion> end =
@@ -313,8 +210,10 @@ Border<Motion> border_within(const Bracket<Motion>& bracket) {
     found.push_back(
         border_of_count(bracket, b.least > a.least ? a.least + 1 : a.least, Extreme::least));
   }
+  // What is before the bracket comes first.
+  const double onward = bracket.upwards() ? 1 : -1;
   return *std::min_element(found.begin(), found.end(), [&](const auto& x, const auto& y) {
-    return std::abs(x.omega - bracket.from()) < std::abs(y.omega - bracket.from());
+    return onward * x.omega < onward * y.omega;
   });
 }
 

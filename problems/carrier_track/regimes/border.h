@@ -20,6 +20,8 @@ struct Border {
 /// its eigenvalue condition, a fold by Newton's method on the orbit and that condition; other
 /// changes by bisection.
 Border<SteadyMotion> first_border(const SteadyMotion& near, const SteadyMotion& far);
+
+/// The same, upwards only. The border may be before `near`: see count_border().
 Border<DisturbedMotion> first_border(const DisturbedMotion& near, const DisturbedMotion& far);
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -18,7 +18,8 @@ namespace ricochet::carrier_track::inline regimes {
 namespace {
 
 constexpr double full_circle = 2 * std::numbers::pi;
-constexpr int phases = 48;            // with 32, turns that few of the phases have stayed unseen
+constexpr int phases = 48;  // with 32, turns that few of the phases have stayed unseen
+constexpr double next_phase = 0.6180339887498949 * full_circle / phases;  // from speed to speed
 constexpr int erasing_turns = 2;      // whose rests erase the start, if it is not where turns start
 constexpr int irregular_turns = 120;  // observed where they do not, after as many
 
@@ -50,9 +51,9 @@ bool forgets(const DisturbedMotion& motion) {
 }
 
 /// All phases, evenly spaced.
-std::vector<double> even_phases() {
+std::vector<double> even_phases(double first) {
   std::vector<double> even;
-  for (int k = 0; k < phases; ++k) even.push_back(full_circle * k / phases);
+  for (int k = 0; k < phases; ++k) even.push_back(first + full_circle * k / phases);
   return even;
 }
 
@@ -62,7 +63,7 @@ bool all_return(DisturbedMotion& motion, double wall) {
   motion.machine.start_position = wall;
   motion.turns_before = 0;
   motion.turns.clear();
-  const std::vector<double> even = even_phases();
+  const std::vector<double> even = even_phases(motion.first_phase);
   // Half of them may tell that some do not.
   for (const auto& part : {std::span(even).first(phases / 2), std::span(even).last(phases / 2)}) {
     for (DisturbedTurn& turn : turns_at_phases(motion.machine, part, 0)) {
@@ -83,7 +84,7 @@ std::vector<ObservedTurn> irregular_turns_of(const Scene& machine) {
 void take_erased_turns(DisturbedMotion& motion, double wall) {
   motion.machine.start_position = wall;
   motion.turns_before = erasing_turns;
-  motion.turns = turns_at_phases(motion.machine, even_phases(), erasing_turns);
+  motion.turns = turns_at_phases(motion.machine, even_phases(motion.first_phase), erasing_turns);
   motion.settled = forgets(motion);
   if (!motion.settled) motion.turns.clear();
 }
@@ -124,14 +125,15 @@ void take_extremes(DisturbedMotion& motion) {
   motion.most = most->collisions;
 }
 
-/// Watches the phases that a motion before has watched, as long as no even phase tells of the same.
+/// Watches the phases that a motion before has watched, and those at which it had its fewest and
+/// its most collisions, as long as no even phase tells of the same.
 void watch_as(DisturbedMotion& motion, const DisturbedMotion& before) {
-  if (before.watched.empty()) return;
-  const double turn = full_circle * motion.machine.disturbance_frequency / motion.omega();
+  if (!before.moves || !before.settled) return;
   std::vector<double> there;
-  for (const DisturbedTurn& watched : before.watched) {
-    there.push_back(watched.phase + turn * (before.turns_before - motion.turns_before));
-  }
+  const auto look_at = [&](double phase) { there.push_back(phase_in(motion, before, phase)); };
+  for (const DisturbedTurn& watched : before.watched) look_at(watched.phase);
+  look_at(sampled_margin(before, before.least, Extreme::least).phase);
+  look_at(sampled_margin(before, before.most, Extreme::most).phase);
   for (DisturbedTurn& watched : turns_at_phases(motion.machine, there, motion.turns_before)) {
     if (watched.collisions >= motion.least && watched.collisions <= motion.most) continue;
     motion.watched.push_back(std::move(watched));
@@ -145,6 +147,10 @@ void watch_as(DisturbedMotion& motion, const DisturbedMotion& before) {
 /// The motion of a scene, which is like one `before`, if that is given.
 DisturbedMotion motion_like(const Scene& scene, const DisturbedMotion* before) {
   DisturbedMotion motion{scene};
+  // Other phases at every speed: turns that few phases have are met at one of them.
+  if (before != nullptr) {
+    motion.first_phase = std::fmod(before->first_phase + next_phase, full_circle / phases);
+  }
   Scene& machine = motion.machine;
   begin_turns_at_rest(machine);
   const bool pressed_down =
@@ -183,6 +189,11 @@ Scene machine_at(const DisturbedMotion& motion, double omega, double phase) {
   return machine;
 }
 
+double phase_in(const DisturbedMotion& motion, const DisturbedMotion& other, double phase) {
+  const double turn = full_circle * motion.machine.disturbance_frequency / motion.omega();
+  return phase + turn * (other.turns_before - motion.turns_before);
+}
+
 void watch(DisturbedMotion& motion, double phase) {
   motion.watched.push_back(turn_at(motion, phase));
   motion.least = std::min(motion.least, motion.watched.back().collisions);
@@ -196,7 +207,7 @@ LongRun long_run_of(const DisturbedMotion& motion) {
   if (!motion.settled) {
     turns = irregular_turns_of(motion.machine);
   } else {
-    turns = observed_turns(motion.machine, even_phases(), motion.turns_before, 1);
+    turns = observed_turns(motion.machine, even_phases(motion.first_phase), motion.turns_before, 1);
   }
   LongRun result{motion.machine, 0, 0, 0, 0};
   const auto count = static_cast<double>(turns.size());

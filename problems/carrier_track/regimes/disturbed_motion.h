@@ -34,6 +34,7 @@ struct DisturbedMotion {
   bool settled =
       true;  ///< a turn depends on its phase alone, because a rest erases what was before
   bool moves = true;
+  double first_phase = 0;  ///< [rad], of the evenly spaced ones
   /// Over evenly spaced phases. If not settled, none before observe(), then successive ones.
   std::vector<DisturbedTurn> turns = {};
   /// Turns with fewer or more collisions than those, at phases next to which no even phase is.
@@ -54,8 +55,13 @@ inline bool is_disturbed(const Scene& scene) {
 /// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
 DisturbedMotion disturbed_motion(const Scene& scene);
 
-/// The same at another speed [rad/s], near that of `motion`; looks at what `motion` watches, too.
+/// The same at another speed [rad/s], near that of `motion`; at other even phases, and at those at
+/// which `motion` has its fewest and its most collisions.
 DisturbedMotion followed(const DisturbedMotion& motion, double omega);
+
+/// The phase [rad] at which a motion has the turn that another one, of the same machine near its
+/// speed, has at `phase`: they may start other numbers of turns earlier.
+double phase_in(const DisturbedMotion& motion, const DisturbedMotion& other, double phase);
 
 /// Lets a motion that is settled watch the turn at another phase [rad].
 void watch(DisturbedMotion& motion, double phase);

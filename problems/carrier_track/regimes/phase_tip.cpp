@@ -14,13 +14,13 @@
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
-constexpr double sharp = 1e-13;       // relative width at which a bracket of speeds is a border
-constexpr double small_margin = 0.2;  // margins so small on both sides of a border may pass 0
-constexpr double first_reach = 0.05;  // [rad], to both sides, of the first three phases
-constexpr double last_reach = 1e-6;   // the nearest three
-constexpr double nearer = 1.0 / 16;   // the next reach
-constexpr double off_shape = 0.1;  // of a parabola or two lines: how far a speed may be off theirs
-constexpr int most_rounds = 100;
+constexpr double sharp = 1e-13;          // relative width at which a bracket of speeds is a border
+constexpr double small_margin = 0.2;     // margins so small on both sides of a border may pass 0
+constexpr double first_reach = 0.05;     // [rad], to both sides, of the first three phases
+constexpr double first_step = 1e-2;      // down, of the width of the search
+constexpr double narrowest = 1e-13;      // [rad], of phases that are beyond
+constexpr double farthest_beside = 0.1;  // [rad], from a tip
+constexpr int most_rounds = 200;
 
 /// Places of speed and phase from which a quadratic dependence is known.
 constexpr std::array<std::array<int, 2>, 7> stencil = {
@@ -70,6 +70,7 @@ std::optional<double> speed_at_place(const DisturbedTurn& turn, const ImpactPlac
 
 /// A speed, as a distance [rad/s] from the end of the search, over the phase.
 struct Place {
+  Place(double at_phase, double at_distance) : phase(at_phase), distance(at_distance) {}
   double phase, distance;
 };
 
@@ -86,53 +87,7 @@ class Tip {
   std::optional<PhaseTip> from(double phase) {
     if (!(height({phase, width_}) < 0)) return std::nullopt;
     if (const std::optional<PhaseTip> tip = smooth_tip(phase)) return tip;
-    Place lowest = edge(phase, width_ / 2, width_ / 2, 1e-3 * width_);
-    double reach = first_reach;
-    for (int k = 0; k < most_rounds && reach > last_reach && lowest.distance > 0; ++k) {
-      const double tolerance = std::max(1e-4 * reach * reach, sharp) * until_;
-      const auto near = [&](double there) {
-        return edge(there, lowest.distance, 30 * tolerance, tolerance);
-      };
-      const Place centre = near(lowest.phase);
-      const Place left = near(centre.phase - reach);
-      const Place right = near(centre.phase + reach);
-      if (std::min(left.distance, right.distance) < centre.distance - tolerance) {
-        lowest = left.distance < right.distance ? left : right;
-        reach = std::min(2 * reach, first_reach);
-        continue;
-      }
-      if (std::max(left.distance, right.distance) >= width_) {  // too far aside
-        lowest = centre;
-        reach *= nearer;
-        continue;
-      }
-      const double bend = left.distance - 2 * centre.distance + right.distance;
-      if (!(bend > tolerance)) break;  // flat
-      const double shift = (left.distance - right.distance) / (2 * bend);
-      const double drop = bend * shift * shift / 2;
-      const Place vertex = near(centre.phase + reach * shift);
-      lowest = lower(centre, vertex);
-      if (std::abs(vertex.distance - (centre.distance - drop)) < off_shape * bend) {
-        if (drop < sharp * until_) break;
-      } else {
-        // Two edges meet: where lines through two places on each do.
-        const double beside = reach / 8;
-        const Place more_left = near(left.phase + beside);
-        const Place more_right = near(right.phase - beside);
-        const double fall = (left.distance - more_left.distance) / beside;
-        const double rise = (right.distance - more_right.distance) / beside;
-        if (fall + rise > 0) {
-          const double meet =
-              (left.distance - right.distance + 2 * reach * rise) / (fall + rise) - reach;
-          if (std::abs(meet) < reach) lowest = lower(lowest, near(centre.phase + meet));
-        }
-      }
-      reach *= nearer;
-    }
-    if (lowest.distance > 0) {
-      lowest = edge(lowest.phase, lowest.distance, 10 * sharp * until_, sharp * until_);
-    }
-    return PhaseTip{speed(lowest.distance), lowest.phase, lowest.distance > 0};
+    return followed_tip(phase);
   }
 
  private:
@@ -158,6 +113,7 @@ class Tip {
       const std::optional<Differences> first = differences(turns, *one, reach);
       if (!first) return std::nullopt;
       Eigen::Vector2d step;
+      double drift = -first->twist / first->bend;
       bool is_extreme = true;
       if (other) {
         const std::optional<Differences> second = differences(turns, *other, reach);
@@ -165,6 +121,7 @@ class Tip {
         Eigen::Matrix2d jacobian;
         jacobian << first->slope, first->drift, second->slope, second->drift;
         step = -jacobian.inverse() * Eigen::Vector2d(first->value, second->value);
+        drift = -(first->slope / first->drift + second->slope / second->drift) / 2;
       } else {
         is_extreme = (first->bend > 0) == (extreme_ == Extreme::least);
         step = first->to_extreme();
@@ -181,8 +138,8 @@ class Tip {
       if (!(at[0] > 0 && at[0] < width_ && std::abs(at[1] - phase) < farthest)) return std::nullopt;
       // The next step would be about the square of this one.
       if (is_extreme && std::abs(step[0]) < 1e-9 * until_ && std::abs(step[1]) < 1e-3) {
-        if (!is_lowest(at)) return std::nullopt;
-        return PhaseTip{speed(at[0]), at[1], true};
+        if (lower_beside({at[1], at[0]})) return std::nullopt;
+        return PhaseTip{speed(at[0]), at[1], drift * toward_, true};
       }
       if (!is_extreme) continue;
       reach[0] = std::clamp(2 * std::abs(step[0]), 1e-5 * until_, 0.2 * reach[0]);
@@ -191,16 +148,25 @@ class Tip {
     return std::nullopt;
   }
 
-  /// Whether no turns next to that distance and phase are beyond a little nearer to the end.
-  bool is_lowest(const Eigen::Vector2d& at) const {
+  /// A place a little nearer to the end, at a phase next to that of a tip, that is beyond.
+  std::optional<Place> lower_beside(const Place& tip) const {
+    std::vector<Place> places;
     std::vector<Scene> scenes;
-    for (const double aside : {-1e-3, -1e-5, 1e-5, 1e-3}) {
-      scenes.push_back(machine_at(motion_, speed(at[0] - 1e-9 * until_), at[1] + aside));
+    for (const double drop : {1e-6 * until_, 1e-9 * until_}) {
+      if (drop > tip.distance) continue;
+      for (double aside = 1e-7; aside < farthest_beside; aside *= 4) {
+        for (const double side : {-aside, aside}) {
+          const Place& place = places.emplace_back(tip.phase + side, tip.distance - drop);
+          scenes.push_back(machine_at(motion_, speed(place.distance), place.phase));
+        }
+      }
     }
+    if (places.empty()) return std::nullopt;
     const std::vector<DisturbedTurn> turns = turns_of(scenes, motion_.turns_before);
-    return std::none_of(turns.begin(), turns.end(), [&](const DisturbedTurn& turn) {
-      return is_beyond(extreme_, margin_of(motion_.machine, turn, rank_));
-    });
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      if (is_beyond(extreme_, margin_of(motion_.machine, turns[i], rank_))) return places[i];
+    }
+    return std::nullopt;
   }
 
   /// The margin of an impact at the middle of the stencil, and its derivatives.
@@ -247,10 +213,6 @@ class Tip {
                        twist};
   }
 
-  static const Place& lower(const Place& a, const Place& b) {
-    return b.distance < a.distance ? b : a;
-  }
-
   double speed(double distance) const { return until_ + toward_ * distance; }
 
   /// < 0 in a turn that is beyond.
@@ -263,50 +225,100 @@ class Tip {
     return is_beyond(extreme_, margin) ? -size : size;
   }
 
-  /// Where the turns at a phase begin to be beyond, near a guess; 0 if they are from the end of the
-  /// search on, the width of the search if they are not at its start.
-  Place edge(double phase, double guess, double around, double tolerance) const {
-    double low = std::max(0.0, guess - around);
-    double high = std::min(width_, guess + around);
-    double at_low = height({phase, low});
-    double step = around;
-    while (at_low < 0) {
-      if (low == 0) return {phase, 0};
-      high = low;
-      step *= 8;
-      low = std::max(0.0, low - step);
-      at_low = height({phase, low});
-    }
-    double at_high = height({phase, high});
-    step = around;
-    while (at_high > 0) {
-      if (high == width_) return {phase, width_};
-      low = high;
-      at_low = at_high;
-      step *= 8;
-      high = std::min(width_, high + step);
-      at_high = height({phase, high});
-    }
-    bool may_pass = true;
-    while (high - low > tolerance) {
-      if (may_pass && at_low < small_margin && at_high > -small_margin) {
-        may_pass = false;
-        std::uintmax_t evaluations = 12;
-        std::tie(low, high) = boost::math::tools::toms748_solve(
-            [&](double there) {
-              return height({phase, there});
-            },
-            low, high, at_low, at_high,
-            [&](double a, double b) { return std::abs(b - a) <= tolerance; }, evaluations);
+  bool is_in(const Place& at) const { return height(at) < 0; }
+
+  /// The tip by going down along the middles of the phases that are beyond, which may be few and
+  /// drift with the speed. Nothing if that takes too many rounds.
+  std::optional<PhaseTip> followed_tip(double phase) const {
+    Place middle = middle_of({phase, width_});
+    double drift = 0;  // of the middle over the distance
+    double last_drift = 0;
+    double step = first_step * width_;
+    int flat = 0;  // rounds without a drop
+    for (int k = 0; k < most_rounds; ++k) {
+      const Place low = lowest_along(middle, drift, step);
+      if (low.distance == 0) return PhaseTip{until_, low.phase, drift * toward_, false};
+      const double drop = middle.distance - low.distance;
+      flat = drop < sharp * until_ ? flat + 1 : 0;
+      if (flat == 2) {
+        const std::optional<Place> lower = lower_beside(low);
+        if (!lower) return PhaseTip{speed(low.distance), low.phase, last_drift * toward_, true};
+        middle = middle_of(*lower);
+        drift = (middle.phase - low.phase) / (middle.distance - low.distance);
+        flat = 0;
         continue;
       }
-      const double middle = 0.5 * (low + high);
-      if (middle == low || middle == high) break;
-      const double there = height({phase, middle});
-      (there < 0 ? high : low) = middle;
-      (there < 0 ? at_high : at_low) = there;
+      const Place next = middle_of(low);
+      if (drop > 0)
+        last_drift = drift = (next.phase - middle.phase) / -drop;
+      else
+        drift = 0;
+      step = std::max(drop / 2, sharp * until_);
+      middle = next;
     }
-    return {phase, 0.5 * (low + high)};
+    return std::nullopt;
+  }
+
+  /// The last place that is beyond on a line down from one that is; its first step is a guess.
+  Place lowest_along(const Place& from, double drift, double step) const {
+    const auto at = [&](double distance) {
+      return Place{from.phase + drift * (distance - from.distance), distance};
+    };
+    double in = from.distance;
+    double out = std::max(0.0, in - step);
+    double height_in = height(from);
+    double height_out = height(at(out));
+    while (height_out < 0) {
+      if (out == 0) return at(0);
+      step *= 2;
+      in = out;
+      height_in = height_out;
+      out = std::max(0.0, out - step);
+      height_out = height(at(out));
+    }
+    const double tolerance = std::max(1e-6 * (in - out), sharp * until_ / 4);
+    bool may_pass = true;
+    while (in - out > tolerance) {
+      if (may_pass && height_out < small_margin && height_in > -small_margin) {
+        may_pass = false;
+        std::uintmax_t evaluations = 12;
+        std::tie(out, in) = boost::math::tools::toms748_solve(
+            [&](double there) { return height(at(there)); }, out, in, height_out, height_in,
+            [&](double a, double b) { return std::abs(b - a) <= tolerance; }, evaluations);
+        if (!is_in(at(in))) break;
+        continue;
+      }
+      const double half = 0.5 * (in + out);
+      if (half == in || half == out) break;
+      const double there = height(at(half));
+      (there < 0 ? in : out) = half;
+      (there < 0 ? height_in : height_out) = there;
+    }
+    return at(in);
+  }
+
+  /// The middle of the phases around a place that are beyond, at its distance.
+  Place middle_of(const Place& inside) const {
+    double ends[2];
+    for (const int side : {0, 1}) {
+      const double away = side == 0 ? -1 : 1;
+      const auto at = [&](double reach) {
+        return Place{inside.phase + away * reach, inside.distance};
+      };
+      double in = 0;
+      double out = narrowest;
+      while (out < farthest && is_in(at(out))) {
+        in = out;
+        out *= 4;
+      }
+      while (out - in > 1e-2 * out && out > narrowest) {
+        const double half = 0.5 * (in + out);
+        (is_in(at(half)) ? in : out) = half;
+      }
+      ends[side] = away * in;
+    }
+    const Place middle{inside.phase + 0.5 * (ends[0] + ends[1]), inside.distance};
+    return is_in(middle) ? middle : inside;
   }
 
   const DisturbedMotion& motion_;

@@ -13,6 +13,7 @@ namespace ricochet::carrier_track::inline regimes {
 struct PhaseTip {
   double omega;     ///< [rad/s], to some 1e-13, relative
   double phase;     ///< [rad]
+  double drift;     ///< [s], of the phases of such turns over the speed, beside the tip
   bool is_reached;  ///< false: there still are such turns at the speed that was searched up to
 };
 

@@ -54,11 +54,12 @@ double memory_of(const DisturbedMotion& /*motion*/) {
   return 0;
 }
 
-/// Whether the way to a border is looked at too.
-bool checks_way(const SteadyMotion& /*motion*/) {
+/// Whether several motions may be possible at one speed: then the way to a border is looked at,
+/// too.
+bool may_have_others(const SteadyMotion& /*motion*/) {
   return true;
 }
-bool checks_way(const DisturbedMotion& /*motion*/) {
+bool may_have_others(const DisturbedMotion& /*motion*/) {
   return false;
 }
 
@@ -108,6 +109,13 @@ void widen(Regime& regime, const SteadyMotion& motion) {
 }
 void widen(Regime& regime, const DisturbedMotion& motion) {
   widen(regime, motion.least, motion.most);
+}
+
+/// Lets a motion watch what another at its speed watches.
+void join(SteadyMotion& /*motion*/, const SteadyMotion& /*other*/) {}
+void join(DisturbedMotion& motion, const DisturbedMotion& other) {
+  for (const DisturbedTurn& turn : other.watched)
+    watch(motion, phase_in(motion, other, turn.phase));
 }
 
 /// Whether the motion beyond such a border is another one, which may be far away.
@@ -164,21 +172,14 @@ class Walk {
       if (step > longest_structured && signature_of(here_).moves) return false;
       const Border<Motion> border = first_border(here_, next);
       // On the way there the motion may change, and change back.
-      if (checks_way(here_) && !reaches(border.before)) return false;
+      if (may_have_others(here_) && !reaches(border.before)) return false;
       if (is_passed(border)) return true;
       if (signature_of(border.after) == signature_of(here_)) {  // it moved, to rest elsewhere
         here_ = border.after;
         margins_ = margins_of(here_);
         return true;
       }
-      if (border.omega > regimes_.back().from) {
-        close(border.before, border.omega, border.kind);
-        open(border.after, border.omega);
-      } else {  // what begins there was not seen since then
-        const Motion before = here_;
-        close(before, before.omega(), border.kind);
-        open(border.after, before.omega());
-      }
+      cross(border, next);
       step_ = std::max(first_step, std::min(step_, 0.01));
       return true;
     }
@@ -195,7 +196,7 @@ class Walk {
   /// motions that are possible there. Then it is followed on, some times; after these the regime
   /// is not certain.
   bool is_passed(const Border<Motion>& border) {
-    if (!is_certain() || !is_jump(border.kind)) return false;
+    if (!may_have_others(here_) || !is_certain() || !is_jump(border.kind)) return false;
     Motion beyond = followed(border.before, border.omega * (1 + just_beyond_a_jump));
     if (!(signature_of(beyond) == signature_of(here_)) || beyond.omega() >= to_) return false;
     if (++passed_ > most_passed) {
@@ -206,6 +207,35 @@ class Walk {
     margins_ = margins_of(here_);
     step_ = first_step;
     return true;
+  }
+
+  /// Goes on beyond a border. Where that is before the last ones, what began there was not seen
+  /// until now: then all after it is walked again.
+  void cross(const Border<Motion>& border, const Motion& next) {
+    if (border.omega <= here_.omega() && ++returned_ > most_returned) {
+      regimes_.back().certain = false;
+      here_ = next;
+      margins_ = margins_of(here_);
+      add(here_);
+      return;
+    }
+    if (border.omega == here_.omega()) regimes_.back().certain = false;  // it began before
+    Motion after = border.after;
+    while (regimes_.size() > 1 && border.omega <= regimes_.back().from * (1 + same_speed)) {
+      // What begins at the same speed begins there together.
+      if (border.omega >= regimes_.back().from * (1 - same_speed)) join(after, first_.back());
+      regimes_.pop_back();
+      first_.pop_back();
+    }
+    if (border.omega > regimes_.back().from) {
+      close(border.before, border.omega, border.kind);
+      open(after, border.omega);
+    } else {
+      const double start = regimes_.back().from;
+      regimes_.clear();
+      first_.clear();
+      open(followed(after, start), start);
+    }
   }
 
   bool is_certain() const { return regimes_.back().certain; }
@@ -252,6 +282,7 @@ class Walk {
     regime.moves = signature.moves;
     regime.certain = signature.settled;
     regimes_.push_back(regime);
+    first_.push_back(here_);
     sum_ = 0;
     added_ = 0;
     passed_ = 0;
@@ -280,6 +311,8 @@ class Walk {
   static constexpr double longest_structured = 0.02;
   static constexpr double just_beyond_a_jump = 1e-9;  // relative
   static constexpr int most_passed = 20;
+  static constexpr double same_speed = 1e-9;  // relative, of two borders
+  static constexpr int most_returned = 1000;
 
   Motion here_;
   Margins margins_;
@@ -288,8 +321,10 @@ class Walk {
   double step_ = 0.01;
   double sum_ = 0;  // of the regime's collisions per turn
   int added_ = 0;
-  int passed_ = 0;  // jumps in the regime beyond which its motion goes on
+  int returned_ = 0;  // times that the walk went back to an earlier border
+  int passed_ = 0;    // jumps in the regime beyond which its motion goes on
   std::vector<Regime> regimes_;
+  std::vector<Motion> first_;  // of each regime
 };
 
 }  // namespace

@@ -66,6 +66,27 @@ TEST(DisturbedMotion, IsTheSameFollowedFromAnotherSpeed) {
   }
 }
 
+TEST(DisturbedMotion, LooksAtOtherPhasesAtTheNextSpeed) {
+  const DisturbedMotion here = disturbed_motion(disturbed(1.0, 7.7));
+  const DisturbedMotion there = followed(here, 7.71);
+  ASSERT_EQ(here.turns.size(), there.turns.size());
+  const double step = 2 * std::numbers::pi / static_cast<double>(here.turns.size());
+  const double shift = std::abs(there.turns.front().phase - here.turns.front().phase);
+  EXPECT_GT(shift, 0.2 * step);
+  EXPECT_LT(shift, 0.8 * step);
+}
+
+TEST(DisturbedMotion, KnowsTheSameTurnByItsPhaseFromAnotherStart) {
+  const DisturbedMotion motion = disturbed_motion(disturbed(1.0, 7.7));
+  DisturbedMotion earlier = motion;
+  earlier.turns_before = motion.turns_before + 2;
+  const DisturbedTurn here = turn_at(motion, 1.0);
+  const DisturbedTurn there = turn_at(earlier, phase_in(earlier, motion, 1.0));
+  ASSERT_EQ(here.collisions, there.collisions);
+  ASSERT_GT(here.collisions, 0);
+  EXPECT_NEAR(here.speeds[0] / there.speeds[0], 1, 1e-9);
+}
+
 TEST(DisturbedMotion, WatchesAPhaseWhileNoEvenOneTellsOfIt) {
   // Up to 2.89778 rad/s some phases near 2.32 rad have a turn without collisions.
   const auto& cases = all_cases();

@@ -9,6 +9,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
+#include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {
 namespace {
@@ -63,6 +64,29 @@ TEST(PhaseTip, IsTheLastSpeedAtWhichSomePhaseCountsSo) {
     const double outwards = a.until > a.from ? 1e-9 : -1e-9;
     EXPECT_EQ(beyond_near(motion, *tip, tip->omega * (1 + outwards), a.rank, a.extreme), 0);
     EXPECT_GT(beyond_near(motion, *tip, tip->omega * (1 - outwards), a.rank, a.extreme), 0);
+  }
+}
+
+TEST(PhaseTip, IsFollowedWhereFewPhasesCountSoAndDriftWithTheSpeed) {
+  // From 0.36103 rad/s on, a few phases have one collision; at 0.3650 others than at 0.3611.
+  const DisturbedMotion motion = disturbed_motion(at_speed(random_disturbed_machine(2), 0.3650));
+  const auto is_in = [&](double omega, double phase) {
+    const Scene machine = machine_at(motion, omega, phase);
+    const DisturbedTurn turn = turns_of({&machine, 1}, motion.turns_before).front();
+    return is_beyond(Extreme::least, margin_of(machine, turn, 2));
+  };
+  const double phase = phase_beyond(motion, 2, Extreme::least);
+  const auto tip = phase_tip(motion, 2, Extreme::least, phase, 0.3600);
+  ASSERT_TRUE(tip);
+  ASSERT_TRUE(tip->is_reached);
+  EXPECT_NEAR(tip->omega, 0.36103, 1e-5);
+  EXPECT_FALSE(is_in(0.3650, tip->phase));
+  for (const double away : {1e-9, 1e-7, 1e-5}) {
+    const double omega = tip->omega * (1 + away);
+    EXPECT_TRUE(is_in(omega, tip->phase + tip->drift * (omega - tip->omega))) << away;
+  }
+  for (int k = -1000; k <= 1000; ++k) {
+    EXPECT_FALSE(is_in(tip->omega * (1 - 1e-7), tip->phase + 1e-6 * k)) << k;
   }
 }
 

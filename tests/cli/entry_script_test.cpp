@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "tests/cli/tool.h"
@@ -102,6 +104,36 @@ TEST_F(EntryScript, BuildsForTheMainJobItsOwnProgramAlone) {
   EXPECT_THAT(script("checkout/ricochet reproduce --quick"),
               HasSubstr((folder / "ricochet-reproduce").string() + " reproduce --quick"));
   EXPECT_THAT(log(), HasSubstr("-n ricochet_reproduce\n"));
+}
+
+/// The Debian packages with solvers among all that a command installs on a system with none.
+std::set<std::string> solver_packages(const std::string& asked) {
+  std::set<std::string> found;
+  std::istringstream words(asked);
+  for (std::string word; words >> word;) {
+    for (const char* library : {"dlib", "petsc", "nlopt", "ipopt", "pagmo", "ceres"}) {
+      if (word.find(library) != std::string::npos) found.insert(word);
+    }
+  }
+  return found;
+}
+
+TEST_F(EntryScript, InstallsTheSameSolversForAllThatRunsThem) {
+  std::string text = read(root_ / "checkout/ricochet");
+  const std::string installed = "/var/lib/dpkg/info";
+  for (std::size_t at = 0; (at = text.find(installed, at)) != std::string::npos;) {
+    text.replace(at, installed.size(), "/nothing");
+  }
+  make_executable(root_ / "checkout/ricochet", text);
+  const auto of = [&](const std::string& command) {
+    return solver_packages(script("checkout/ricochet --no-install " + command));
+  };
+  EXPECT_THAT(of("test"), testing::ElementsAre("coinor-libipopt-dev", "libceres-dev", "libdlib-dev",
+                                               "libnlopt-cxx-dev", "libpagmo-dev", "petsc-dev"));
+  for (const char* command : {"reproduce", "compare", "run", "solve", "test --sanitize"}) {
+    EXPECT_EQ(of(command), of("test")) << command;
+  }
+  EXPECT_FALSE(of("threshold").contains("libdlib-dev"));
 }
 
 TEST_F(EntryScript, ListsTheCommandsOfTheProgramBeforeItIsBuilt) {

@@ -12,8 +12,8 @@ namespace ricochet::report {
 /// Version of this struct. Data of another version are not read.
 inline constexpr int headline_version = 1;
 
-/// A place in a report: "" is its page, "#thresholds" a section of that page, "count" a further
-/// page.
+/// A place in a report, from one of its pages: "" is that page, "#thresholds" a section of it,
+/// "count" a page in a folder below, "../count" one beside it.
 struct Link {
   std::string text;
   std::string to;

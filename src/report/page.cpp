@@ -71,7 +71,16 @@ void check(const Page& page) {
 struct TextWriters {
   std::string (*plain)(std::string_view);
   std::string (*linked)(std::string_view);
+  const char* file;  ///< of a page in its folder
 };
+
+/// The address of a place in a report, see Link.
+std::string address_of(const std::string& place, const TextWriters& writing) {
+  const std::size_t hash = std::min(place.find('#'), place.size());
+  if (hash == 0) return writing.plain(place);
+  return writing.plain(place.substr(0, hash)) + "/" + writing.file +
+         writing.plain(place.substr(hash));
+}
 
 Json data_of(const Table& table, const TextWriters& writing) {
   Json columns = Json::array(), rows = Json::array();
@@ -83,6 +92,7 @@ Json data_of(const Table& table, const TextWriters& writing) {
     Json cells = Json::array();
     for (std::size_t i = 0; i < row.size(); ++i) {
       cells.push_back({{"text", writing.plain(row[i].text)},
+                       {"link", address_of(row[i].link, writing)},
                        {"left", columns.at(i)["left"]},
                        {"good", row[i].state == State::good},
                        {"bad", row[i].state == State::bad}});
@@ -235,9 +245,9 @@ std::vector<std::string> write_page(const Page& page, const std::filesystem::pat
     if (chart.is_drawn()) files[name + ".svg"] = chart.svg;
     if (!chart.is_drawn()) failures.push_back(failure_of(chart));
   }
-  Json html = data_of(page, charts, {escape_html, html_with_links});
+  Json html = data_of(page, charts, {escape_html, html_with_links, "index.html"});
   html["look"] = embedded::look;
-  const Json summary = data_of(page, charts, {escape_markdown, escape_markdown});
+  const Json summary = data_of(page, charts, {escape_markdown, escape_markdown, "summary.md"});
   files["index.html"] = filled(embedded::page_template, {&html});
   files["summary.md"] = filled(embedded::summary_template, {&summary});
   replace_files(folder, files);

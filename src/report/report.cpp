@@ -13,6 +13,8 @@
 #include "embedded/template_comparison_failures.h"
 #include "embedded/template_comparison_family.h"
 #include "embedded/template_comparison_machines.h"
+#include "embedded/template_comparison_solver.h"
+#include "embedded/template_comparison_solvers.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
@@ -41,6 +43,8 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"comparison_family", embedded::template_comparison_family},
     {"comparison_machines", embedded::template_comparison_machines},
     {"comparison_failures", embedded::template_comparison_failures},
+    {"comparison_solvers", embedded::template_comparison_solvers},
+    {"comparison_solver", embedded::template_comparison_solver},
     {"advice", embedded::template_advice},
     {"dynamics", embedded::template_dynamics},
     {"surrogate", embedded::template_surrogate},

@@ -18,7 +18,7 @@ struct Column {
 struct Cell {
   std::string text;
   State state = State::neutral;
-  std::string link = {};  ///< target of a link in an excerpt, see headline.h; pages do not show it
+  std::string link = {};  ///< see Link in headline.h; empty: none
 };
 
 /// The first cell of every row is its header.

@@ -244,6 +244,19 @@ TEST_F(PageFiles, HaveTablesInMarkdown) {
             "| C2 | ✗ 3 |\n");
 }
 
+TEST_F(PageFiles, LinkCellsToPagesAndPlaces) {
+  Page page = page_with({});
+  page.sections[0].tables[0].rows = {{{.text = "a", .link = "../a&b"}},
+                                     {{.text = "b", .link = "#first"}},
+                                     {{.text = "c", .link = "c#there"}}};
+  write_page(page, root_);
+  EXPECT_THAT(read(root_ / "index.html"),
+              AllOf(HasSubstr("<a href=\"../a&amp;b/index.html\">a</a>"),
+                    HasSubstr("<a href=\"#first\">b</a>"),
+                    HasSubstr("<a href=\"c/index.html#there\">c</a>")));
+  EXPECT_THAT(read(root_ / "summary.md"), HasSubstr("[c](c/summary.md#there)"));
+}
+
 TEST_F(PageFiles, ShowStatesByColourAndByText) {
   write_page(page_of(thresholds), root_);
   EXPECT_THAT(read(root_ / "index.html"),

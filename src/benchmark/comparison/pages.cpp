@@ -86,6 +86,7 @@ Json in_pages(Json all) {
                         {"leader", std::move(leader)}});
     Json page = std::move(group);
     page["report"] = "comparison_family";
+    for (const char* key : {"drawn", "ratings"}) page.erase(key);  // the last budget has the same
     for (const char* key : of_a_family) page[key] = rows_of(all[key], family);
     pages.push_back({{"folder", family}, {"data", std::move(page)}});
   }

@@ -25,6 +25,7 @@
 #include "src/benchmark/comparison/formulation_data.h"
 #include "src/benchmark/comparison/group.h"
 #include "src/benchmark/comparison/held_out_data.h"
+#include "src/benchmark/comparison/lacking_data.h"
 #include "src/benchmark/comparison/log_ratio_data.h"
 #include "src/benchmark/comparison/machine_data.h"
 #include "src/benchmark/comparison/order_data.h"
@@ -35,10 +36,12 @@
 #include "src/benchmark/comparison/relocated_optimum_data.h"
 #include "src/benchmark/comparison/reported_part.h"
 #include "src/benchmark/comparison/share_data.h"
+#include "src/benchmark/comparison/solver_pages.h"
 #include "src/benchmark/comparison/speed_accuracy_data.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/core/near_names.h"
 #include "src/core/patterns.h"
+#include "src/core/suite_version.h"
 
 namespace ricochet::studies {
 namespace {
@@ -62,30 +65,6 @@ Json leaders_of(const Json& groups) {
       row["budget"] = budget["budget"];
       row["largest"] = budget == group["budgets"].back();
       rows.push_back(std::move(row));
-    }
-  }
-  return rows;
-}
-
-/// Counts the termination reasons of the solvers' starts, over all results.
-Json exits_of(const std::vector<CellResult>& results) {
-  std::map<std::string, std::map<std::string, int>> terminations;
-  for (const CellResult& result : results) {
-    auto& mine = terminations[result.cell->cell.solver];
-    for (const Outcome& outcome : result.outcomes) {
-      for (const std::string& exit : outcome.terminations) ++mine[exit];
-      if (!outcome.failure.empty()) ++mine["failed: " + outcome.failure];
-    }
-  }
-  Json rows = Json::array();
-  for (const auto& [solver, reasons] : terminations) {
-    int all = 0;
-    for (const auto& [reason, times] : reasons) all += times;
-    for (const auto& [reason, times] : reasons) {
-      rows.push_back({{"solver", solver},
-                      {"reason", reason},
-                      {"times", times},
-                      {"share", times / static_cast<double>(all)}});
     }
   }
   return rows;
@@ -189,8 +168,29 @@ Json results_of(const Campaign& campaign, const std::vector<CellResult>& results
           {"ceilings", ceiling_data(comparison, groups)},
           {"orders", order_data(comparison, results, part, groups, ratings)},
           {"held_out", held_out_data(comparison, groups)},
-          {"terminations", exits_of(comparison.results)},
           {"failures", failure_data(comparison)}};
+}
+
+/// Adds to the problems of the groups the hashes that the store has of them.
+void add_hashes(const std::vector<StoredProblem>& problems, Json& groups) {
+  std::map<std::string, std::string> hashes;
+  for (const StoredProblem& problem : problems) hashes[problem.name] = problem.hash;
+  for (Json& group : groups) {
+    for (Json& row : group["problems"]) row["hash"] = hashes.at(row["problem"]);
+  }
+}
+
+/// Adds to the groups what is to be known of the libraries of their entries.
+void add_notes(const std::vector<Solver>& solvers, Json& groups) {
+  for (Json& group : groups) {
+    std::vector<Solver> mine;
+    for (const Solver& solver : solvers) {
+      const bool rated = std::ranges::any_of(
+          group["ratings"], [&](const Json& rating) { return rating["solver"] == solver.name; });
+      if (rated) mine.push_back(solver);
+    }
+    group["library_notes"] = library_notes(mine);
+  }
 }
 
 Json compute(const Campaign& campaign, const Store& store) {
@@ -200,7 +200,7 @@ Json compute(const Campaign& campaign, const Store& store) {
   const std::vector<ReportedPart> parts = reported_parts(campaign);
   Json data;
   for (const char* key : {"plans", "leaders", "groups", "formulations", "ceilings", "orders",
-                          "held_out", "terminations", "failures"}) {
+                          "held_out", "failures"}) {
     data[key] = Json::array();
   }
   for (const ReportedPart& part : parts) {
@@ -232,9 +232,16 @@ Json compute(const Campaign& campaign, const Store& store) {
   data["compared"] = campaign.plan().name.starts_with("compare");  // true for the command `compare`
   data["runs"] = campaign.runs();
   data["digest"] = digest.text();
+  data["suite"] = suite_version;
+  data["lacking"] = lacking_data(campaign.plan(), missing_solvers());
   data["solvers"] = std::move(solvers);
+  data["library_notes"] = library_notes(campaign.solvers());
+  add_hashes(store.description().problems, data["groups"]);
+  add_notes(campaign.solvers(), data["groups"]);
+  Json solvers_data = solvers_page(campaign, results, sets, data["speed_accuracy"]);
   data = in_pages(std::move(data));
   data["answers"] = answers_data(data);
+  data["pages"].push_back({{"folder", "solvers"}, {"data", std::move(solvers_data)}});
   return data;
 }
 

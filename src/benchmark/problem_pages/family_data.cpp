@@ -8,6 +8,7 @@
 
 #include "embedded/families.h"
 #include "ricochet/verdict.h"
+#include "src/benchmark/experiment/campaign/problem_hash.h"
 #include "src/benchmark/problem_pages/difficulty.h"
 #include "src/core/instance.h"
 #include "src/report/filled_text.h"
@@ -68,6 +69,7 @@ int sampled_points(const Problem& problem, int simulations) {
 Json row_of(const Problem& problem, double sign, int simulations) {
   const TrueValues start = true_values_at(problem, problem.start);
   Json row = {{"name", problem.name},
+              {"hash", problem_hash(problem)},
               {"start", sign * start.objective},
               {"start_violation", start.violation > 0 ? Json(start.violation) : Json()},
               {"best_known", problem.best_known ? Json(sign * *problem.best_known) : Json()},

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "src/benchmark/problem_pages/family_data.h"
+#include "src/core/suite_version.h"
 
 namespace ricochet::studies {
 namespace {
@@ -12,11 +13,8 @@ using report::Json;
 constexpr int simulations = 1000;  // of a problem, to see how hard it is
 
 Json compute(const std::vector<Family>& families, const std::string& scene_file) {
-  Json data = {{"scene", Json()},
-               {"problems", 0},
-               {"kinds", 0},
-               {"families", Json::array()},
-               {"pages", Json::array()}};
+  Json data = {{"suite", suite_version},    {"scene", Json()},       {"problems", 0}, {"kinds", 0},
+               {"families", Json::array()}, {"pages", Json::array()}};
   if (!scene_file.empty()) data["scene"] = std::filesystem::path(scene_file).filename().string();
   std::size_t problems = 0;
   for (const Family& family : families) {

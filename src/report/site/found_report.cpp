@@ -53,15 +53,22 @@ std::optional<report::Headline> headline_of(const Json& data) {
   }
 }
 
+/// The names of further pages; those that may lead out of the folder are left out.
+std::vector<std::string> pages_in(const Json& data) {
+  auto pages = read<std::vector<std::string>>(data, "pages").value_or(std::vector<std::string>());
+  std::erase_if(pages, [](const std::string& page) { return !is_name(page); });
+  return pages;
+}
+
 FoundReport found(const fs::path& folder, const report::ReportKind& kind, Json data) {
   FoundReport report{folder.filename().string(), kind, read<Made>(data, "made").value_or(Made{}),
                      headline_of(data),          {},   {}};
-  const auto pages = read<std::vector<std::string>>(data, "pages");
+  const std::vector<std::string> pages = pages_in(data);
   report.data = std::move(data);
-  for (const std::string& page : pages.value_or(std::vector<std::string>{})) {
-    if (!is_name(page)) continue;  // it may lead out of the folder
+  for (const std::string& page : pages) {
     Json own = data_of(folder / page).value_or(Json::object());
-    report.pages.push_back({page, headline_of(own), std::move(own)});
+    std::vector<std::string> further = pages_in(own);
+    report.pages.push_back({page, headline_of(own), std::move(own), std::move(further)});
   }
   return report;
 }

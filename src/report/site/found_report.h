@@ -25,6 +25,7 @@ struct FoundPage {
   std::string folder;  ///< inside the report's folder
   std::optional<report::Headline> headline;
   Json data;
+  std::vector<std::string> pages = {};  ///< folders of pages inside its own
 };
 
 /// A report in a folder of a site.

@@ -1,8 +1,10 @@
 #include "src/report/site/navigation.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "embedded/navigation_template.h"
 #include "src/core/text_file.h"
@@ -30,15 +32,19 @@ void put_between(const fs::path& page, const std::string& links) {
 }  // namespace
 
 std::string navigation(const std::vector<FoundReport>& reports, const std::string& here) {
-  const std::size_t slash = here.find('/');
-  const std::string own_folder = here.substr(0, slash);
-  const std::string own_page = slash == std::string::npos ? "" : here.substr(slash + 1);
-  Json data = {{"up", here.empty()       ? ""
-                      : own_page.empty() ? "../"
-                                         : "../../"},
+  // The folders of the report, of its page and of the page in that.
+  std::array<std::string, 3> own_place;
+  std::string up;
+  std::istringstream folders(here);
+  for (std::string& folder : own_place) {
+    if (std::getline(folders, folder, '/')) up += "../";
+  }
+  const auto& [own_folder, own_page, inner_page] = own_place;
+  Json data = {{"up", up},
                {"front", here.empty()},
                {"own", Json()},
                {"own_page", own_page},
+               {"inner_page", inner_page},
                {"reports", Json::array()},
                {"pages", Json::array()}};
   for (const FoundReport& report : reports) {
@@ -51,8 +57,9 @@ std::string navigation(const std::vector<FoundReport>& reports, const std::strin
     data["own"] = {{"folder", folder}, {"label", label}};
     for (const FoundPage& page : report.pages) {
       const std::string name = report::escape_html(page.folder);
-      data["pages"].push_back(
-          {{"folder", folder}, {"page", name}, {"here", page.folder == own_page}});
+      data["pages"].push_back({{"folder", folder},
+                               {"page", name},
+                               {"here", page.folder == own_page && inner_page.empty()}});
     }
   }
   data["has_pages"] = !data["pages"].empty();
@@ -65,6 +72,10 @@ void link_pages(const fs::path& site, const std::vector<FoundReport>& reports) {
     for (const FoundPage& page : report.pages) {
       const std::string name = report.folder + "/" + page.folder;
       put_between(site / name / "index.html", navigation(reports, name));
+      for (const std::string& inner : page.pages) {
+        const std::string inner_name = name + "/" + inner;
+        put_between(site / inner_name / "index.html", navigation(reports, inner_name));
+      }
     }
   }
 }

@@ -162,6 +162,7 @@ def check_results(page, cells):
 
 def check_family(report, family, cells, tolerances):
     page = records(json.loads((report / family / "data.json").read_text()))
+    ratings = page["budgets"][-1]["ratings"]
     problems = [problem["problem"] for problem in page["problems"]]
     instances = sorted(next(iter(next(iter(cells.values())).values())))
     takes, ranked = ranked_problems(cells, problems, instances)
@@ -169,8 +170,8 @@ def check_family(report, family, cells, tolerances):
     best = probabilities(ranked, draw)
     ranks = means(ranked)
     goals = {p["problem"]: targets(p, tolerances[p["problem"]]) for p in page["problems"]}
-    assert len(page["ratings"]) == len(cells)
-    for rating in page["ratings"]:
+    assert len(ratings) == len(cells)
+    for rating in ratings:
         entry = rating["solver"], rating["formulation"]
         mine = cells[entry]
         runs = [run for of_problem in mine.values() for run in of_problem.values()]

@@ -35,6 +35,15 @@ TEST(Navigation, OfAPageOfAReportLeadsBackToIt) {
   EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"page\""));
 }
 
+TEST(Navigation, OfAPageInAPageLeadsBackToBoth) {
+  const std::string links = navigation(two_reports(), "problems/count/count-C1");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../../../index.html\">Overview</a>"));
+  EXPECT_THAT(links,
+              HasSubstr("<a href=\"../../../problems/index.html\">The problems</a> › "
+                        "<a href=\"../../../problems/count/index.html\">count</a> › count-C1"));
+  EXPECT_THAT(links, Not(HasSubstr("aria-current")));
+}
+
 TEST(Navigation, OfTheFrontPageHasNoPagesOfReports) {
   const std::string links = navigation(two_reports(), "");
   EXPECT_THAT(links, HasSubstr("<a href=\"index.html\" aria-current=\"page\">"));
@@ -51,6 +60,21 @@ TEST_F(LinkPages, PutsTheLinksWhereThePageHasRoomAndDoesSoAgain) {
   EXPECT_EQ(text, "a<!-- navigation -->\n" + navigation(two_reports(), "problems") +
                       "<!-- /navigation -->b");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "ill & mean"));
+}
+
+TEST_F(LinkPages, PutsTheLinksIntoPagesInPages) {
+  keep(folder_, "problems", {{"report", "problems"}, {"pages", {"count"}}});
+  keep(folder_ / "problems", "count", {{"pages", {"count-C1", "../up"}}});
+  std::filesystem::create_directories(folder_ / "problems/count/count-C1");
+  const auto page = folder_ / "problems/count/count-C1/index.html";
+  std::ofstream(page) << "<!-- navigation --><!-- /navigation -->";
+  const auto reports = found_reports(folder_);
+  ASSERT_EQ(reports.size(), 1U);
+  EXPECT_EQ(reports[0].pages[0].pages, std::vector<std::string>{"count-C1"});
+  link_pages(folder_, reports);
+  std::ifstream stream(page);
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_THAT(text, HasSubstr("› count-C1"));
 }
 
 }  // namespace

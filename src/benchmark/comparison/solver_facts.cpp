@@ -1,0 +1,41 @@
+#include "src/benchmark/comparison/solver_facts.h"
+
+#include <toml++/toml.h>
+
+#include "embedded/solvers.h"
+#include "src/core/patterns.h"
+
+namespace ricochet::studies::comparison {
+namespace {
+
+const toml::table& facts() {
+  static const toml::table all = toml::parse(embedded::solvers);
+  return all;
+}
+
+std::string text(const toml::table& of, const char* key) {
+  return of[key].value_or(std::string());
+}
+
+}  // namespace
+
+std::optional<SolverSettings> settings_of(const std::string& solver) {
+  for (const toml::node& node : *facts()["settings"].as_array()) {
+    const toml::table& one = *node.as_table();
+    for (const toml::node& pattern : *one["solvers"].as_array()) {
+      if (!fits(solver, pattern.value<std::string>().value())) continue;
+      return SolverSettings{text(one, "settings"), text(one, "from"), text(one, "note")};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string library_note(const std::string& version) {
+  for (const toml::node& node : *facts()["library"].as_array()) {
+    const toml::table& one = *node.as_table();
+    if (version.starts_with(text(one, "version"))) return text(one, "note");
+  }
+  return "";
+}
+
+}  // namespace ricochet::studies::comparison

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ricochet/solver.h"
+
+namespace ricochet::studies::comparison {
+
+/// How a solver of the suite is set, in words.
+struct SolverSettings {
+  std::string settings;
+  std::string from;  ///< who chose them; may be empty
+  std::string note;  ///< may be empty
+};
+
+/// Nothing for a solver that reports/templates/solvers.toml does not have, such as a user's.
+std::optional<SolverSettings> settings_of(const std::string& solver);
+
+/// What a reader must know of the library of this version, such as its age; mostly empty.
+std::string library_note(const std::string& version);
+
+}  // namespace ricochet::studies::comparison

@@ -1,0 +1,32 @@
+#include "src/benchmark/comparison/solver_facts.h"
+
+#include <gtest/gtest.h>
+
+#include "ricochet/solvers.h"
+
+namespace ricochet::studies::comparison {
+namespace {
+
+TEST(SolverFacts, HaveTheSettingsOfEverySolverOfTheSuite) {
+  for (const Solver& solver : all_solvers()) {
+    EXPECT_TRUE(settings_of(solver.name).has_value()) << solver.name;
+  }
+  for (const MissingSolver& missing : missing_solvers()) {
+    EXPECT_TRUE(settings_of(missing.solver).has_value()) << missing.solver;
+  }
+}
+
+TEST(SolverFacts, AreThoseOfTheSolverItselfAndNoneOfAUsers) {
+  EXPECT_EQ(settings_of("ipopt-tuned")->from, "tuned to this suite");
+  EXPECT_EQ(settings_of("ipopt")->from, "Ipopt");
+  EXPECT_FALSE(settings_of("hill-climber").has_value());
+}
+
+TEST(SolverFacts, SayHowOldIpoptIs) {
+  EXPECT_NE(library_note("Ipopt 3.11.9").find("2014"), std::string::npos);
+  EXPECT_EQ(library_note("Ipopt 3.14.0"), "");
+  EXPECT_EQ(library_note("NLopt 2.7.1"), "");
+}
+
+}  // namespace
+}  // namespace ricochet::studies::comparison

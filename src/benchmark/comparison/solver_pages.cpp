@@ -16,7 +16,7 @@ namespace {
 using report::Json;
 
 /// A page lists at most so many families in which its solver is behind.
-constexpr std::size_t shown_families = 5;
+constexpr std::size_t shown_families = 3;
 
 Json text_or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
@@ -111,6 +111,8 @@ Json running_time_of(const Campaign& campaign, const Entry& entry) {
           {"running_time", times.empty() ? Json() : Json(mean_cost(times))}};
 }
 
+const Json nobody_ahead = {{"ahead", nullptr}, {"ahead_share", nullptr}};
+
 /// The entry that dominates the row, with its share: of those at most as dear and at least as
 /// accurate, the most accurate; null if there is none.
 Json ahead_of(const Json& row, const Json& speed_accuracy) {
@@ -123,8 +125,16 @@ Json ahead_of(const Json& row, const Json& speed_accuracy) {
                        other["share"].get<double>() >= row["share"].get<double>();
     if (rival && (first == nullptr || other["share"] > (*first)["share"])) first = &other;
   }
-  return {{"ahead", first == nullptr ? Json() : (*first)["solver"]},
-          {"ahead_share", first == nullptr ? Json() : (*first)["share"]}};
+  if (first == nullptr) return nobody_ahead;
+  return {{"ahead", (*first)["solver"]}, {"ahead_share", (*first)["share"]}};
+}
+
+/// How the row stands to its family's Pareto front; empty if it is not on it.
+std::string front_text(const Json& row) {
+  if (!row["complete"].get<bool>()) return "not compared";
+  const bool by_time = row["on_time_front"].get<bool>();
+  if (row["on_front"].get<bool>()) return by_time ? "on the front, also by time" : "on the front";
+  return by_time ? "on the front by time" : "";
 }
 
 Json family_row(const Campaign& campaign, const EntrySet& set, const Entry& entry,
@@ -134,16 +144,14 @@ Json family_row(const Campaign& campaign, const EntrySet& set, const Entry& entr
            other["part"] == set.part + 1 && other["budget"] == set.budget;
   });
   Json mine = {{"family", set.family},
-               {"budget", set.budget},
                {"formulation", entry.formulation},
                {"problems", entry.results.size()},
                {"of", set.problems.size()}};
-  for (const char* key : {"share", "share_lower", "share_upper", "on_front", "on_time_front"}) {
-    mine[key] = row->at(key);
-  }
+  for (const char* key : {"share", "share_lower", "share_upper"}) mine[key] = row->at(key);
   mine.update(running_time_of(campaign, entry));
-  mine["partial"] = !row->at("complete").get<bool>();
-  mine.update(ahead_of(*row, speed_accuracy));
+  const std::string front = front_text(*row);
+  mine["front"] = text_or_null(front);
+  mine.update(front.empty() ? ahead_of(*row, speed_accuracy) : nobody_ahead);
   return mine;
 }
 
@@ -196,10 +204,13 @@ Json settings_data(const std::string& solver) {
           {"note", text_or_null(settings->note)}};
 }
 
-Json on_fronts(const Json& families) {
+/// The families on whose Pareto front of evaluations and accuracy a solver is.
+Json fronts_of(const std::string& solver, const Json& speed_accuracy) {
   Json names = Json::array();
-  for (const Json& row : families) {
-    if (row["on_front"].get<bool>()) names.push_back(row["family"]);
+  for (const Json& row : speed_accuracy) {
+    const bool joint = row["budget"].is_null();
+    const bool mine = row["solver"] == solver && row["largest"].get<bool>() && !joint;
+    if (mine && row["on_front"].get<bool>()) names.push_back(row["family"]);
   }
   return names;
 }
@@ -230,7 +241,7 @@ Json page_of(const Campaign& campaign, const Solver& solver, const std::vector<E
           {"version", solver.version},
           {"note", text_or_null(library_note(solver.version))},
           {"settings", settings_data(solver.name)},
-          {"fronts", on_fronts(families)},
+          {"fronts", fronts_of(solver.name, speed_accuracy)},
           {"problems", attempts.size()},
           {"solved", solved},
           {"unsolved", static_cast<std::size_t>(solved) < attempts.size()},

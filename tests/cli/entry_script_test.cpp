@@ -111,6 +111,7 @@ std::set<std::string> solver_packages(const std::string& asked) {
   std::set<std::string> found;
   std::istringstream words(asked);
   for (std::string word; words >> word;) {
+    if (!word.ends_with("-dev")) continue;
     for (const char* library : {"dlib", "petsc", "nlopt", "ipopt", "pagmo", "ceres"}) {
       if (word.find(library) != std::string::npos) found.insert(word);
     }

@@ -110,11 +110,13 @@ TEST(FamilyData, SayNothingOfAFamilyThatNobodyDescribed) {
 }
 
 TEST(FamilyData, MakeARowOfTheTableOfAllFamilies) {
-  report::Json data = {{"scene", "mine.toml"}, {"problems", 7}, {"kinds", 3}};
+  report::Json data = {{"suite", 3}, {"scene", "mine.toml"}, {"problems", 7}, {"kinds", 3}};
   for (const Family& family : families()) data["families"].push_back(family_row(family));
   const report::DrawnPage drawing = report::drawn(report::page_template("problems"), data);
   const Table& table = drawing.page.sections.at(0).tables.at(0);
   ASSERT_EQ(table.rows.size(), families().size());
+  EXPECT_NE(drawing.page.intro.at(0).find("Version 3 of the suite."), std::string::npos);
+  EXPECT_EQ(family_data(families()[0], 10)["problems"][0]["hash"].get<std::string>().size(), 16U);
   EXPECT_EQ(table.rows[0][0].text, "count");
   EXPECT_EQ(table.rows[0][3].text, "1");
   EXPECT_EQ(table.rows[2][0].text, "profile-count");

@@ -59,7 +59,8 @@ std::string navigation(const std::vector<FoundReport>& reports, const std::strin
       const std::string name = report::escape_html(page.folder);
       data["pages"].push_back({{"folder", folder},
                                {"page", name},
-                               {"here", page.folder == own_page && inner_page.empty()}});
+                               {"here", page.folder == own_page && inner_page.empty()},
+                               {"around", page.folder == own_page && !inner_page.empty()}});
     }
   }
   data["has_pages"] = !data["pages"].empty();

@@ -7,7 +7,7 @@
 namespace ricochet::site {
 
 /// Returns the links to all reports, as HTML for a page in the folder `here` of the site: "" is the
-/// front page, "problems/count" a page of a report.
+/// front page, "problems/count" a page of a report, "comparison/solvers/mads" one in such a page.
 std::string navigation(const std::vector<FoundReport>& reports, const std::string& here);
 
 /// Inserts the links into the pages of all reports whose template has a place for them. Throws

@@ -6,6 +6,7 @@
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/fireworks/loser_out_fireworks.h"
+#include "solvers/fireworks/partitioned_fireworks.h"
 
 namespace ricochet::fireworks {
 namespace {
@@ -53,19 +54,36 @@ AdjustableSolver dynamic() {
           }};
 }
 
-AdjustableSolver loser_out() {
-  const LoserOutFireworksOptions own;
-  return {"lotfwa",
+AdjustableSolver loser_out(const std::string& name, const LoserOutFireworksOptions& own) {
+  return {name,
           {whole_option("fireworks", 1, own.fireworks), whole_option("sparks", 1, own.sparks),
-           real_option("guiding_share", 1e-3, 1, own.guiding_share), growth(own.steps),
+           real_option("guiding_share", 1e-3, 1, own.guiding_share),
+           whole_option("guiding_sparks", 1, own.guiding_sparks), growth(own.steps),
            decline(own.steps)},
-          [own](const GivenOptions& given) {
+          [name, own](const GivenOptions& given) {
             LoserOutFireworksOptions options = own;
             options.fireworks = whole_of(given, "fireworks", own.fireworks);
             options.sparks = whole_of(given, "sparks", own.sparks);
             options.guiding_share = number_of(given, "guiding_share", own.guiding_share);
+            options.guiding_sparks = whole_of(given, "guiding_sparks", own.guiding_sparks);
             options.steps = steps_of(given, own.steps);
-            return loser_out_fireworks("lotfwa", options);
+            return loser_out_fireworks(name, options);
+          }};
+}
+
+AdjustableSolver partitioned() {
+  const PartitionedFireworksOptions own;
+  return {"fwassp",
+          {whole_option("fireworks", 1, own.fireworks), whole_option("sparks", 1, own.sparks),
+           real_option("initial_scale", 1e-6, 1, own.initial_scale),
+           whole_option("patience", 1, own.patience)},
+          [own](const GivenOptions& given) {
+            PartitionedFireworksOptions options = own;
+            options.fireworks = whole_of(given, "fireworks", own.fireworks);
+            options.sparks = whole_of(given, "sparks", own.sparks);
+            options.initial_scale = number_of(given, "initial_scale", own.initial_scale);
+            options.patience = whole_of(given, "patience", own.patience);
+            return partitioned_fireworks("fwassp", options);
           }};
 }
 
@@ -94,7 +112,9 @@ std::vector<AdjustableSolver> adjustable_family() {
           original("efwa", enhanced_options()),
           dynamic(),
           bare_bones(),
-          loser_out()};
+          loser_out("lotfwa", {}),
+          loser_out("mgfwa", multi_guiding_options()),
+          partitioned()};
 }
 
 }  // namespace ricochet::fireworks

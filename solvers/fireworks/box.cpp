@@ -34,4 +34,13 @@ void Box::bring_back(Vector& x, Mapping mapping, Random& random) const {
   }
 }
 
+void Box::bring_near(Vector& x, const Vector& centre, double amplitude, Random& random) const {
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    if (x[k] >= lower_[k] && x[k] <= upper_[k]) continue;
+    const double least = std::max(lower_[k], centre[k] - amplitude * width_[k]);
+    const double most = std::min(upper_[k], centre[k] + amplitude * width_[k]);
+    x[k] = std::clamp(least + share(random) * (most - least), lower_[k], upper_[k]);
+  }
+}
+
 }  // namespace ricochet::fireworks

@@ -28,6 +28,10 @@ class Box {
   /// Brings x back into the box, coordinate by coordinate.
   void bring_back(Vector& x, Mapping mapping, Random& random) const;
 
+  /// Draws each coordinate of x outside the box anew: uniform where the box and the centre, which
+  /// is in the box, +- amplitude box widths overlap.
+  void bring_near(Vector& x, const Vector& centre, double amplitude, Random& random) const;
+
  private:
   double drawn(Eigen::Index k, Random& random) const;
 

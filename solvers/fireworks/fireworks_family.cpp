@@ -4,6 +4,7 @@
 #include "solvers/fireworks/dynamic_fireworks.h"
 #include "solvers/fireworks/fireworks.h"
 #include "solvers/fireworks/loser_out_fireworks.h"
+#include "solvers/fireworks/partitioned_fireworks.h"
 
 namespace ricochet::fireworks {
 
@@ -17,7 +18,9 @@ std::vector<Solver> family() {
           fireworks("efwa", enhanced_options()),
           dynamic_fireworks("dynfwa"),
           bare_bones_fireworks("bbfwa"),
-          loser_out_fireworks("lotfwa")};
+          loser_out_fireworks("lotfwa"),
+          loser_out_fireworks("mgfwa", multi_guiding_options()),
+          partitioned_fireworks("fwassp")};
 }
 
 }  // namespace ricochet::fireworks

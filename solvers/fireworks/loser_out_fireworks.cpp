@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "solvers/fireworks/draws.h"
 #include "solvers/fireworks/fitness.h"
 #include "solvers/fireworks/member.h"
 #include "solvers/fireworks/population.h"
@@ -13,6 +14,8 @@
 
 namespace ricochet::fireworks {
 namespace {
+
+constexpr double largest_reach = 1000;
 
 struct Firework {
   Vector x;
@@ -27,7 +30,7 @@ class Tournament {
         options_(options),
         random_(random),
         box_(evaluator.lower(), evaluator.upper()),
-        sparks_(evaluator, options.sparks + 1),
+        sparks_(evaluator, options.sparks + options.guiding_sparks),
         ranked_(static_cast<std::size_t>(options.sparks)),
         order_(static_cast<std::size_t>(options.sparks)) {}
 
@@ -38,6 +41,8 @@ class Tournament {
  private:
   bool begin_anew(Firework& firework);
   bool explode(Firework& firework);
+  bool add_spark(const Firework& firework);
+  void guide_spark(const Firework& firework);
   bool replace_losers(const std::vector<TrueValues>& before);
   void rank_sparks();
 
@@ -46,7 +51,7 @@ class Tournament {
   Random& random_;
   Box box_;
   std::vector<Firework> fireworks_;
-  Population sparks_;  // of one firework, the guiding spark last
+  Population sparks_;  // of one firework, the guiding ones last
   std::vector<std::tuple<double, double, Eigen::Index>> ranked_;  // sorted: better(), then index
   std::vector<Eigen::Index> order_;  // without the guiding one: from the best to the worst
   Vector spark_;
@@ -80,19 +85,39 @@ void Tournament::rank_sparks() {
   for (std::size_t i = 0; i < ranked_.size(); ++i) order_[i] = std::get<2>(ranked_[i]);
 }
 
+/// Brings the spark back into the box and evaluates it.
+bool Tournament::add_spark(const Firework& firework) {
+  if (options_.redraw_near) {
+    box_.bring_near(spark_, firework.x, firework.amplitude, random_);
+  } else {
+    box_.bring_back(spark_, options_.mapping, random_);
+  }
+  return sparks_.add(spark_);
+}
+
+void Tournament::guide_spark(const Firework& firework) {
+  const auto sparks = sparks_.points().topRows(options_.sparks);
+  if (options_.reach > 0) {
+    spark_ = mean_of_best(sparks, order_, options_.guiding_share);
+    guide(spark_, sparks, order_, options_.guiding_share, options_.reach * share(random_));
+  } else {
+    spark_ = firework.x;
+    guide(spark_, sparks, order_, options_.guiding_share);
+  }
+}
+
 bool Tournament::explode(Firework& firework) {
   sparks_.clear();
   for (int k = 0; k < options_.sparks; ++k) {
     spark_ = firework.x;
     displace(spark_, box_.free(), firework.amplitude, box_.width(), Offsets::each, random_);
-    box_.bring_back(spark_, options_.mapping, random_);
-    if (!sparks_.add(spark_)) return false;
+    if (!add_spark(firework)) return false;
   }
   rank_sparks();
-  spark_ = firework.x;
-  guide(spark_, sparks_.points(), order_, options_.guiding_share);
-  box_.bring_back(spark_, options_.mapping, random_);
-  if (!sparks_.add(spark_)) return false;
+  for (int k = 0; k < options_.guiding_sparks; ++k) {
+    guide_spark(firework);
+    if (!add_spark(firework)) return false;
+  }
 
   const Eigen::Index best = best_of(sparks_.worths(), Ties::first, random_);
   const bool improved = better(sparks_.worth(best), firework.worth);
@@ -110,7 +135,8 @@ bool Tournament::replace_losers(const std::vector<TrueValues>& before) {
   const Vector fitness = fitness_of(worths);
   const double best = fitness.tail(options_.fireworks).minCoeff();
   const double generations_left =
-      static_cast<double>(evaluator_.remaining()) / (options_.fireworks * (options_.sparks + 1.0));
+      static_cast<double>(evaluator_.remaining()) /
+      (static_cast<double>(options_.fireworks) * (options_.sparks + options_.guiding_sparks));
   for (Eigen::Index i = 0; i < options_.fireworks; ++i) {
     if (!loses(fitness[i], fitness[options_.fireworks + i], best, generations_left)) continue;
     Firework& loser = fireworks_[static_cast<std::size_t>(i)];
@@ -131,6 +157,10 @@ bool Tournament::next_generation() {
 
 }  // namespace
 
+LoserOutFireworksOptions multi_guiding_options() {
+  return {.guiding_sparks = 10, .reach = 1.5, .redraw_near = true};
+}
+
 bool loses(double before, double now, double best, double generations_left) {
   const double progress = before - now;
   return progress > 0 && progress * generations_left < now - best;
@@ -139,6 +169,10 @@ bool loses(double before, double now, double best, double generations_left) {
 Solver loser_out_fireworks(std::string name, const LoserOutFireworksOptions& options) {
   check_number("fireworks", options.fireworks);
   check_number("sparks", options.sparks);
+  check_number("guiding_sparks", options.guiding_sparks);
+  if (!(options.reach >= 0 && options.reach <= largest_reach)) {
+    throw std::invalid_argument("reach: must be in [0, 1000]");
+  }
   check(options.steps);
   if (!(options.guiding_share > 0 && options.guiding_share <= 1)) {
     throw std::invalid_argument("guiding_share: must be in (0, 1]");

@@ -27,8 +27,12 @@ void approach(Vector& x, std::span<const Eigen::Index> moved, const Vector& best
 /// Adds the mean of the best sparks less the mean of the worst ones: the guiding spark (Li, Zheng
 /// and Tan, IEEE Transactions on Evolutionary Computation 21 (2017) 153). A row of `sparks` is a
 /// point; `order` lists the rows from the best to the worst; a part `share` in (0, 1] of them is
-/// taken from either end, at least one.
+/// taken from either end, at least one. Adds `times` this difference.
 void guide(Vector& x, const Eigen::Ref<const Matrix>& sparks, std::span<const Eigen::Index> order,
-           double share);
+           double share, double times = 1);
+
+/// The mean of the best sparks that guide() takes.
+Vector mean_of_best(const Eigen::Ref<const Matrix>& sparks, std::span<const Eigen::Index> order,
+                    double share);
 
 }  // namespace ricochet::fireworks

@@ -31,17 +31,18 @@ TEST(AllSolvers, AreThese) {
       names,
       testing::UnorderedElementsAre(
           "fireworks", "fireworks-as-printed", "fireworks-authors", "fireworks-corrected", "efwa",
-          "dynfwa", "bbfwa", "lotfwa", "random-search", "scan", "bisection", "golden-section",
-          "mads", "ipopt", "ipopt-tuned", "ipopt-exact", "continuation-ipopt-tuned", "ceres-lbfgs",
-          "ceres-trust-region", "pagmo-cmaes", "pagmo-cmaes-tuned", "pagmo-cmaes-ipop",
-          "pagmo-xnes", "pagmo-de", "pagmo-sade", "pagmo-de1220", "pagmo-gaco",
-          "pagmo-compass-search", "pagmo-constrained-de", "dlib-global-search", "nlopt-direct",
-          "nlopt-direct-l", "nlopt-crs2", "nlopt-isres", "nlopt-esch", "nlopt-ags",
-          "nlopt-mlsl-bobyqa", "nlopt-mlsl-slsqp", "nlopt-mlsl-lbfgs", "nlopt-cobyla",
-          "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx", "nlopt-slsqp",
-          "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-ccsaq", "nlopt-lbfgs", "nlopt-var2",
-          "nlopt-tnewton", "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx", "nlopt-auglag-lbfgs",
-          "nlopt-auglag-mma", "tao-blmvm", "tao-bqnls", "tao-bncg", "tao-pounders", "tao-brgn"));
+          "dynfwa", "bbfwa", "lotfwa", "mgfwa", "fwassp", "random-search", "scan", "bisection",
+          "golden-section", "mads", "ipopt", "ipopt-tuned", "ipopt-exact",
+          "continuation-ipopt-tuned", "ceres-lbfgs", "ceres-trust-region", "pagmo-cmaes",
+          "pagmo-cmaes-tuned", "pagmo-cmaes-ipop", "pagmo-xnes", "pagmo-de", "pagmo-sade",
+          "pagmo-de1220", "pagmo-gaco", "pagmo-compass-search", "pagmo-constrained-de",
+          "dlib-global-search", "nlopt-direct", "nlopt-direct-l", "nlopt-crs2", "nlopt-isres",
+          "nlopt-esch", "nlopt-ags", "nlopt-mlsl-bobyqa", "nlopt-mlsl-slsqp", "nlopt-mlsl-lbfgs",
+          "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-bobyqa", "nlopt-nelder-mead", "nlopt-sbplx",
+          "nlopt-slsqp", "continuation-nlopt-slsqp", "nlopt-mma", "nlopt-ccsaq", "nlopt-lbfgs",
+          "nlopt-var2", "nlopt-tnewton", "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx",
+          "nlopt-auglag-lbfgs", "nlopt-auglag-mma", "tao-blmvm", "tao-bqnls", "tao-bncg",
+          "tao-pounders", "tao-brgn"));
 }
 
 TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {
@@ -49,10 +50,10 @@ TEST(AllSolvers, TakeEquationsWhereTheirAlgorithmDoes) {
       accepting(arc()),
       testing::UnorderedElementsAre(
           "mads", "fireworks", "fireworks-as-printed", "fireworks-authors", "fireworks-corrected",
-          "efwa", "dynfwa", "bbfwa", "lotfwa", "ipopt", "ipopt-tuned", "ipopt-exact", "nlopt-isres",
-          "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-slsqp", "nlopt-auglag-bobyqa",
-          "nlopt-auglag-sbplx", "nlopt-auglag-lbfgs", "nlopt-auglag-mma", "pagmo-gaco",
-          "pagmo-compass-search", "pagmo-constrained-de"));
+          "efwa", "dynfwa", "bbfwa", "lotfwa", "mgfwa", "fwassp", "ipopt", "ipopt-tuned",
+          "ipopt-exact", "nlopt-isres", "nlopt-cobyla", "nlopt-cobyla-tuned", "nlopt-slsqp",
+          "nlopt-auglag-bobyqa", "nlopt-auglag-sbplx", "nlopt-auglag-lbfgs", "nlopt-auglag-mma",
+          "pagmo-gaco", "pagmo-compass-search", "pagmo-constrained-de"));
   Problem point_on_a_line = arc();
   point_on_a_line.lower = point_on_a_line.upper = point_on_a_line.start = Vector::Ones(1);
   point_on_a_line.lower[0] = 0;

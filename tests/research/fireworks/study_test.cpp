@@ -57,8 +57,9 @@ TEST(FireworksStudy, ComparesAllThatHasFigures) {
   if (rows.empty()) GTEST_SKIP() << "built without pagmo";
   EXPECT_EQ(rows.size(), 6U);
   EXPECT_EQ(results()["competition"]["compared"], 24);
-  EXPECT_EQ(results()["competition"]["solvers"], (Json{"fireworks-authors", "fireworks-corrected",
-                                                       "efwa", "dynfwa", "bbfwa", "lotfwa"}));
+  EXPECT_EQ(results()["competition"]["solvers"],
+            (Json{"fireworks-authors", "fireworks-corrected", "efwa", "dynfwa", "bbfwa", "lotfwa",
+                  "mgfwa", "fwassp"}));
   EXPECT_EQ(rows[1]["cells"][5]["other"], 14.6);
 }
 

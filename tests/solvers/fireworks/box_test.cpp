@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ricochet::fireworks {
@@ -53,6 +54,23 @@ TEST(Box, HoldsWhateverIsBroughtBack) {
       }
     }
   }
+}
+
+TEST(Box, RedrawsNearACentre) {
+  Random random(1);
+  const Box box(Vector{{2, -1}}, Vector{{6, 1}});
+  double least = 6, most = 2;
+  for (int trial = 0; trial < 1000; ++trial) {
+    Vector x{{7, 0.5}};
+    box.bring_near(x, Vector{{5, 0}}, 0.5, random);
+    EXPECT_EQ(x[1], 0.5);
+    least = std::min(least, x[0]);
+    most = std::max(most, x[0]);
+  }
+  EXPECT_GE(least, 3);  // half a width from the centre
+  EXPECT_LT(least, 3.1);
+  EXPECT_LE(most, 6);
+  EXPECT_GT(most, 5.9);
 }
 
 TEST(Box, RedrawsUniformly) {

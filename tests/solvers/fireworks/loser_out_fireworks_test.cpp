@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -76,10 +77,50 @@ TEST(LoserOutFireworks, BeginAnewWhereTheyLose) {
   EXPECT_GE(inside, 3);
 }
 
+TEST(LoserOutFireworks, GuideSeveralSparksBeyondTheMeanOfTheBest) {
+  const Problem problem =
+      box_problem("slope", 2, -1000, 1000, 0, [](const Vector& x) { return std::abs(x[0]); });
+  const std::vector<Vector> asked =
+      asked_points(problem, loser_out_fireworks("mgfwa", multi_guiding_options()), 5 + 5 * 70, 0);
+  int inside = 0;
+  double least = 2, most = -1;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto first = asked.begin() + static_cast<std::ptrdiff_t>(5 + 70 * i);
+    std::vector<Vector> sparks(first, first + 60);
+    std::sort(sparks.begin(), sparks.end(),
+              [](const Vector& a, const Vector& b) { return std::abs(a[0]) < std::abs(b[0]); });
+    const Vector zero = Vector::Zero(2);
+    const Vector best = std::accumulate(sparks.begin(), sparks.begin() + 12, zero) / 12;
+    const Vector worst = std::accumulate(sparks.end() - 12, sparks.end(), zero) / 12;
+    for (auto spark = first + 60; spark != first + 70; ++spark) {
+      const double times = ((*spark)[1] - best[1]) / (best[1] - worst[1]);
+      const double off = (*spark)[0] - best[0] - times * (best[0] - worst[0]);
+      if (std::abs(off) > 1e-6) continue;  // redrawn
+      ++inside;
+      least = std::min(least, times);
+      most = std::max(most, times);
+    }
+  }
+  EXPECT_GE(inside, 10);
+  EXPECT_GE(least, 0);
+  EXPECT_LE(most, 1.5);
+  EXPECT_GT(most - least, 0.3);
+}
+
+TEST(LoserOutFireworks, OfSeveralGuidingSparksFindAShiftedOptimum) {
+  for (const double centre : {0.0, 30.0, 70.0}) {
+    const RunRecord record =
+        run(sphere(10, centre), loser_out_fireworks("mgfwa", multi_guiding_options()), {60000}, 1);
+    EXPECT_LT(record.trace.back().true_values.objective, 1e-2) << centre;
+  }
+}
+
 TEST(LoserOutFireworks, RefuseOptionsThatMakeNoSense) {
   EXPECT_THROW(loser_out_fireworks("none", {.fireworks = 0}), std::invalid_argument);
   EXPECT_THROW(loser_out_fireworks("none", {.sparks = 0}), std::invalid_argument);
   EXPECT_THROW(loser_out_fireworks("all", {.guiding_share = 1.5}), std::invalid_argument);
+  EXPECT_THROW(loser_out_fireworks("none", {.guiding_sparks = 0}), std::invalid_argument);
+  EXPECT_THROW(loser_out_fireworks("back", {.reach = -1}), std::invalid_argument);
   EXPECT_THROW(loser_out_fireworks("grows", {.steps = {1.2, 1.1}}), std::invalid_argument);
 }
 

@@ -100,6 +100,9 @@ TEST_F(Spark, IsGuidedFromTheWorstToTheBest) {
   x = Vector{{10, 20}};
   guide(x, sparks, order, 1);  // the same on both sides
   EXPECT_LT((x - Vector{{10, 20}}).norm(), 1e-12);
+  guide(x, sparks, order, 0.4, 2);
+  EXPECT_LT((x - Vector{{12, 31}}).norm(), 1e-12);
+  EXPECT_LT((mean_of_best(sparks, order, 0.4) - Vector{{3, 6}}).norm(), 1e-12);
 }
 
 }  // namespace

@@ -94,18 +94,15 @@ bool covers(const SearchDistribution& distribution, const AdaptiveFirework& othe
   return static_cast<double>(inside) > covered * static_cast<double>(half);
 }
 
-/// The point at `length` from `from` to `to`, but between half and twice the radius, and in the
-/// box.
-Fitted fitted_point(const Vector& from, const Vector& to, double length, double radius) {
-  const double sign = length < 0 ? -1 : 1;
-  const double radii = std::clamp(std::abs(length) / radius, 0.5, 2.0);
-  const Vector step = sign * radii * radius * (to - from).normalized();
+/// The point so many radii from `from` towards `to`, but in the box.
+Fitted fitted_point(const Vector& from, const Vector& to, double radii, double radius) {
+  const Vector step = radii * radius * (to - from).normalized();
   double part = 1;
   for (Eigen::Index k = 0; k < step.size(); ++k) {
     const double room = step[k] > 0 ? 1 - from[k] : from[k];
     if (std::abs(step[k]) > room) part = std::min(part, room / std::abs(step[k]));
   }
-  return {part * radii, from + part * step};
+  return {part * std::abs(radii), from + part * step};
 }
 
 Vector Partition::drawn() const {
@@ -210,14 +207,14 @@ void Partition::cooperate() {
       const double radius = one.radius_towards(other.mean());
       const double other_radius = other.radius_towards(one.mean());
       const int which = better_one(fireworks_[i], fireworks_[j]);
-      const double gap = apart - radius - other_radius;
+      const bool alone = which != 0;
       if (which >= 0) {
-        const double length = which == 0 ? radius + gap / 2 : radius + gap;
-        fitted[i].push_back(fitted_point(one.mean(), other.mean(), length, radius));
+        const double radii = fitted_radius(apart, radius, other_radius, alone);
+        fitted[i].push_back(fitted_point(one.mean(), other.mean(), radii, radius));
       }
       if (which <= 0) {
-        const double length = which == 0 ? other_radius + gap / 2 : other_radius + gap;
-        fitted[j].push_back(fitted_point(other.mean(), one.mean(), length, other_radius));
+        const double radii = fitted_radius(apart, other_radius, radius, alone);
+        fitted[j].push_back(fitted_point(other.mean(), one.mean(), radii, other_radius));
       }
     }
   }
@@ -251,6 +248,12 @@ bool Partition::next_generation() {
 }
 
 }  // namespace
+
+double fitted_radius(double apart, double radius, double other_radius, bool alone) {
+  const double gap = apart - radius - other_radius;
+  const double radii = (radius + (alone ? gap : gap / 2)) / radius;
+  return std::copysign(std::clamp(std::abs(radii), 0.5, 2.0), radii);
+}
 
 Solver partitioned_fireworks(std::string name, const PartitionedFireworksOptions& options) {
   check_number("fireworks", options.fireworks);

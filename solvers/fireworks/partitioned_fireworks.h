@@ -31,4 +31,10 @@ struct PartitionedFireworksOptions {
 /// refuses. Throws std::invalid_argument for options out of range.
 Solver partitioned_fireworks(std::string name, const PartitionedFireworksOptions& options = {});
 
+/// Where a firework's surface is to be, towards another firework whose mean is `apart` away: its
+/// distance from the mean in units of `radius`, where it is now. Two fireworks share the gap (or
+/// the overlap) between their surfaces; one that fits `alone` takes all of it. Between 1/2 and 2 in
+/// size; negative if the other surface reaches beyond this mean.
+double fitted_radius(double apart, double radius, double other_radius, bool alone);
+
 }  // namespace ricochet::fireworks

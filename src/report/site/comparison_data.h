@@ -21,6 +21,7 @@ struct SpeedAccuracy {
   bool largest;
   std::string solver, formulation;
   bool complete;
+  std::optional<std::int64_t> problems;
   std::optional<double> evaluations, seconds, share, share_lower, share_upper, optimality_gap,
       optimality_gap_lower, optimality_gap_upper;
 };
@@ -76,8 +77,8 @@ struct FamilyData {
 
 RICOCHET_READ_FROM_JSON(NamedSolver, name, outside);
 RICOCHET_READ_FROM_JSON(SpeedAccuracy, family, budget, largest, solver, formulation, complete,
-                        evaluations, seconds, share, share_lower, share_upper, optimality_gap,
-                        optimality_gap_lower, optimality_gap_upper);
+                        problems, evaluations, seconds, share, share_lower, share_upper,
+                        optimality_gap, optimality_gap_lower, optimality_gap_upper);
 RICOCHET_READ_FROM_JSON(ComparisonData, runs, solvers, speed_accuracy);
 RICOCHET_READ_FROM_JSON(FamilyProblem, variables, constraints);
 RICOCHET_READ_FROM_JSON(Rating, solver, formulation, best, share, lower, upper, returned, never,

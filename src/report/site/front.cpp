@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "src/report/site/comparison_data.h"
+#include "src/report/site/paper_algorithm.h"
 
 namespace ricochet::site {
 namespace {
@@ -134,6 +135,8 @@ Front front_of(const std::vector<FoundReport>& reports) {
   front.comparison = read_or_mark(largest_comparison(reports), front, comparison_of);
   if (front.comparison) {
     add_places(*front.comparison, front);
+    const auto worth = paper_algorithm(*largest_comparison(reports));
+    if (worth) front.question.push_back(*worth);
     const auto simulating = std::ranges::find_if(
         reports, [](const FoundReport& r) { return holds(r.headline, "simulations"); });
     if (simulating != reports.end()) {

@@ -1,14 +1,10 @@
 #include "src/report/site/navigation.h"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
 #include "embedded/navigation_template.h"
-#include "src/core/text_file.h"
 #include "src/report/filled_text.h"
+#include "src/report/site/page_mark.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -16,18 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In reports/templates/page.mustache.
-constexpr std::string_view opening = "<!-- navigation -->", closing = "<!-- /navigation -->";
-
-void put_between(const fs::path& page, const std::string& links) {
-  std::ifstream stream(page, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  const std::size_t start = text.find(opening), end = text.find(closing);
-  if (start == std::string::npos || end == std::string::npos || end < start) return;
-  const std::size_t after = start + opening.size();
-  const std::string linked = text.substr(0, after) + "\n" + links + text.substr(end);
-  if (linked != text) write_text_file(page, linked);
-}
+constexpr const char* mark = "navigation";
 
 }  // namespace
 
@@ -69,13 +54,13 @@ std::string navigation(const std::vector<FoundReport>& reports, const std::strin
 
 void link_pages(const fs::path& site, const std::vector<FoundReport>& reports) {
   for (const FoundReport& report : reports) {
-    put_between(site / report.folder / "index.html", navigation(reports, report.folder));
+    put_at(site / report.folder / "index.html", mark, navigation(reports, report.folder));
     for (const FoundPage& page : report.pages) {
       const std::string name = report.folder + "/" + page.folder;
-      put_between(site / name / "index.html", navigation(reports, name));
+      put_at(site / name / "index.html", mark, navigation(reports, name));
       for (const std::string& inner : page.pages) {
         const std::string inner_name = name + "/" + inner;
-        put_between(site / inner_name / "index.html", navigation(reports, inner_name));
+        put_at(site / inner_name / "index.html", mark, navigation(reports, inner_name));
       }
     }
   }

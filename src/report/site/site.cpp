@@ -10,6 +10,9 @@
 #include "src/report/report.h"
 #include "src/report/site/front_page.h"
 #include "src/report/site/navigation.h"
+#include "src/report/site/page_mark.h"
+#include "src/report/site/paper_algorithm.h"
+#include "src/report/text.h"
 
 namespace ricochet::site {
 namespace {
@@ -24,6 +27,21 @@ fs::path plain(const fs::path& folder) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
+/// Puts the answer about the paper's algorithm, which a comparison gives, into the reports about
+/// it.
+void tell_of_paper_algorithm(const fs::path& folder, const std::vector<FoundReport>& reports,
+                             const Front& front) {
+  if (!front.comparison) return;
+  const auto answer = paper_algorithm(*largest_comparison(reports));
+  if (!answer) return;
+  const std::string html = "<p>" + report::escape_html(answer->text) + "</p>\n";
+  for (const FoundReport& report : reports) {
+    if (report.kind.name == "fireworks") {
+      put_at(folder / report.folder / "index.html", "comparison", html);
+    }
+  }
+}
+
 struct WrittenSite {
   std::vector<std::string> undrawn;                         ///< a line for each chart
   std::vector<std::pair<std::string, std::string>> unread;  ///< see Front
@@ -35,6 +53,7 @@ WrittenSite written_site(const fs::path& folder) {
   FrontPage page = front_page(front, navigation(reports, ""));
   report::replace_files(folder, page.files);
   link_pages(folder, reports);
+  tell_of_paper_algorithm(folder, reports, front);
   return {std::move(page.failures), std::move(front.unread)};
 }
 

@@ -88,6 +88,31 @@ TEST_F(Site, ShowsTextsOfItsReportsAsTexts) {
   EXPECT_THAT(page, Not(HasSubstr("<i>")));
 }
 
+TEST_F(Site, TellsTheFireworksReportWhatAComparisonSaysOfTheAlgorithm) {
+  Json data = found_comparison().data;
+  data["headline"] = *found_comparison().headline;
+  data["speed_accuracy"] = {{{"family", "all"},
+                             {"budget", nullptr},
+                             {"largest", true},
+                             {"solver", "fireworks"},
+                             {"formulation", "the best of each"},
+                             {"problems", 9},
+                             {"complete", true},
+                             {"evaluations", 5},
+                             {"share", 0.2},
+                             {"share_lower", 0.1},
+                             {"share_upper", 0.3}}};
+  keep(folder_, "comparison", data);
+  keep(folder_, "mine", {{"report", "fireworks"}});
+  keep(folder_, "other", {{"report", "stress"}});
+  for (const char* report : {"mine", "other"}) {
+    std::ofstream(folder_ / report / "index.html") << "<!-- comparison --><!-- /comparison -->";
+  }
+  write_site(folder_);
+  EXPECT_THAT(page_text(folder_ / "mine" / "index.html"), HasSubstr("fireworks 20 % (10 to 30)"));
+  EXPECT_THAT(page_text(folder_ / "other" / "index.html"), Not(HasSubstr("20 %")));
+}
+
 TEST_F(Site, ShowsThatDataAreOfAnotherVersion) {
   keep(folder_ / "from", "verification", {{"report", "verification"}});
   const auto failures = redraw_site(folder_ / "from", folder_ / "to");

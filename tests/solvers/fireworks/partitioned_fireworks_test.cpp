@@ -13,6 +13,36 @@
 namespace ricochet::fireworks {
 namespace {
 
+TEST(PartitionedFireworks, ShareTheGapBetweenTheirSurfaces) {
+  EXPECT_DOUBLE_EQ(fitted_radius(10, 4, 2, false), 1.5);  // a gap of 4, half of it to each
+  EXPECT_DOUBLE_EQ(fitted_radius(10, 4, 2, true), 2);
+  EXPECT_DOUBLE_EQ(fitted_radius(10, 8, 6, false), 0.75);  // an overlap
+  EXPECT_DOUBLE_EQ(fitted_radius(100, 4, 2, true), 2);
+  EXPECT_DOUBLE_EQ(fitted_radius(4, 4, 3, true), 0.5);
+  EXPECT_DOUBLE_EQ(fitted_radius(4, 4, 10, true), -1.5);
+}
+
+TEST(PartitionedFireworks, ReachForEachOther) {
+  // Which sparks are good is chance: only the other firework gives a direction.
+  const Problem noise = box_problem("noise", 2, 0, 1, 0.5, [](const Vector& x) {
+    return std::sin(1e7 * x[0]) + std::sin(1.3e7 * x[1]);
+  });
+  double along = 0, across = 0;
+  for (int number = 1; number <= 20; ++number) {
+    const std::vector<Vector> asked = asked_points(
+        noise, partitioned_fireworks("fwassp", {.fireworks = 2}), 2 + 120 + 60, number);
+    const Vector towards = (asked[1] - asked[0]).normalized();
+    for (auto x = asked.begin() + 122; x != asked.end(); ++x) {
+      const Vector step = *x - asked[0];
+      if (step.norm() > 0.2) continue;  // redrawn
+      const double length = step.dot(towards);
+      along += length * length;
+      across += step.squaredNorm() - length * length;
+    }
+  }
+  EXPECT_GT(along, 1.6 * across);
+}
+
 TEST(PartitionedFireworks, FindAShiftedOptimum) {
   for (const double centre : {0.0, 30.0, 70.0}) {
     const RunRecord record = run(sphere(10, centre), partitioned_fireworks("fwassp"), {60000}, 1);

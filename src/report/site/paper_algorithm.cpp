@@ -68,7 +68,7 @@ std::string rivals(const Measured& measured) {
     if (one != nullptr) {
       text += ", " + told(*one);
     } else {
-      missing += fmt::format("; no solver of {} takes all of them", kind.label);
+      missing += fmt::format("; none of {} takes all", kind.label);
     }
   }
   return text + missing;
@@ -98,10 +98,8 @@ std::string wins(const std::vector<SpeedAccuracy>& all) {
     const SpeedAccuracy* drawn = measured.named(chance);
     if (drawn != nullptr && own->share_lower > drawn->share_upper) over_chance.push_back(family);
   }
-  return fmt::format(
-      " Of {} families, it solves the most of all solvers in: {}; more than random search, with "
-      "intervals apart, in: {}.",
-      taken, listed(most), listed(over_chance));
+  return fmt::format(" Of {} families it leads all in: {}; random search, intervals apart, in: {}.",
+                     taken, listed(most), listed(over_chance));
 }
 
 }  // namespace
@@ -116,9 +114,9 @@ std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
     if (here.empty()) continue;
     const SpeedAccuracy& own = *measured.named(its_name);
     const std::string budget =
-        own.budget ? fmt::format(", {} evaluations for each variable", *own.budget) : "";
+        own.budget ? fmt::format(", {} evaluations a variable", *own.budget) : "";
     text += fmt::format("{}{} ({} problems{}): {}.", text.empty() ? "" : " ",
-                        own.budget ? "On the paper's own problem, " + family : "On all families",
+                        own.budget ? "The paper's own problem, " + family : "All families",
                         own.problems.value_or(0), budget, here);
     links.push_back(own.budget ? FrontLink{family, comparison.folder + "/" + family, ""}
                                : FrontLink{"all families", comparison.folder, "#speed-accuracy"});
@@ -127,8 +125,8 @@ std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
   return FrontExcerpt{
       .heading = "What is the paper's fireworks algorithm worth?",
       .text =
-          "Runs solved by the returned point, with 95 % intervals; of CMA-ES, NLopt and Ipopt, "
-          "the best solver on these runs. " +
+          "Runs solved by the returned point (95 % interval), beside the best solvers of CMA-ES, "
+          "NLopt and Ipopt. " +
           text + wins(all),
       .links = std::move(links)};
 }

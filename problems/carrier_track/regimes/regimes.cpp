@@ -209,16 +209,28 @@ class Walk {
     return true;
   }
 
-  /// Goes on beyond a border. Where that is before the last ones, what began there was not seen
-  /// until now: then all after it is walked again.
+  /// Goes on beyond a border, which may be before the regime here: what began there was not seen.
   void cross(const Border<Motion>& border, const Motion& next) {
-    if (border.omega <= here_.omega() && ++returned_ > most_returned) {
+    const bool one_motion = !may_have_others(here_);
+    if (border.omega > (one_motion ? here_.omega() : regimes_.back().from)) {
+      close(border.before, border.omega, border.kind);
+      open(border.after, border.omega);
+    } else if (!one_motion) {
+      const Motion before = here_;
+      close(before, before.omega(), border.kind);
+      open(border.after, before.omega());
+    } else if (++returned_ <= most_returned) {
+      go_back_to(border);
+    } else {
       regimes_.back().certain = false;
       here_ = next;
       margins_ = margins_of(here_);
       add(here_);
-      return;
     }
+  }
+
+  /// Walks all again that comes after an earlier border.
+  void go_back_to(const Border<Motion>& border) {
     if (border.omega == here_.omega()) regimes_.back().certain = false;  // it began before
     Motion after = border.after;
     while (regimes_.size() > 1 && border.omega <= regimes_.back().from * (1 + same_speed)) {

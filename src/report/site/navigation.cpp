@@ -1,6 +1,8 @@
 #include "src/report/site/navigation.h"
 
 #include <algorithm>
+#include <array>
+#include <sstream>
 
 #include "embedded/navigation_template.h"
 #include "src/report/filled_text.h"

@@ -177,7 +177,7 @@ TEST_F(CampaignCommands, TellASolverWithOptionsOfItsOwn) {
                         "  sparks = 40, not 300; a whole number from 1 to 1000000\n"
                         "  growth = 1.2, as usual; a number from 1 to 1000\n"));
   out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "options").string()));
-  EXPECT_THAT(read(folder_ / "options" / "index.html"), HasSubstr(", bbfwa sparks 40"));
+  EXPECT_THAT(read(folder_ / "options/solvers/bbfwa-40/index.html"), HasSubstr("sparks 40"));
   for (const int number : {1, 2, 3, 4}) {
     out_of(fmt::format("replay {} {}", store("options"), number));
   }

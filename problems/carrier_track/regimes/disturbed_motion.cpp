@@ -1,6 +1,7 @@
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -20,7 +21,9 @@ namespace {
 constexpr double full_circle = 2 * std::numbers::pi;
 constexpr int phases = 48;  // with 32, turns that few of the phases have stayed unseen
 constexpr double next_phase = 0.6180339887498949 * full_circle / phases;  // from speed to speed
-constexpr int erasing_turns = 2;      // whose rests erase the start, if it is not where turns start
+// Whose rests erase the start, if it is not where turns start: at least and at most.
+constexpr std::array erasing_turns = {2, 8, 32};
+constexpr double same_end = 1e-6;     // of the clearance and of the counting limit
 constexpr int irregular_turns = 120;  // observed where they do not, after as many
 
 /// Lets the turns of the plate begin where its force passes zero from above: a carrier that rests
@@ -43,6 +46,11 @@ bool forgets(const DisturbedMotion& motion) {
   for (std::size_t k = 0; k < turns.size(); ++k) {
     const DisturbedTurn& here = motion.turns[5 * k];
     if (turns[k].collisions != here.collisions) return false;
+    // A carrier that friction holds in the gap remembers where, though nothing collides.
+    const double away = std::abs(turns[k].end_position - here.end_position);
+    if (away > same_end * (machine.wall_upper - machine.wall_lower)) return false;
+    const double faster = std::abs(turns[k].end_velocity - here.end_velocity);
+    if (faster > same_end * machine.counting_limit) return false;
     for (std::size_t i = 0; i < static_cast<std::size_t>(here.collisions); ++i) {
       if (std::abs(turns[k].speeds[i] / here.speeds[i] - 1) > 1e-9) return false;
     }
@@ -83,9 +91,12 @@ std::vector<ObservedTurn> irregular_turns_of(const Scene& machine) {
 /// Takes the turns after some that erase the start on that wall.
 void take_erased_turns(DisturbedMotion& motion, double wall) {
   motion.machine.start_position = wall;
-  motion.turns_before = erasing_turns;
-  motion.turns = turns_at_phases(motion.machine, even_phases(motion.first_phase), erasing_turns);
-  motion.settled = forgets(motion);
+  for (const int before : erasing_turns) {
+    motion.turns_before = before;
+    motion.turns = turns_at_phases(motion.machine, even_phases(motion.first_phase), before);
+    motion.settled = forgets(motion);
+    if (motion.settled) break;
+  }
   if (!motion.settled) motion.turns.clear();
 }
 
@@ -161,7 +172,7 @@ DisturbedMotion motion_like(const Scene& scene, const DisturbedMotion* before) {
   machine.start_velocity = 0;
   if (release_margin(machine, wall) <= 0) {
     motion.moves = false;
-    motion.turns = {{0, {}, {}, 0, true}};
+    motion.turns = {{0, {}, {}, 0, wall, 0, true}};
     return motion;
   }
   before != nullptr ? take_turns_as(motion, wall, *before) : take_turns(motion, wall);

@@ -60,7 +60,13 @@ std::vector<DisturbedTurn> turns_of(std::span<const Scene> scenes, int before) {
     if (outcomes[k].failure) std::rethrow_exception(outcomes[k].failure);
     const Scene& scene = scenes[k];
     const End<double>& end = outcomes[k].end;
-    DisturbedTurn turn{scene.disturbance_phase, std::move(last[k].impacts), {}, 0, false};
+    DisturbedTurn turn{scene.disturbance_phase,
+                       std::move(last[k].impacts),
+                       {},
+                       0,
+                       end.position,
+                       end.velocity,
+                       false};
     if (end.velocity == 0) {
       turn.returns = end.position == scene.start_position;
       if (end.position == scene.wall_lower) turn.rests_on = Wall::lower;

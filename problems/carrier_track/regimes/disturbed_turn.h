@@ -18,7 +18,9 @@ struct DisturbedTurn {
   std::vector<Impact> impacts;  ///< by time, those of margins above lowest_margin
   std::vector<double> speeds;   ///< [m/s], of these, the fastest first
   int collisions;
-  bool returns;                       ///< the carrier ends at rest where it started
+  double end_position = 0;            ///< [m]
+  double end_velocity = 0;            ///< [m/s]
+  bool returns = false;               ///< the carrier ends at rest where it started
   std::optional<Wall> rests_on = {};  ///< the wall on which it ends at rest
 };
 

@@ -19,7 +19,7 @@ class LastTurns : public Observer {
  public:
   LastTurns(const Scene& scene, double phase, int before, int turns)
       : scene_(scene), turn_(2 * std::numbers::pi / scene.omega), start_(turn_ * before) {
-    for (int k = 0; k < turns; ++k) turns_.push_back({{phase, {}, {}, 0, false}, 0, 0});
+    for (int k = 0; k < turns; ++k) turns_.push_back({{phase, {}, {}, 0}, 0, 0});
   }
 
   void impact(double time, Wall wall, double speed) {

@@ -102,6 +102,15 @@ TEST(DisturbedMotion, WatchesAPhaseWhileNoEvenOneTellsOfIt) {
   EXPECT_TRUE(followed(motion, 2.8985).watched.empty());
 }
 
+TEST(DisturbedMotion, RemembersWhereFrictionHeldTheCarrier) {
+  // Most turns have no collision, so that those of two starts are alike though the carrier stands
+  // at other places in the gap.
+  Scene machine = disturbed(0.1, 1.3865);
+  const DisturbedMotion motion = disturbed_motion(machine);
+  EXPECT_GT(collisions_in_the_long_run(motion.machine, 1.3865, 6000, 5000), 0);
+  EXPECT_TRUE(!motion.settled || motion.most > 0);
+}
+
 TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {
   const double held = 0.1 * 11.772 + 0.01;  // friction and pull of the machine [N]
   const double radius =

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double sharp = 1e-13;          // relative width at which a bracket of speeds is a border
 constexpr double small_margin = 0.2;     // margins so small on both sides of a border may pass 0
-constexpr double first_reach = 0.05;     // [rad], to both sides, of the first three phases
+constexpr double first_reach = 0.05;     // [rad], of the first stencil, to both sides
 constexpr double first_step = 1e-2;      // down, of the width of the search
 constexpr double narrowest = 1e-13;      // [rad], of phases that are beyond
 constexpr double farthest_beside = 0.1;  // [rad], from a tip

@@ -20,6 +20,7 @@
 #include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/campaign/service.h"
+#include "src/cli/archive.h"
 #include "src/cli/campaign_size.h"
 #include "src/cli/cores.h"
 #include "src/cli/other_program.h"
@@ -132,6 +133,17 @@ bool started_with_other_ranks() {
   hand_over(mpi, arguments);
 }
 
+/// Carries a comparison out, or goes on with it, and writes its report.
+int compared(const Plan& plan, const Catalogue& catalogue, bool quick, const std::string& out,
+             std::chrono::steady_clock::time_point start) {
+  RunOptions here;
+  here.out = out;
+  here.resume = true;
+  const auto [campaign, store] = carried_out(plan, catalogue, {}, here, "the same command");
+  tell(studies::run(studies::comparison_study(campaign, store), quick, out, start));
+  return 0;
+}
+
 }  // namespace
 
 int run_plan(const RunOptions& options) {
@@ -182,12 +194,16 @@ int compare(studies::ComparisonOptions options, const SceneChoice& scene, bool q
   const auto start = std::chrono::steady_clock::now();
   const Catalogue catalogue = studies::whole_catalogue();
   const Plan plan = studies::comparison_plan(options, quick, catalogue);
-  RunOptions here;
-  here.out = out;
-  here.resume = true;
-  const auto [campaign, store] = carried_out(plan, catalogue, {}, here, "the same command");
-  tell(studies::run(studies::comparison_study(campaign, store), quick, out, start));
-  return 0;
+  return compared(plan, catalogue, quick, out, start);
+}
+
+int compare_against(const std::string& archive, const std::vector<std::string>& own_solvers,
+                    const std::string& out) {
+  const auto start = std::chrono::steady_clock::now();
+  if (own_solvers.empty()) throw InputError("--against: needs --solver, a solver of yours");
+  const Catalogue catalogue = studies::whole_catalogue();
+  const Plan plan = plan_against_archive(archive_named(archive), own_solvers, catalogue, out);
+  return compared(plan, catalogue, false, out, start);
 }
 
 }  // namespace ricochet::cli

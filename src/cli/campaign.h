@@ -29,4 +29,8 @@ int run_plan(const RunOptions& options);
 int compare(studies::ComparisonOptions options, const SceneChoice& scene, bool quick,
             const std::string& out);
 
+/// Compares the user's solvers with those whose runs an archive has. Resumes as compare() does.
+int compare_against(const std::string& archive, const std::vector<std::string>& own_solvers,
+                    const std::string& out);
+
 }  // namespace ricochet::cli

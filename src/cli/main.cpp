@@ -17,6 +17,7 @@
 #include "src/benchmark/comparison/study.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/benchmark/export/formats.h"
+#include "src/cli/archive.h"
 #include "src/cli/campaign.h"
 #include "src/cli/command_line.h"
 #include "src/cli/completion.h"
@@ -332,13 +333,23 @@ class Program : public CommandLine {
             "  ricochet compare --quick\n"
             "  ricochet compare --problems 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
             "  ricochet compare --scene machine.toml --problems 'top-speed-*' --quick\n"
-            "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'");
+            "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'\n"
+            "  ricochet compare --solver ./mine.so --against archive");
     StudyOptions& options =
         add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
     on_call(command, [this, &options] {
+      if (!against_.empty()) {
+        return compare_against(against_, comparison_.added_solvers, options.out);
+      }
       return compare(comparison_, compared_, options.quick, options.out);
     });
     add_scene_file(command, compared_.scene_file, compared_.settings);
+    CLI::Option* against =
+        command
+            ->add_option("--against", against_,
+                         "Run only the solvers of --solver, on the problems and beside the runs of "
+                         "this archive; archive: that of the reference, which is included")
+            ->type_name("ARCHIVE");
     command
         ->add_option("--problems", comparison_.problems,
                      "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
@@ -364,6 +375,11 @@ class Program : public CommandLine {
     command->add_option("--instances", comparison_.instances, "Instances of every problem")
         ->capture_default_str();
     add_limits(command, comparison_.limits);
+    for (CLI::Option* option : command->get_options()) {
+      const std::string name = option->get_name();
+      const bool goes = name == "--solver" || name == "--out" || name == "--help";
+      if (option != against && !goes) against->excludes(option);
+    }
   }
 
   void add_plan() {
@@ -445,6 +461,23 @@ class Program : public CommandLine {
                            "  ricochet digest mine/runs.sqlite");
     digest->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
     on_call(digest, [this] { return print_digest(store_); });
+    CLI::App* submission =
+        add("submit", "Pack runs of a store, checked and compressed, as an archive",
+            "  ricochet submit mine/runs.sqlite --out mine.archive --citation CITATION.cff\n"
+            "  ricochet merge all.sqlite reports/archive/reference.archive mine.archive");
+    submission->add_option("store", submit_.store, "A store, runs.sqlite")
+        ->type_name("FILE")
+        ->required();
+    submission->add_option("--out", submit_.out, "The archive")->type_name("FILE")->required();
+    submission
+        ->add_option(
+            "--solvers", submit_.solvers,
+            "Patterns, separated by commas; default: the solvers that are not of the suite")
+        ->type_name("SOLVERS");
+    submission->add_option("--citation", submit_.citation, "How to cite the solver: a CITATION.cff")
+        ->type_name("FILE");
+    add_allowance(submission, submit_.allow_programs);
+    on_call(submission, [this] { return submit(submit_); });
     add_export();
   }
 
@@ -584,6 +617,8 @@ class Program : public CommandLine {
 
   SolveOptions solve_;
   studies::ComparisonOptions comparison_;
+  std::string against_;
+  SubmitOptions submit_;
   RunOptions run_;
   bool plan_json_ = false;
   int slurm_jobs_ = 8;

@@ -10,9 +10,11 @@
 #include "ricochet/error.h"
 #include "ricochet/solvers.h"
 #include "solvers/outside/outside.h"
+#include "src/benchmark/experiment/campaign/archived_campaign.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
+#include "src/benchmark/experiment/store/archive.h"
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/cli/programs.h"
@@ -58,6 +60,37 @@ std::optional<RunRecord> made_again(const CampaignDescription& description, cons
   return again;
 }
 
+/// A run made again, and in what it differs from the stored one; empty if in nothing.
+struct Repetition {
+  RunKey key;
+  RunRecord record;
+  std::string differs;
+};
+
+Repetition repetition_of(const Store& store, const std::string& file, std::int64_t number,
+                         bool allow_programs) {
+  const auto stored = store.find(number);
+  if (!stored) {
+    throw InputError(fmt::format("{}: there is no run {}: {} has runs 1 to {}", number, number,
+                                 file, store.size()));
+  }
+  const CampaignDescription& description = store.description();
+  const Plan plan = plan_from(description.plan, file);
+  const std::vector<std::string> programs =
+      programs_for(stored->key.cell.solver, description, plan);
+  announce_programs(programs, allow_programs, file);
+  const auto again = made_again(description, plan, stored->key, programs);
+  if (!again) throw InputError(fmt::format("{}: run {} is none of its plan's", file, number));
+  std::string differs = difference(parts_of(*again), parts_of(stored->record));
+  if (!differs.empty() && is_archived(description)) {
+    const std::vector<StoredProblem>& problems = description.problems;
+    const auto problem =
+        std::ranges::find(problems, stored->key.cell.problem, &StoredProblem::name);
+    differs = difference(parts_of(thinned(*again, *problem)), parts_of(stored->record));
+  }
+  return {stored->key, *again, differs};
+}
+
 }  // namespace
 
 void warn_of_missing_runs(const std::string& store) {
@@ -66,7 +99,7 @@ void warn_of_missing_runs(const std::string& store) {
 }
 
 int merge_stores(const std::vector<std::string>& parts, const std::string& out) {
-  merge({parts.begin(), parts.end()}, out);
+  merge({parts.begin(), parts.end()}, out, united);
   const Store store = Store::open(out, Store::For::reading);
   for (const std::string& part : parts) warn_of_missing_runs(part);
   fmt::print("{} runs: {}\ndigest {}\n", store.size(), one_line(out), store.digest());
@@ -80,24 +113,16 @@ int print_digest(const std::string& store) {
   return 0;
 }
 
+std::string repeated(const Store& store, const std::string& file, std::int64_t number,
+                     bool allow_programs) {
+  return repetition_of(store, file, number, allow_programs).differs;
+}
+
 int replay(const std::string& file, std::int64_t number, bool allow_programs, bool json) {
   const Store store = Store::open(file, Store::For::reading);
   warn_of_missing_runs(file);
-  const auto stored = store.find(number);
-  if (!stored) {
-    throw InputError(fmt::format("{}: there is no run {}: {} has runs 1 to {}", number, number,
-                                 file, store.size()));
-  }
-  const CampaignDescription& description = store.description();
-  const Plan plan = plan_from(description.plan, file);
-  const std::vector<std::string> programs =
-      programs_for(stored->key.cell.solver, description, plan);
-  announce_programs(programs, allow_programs, file);
-  const auto found = made_again(description, plan, stored->key, programs);
-  if (!found) throw InputError(fmt::format("{}: run {} is none of its plan's", file, number));
-  const RunRecord& again = *found;
-  const std::string differs = difference(parts_of(again), parts_of(stored->record));
-  const Cell& cell = stored->key.cell;
+  const auto [key, again, differs] = repetition_of(store, file, number, allow_programs);
+  const Cell& cell = key.cell;
   const Json data = {
       {"run", number},
       {"problem", cell.problem},
@@ -106,8 +131,8 @@ int replay(const std::string& file, std::int64_t number, bool allow_programs, bo
       {"solver", cell.solver},
       {"budget", cell.budget},
       {"gradient_price", cell.gradient_price},
-      {"instance", stored->key.instance},
-      {"seed", stored->key.run},
+      {"instance", key.instance},
+      {"seed", key.run},
       {"failure", again.failure},
       {"evaluations", again.ledger.charged},
       {"objective", again.trace.empty() ? Json() : Json(again.trace.back().true_values.objective)},
@@ -120,9 +145,8 @@ int replay(const std::string& file, std::int64_t number, bool allow_programs, bo
         "{}\n{}\n",
         one_line(fmt::format(
             "{} on {}, formulation {}, perturbation {}, instance {}, seed {}: {} evaluations{}.",
-            cell.solver, cell.problem, cell.formulation, cell.perturbation, stored->key.instance,
-            stored->key.run, again.ledger.charged,
-            again.failure.empty() ? "" : "; " + again.failure)),
+            cell.solver, cell.problem, cell.formulation, cell.perturbation, key.instance, key.run,
+            again.ledger.charged, again.failure.empty() ? "" : "; " + again.failure)),
         differs.empty() ? "The same, to the last bit."
                         : "NOT the same as stored: it differs in " + differs + ".");
   }

@@ -29,6 +29,7 @@
 #include "src/benchmark/comparison/log_ratio_data.h"
 #include "src/benchmark/comparison/machine_data.h"
 #include "src/benchmark/comparison/order_data.h"
+#include "src/benchmark/comparison/own_solver_data.h"
 #include "src/benchmark/comparison/pages.h"
 #include "src/benchmark/comparison/pair_data.h"
 #include "src/benchmark/comparison/perturbation_data.h"
@@ -219,6 +220,7 @@ Json compute(const Campaign& campaign, const Store& store) {
   data.update(perturbation_data(campaign, results));
   data.update(factor_data(campaign, results, parts));
   data.update(machine_data(campaign, results, parts));
+  data.update(own_solver_data(campaign, sets, all_solvers()));
   data["beaten"] = beaten_data(campaign, results);
   data["changes"] = change_data(campaign, results, parts);
   Json solvers = Json::array();

@@ -24,16 +24,6 @@ AllFindings found_by_search(const std::map<std::string, SearchedProblem>& proble
   return all;
 }
 
-CampaignDescription description_of(const Campaign& campaign, const Provenance& provenance) {
-  CampaignDescription description = campaign.description();
-  description.program = provenance.program;
-  description.made = provenance.made;
-  for (const auto& [name, text] : campaign.own_texts()) {
-    description.made[StoredCampaign::program_key(name)] = text;
-  }
-  return description;
-}
-
 StoredCampaign resumed(const Plan& plan, const Catalogue& catalogue,
                        const std::filesystem::path& file, const Provenance& provenance) {
   const auto refuse = [&](const char* what) {
@@ -55,6 +45,16 @@ StoredCampaign resumed(const Plan& plan, const Catalogue& catalogue,
 }
 
 }  // namespace
+
+CampaignDescription description_of(const Campaign& campaign, const Provenance& provenance) {
+  CampaignDescription description = campaign.description();
+  description.program = provenance.program;
+  description.made = provenance.made;
+  for (const auto& [name, text] : campaign.own_texts()) {
+    description.made[StoredCampaign::program_key(name)] = text;
+  }
+  return description;
+}
 
 Campaign searched_campaign(const Plan& plan, const Catalogue& catalogue,
                            const std::function<void(const Campaign&)>& planned) {

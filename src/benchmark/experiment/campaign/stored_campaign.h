@@ -24,6 +24,9 @@ struct StoredCampaign {
   Store store;
 };
 
+/// The description of the store of a campaign that is made here.
+CampaignDescription description_of(const Campaign& campaign, const Provenance& provenance);
+
 /// The campaign of a plan, after a parallel search for unknown values of its problems. Before the
 /// search it calls `planned`, if that is not empty.
 Campaign searched_campaign(const Plan& plan, const Catalogue& catalogue,

@@ -13,10 +13,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_same(const fs::path& first, const CampaignDescription& ours, const fs::path& part,
-                const CampaignDescription& theirs) {
+/// The description of all parts.
+CampaignDescription joined(const fs::path& first, const CampaignDescription& ours,
+                           const fs::path& part, const CampaignDescription& theirs,
+                           const United& united) {
   const std::string differs = difference(parts_of(ours), parts_of(theirs));
-  if (differs.empty()) return;
+  if (differs.empty()) return ours;
+  try {
+    if (united) return united(ours, theirs);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: cannot be joined with {}: {}", part.string(), first.string(),
+                                 error.what()));
+  }
   throw InputError(fmt::format("{}: is of another campaign than {}, from which it differs in {}",
                                part.string(), first.string(), differs));
 }
@@ -32,18 +40,20 @@ void add(RunRows& rows, const StoredRun& run, const fs::path& part) {
 
 }  // namespace
 
-void merge(const std::vector<fs::path>& parts, const fs::path& out) {
+void merge(const std::vector<fs::path>& parts, const fs::path& out, const United& united) {
   if (parts.empty()) throw InputError(fmt::format("{}: there is nothing to merge", out.string()));
-  Store store = Store::open(parts[0], Store::For::reading);
-  const CampaignDescription description = store.description();
+  // One at a time: there may be more parts than files may be open.
+  CampaignDescription description = Store::open(parts[0], Store::For::reading).description();
+  for (const fs::path& part : parts) {
+    const Store store = Store::open(part, Store::For::reading);
+    description = joined(parts[0], description, part, store.description(), united);
+  }
   DraftStore draft(out, description);
   try {
     SQLite::Transaction all(draft.database());
     RunRows rows(draft.database());
     for (const fs::path& part : parts) {
-      if (part != parts[0]) store = Store::open(part, Store::For::reading);
-      check_same(parts[0], description, part, store.description());
-      store.each([&](const StoredRun& run) {
+      Store::open(part, Store::For::reading).each([&](const StoredRun& run) {
         try {
           add(rows, run, part);
         } catch (const SQLite::Exception& error) {  // an error of the draft, not of the part

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/store/archive.h"
 #include "src/benchmark/experiment/store/description_rows.h"
 #include "src/benchmark/experiment/store/draft_store.h"
 #include "src/benchmark/experiment/store/run_rows.h"
@@ -14,6 +15,7 @@
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/benchmark/experiment/store/writer_lock.h"
 #include "src/core/interruption.h"
+#include "src/core/scratch_folder.h"
 #include "src/core/text_file.h"
 
 namespace ricochet {
@@ -22,7 +24,8 @@ namespace fs = std::filesystem;
 
 struct Store::Database {
   fs::path file;
-  std::unique_ptr<WriterLock> lock;  // null if the store is only read
+  std::optional<ScratchFolder> unpacked;  // if the file is an archive
+  std::unique_ptr<WriterLock> lock;       // null if the store is only read
   std::unique_ptr<SQLite::Database> connection;
   CampaignDescription description;
   std::unique_ptr<RunRows> rows;
@@ -65,10 +68,28 @@ Store Store::create(const fs::path& file, const CampaignDescription& description
   return open(file, For::adding);
 }
 
+void Store::write(const fs::path& file, const CampaignDescription& description,
+                  const std::function<void(const AddRun&)>& fill) {
+  DraftStore draft(file, description);
+  try {
+    SQLite::Transaction all(draft.database());
+    RunRows rows(draft.database());
+    fill([&](const RunKey& key, const RunRecord& record) { rows.add(key, record); });
+    all.commit();
+  } catch (const SQLite::Exception& error) {
+    throw OutputError(fmt::format("{}: cannot be written: {}", file.string(), error.what()));
+  }
+  draft.place();
+}
+
 Store Store::open(const fs::path& file, For purpose) {
   auto database = std::make_unique<Database>();
   database->file = file;
-  if (purpose == For::reading) {
+  if (purpose == For::reading && is_archive(file)) {
+    const fs::path store = database->unpacked.emplace().path() / "runs.sqlite";
+    unpack_archive(file, store);
+    database->connection = opened_for_reading(store);
+  } else if (purpose == For::reading) {
     database->connection = opened_for_reading(file);
   } else {
     check_is_store(file);

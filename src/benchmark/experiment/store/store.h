@@ -71,10 +71,16 @@ class Store {
   /// Makes a new file. Throws InputError if it exists or cannot be made.
   static Store create(const std::filesystem::path& file, const CampaignDescription& description);
 
-  /// Opens a file to read it, or to add runs. Throws InputError for a file that is missing, damaged
-  /// (by SQLite's own integrity and foreign key checks, which take some seconds for a million
-  /// runs), of another program, or of another version of the suite; for adding also if another
-  /// process is adding runs. The file then stays unchanged.
+  /// Makes a new file of the runs that `fill` passes to its argument, all or nothing. Throws as
+  /// create() does, and OutputError if it cannot be written.
+  using AddRun = std::function<void(const RunKey&, const RunRecord&)>;
+  static void write(const std::filesystem::path& file, const CampaignDescription& description,
+                    const std::function<void(const AddRun&)>& fill);
+
+  /// Opens a file to read it, which may be an archive, or to add runs. Throws InputError for a file
+  /// that is missing, damaged (by SQLite's own integrity and foreign key checks, which take some
+  /// seconds for a million runs), of another program, or of another version of the suite; for
+  /// adding also if another process is adding runs. The file then stays unchanged.
   enum class For { reading, adding };
   static Store open(const std::filesystem::path& file, For purpose);
 
@@ -118,10 +124,13 @@ class Store {
 /// runs, or the file is a copy without the -wal that lay beside it. Empty if all runs are there.
 std::string caution(const std::filesystem::path& file);
 
-/// Joins stores of parts of one campaign into a new file. Throws InputError, naming the file and
-/// the difference, if one is of another campaign, or if two have the same run with different
-/// results; then no file is made. Keeps `made` of the first store, and the times of the first of
-/// two equal runs.
-void merge(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out);
+/// Joins stores into a new file. Throws InputError, naming the file and the difference, if one is
+/// of another campaign, unless `united` makes one description of the two, or if two have the same
+/// run with different results; then no file is made. Without `united` it keeps `made` of the first
+/// store. Keeps the times of the first of two equal runs.
+using United =
+    std::function<CampaignDescription(const CampaignDescription&, const CampaignDescription&)>;
+void merge(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out,
+           const United& united = nullptr);
 
 }  // namespace ricochet

@@ -1,0 +1,136 @@
+#include "src/benchmark/comparison/own_solver_data.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "src/benchmark/statistics/holm.h"
+#include "src/benchmark/statistics/mean_share.h"
+#include "src/benchmark/statistics/signed_rank_test.h"
+
+namespace ricochet::studies::comparison {
+namespace {
+
+using report::Json;
+
+constexpr double significant = 0.05;
+constexpr double most_runs = 0.5;
+
+/// Shares solved, by problem.
+std::map<std::size_t, double> shares_of(const Campaign& campaign, const Entry& entry) {
+  std::map<std::size_t, double> shares;
+  for (const CellResult* result : entry.results) {
+    shares[result->cell->problem] = on_problem(campaign, *result).share;
+  }
+  return shares;
+}
+
+/// Another solver of the family.
+struct Rival {
+  double difference;  ///< of the mean shares on the problems that both take: ours less theirs
+  double p;           ///< of the signed-rank test
+};
+
+std::vector<Rival> rivals_of(const Campaign& campaign, const EntrySet& set, const Entry& own) {
+  const std::map<std::size_t, double> ours = shares_of(campaign, own);
+  std::vector<Rival> rivals;
+  std::vector<double> p_values;
+  for (const auto* entries : {&set.entries, &set.partial}) {
+    for (const Entry& entry : *entries) {
+      if (entry.solver == own.solver) continue;
+      std::vector<double> differences;
+      for (const auto& [problem, share] : shares_of(campaign, entry)) {
+        const auto mine = ours.find(problem);
+        if (mine != ours.end()) differences.push_back(mine->second - share);
+      }
+      if (2 * differences.size() < set.problems.size()) continue;
+      double sum = 0;
+      for (const double difference : differences) sum += difference;
+      rivals.push_back({sum / static_cast<double>(differences.size()), 1});
+      p_values.push_back(signed_rank_test(differences));
+    }
+  }
+  const std::vector<double> adjusted = holm(p_values);
+  for (std::size_t k = 0; k < rivals.size(); ++k) rivals[k].p = adjusted[k];
+  return rivals;
+}
+
+Json family_row(const Campaign& campaign, const EntrySet& set, const Entry& own) {
+  std::vector<double> shares;
+  for (const auto& [problem, share] : shares_of(campaign, own)) shares.push_back(share);
+  const MeanShare mean = mean_share(shares);
+  int better = 0;
+  int worse = 0;
+  int clearly_better = 0;
+  int clearly_worse = 0;
+  const std::vector<Rival> rivals = rivals_of(campaign, set, own);
+  for (const Rival& rival : rivals) {
+    const bool clear = rival.p < significant;
+    if (rival.difference > 0) {
+      ++better;
+      clearly_better += clear ? 1 : 0;
+    } else if (rival.difference < 0) {
+      ++worse;
+      clearly_worse += clear ? 1 : 0;
+    }
+  }
+  return {{"solver", own.solver},
+          {"family", set.family},
+          {"budget", set.budget},
+          {"formulation", own.formulation},
+          {"problems", own.results.size()},
+          {"of", set.problems.size()},
+          {"share", mean.mean},
+          {"lower", mean.interval.lower},
+          {"upper", mean.interval.upper},
+          {"rivals", rivals.size()},
+          {"better", better},
+          {"worse", worse},
+          {"clearly_better", clearly_better},
+          {"clearly_worse", clearly_worse}};
+}
+
+struct Total {
+  int solved = 0, problems = 0, better = 0, worse = 0, rivals = 0;
+};
+
+}  // namespace
+
+Json own_solver_data(const Campaign& campaign, const std::vector<EntrySet>& sets,
+                     const std::vector<Solver>& suite) {
+  const auto is_own = [&](const Entry& entry) {
+    return std::ranges::find(suite, entry.solver, &Solver::name) == suite.end();
+  };
+  Json rows = Json::array();
+  std::map<std::string, Total> totals;
+  for (const EntrySet& set : sets) {
+    if (!set.largest) continue;
+    for (const auto* entries : {&set.entries, &set.partial}) {
+      for (const Entry& entry : *entries) {
+        if (!is_own(entry)) continue;
+        const Json& row = rows.emplace_back(family_row(campaign, set, entry));
+        Total& total = totals[entry.solver];
+        for (const auto& [problem, share] : shares_of(campaign, entry)) {
+          ++total.problems;
+          total.solved += share >= most_runs ? 1 : 0;
+        }
+        total.better += row["better"].get<int>();
+        total.worse += row["worse"].get<int>();
+        total.rivals += row["rivals"].get<int>();
+      }
+    }
+  }
+  Json sums = Json::array();
+  for (const auto& [solver, total] : totals) {
+    sums.push_back({{"solver", solver},
+                    {"solved", total.solved},
+                    {"problems", total.problems},
+                    {"better", total.better},
+                    {"worse", total.worse},
+                    {"rivals", total.rivals}});
+  }
+  return {{"own_solvers", std::move(rows)}, {"own_totals", std::move(sums)}};
+}
+
+}  // namespace ricochet::studies::comparison

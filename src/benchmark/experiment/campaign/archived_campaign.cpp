@@ -1,0 +1,117 @@
+#include "src/benchmark/experiment/campaign/archived_campaign.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "ricochet/error.h"
+#include "src/benchmark/experiment/store/archive.h"
+#include "src/core/patterns.h"
+
+namespace ricochet {
+namespace {
+
+const Solver* find(const Catalogue& catalogue, const std::string& name) {
+  const auto found = std::ranges::find(catalogue.solvers, name, &Solver::name);
+  return found == catalogue.solvers.end() ? nullptr : &*found;
+}
+
+/// Throws InputError if a problem of the campaign is another one than the archive's.
+void check_problems(const CampaignDescription& archive, const CampaignDescription& campaign) {
+  std::map<std::string, std::string> hashes;
+  for (const StoredProblem& problem : archive.problems) hashes[problem.name] = problem.hash;
+  std::vector<std::string> others;
+  for (const StoredProblem& problem : campaign.problems) {
+    if (hashes[problem.name] != problem.hash) others.push_back(problem.name);
+  }
+  if (others.empty()) return;
+  constexpr std::size_t named = 5;
+  const std::size_t all = others.size();
+  others.resize(std::min(all, named));
+  throw InputError(fmt::format(
+      "the archive has runs on other problems: the hashes of {} of {} differ: {}{}", all,
+      campaign.problems.size(), fmt::join(others, ", "), all > named ? ", ..." : ""));
+}
+
+bool has(const std::vector<std::string>& texts, const std::string& text) {
+  return std::ranges::find(texts, text) != texts.end();
+}
+
+/// Adds the solvers of a part to those of another, as far as no pattern fits them.
+void add_solvers(const PlanPart& from, PlanPart& to) {
+  for (const std::string& solver : from.solvers) {
+    if (!has(to.solvers, solver) && !fits_any(solver, to.solvers)) to.solvers.push_back(solver);
+  }
+}
+
+}  // namespace
+
+Plan plan_against(const CampaignDescription& archive, const std::vector<std::string>& own_solvers,
+                  const Catalogue& catalogue) {
+  Plan plan = plan_from(archive.plan, "the archive's plan");
+  plan.name = "compare against " + plan.name;
+  for (PlanPart& part : plan.parts) {
+    std::vector<std::string> solvers;
+    for (const StoredSolver& solver : archive.solvers) {
+      if (fits_any(solver.name, part.solvers) && find(catalogue, solver.name) != nullptr) {
+        solvers.push_back(solver.name);
+      }
+    }
+    solvers.insert(solvers.end(), own_solvers.begin(), own_solvers.end());
+    part.solvers = std::move(solvers);
+  }
+  return plan;
+}
+
+ChangedSolvers changed_solvers(const CampaignDescription& archive, const Catalogue& catalogue) {
+  ChangedSolvers changes;
+  for (const StoredSolver& solver : archive.solvers) {
+    const Solver* here = find(catalogue, solver.name);
+    if (here == nullptr) {
+      changes.missing.push_back(solver.name);
+    } else if (here->version != solver.version) {
+      changes.changed.push_back(
+          fmt::format("{} ({}, here {})", solver.name, solver.version, here->version));
+    }
+  }
+  return changes;
+}
+
+void start_against(const Store& archive, const Campaign& campaign, const Provenance& provenance,
+                   const std::filesystem::path& file) {
+  CampaignDescription description = description_of(campaign, provenance);
+  check_problems(archive.description(), description);
+  mark_archived(description);
+  Store::write(file, description, [&](const Store::AddRun& add) {
+    archive.each([&](const StoredRun& run) {
+      if (campaign.find(run.key.cell) != nullptr) add(run.key, run.record);
+    });
+  });
+}
+
+CampaignDescription united(const CampaignDescription& first, const CampaignDescription& second) {
+  check_problems(first, second);
+  CampaignDescription all = first;
+  Plan plan = plan_from(first.plan, "the first plan");
+  const Plan other = plan_from(second.plan, "the second plan");
+  if (plan.parts.size() != other.parts.size()) {
+    throw InputError("the plans differ in more than their solvers");
+  }
+  for (std::size_t k = 0; k < plan.parts.size(); ++k) add_solvers(other.parts[k], plan.parts[k]);
+  all.plan = text_of(plan);
+  for (const StoredSolver& solver : second.solvers) {
+    const auto known = std::ranges::find(all.solvers, solver.name, &StoredSolver::name);
+    if (known == all.solvers.end()) {
+      all.solvers.push_back(solver);
+    } else if (known->version != solver.version) {
+      throw InputError(fmt::format("the first has {} in version {}, this in version {}",
+                                   solver.name, known->version, solver.version));
+    }
+  }
+  all.made.insert(second.made.begin(), second.made.end());
+  return all;
+}
+
+}  // namespace ricochet

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/benchmark/experiment/campaign/stored_campaign.h"
+
+/// A user's solvers beside the solvers whose runs an archive has.
+namespace ricochet {
+
+/// The plan of an archive with the user's solvers added: as these are run, all runs of the others
+/// are there. Leaves out solvers of the archive that the catalogue lacks.
+Plan plan_against(const CampaignDescription& archive, const std::vector<std::string>& own_solvers,
+                  const Catalogue& catalogue);
+
+/// Solvers of an archive that the catalogue lacks, or has in another version.
+struct ChangedSolvers {
+  std::vector<std::string> missing, changed;
+};
+ChangedSolvers changed_solvers(const CampaignDescription& archive, const Catalogue& catalogue);
+
+/// Makes the store of such a plan's campaign in a new file, with the runs of the archive. Throws
+/// InputError if problems of the campaign are not those of the archive, by their hashes.
+void start_against(const Store& archive, const Campaign& campaign, const Provenance& provenance,
+                   const std::filesystem::path& file);
+
+/// The description of two campaigns on the same problems whose solvers differ. Throws InputError if
+/// the second has other problems, by their hashes, or another version of a solver.
+CampaignDescription united(const CampaignDescription& first, const CampaignDescription& second);
+
+}  // namespace ricochet

@@ -1,0 +1,127 @@
+#include "src/benchmark/experiment/store/archive.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ricochet/error.h"
+#include "src/benchmark/experiment/store/xz.h"
+#include "src/core/scratch_folder.h"
+#include "src/core/text_file.h"
+
+namespace ricochet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* mark = "archive";
+constexpr double much_better = 0.5;             // of the optimality gap
+constexpr std::size_t most_bytes = 1UL << 32U;  // of a store
+
+/// Two significant digits of a time [s] > 0.
+double rounded(double seconds) {
+  if (!(seconds > 0)) return seconds;
+  const double unit = std::pow(10, std::floor(std::log10(seconds)) - 1);
+  return std::round(seconds / unit) * unit;
+}
+
+std::vector<Improvement> thinned(std::vector<Improvement> trace, const StoredProblem& problem,
+                                 const std::optional<ReturnedPoint>& returned) {
+  std::vector<Improvement> kept;
+  const auto gap_of = [&](const Improvement& step) {
+    return step.true_values.objective - problem.best_known;
+  };
+  double last = std::numeric_limits<double>::infinity();
+  bool feasible = false;
+  bool as_good = false;
+  for (std::size_t k = 0; k < trace.size(); ++k) {
+    Improvement& step = trace[k];
+    const bool is_feasible = step.true_values.violation <= 0;
+    const double gap = gap_of(step);
+    const bool first_feasible = is_feasible && !feasible;
+    const bool better = is_feasible && gap <= much_better * last;
+    const bool solves = is_feasible && gap <= problem.tolerance && !(last <= problem.tolerance);
+    const bool returns = is_feasible && !as_good && returned &&
+                         step.true_values.objective <= returned->true_values.objective;
+    feasible |= is_feasible;
+    as_good |= returns;
+    if (!(first_feasible || better || solves || returns || k + 1 == trace.size())) continue;
+    if (is_feasible) last = gap;
+    step.x = Vector();
+    step.seconds = rounded(step.seconds);
+    kept.push_back(std::move(step));
+  }
+  return kept;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+RunRecord thinned(RunRecord record, const StoredProblem& problem) {
+  record.seed = 0;
+  record.ledger.seconds = rounded(record.ledger.seconds);
+  record.trace = thinned(std::move(record.trace), problem, record.returned);
+  if (record.returned) record.returned->x = Vector();
+  return record;
+}
+
+bool is_archived(const CampaignDescription& description) {
+  return description.made.contains(mark);
+}
+
+void mark_archived(CampaignDescription& description) {
+  description.made[mark] = "without points and seeds, times to two digits";
+}
+
+void write_archive(const Store& store, const fs::path& out,
+                   const std::function<bool(const RunKey&)>& wanted,
+                   const std::map<std::string, std::string>& notes) {
+  CampaignDescription description = store.description();
+  description.made.insert(notes.begin(), notes.end());
+  mark_archived(description);
+  std::map<std::string, const StoredProblem*> problems;
+  for (const StoredProblem& problem : store.description().problems) {
+    problems[problem.name] = &problem;
+  }
+  const ScratchFolder folder;
+  const fs::path packed = folder.path() / "runs.sqlite";
+  Store::write(packed, description, [&](const Store::AddRun& add) {
+    store.each([&](const StoredRun& run) {
+      if (!wanted(run.key)) return;
+      add(run.key, thinned(run.record, *problems.at(run.key.cell.problem)));
+    });
+  });
+  write_text_file(out, xz_compressed(bytes_of(packed)));
+}
+
+bool is_archive(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string first(8, '\0');
+  in.read(first.data(), static_cast<std::streamsize>(first.size()));
+  return is_xz(std::string_view(first).substr(0, static_cast<std::size_t>(in.gcount())));
+}
+
+void unpack_archive(const fs::path& archive, const fs::path& out) {
+  std::string store;
+  try {
+    store = xz_decompressed(bytes_of(archive), most_bytes);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", archive.string(), error.what()));
+  }
+  write_text_file(out, store);
+}
+
+}  // namespace ricochet

@@ -1,0 +1,127 @@
+#include "src/cli/archive.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "ricochet/error.h"
+#include "ricochet/solvers.h"
+#include "src/benchmark/experiment/campaign/archived_campaign.h"
+#include "src/benchmark/experiment/store/archive.h"
+#include "src/cli/provenance.h"
+#include "src/cli/stored_runs.h"
+#include "src/core/made_folder.h"
+#include "src/core/patterns.h"
+#include "src/core/warning.h"
+
+namespace ricochet::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t repeated_runs = 5;
+
+/// The user's solvers of a store.
+std::vector<std::string> own_solvers_of(const CampaignDescription& description) {
+  const std::vector<Solver> known = all_solvers();
+  std::vector<std::string> own;
+  for (const StoredSolver& solver : description.solvers) {
+    const bool of_suite = std::ranges::find(known, solver.name, &Solver::name) != known.end();
+    if (!of_suite) own.push_back(solver.name);
+  }
+  return own;
+}
+
+std::string text_in(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(fmt::format("{}: cannot be read", file));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Throws InputError unless some of these runs, evenly chosen, are the same when repeated.
+void check_repeatable(const Store& store, const std::vector<std::int64_t>& runs,
+                      const SubmitOptions& options) {
+  const std::size_t count = std::min(repeated_runs, runs.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int64_t number = runs[k * runs.size() / count];
+    const std::string differs = repeated(store, options.store, number, options.allow_programs);
+    if (differs.empty()) continue;
+    throw InputError(fmt::format(
+        "{}: run {} differs in {} when it is repeated: what cannot be repeated is not submitted",
+        options.store, number, differs));
+  }
+}
+
+}  // namespace
+
+std::string archive_named(const std::string& name) {
+  if (name != "archive") return name;
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  constexpr std::array places = {"../share/ricochet/reference.archive",
+                                 "../../../../reports/archive/reference.archive"};
+  for (const char* place : places) {
+    const fs::path file = (program / place).lexically_normal();
+    if (fs::exists(file)) return file.string();
+  }
+  throw InputError(fmt::format("archive: {} is not there",
+                               (program / places.front()).lexically_normal().string()));
+}
+
+Plan plan_against_archive(const std::string& archive, const std::vector<std::string>& own_solvers,
+                          const Catalogue& catalogue, const std::string& out) {
+  const Store store = Store::open(archive, Store::For::reading);
+  const CampaignDescription& description = store.description();
+  const ChangedSolvers changes = changed_solvers(description, catalogue);
+  if (!changes.missing.empty()) {
+    warn(fmt::format("this build lacks solvers of {}, whose runs are left out: {}", archive,
+                     fmt::join(changes.missing, ", ")));
+  }
+  if (!changes.changed.empty()) {
+    warn(fmt::format("{} has runs of other versions: {}", archive,
+                     fmt::join(changes.changed, ", ")));
+  }
+  Plan plan = plan_against(description, own_solvers, catalogue);
+  const fs::path file = fs::path(out) / "runs.sqlite";
+  if (fs::exists(file)) return plan;
+  const Campaign campaign = campaign_of(description, plan, catalogue);
+  const MadeFolder folder(out);
+  start_against(store, campaign, provenance(), file);
+  return plan;
+}
+
+int submit(const SubmitOptions& options) {
+  const Store store = Store::open(options.store, Store::For::reading);
+  warn_of_missing_runs(options.store);
+  std::vector<std::string> patterns = split_patterns(options.solvers);
+  if (patterns.empty()) patterns = own_solvers_of(store.description());
+  if (patterns.empty()) {
+    throw InputError(fmt::format("{}: has no solver of yours: --solvers PATTERNS chooses others",
+                                 options.store));
+  }
+  std::vector<std::string> names;
+  for (const StoredSolver& solver : store.description().solvers) names.push_back(solver.name);
+  require_fit(patterns, names, "--solvers");
+  const auto wanted = [&](const RunKey& key) { return fits_any(key.cell.solver, patterns); };
+  std::vector<std::int64_t> runs;
+  store.each([&](const StoredRun& run) {
+    if (wanted(run.key)) runs.push_back(run.number);
+  });
+  if (runs.empty()) throw InputError(fmt::format("{}: has no such run", options.store));
+  check_repeatable(store, runs, options);
+  std::map<std::string, std::string> notes = {
+      {"command", fmt::format("ricochet submit --solvers '{}'", fmt::join(patterns, ","))}};
+  if (!options.citation.empty()) notes["citation"] = text_in(options.citation);
+  write_archive(store, options.out, wanted, notes);
+  fmt::print("{} runs of {}: {}, {:.2f} MB; {} of them repeated, to the last bit\n", runs.size(),
+             fmt::join(patterns, ", "), options.out,
+             static_cast<double>(fs::file_size(options.out)) / 1e6,
+             std::min(repeated_runs, runs.size()));
+  return 0;
+}
+
+}  // namespace ricochet::cli

@@ -32,6 +32,7 @@
 #include "src/cli/plan.h"
 #include "src/cli/regimes.h"
 #include "src/cli/report.h"
+#include "src/cli/sample.h"
 #include "src/cli/scene.h"
 #include "src/cli/simulate.h"
 #include "src/cli/solve.h"
@@ -383,10 +384,11 @@ class Program : public CommandLine {
   }
 
   void add_plan() {
-    CLI::App* command = add("plan", "Prepare a campaign: new, check FILE, slurm FILE",
-                            "  ricochet plan new > plan.toml\n"
-                            "  ricochet plan check plan.toml\n"
-                            "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
+    CLI::App* command =
+        add("plan", "Prepare a campaign: new, check FILE, sample ARCHIVE, slurm FILE",
+            "  ricochet plan new > plan.toml\n"
+            "  ricochet plan check plan.toml\n"
+            "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
     command->require_subcommand(1);
     CLI::App* fresh =
         command->add_subcommand("new", "Print a plan to start from")->group("Commands");
@@ -397,6 +399,19 @@ class Program : public CommandLine {
     add_plan_file(check);
     add_format(check, plan_json_);
     on_call(check, [this] { return check_plan(run_.plan, plan_json_); });
+    CLI::App* sample =
+        command
+            ->add_subcommand("sample",
+                             "Print a sample of an archive's problems, evenly over difficulty, and "
+                             "how far its ranking agrees with that of all")
+            ->group("Commands");
+    sample->add_option("archive", against_, "An archive; archive: that of the reference")
+        ->type_name("ARCHIVE")
+        ->required();
+    sample->add_option("--share", sample_share_, "Of each family; at least three problems")
+        ->capture_default_str();
+    add_format(sample, plan_json_);
+    on_call(sample, [this] { return sample_problems(against_, sample_share_, plan_json_); });
     CLI::App* slurm =
         command->add_subcommand("slurm", "Print a job script for Slurm")->group("Commands");
     add_plan_file(slurm);
@@ -618,6 +633,7 @@ class Program : public CommandLine {
   SolveOptions solve_;
   studies::ComparisonOptions comparison_;
   std::string against_;
+  double sample_share_ = 0.15;
   SubmitOptions submit_;
   RunOptions run_;
   bool plan_json_ = false;

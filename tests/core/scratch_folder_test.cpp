@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 /// With TMPDIR in a folder of the test.
 class Scratch : public TemporaryFolder {
  protected:
-  Scratch() {
+  void SetUp() override {
+    TemporaryFolder::SetUp();
     if (const char* set = std::getenv("TMPDIR")) before_ = set;
     setenv("TMPDIR", folder_.c_str(), 1);
   }

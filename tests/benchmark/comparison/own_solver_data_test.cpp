@@ -13,14 +13,14 @@ namespace {
 
 using report::Json;
 
-constexpr int problems = 8;
+constexpr int own_bowls = 8;
 
 /// A family of eight bowls, which "weak" never solves, "mine" always, "equal" too, and "strong" not
 /// the first of them.
 Json data_of(const std::vector<Solver>& suite) {
   Catalogue catalogue = made_up_catalogue();
   catalogue.families = {{"bowl", {}}};
-  for (int k = 1; k <= problems; ++k) {
+  for (int k = 1; k <= own_bowls; ++k) {
     catalogue.families[0].problems.push_back(bowl("bowl-" + std::to_string(k), 1));
   }
   catalogue.solvers = {chance("weak"), chance("equal"), chance("strong")};
@@ -53,8 +53,8 @@ TEST(OwnSolver, StandsBesideTheOthersOfItsFamily) {
   EXPECT_EQ(row["worse"], 0);
   EXPECT_EQ(row["clearly_better"], 1) << "weak: eight of eight differ; strong: one";
   const Json& total = data["own_totals"][0];
-  EXPECT_EQ(total["solved"], problems);
-  EXPECT_EQ(total["problems"], problems);
+  EXPECT_EQ(total["solved"], own_bowls);
+  EXPECT_EQ(total["problems"], own_bowls);
 }
 
 TEST(OwnSolver, IsNoneOfTheSuite) {

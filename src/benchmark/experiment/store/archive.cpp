@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -108,6 +109,8 @@ void write_archive(const Store& store, const fs::path& out,
 }
 
 bool is_archive(const fs::path& file) {
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return false;  // to read a pipe might wait forever
   std::ifstream in(file, std::ios::binary);
   std::string first(8, '\0');
   in.read(first.data(), static_cast<std::streamsize>(first.size()));

@@ -26,7 +26,8 @@ class ArchivedCampaign : public TemporaryFolder {
   const Catalogue catalogue_ = made_up_catalogue();
   const fs::path archive_ = folder_ / "archive";
 
-  ArchivedCampaign() {
+  void SetUp() override {
+    TemporaryFolder::SetUp();
     const Plan plan = plan_from(
         "name = \"all\"\n" + part_of("\"bowl-[12]\"", "solvers = \"chance-*\"\ninstances = 3"),
         "test");

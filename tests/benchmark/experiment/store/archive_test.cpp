@@ -80,7 +80,8 @@ class ArchiveFile : public TemporaryFolder {
   const fs::path store_ = folder_ / "runs.sqlite";
   const fs::path archive_ = folder_ / "runs.archive";
 
-  ArchiveFile() {
+  void SetUp() override {
+    TemporaryFolder::SetUp();
     std::mt19937_64 random(3);
     Store store = Store::create(store_, a_description());
     for (int k = 0; k < 60; ++k) store.add(a_key(k), any_record(random));

@@ -36,6 +36,7 @@
 #include "src/benchmark/comparison/profile_data.h"
 #include "src/benchmark/comparison/relocated_optimum_data.h"
 #include "src/benchmark/comparison/reported_part.h"
+#include "src/benchmark/comparison/separation_data.h"
 #include "src/benchmark/comparison/share_data.h"
 #include "src/benchmark/comparison/solver_pages.h"
 #include "src/benchmark/comparison/speed_accuracy_data.h"
@@ -154,7 +155,12 @@ Json results_of(const Campaign& campaign, const std::vector<CellResult>& results
                 [&](const Group& group) { return part.asked_again.contains(group.family); });
   for (Group& group : groups) group.family = part.families.at(group.family);
   const Ratings ratings = ratings_of(comparison, groups);
-  const Json group_rows = group_data(comparison, groups, ratings);
+  Json group_rows = group_data(comparison, groups, ratings);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t k = 0; k < groups[g].problems.size(); ++k) {
+      group_rows[g]["problems"][k].update(separation_data(comparison, groups[g].problems[k]));
+    }
+  }
   Json plan = variables_of(campaign, problems);
   plan.update({{"problems", problems.size()},
                {"least", asked.budgets.front()},

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "ricochet/error.h"
+#include "src/benchmark/comparison/study.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/benchmark/experiment/campaign/frame.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"

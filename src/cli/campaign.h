@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/benchmark/comparison/study.h"
+#include "src/benchmark/comparison/comparison_plan.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
 #include "src/cli/scene_choice.h"
 

@@ -14,7 +14,7 @@
 #include "ricochet/recording.h"
 #include "ricochet/scene.h"
 #include "ricochet/threshold.h"
-#include "src/benchmark/comparison/study.h"
+#include "src/benchmark/comparison/comparison_plan.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/benchmark/export/formats.h"
 #include "src/cli/archive.h"

@@ -14,7 +14,7 @@ namespace {
 
 using report::Json;
 
-constexpr double significant = 0.05;
+constexpr double significant_rival = 0.05;
 constexpr double most_runs = 0.5;
 
 /// Shares solved, by problem.
@@ -66,7 +66,7 @@ Json family_row(const Campaign& campaign, const EntrySet& set, const Entry& own)
   int clearly_worse = 0;
   const std::vector<Rival> rivals = rivals_of(campaign, set, own);
   for (const Rival& rival : rivals) {
-    const bool clear = rival.p < significant;
+    const bool clear = rival.p < significant_rival;
     if (rival.difference > 0) {
       ++better;
       clearly_better += clear ? 1 : 0;

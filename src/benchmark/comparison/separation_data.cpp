@@ -17,7 +17,7 @@ namespace {
 using report::Json;
 
 constexpr double solves = 0.5;  // of the runs
-constexpr double significant = 0.05;
+constexpr double significant_split = 0.05;
 constexpr std::size_t fewest = 3;  // entries with a property, and without
 
 struct Solved {
@@ -94,7 +94,7 @@ Json separation_data(const Comparison& comparison, std::size_t problem) {
   }
   p_values = holm(p_values);
   const auto least = std::ranges::min_element(p_values);
-  if (least == p_values.end() || *least >= significant) return data;
+  if (least == p_values.end() || *least >= significant_split) return data;
   const Split& split = splits[static_cast<std::size_t>(least - p_values.begin())];
   data["separates"] = split.name;
   data["those"] = mean(split.those);

@@ -423,8 +423,8 @@ class Program : public CommandLine {
   void add_plan_file(CLI::App* command) {
     command
         ->add_option("plan", run_.plan,
-                     "A plan file (TOML), - for standard input; or quick, default, full")
-        ->type_name("PLAN:{quick,default,full}")
+                     "A plan file (TOML), - for standard input; or quick, default, reference, full")
+        ->type_name("PLAN:{quick,default,reference,full}")
         ->required();
   }
 

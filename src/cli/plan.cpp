@@ -12,6 +12,7 @@
 #include "embedded/full_plan.h"
 #include "embedded/plan_template.h"
 #include "embedded/quick_plan.h"
+#include "embedded/reference_plan.h"
 #include "embedded/slurm_template.h"
 #include "ricochet/error.h"
 #include "solvers/varied.h"
@@ -89,10 +90,17 @@ std::string described(const Json& varied) {
 }  // namespace
 
 Plan plan_named(const std::string& name) {
-  if (name == "quick") return plan_from(embedded::quick_plan, name);
-  if (name == "default") return plan_from(embedded::default_plan, name);
-  if (name == "full") return plan_from(embedded::full_plan, name);
-  const std::vector<std::string> meant = near_names(name, {"quick", "default", "full"});
+  const std::vector<std::pair<std::string, const char*>> included = {
+      {"quick", embedded::quick_plan},
+      {"default", embedded::default_plan},
+      {"reference", embedded::reference_plan},
+      {"full", embedded::full_plan}};
+  std::vector<std::string> names;
+  for (const auto& [known, text] : included) {
+    if (name == known) return plan_from(text, name);
+    names.push_back(known);
+  }
+  const std::vector<std::string> meant = near_names(name, names);
   if (!meant.empty() && !std::filesystem::exists(name)) {
     throw InputError(
         fmt::format("{}: there is no such file; did you mean {}?", name, meant.front()));

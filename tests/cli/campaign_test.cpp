@@ -211,7 +211,7 @@ TEST_F(CampaignCommands, GoOnWhereTheyWereInterrupted) {
   for (const std::string signal : {"INT", "KILL"}) {
     int interruptions = 0;
     for (int k = 1; k <= 20 && interruptions < 3; ++k) {
-      const std::string call = fmt::format("timeout --signal={} {} {} {}", signal, 0.1 * k,
+      const std::string call = fmt::format("timeout --signal={} {} {} {}", signal, 0.05 * k * k,
                                            RICOCHET_PROGRAM, command(signal, "--resume --quiet"));
       const int status = std::system((call + " >/dev/null 2>&1").c_str());
       if (status == 0) break;

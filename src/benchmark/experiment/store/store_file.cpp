@@ -20,6 +20,7 @@
 
 #include "embedded/schema.h"
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/store/archive.h"
 #include "src/benchmark/experiment/store/sqlite_values.h"
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/writer_lock.h"
@@ -245,6 +246,7 @@ void close(SQLite::Database& database) {
 }
 
 std::string caution(const fs::path& file) {
+  if (is_archive(file)) return "";
   if (WriterLock::is_taken(file)) {
     return fmt::format("{}: another ricochet is adding runs to it: later ones are missing",
                        file.string());

@@ -17,6 +17,7 @@
 #include "src/benchmark/comparison/comparison_plan.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
 #include "src/benchmark/export/formats.h"
+#include "src/cli/agreement.h"
 #include "src/cli/archive.h"
 #include "src/cli/campaign.h"
 #include "src/cli/command_line.h"
@@ -335,10 +336,12 @@ class Program : public CommandLine {
             "  ricochet compare --problems 'hs-*' --solvers 'nlopt-*' --budget 100,1000\n"
             "  ricochet compare --scene machine.toml --problems 'top-speed-*' --quick\n"
             "  ricochet compare --solver ./mine.so --solver 'python3 mine.py' --solvers 'nlopt-*'\n"
-            "  ricochet compare --solver ./mine.so --against archive");
+            "  ricochet compare --solver ./mine.so --against archive\n"
+            "  ricochet compare --stores archive mine/runs.sqlite");
     StudyOptions& options =
         add_study_options(command, {"comparison", "Fewer instances and evaluations", nullptr});
     on_call(command, [this, &options] {
+      if (!stores_.empty()) return compare_stores(stores_[0], stores_[1], stores_json_);
       if (!against_.empty()) {
         return compare_against(against_, comparison_.added_solvers, options.out);
       }
@@ -351,6 +354,14 @@ class Program : public CommandLine {
                          "Run only the solvers of --solver, on the problems and beside the runs of "
                          "this archive; archive: that of the reference, which is included")
             ->type_name("ARCHIVE");
+    CLI::Option* stores =
+        command
+            ->add_option("--stores", stores_,
+                         "Print how far two stores, or archives, order their entries alike")
+            ->type_name("FILE")
+            ->expected(2);
+    add_format(command, stores_json_);
+    command->get_option("--format")->needs(stores);
     command
         ->add_option("--problems", comparison_.problems,
                      "Patterns, separated by commas; default: 48 problems of 1 to 32 variables")
@@ -376,10 +387,9 @@ class Program : public CommandLine {
     command->add_option("--instances", comparison_.instances, "Instances of every problem")
         ->capture_default_str();
     add_limits(command, comparison_.limits);
-    for (CLI::Option* option : command->get_options()) {
-      const std::string name = option->get_name();
-      const bool goes = name == "--solver" || name == "--out" || name == "--help";
-      if (option != against && !goes) against->excludes(option);
+    for (const char* option : {"--scene", "--set", "--problems", "--solvers", "--formulations",
+                               "--smoothings", "--budget", "--instances", "--quick", "--stores"}) {
+      against->excludes(command->get_option(option));
     }
   }
 
@@ -633,6 +643,8 @@ class Program : public CommandLine {
   SolveOptions solve_;
   studies::ComparisonOptions comparison_;
   std::string against_;
+  std::vector<std::string> stores_;
+  bool stores_json_ = false;
   double sample_share_ = 0.15;
   SubmitOptions submit_;
   RunOptions run_;

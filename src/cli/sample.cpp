@@ -5,11 +5,9 @@
 #include <cstddef>
 
 #include "ricochet/error.h"
-#include "src/benchmark/analysis/cell_results.h"
 #include "src/benchmark/comparison/sample_data.h"
-#include "src/benchmark/experiment/campaign/archived_campaign.h"
-#include "src/cli/archive.h"
-#include "src/research/suite/catalogue.h"
+#include "src/cli/agreement_text.h"
+#include "src/cli/finished_campaign.h"
 
 namespace ricochet::cli {
 namespace {
@@ -25,17 +23,11 @@ std::string row_in_words(const Json& row) {
     problems += fmt::format("{}{} ({:.2f})", problems.empty() ? "" : ", ",
                             drawn["problem"].get<std::string>(), drawn["difficulty"].get<double>());
   }
-  const Json& agreement = row["agreement"];
-  const std::string agrees =
-      agreement.is_null()
-          ? "the orders cannot be compared"
-          : fmt::format("Kendall's tau {:.2f} [{:.2f}, {:.2f}] over {} entries",
-                        agreement["correlation"].get<double>(), agreement["lower"].get<double>(),
-                        agreement["upper"].get<double>(), agreement["entries"].get<int>());
   const bool same = row["leader"] == row["sample_leader"];
   return fmt::format(
       "{}: {} of {} problems; {}; {} is first{}\n  {}\n", row["family"].get<std::string>(),
-      row["problems"].size(), row["of"].get<int>(), agrees, row["leader"].get<std::string>(),
+      row["problems"].size(), row["of"].get<int>(), agreement_in_words(row["agreement"]),
+      row["leader"].get<std::string>(),
       same ? " on both"
            : fmt::format(", on the sample {}", row["sample_leader"].get<std::string>()),
       problems);
@@ -47,12 +39,9 @@ int sample_problems(const std::string& archive, double share, bool json) {
   if (!(share > 0 && share <= 1)) {
     throw InputError(fmt::format("--share {}: must be in (0, 1]", share));
   }
-  const Store store = Store::open(archive_named(archive), Store::For::reading);
-  const Catalogue catalogue = studies::whole_catalogue();
-  const Plan plan = plan_against(store.description(), {}, catalogue);
-  const Campaign campaign = campaign_of(store.description(), plan, catalogue);
-  const auto results = comparison::cell_results(campaign, store, [](const StoredRun&) {});
-  const Json rows = studies::comparison::sample_data(campaign, results, share, least_problems);
+  const FinishedCampaign finished = finished_campaign(archive);
+  const Json rows =
+      studies::comparison::sample_data(finished.campaign, finished.results, share, least_problems);
   if (json) {
     fmt::print("{}\n", rows.dump(2));
     return 0;

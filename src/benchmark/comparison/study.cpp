@@ -18,6 +18,7 @@
 #include "src/benchmark/comparison/group.h"
 #include "src/benchmark/comparison/held_out_data.h"
 #include "src/benchmark/comparison/lacking_data.h"
+#include "src/benchmark/comparison/leader_data.h"
 #include "src/benchmark/comparison/log_ratio_data.h"
 #include "src/benchmark/comparison/machine_data.h"
 #include "src/benchmark/comparison/order_data.h"
@@ -40,21 +41,6 @@ namespace {
 
 using namespace comparison;
 using report::Json;
-
-/// Returns the leading entries of every group with every budget; null where none is first.
-Json leaders_of(const Json& groups) {
-  Json rows = Json::array();
-  for (const Json& group : groups) {
-    for (const Json& budget : group["budgets"]) {
-      Json row = budget["leader"];
-      row["family"] = group["family"];
-      row["budget"] = budget["budget"];
-      row["largest"] = budget == group["budgets"].back();
-      rows.push_back(std::move(row));
-    }
-  }
-  return rows;
-}
 
 /// The results of one part: lists.
 Json results_of(const Campaign& campaign, const std::vector<CellResult>& results,
@@ -81,7 +67,7 @@ Json results_of(const Campaign& campaign, const std::vector<CellResult>& results
                {"instances", asked.instances},
                {"results", comparison.results.size()}});
   return {{"plans", Json::array({plan})},
-          {"leaders", leaders_of(group_rows)},
+          {"leaders", leader_data(comparison, groups, group_rows)},
           {"groups", group_rows},
           {"formulations", formulation_data(comparison, groups)},
           {"ceilings", ceiling_data(comparison, groups)},

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* mark = "archive";
-constexpr double much_better = 0.5;             // of the optimality gap
+constexpr double much_better = 0.05;            // of the optimality gap
 constexpr std::size_t most_bytes = 1UL << 32U;  // of a store
 
 /// Two significant digits of a time [s] > 0.
@@ -57,7 +57,9 @@ std::vector<Improvement> thinned(std::vector<Improvement> trace, const StoredPro
     if (!(first_feasible || better || solves || returns || k + 1 == trace.size())) continue;
     if (is_feasible) last = gap;
     step.x = Vector();
-    step.seconds = rounded(step.seconds);
+    step.seconds = solves ? rounded(step.seconds) : 0;
+    const bool on_the_way = !solves && !returns && k + 1 < trace.size();
+    if (on_the_way) step.true_values.objective = static_cast<float>(step.true_values.objective);
     kept.push_back(std::move(step));
   }
   return kept;

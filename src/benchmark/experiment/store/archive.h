@@ -12,8 +12,8 @@
 namespace ricochet {
 
 /// What an archive keeps of a run: all but its points and its seed, which a repetition gives; times
-/// to two digits; of the improvements those that halve the optimality gap, the first that solves,
-/// the first as good as the returned point, and the last.
+/// to two digits; of the improvements those to a twentieth of the optimality gap (seven digits, no
+/// times), the first that solves, the first as good as the returned point, and the last.
 RunRecord thinned(RunRecord record, const StoredProblem& problem);
 
 /// Whether runs of a campaign may be thinned: they are if its description is marked so.

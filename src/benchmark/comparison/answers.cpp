@@ -21,8 +21,9 @@ struct Leader {
   double budget;
   std::optional<double> best;  ///< nothing for one problem
   std::int64_t of;             ///< problems
+  std::optional<bool> easy;    ///< too easy to name one
 };
-RICOCHET_READ_FROM_JSON(Leader, family, solver, formulation, budget, best, of);
+RICOCHET_READ_FROM_JSON(Leader, family, solver, formulation, budget, best, of, easy);
 
 struct Sized {
   double variables;
@@ -96,12 +97,15 @@ std::string told(const MeasuredLeader& one) {
   const std::string problems = fmt::format("{} problem{}", leader.of, leader.of == 1 ? "" : "s");
   const std::string sure =
       leader.best ? fmt::format("P(best) {:.2f} on {}", *leader.best, problems) : "on " + problems;
-  const std::string first = leader.solver ? fmt::format("{} on the {} formulation ({})",
-                                                        *leader.solver, *leader.formulation, sure)
-                                          : fmt::format(
-                                                "none, as the entry with the least mean rank "
-                                                "solved none of its runs on {}",
-                                                problems);
+  const std::string first =
+      leader.solver
+          ? fmt::format("{} on the {} formulation ({})", *leader.solver, *leader.formulation, sure)
+      : leader.easy.value_or(false)
+          ? fmt::format("none named, as random search solves {} at once", problems)
+          : fmt::format(
+                "none, as the entry with the least mean rank solved none "
+                "of its runs on {}",
+                problems);
   return fmt::format("{} ({} variables, {} evaluations each): {}", leader.family, variables,
                      leader.budget, first);
 }

@@ -44,7 +44,10 @@ Json leader_data(const Comparison& comparison, const std::vector<Group>& groups,
     for (const Json& budget : rows[g]["budgets"]) {
       Json row = budget["leader"];
       if (easy) {
+        const Json of = row["of"];
+        const Json single = row["single"];
         for (auto& [key, value] : row.items()) value = nullptr;
+        row.update({{"differs", false}, {"of", of}, {"single", single}});
       }
       row["family"] = rows[g]["family"];
       row["budget"] = budget["budget"];

@@ -15,25 +15,16 @@
 #include "problems/carrier_track/regimes/steady_motion.h"
 #include "problems/carrier_track/scene/window.h"
 #include "ricochet/error.h"
+#include "tests/carrier_track/regimes/long_simulation.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {
 namespace {
 
-/// How near a border [relative] a simulation is: beside irregular motion it is known to 1e-5 only.
-double beside(const Regime& regime) {
-  return regime.ends_by == RegimeEnd::irregular ? 2e-5 : 1e-6;
-}
-
 /// How many random machines: more in a longer study.
 int machines() {
   const char* asked = std::getenv("RICOCHET_REGIME_MACHINES");
   return asked == nullptr ? 10 : std::atoi(asked);
-}
-
-/// Turns that are a multiple of every period up to 8.
-int observed_turns(const Regime& regime) {
-  return regime.turns * (100 / regime.turns);
 }
 
 TEST(Regimes, OfTheDefaultMachineAreALadder) {
@@ -65,13 +56,13 @@ int compare_borders(int seed) {
     if (slow.certain && slow.to - slow.from > 2 * beside(slow) * slow.to) {
       EXPECT_DOUBLE_EQ(slow.collisions_per_turn,
                        collisions_in_the_long_run(slow.last.orbit, slow.to * (1 - beside(slow)),
-                                                  300, observed_turns(slow)))
+                                                  300, whole_periods(slow)))
           << "machine " << seed << " below " << slow.to << ", " << name_of(slow.ends_by);
     }
     if (fast.certain && fast.to - fast.from > 2 * beside(slow) * fast.to) {
       EXPECT_DOUBLE_EQ(fast.collisions_per_turn,
                        collisions_in_the_long_run(fast.first.orbit, slow.to * (1 + beside(slow)),
-                                                  300, observed_turns(fast)))
+                                                  300, whole_periods(fast)))
           << "machine " << seed << " above " << slow.to << ", " << name_of(slow.ends_by);
     }
   }
@@ -95,13 +86,6 @@ TEST(Regimes, AreNotCertainAmongIrregularMotions) {
 TEST(Regimes, EndWhereAnUnstableOrbitIsFollowed) {
   const auto regimes = regimes_of(random_machine(134), {8, 12});
   EXPECT_EQ(regimes.back().to, 12);
-}
-
-/// The regime of a speed.
-const Regime& regime_at(const std::vector<Regime>& regimes, double omega) {
-  std::size_t i = 0;
-  while (omega > regimes.at(i).to) ++i;
-  return regimes[i];
 }
 
 TEST(Regimes, MissNoPairOfBordersWithinAStep) {
@@ -165,20 +149,6 @@ struct LateTurns : Observer {
   }
 };
 
-/// Brings the carrier of an orbit to another speed, in steps of 1 %.
-Scene brought(Scene scene, double omega) {
-  while (scene.omega != omega) {
-    scene = at_speed(scene, omega > scene.omega ? std::min(omega, 1.01 * scene.omega)
-                                                : std::max(omega, scene.omega / 1.01));
-    scene.window = Revolutions{24};
-    Observer nobody;
-    const End<double> end = ImpactModel<double>(scene).run(nobody);
-    scene.start_position = end.position;
-    scene.start_velocity = end.velocity;
-  }
-  return scene;
-}
-
 TEST(Regimes, HaveTheCollisionsAndTheEnergyOfLongSimulationsAtRandomSpeeds) {
   constexpr int before = 150;
   int compared = 0;
@@ -192,7 +162,7 @@ TEST(Regimes, HaveTheCollisionsAndTheEnergyOfLongSimulationsAtRandomSpeeds) {
       const bool early = omega - regime.from < regime.to - omega;
       Scene scene = brought(early ? regime.first.orbit : regime.last.orbit, omega);
       const SteadyMotion motion = steady_motion(scene);
-      const int observed = observed_turns(regime);
+      const int observed = whole_periods(regime);
       scene.window = Revolutions{static_cast<double>(before + observed)};
       LateTurns late;
       late.scene = &scene;
@@ -208,28 +178,6 @@ TEST(Regimes, HaveTheCollisionsAndTheEnergyOfLongSimulationsAtRandomSpeeds) {
   }
   EXPECT_GT(compared, 5 * machines());
 }
-
-/// A machine whose speed rises in small steps, and what it counts at each.
-class Ramp {
- public:
-  explicit Ramp(const Scene& machine) : machine_(machine) {}
-
-  double collisions_per_turn(double omega) {
-    constexpr int turns = 80;
-    constexpr int observed = 40;
-    machine_ = at_speed(machine_, omega);
-    machine_.window = Revolutions{turns};
-    LateCollisions late(duration_of(machine_) * (turns - observed) / turns,
-                        machine_.counting_limit);
-    const End<double> end = ImpactModel<double>(machine_).run(late);
-    machine_.start_position = end.position;
-    machine_.start_velocity = end.velocity;
-    return static_cast<double>(late.count()) / observed;
-  }
-
- private:
-  Scene machine_;
-};
 
 TEST(Regimes, MissNoneThatAnEvenScanFinds) {
   int compared = 0;

@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "problems/carrier_track/problems/cases.h"
+#include "problems/carrier_track/problems/default_machine.h"
+#include "problems/carrier_track/regimes/disturbed_motion.h"
+#include "problems/carrier_track/regimes/observed_turn.h"
+#include "ricochet/regimes.h"
+#include "tests/carrier_track/regimes/long_simulation.h"
+#include "tests/carrier_track/regimes/random_machine.h"
+
+/// How often regimes are wrong, by long simulations of random machines, FIRST to LAST:
+///
+///   ricochet_regimes_check undisturbed|scan|disturbed FIRST LAST [THREADS]
+///
+/// undisturbed: of each certain regime at a random speed and 1e-6 inside both borders; scan: at
+/// speeds 0.1 % apart; disturbed: at and beside every border and in the middle of every regime, at
+/// many phases and over many turns, of the cases C5 to C12 too if FIRST is 1.
+namespace ricochet::carrier_track {
+namespace {
+
+constexpr double slowest = 0.3, fastest = 18;  // [rad/s]
+
+/// What was looked at, and what was wrong.
+struct Tally {
+  int machines = 0, failed = 0;
+  int regimes = 0, uncertain = 0;  ///< and how many of them are not certain
+  int speeds = 0;                  ///< that were compared
+  int wrong = 0;                   ///< of these, in a certain regime
+  int wrong_uncertain = 0;         ///< in another
+  int wide = 0;                    ///< where a regime has a count that no simulation has
+};
+
+std::mutex lock;  // of the tally and the output
+
+void print(const Tally& tally) {
+  fmt::print(
+      "{} machines ({} failed), {} regimes ({} not certain), {} speeds: {} wrong in a certain "
+      "regime, {} in others; {} wider than the simulations\n",
+      tally.machines, tally.failed, tally.regimes, tally.uncertain, tally.speeds, tally.wrong,
+      tally.wrong_uncertain, tally.wide);
+}
+
+/// A machine and what is found of it.
+class Check {
+ public:
+  Check(std::string name, const Scene& machine)
+      : name_(std::move(name)),
+        machine_(machine),
+        regimes_(regimes_of(machine, {slowest, fastest})) {
+    tally_.machines = 1;
+    tally_.regimes = static_cast<int>(regimes_.size());
+    tally_.uncertain = static_cast<int>(std::ranges::count(regimes_, false, &Regime::certain));
+  }
+
+  const Tally& tally() const { return tally_; }
+
+  /// Compares each certain regime at three speeds.
+  void undisturbed(std::uint64_t seed) {
+    MachineDraw draw(seed + 7'000'000);
+    double reach = 0;  // from the border before
+    for (const Regime& regime : regimes_) {
+      const double slow = regime.from * (1 + reach);
+      reach = beside(regime);
+      const double fast = regime.to * (1 - reach);
+      if (!regime.certain || !(slow < fast)) continue;
+      for (const double omega : {slow, draw.even(slow, fast), fast}) {
+        const bool early = omega - regime.from < regime.to - omega;
+        const Scene start = brought(early ? regime.first.orbit : regime.last.orbit, omega);
+        const double counted = collisions_in_the_long_run(start, omega, 300, whole_periods(regime));
+        compare(regime, omega, counted, counted);
+      }
+    }
+  }
+
+  /// Compares with a speed that rises in even steps.
+  void scan() {
+    Ramp ramp(machine_);
+    for (double omega = slowest; omega < fastest; omega *= 1.001) {
+      const double counted = ramp.collisions_per_turn(omega);
+      const Regime& regime = regime_at(regimes_, omega);
+      // The ramp is late by a step.
+      if (omega < regime.from * 1.002 || omega > regime.to * 0.999 || !regime.certain) continue;
+      // Its turns may not be a multiple of the period.
+      const bool alike = std::abs(regime.collisions_per_turn - counted) < 0.026;
+      compare(regime, omega, alike ? regime.least_per_turn : counted,
+              alike ? regime.most_per_turn : counted);
+    }
+  }
+
+  /// Compares at borders, beside them, and in the middle between them.
+  void disturbed() {
+    for (const Regime& regime : regimes_) {
+      at_phases_and_in_time(0.5 * (regime.from + regime.to));
+      for (const double away : {-1e-3, -1e-5, 1e-5, 1e-3}) {
+        const double omega = regime.to * (1 + away);
+        if (omega > slowest && omega < fastest) at_phases_and_in_time(omega);
+      }
+    }
+  }
+
+ private:
+  void at_phases_and_in_time(double omega) {
+    constexpr int phases = 2000;
+    constexpr int before = 60;
+    constexpr int observed = 1000;
+    const Regime& regime = regime_at(regimes_, omega);
+    Scene there = machine_;
+    there.fidelity = Fidelity::impact;
+    const DisturbedMotion motion = disturbed_motion(at_speed(there, omega));
+    std::vector<int> counts;
+    if (motion.settled && motion.moves) {
+      std::vector<double> even;
+      for (int k = 0; k < phases; ++k) even.push_back(2 * std::numbers::pi * k / phases);
+      for (const auto& turn : turns_at_phases(motion.machine, even, motion.turns_before)) {
+        counts.push_back(turn.collisions);
+      }
+    }
+    // From the machine's own start, which turns that begin at the same angle of the plate forget.
+    there = motion.machine;
+    there.start_position = machine_.start_position;
+    there.start_velocity = machine_.start_velocity;
+    for (const auto& one : observed_turns(there, {&there.disturbance_phase, 1}, before, observed)) {
+      counts.push_back(one.turn.collisions);
+    }
+    const auto [least, most] = std::ranges::minmax(counts);
+    compare(regime, omega, least, most);
+  }
+
+  void compare(const Regime& regime, double omega, double least, double most) {
+    ++tally_.speeds;
+    const bool wrong = least < regime.least_per_turn || most > regime.most_per_turn;
+    if (!wrong) {
+      tally_.wide += least > regime.least_per_turn || most < regime.most_per_turn ? 1 : 0;
+      return;
+    }
+    ++(regime.certain ? tally_.wrong : tally_.wrong_uncertain);
+    const std::scoped_lock guard(lock);
+    fmt::print("{} at {:.9g}: {:.4g} to {:.4g} collisions a turn, said {:.4g} to {:.4g}{}\n", name_,
+               omega, least, most, regime.least_per_turn, regime.most_per_turn,
+               regime.certain ? "" : ", not certain");
+  }
+
+  std::string name_;
+  Scene machine_;
+  std::vector<Regime> regimes_;
+  Tally tally_;
+};
+
+struct Machine {
+  std::string name;
+  Scene scene;
+  std::uint64_t seed;
+};
+
+int run(const std::vector<std::string>& arguments) {
+  const std::string kind = arguments.at(0);
+  const auto first = static_cast<std::uint64_t>(std::stoll(arguments.at(1)));
+  const auto last = static_cast<std::uint64_t>(std::stoll(arguments.at(2)));
+  const tbb::global_control threads(
+      tbb::global_control::max_allowed_parallelism,
+      arguments.size() > 3 ? static_cast<std::size_t>(std::stoi(arguments[3])) : 1);
+  std::vector<Machine> machines;
+  for (const Case& one : all_cases()) {
+    const Scene scene = scene_of(one, default_machine());
+    if (kind == "disturbed" && first == 1 && is_disturbed(scene))
+      machines.push_back({one.id, scene, 0});
+  }
+  for (std::uint64_t seed = first; seed <= last; ++seed) {
+    machines.push_back({fmt::format("machine {}", seed),
+                        kind == "disturbed" ? random_disturbed_machine(seed) : random_machine(seed),
+                        seed});
+  }
+  Tally all;
+  tbb::parallel_for(std::size_t{0}, machines.size(), [&](std::size_t k) {
+    Tally tally{.failed = 1};
+    try {
+      Check check(machines[k].name, machines[k].scene);
+      if (kind == "undisturbed") check.undisturbed(machines[k].seed);
+      if (kind == "scan") check.scan();
+      if (kind == "disturbed") check.disturbed();
+      tally = check.tally();
+    } catch (const std::exception& error) {
+      fmt::print("{}: {}\n", machines[k].name, error.what());
+    }
+    const std::scoped_lock guard(lock);
+    all.machines += tally.machines;
+    all.failed += tally.failed;
+    all.regimes += tally.regimes;
+    all.uncertain += tally.uncertain;
+    all.speeds += tally.speeds;
+    all.wrong += tally.wrong;
+    all.wrong_uncertain += tally.wrong_uncertain;
+    all.wide += tally.wide;
+    if (all.machines % 100 == 0) print(all);
+    std::fflush(stdout);
+  });
+  print(all);
+  return all.wrong == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace ricochet::carrier_track
+
+int main(int argc, char** argv) {
+  return ricochet::carrier_track::run({argv + 1, argv + argc});
+}

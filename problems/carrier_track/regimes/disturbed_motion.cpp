@@ -12,6 +12,7 @@
 #include "problems/carrier_track/regimes/followed_motion.h"
 #include "problems/carrier_track/regimes/observed_turn.h"
 #include "problems/carrier_track/regimes/phase_margin.h"
+#include "problems/carrier_track/regimes/rare_turns.h"
 #include "problems/carrier_track/regimes/release_margin.h"
 #include "problems/carrier_track/regimes/steady_motion.h"
 
@@ -33,6 +34,13 @@ void begin_turns_at_rest(Scene& scene) {
   scene.phase += std::numbers::pi / 2 - std::atan2(plate.sine, plate.cosine);
 }
 
+/// All phases, evenly spaced.
+std::vector<double> even_phases(double first) {
+  std::vector<double> even;
+  for (int k = 0; k < phases; ++k) even.push_back(first + full_circle * k / phases);
+  return even;
+}
+
 /// Whether what happened before the erasing turns is forgotten: starts on either wall lead to the
 /// same turn.
 bool forgets(const DisturbedMotion& motion) {
@@ -40,11 +48,10 @@ bool forgets(const DisturbedMotion& motion) {
   if (!std::isfinite(machine.wall_upper)) return true;
   const bool on_lower = machine.start_position == machine.wall_lower;
   machine.start_position = on_lower ? machine.wall_upper : machine.wall_lower;
-  std::vector<double> some;
-  for (std::size_t k = 0; k < motion.turns.size(); k += 5) some.push_back(motion.turns[k].phase);
-  const std::vector<DisturbedTurn> turns = turns_at_phases(machine, some, motion.turns_before);
+  const std::vector<DisturbedTurn> turns =
+      turns_at_phases(machine, even_phases(motion.first_phase), motion.turns_before);
   for (std::size_t k = 0; k < turns.size(); ++k) {
-    const DisturbedTurn& here = motion.turns[5 * k];
+    const DisturbedTurn& here = motion.turns[k];
     if (turns[k].collisions != here.collisions) return false;
     // A carrier that friction holds in the gap remembers where, though nothing collides.
     const double away = std::abs(turns[k].end_position - here.end_position);
@@ -56,13 +63,6 @@ bool forgets(const DisturbedMotion& motion) {
     }
   }
   return true;
-}
-
-/// All phases, evenly spaced.
-std::vector<double> even_phases(double first) {
-  std::vector<double> even;
-  for (int k = 0; k < phases; ++k) even.push_back(first + full_circle * k / phases);
-  return even;
 }
 
 /// Takes the turns of all phases from a start at rest on that wall. Returns whether all end there.
@@ -136,6 +136,14 @@ void take_extremes(DisturbedMotion& motion) {
   motion.most = most->collisions;
 }
 
+/// Lets a motion watch a turn.
+void watch(DisturbedMotion& motion, DisturbedTurn turn) {
+  motion.least = std::min(motion.least, turn.collisions);
+  motion.most = std::max(motion.most, turn.collisions);
+  motion.watched.push_back(std::move(turn));
+  motion.known.clear();
+}
+
 /// Watches the phases that a motion before has watched, and those at which it had its fewest and
 /// its most collisions, as long as no even phase tells of the same.
 void watch_as(DisturbedMotion& motion, const DisturbedMotion& before) {
@@ -145,13 +153,11 @@ void watch_as(DisturbedMotion& motion, const DisturbedMotion& before) {
   for (const DisturbedTurn& watched : before.watched) look_at(watched.phase);
   look_at(sampled_margin(before, before.least, Extreme::least).phase);
   look_at(sampled_margin(before, before.most, Extreme::most).phase);
+  const int least = motion.least;
+  const int most = motion.most;
   for (DisturbedTurn& watched : turns_at_phases(motion.machine, there, motion.turns_before)) {
-    if (watched.collisions >= motion.least && watched.collisions <= motion.most) continue;
-    motion.watched.push_back(std::move(watched));
-  }
-  for (const DisturbedTurn& watched : motion.watched) {
-    motion.least = std::min(motion.least, watched.collisions);
-    motion.most = std::max(motion.most, watched.collisions);
+    if (watched.collisions >= least && watched.collisions <= most) continue;
+    watch(motion, std::move(watched));
   }
 }
 
@@ -179,6 +185,7 @@ DisturbedMotion motion_like(const Scene& scene, const DisturbedMotion* before) {
   if (!motion.settled) return motion;
   take_extremes(motion);
   if (before != nullptr) watch_as(motion, *before);
+  for (DisturbedTurn& turn : rare_turns(motion)) watch(motion, std::move(turn));
   // Between the phases there may be turns with fewer and with more.
   while (motion.least > 0 && !(extreme_margin(motion, motion.least, Extreme::least).value > 0)) {
     --motion.least;
@@ -206,10 +213,7 @@ double phase_in(const DisturbedMotion& motion, const DisturbedMotion& other, dou
 }
 
 void watch(DisturbedMotion& motion, double phase) {
-  motion.watched.push_back(turn_at(motion, phase));
-  motion.least = std::min(motion.least, motion.watched.back().collisions);
-  motion.most = std::max(motion.most, motion.watched.back().collisions);
-  motion.known.clear();
+  watch(motion, turn_at(motion, phase));
 }
 
 LongRun long_run_of(const DisturbedMotion& motion) {

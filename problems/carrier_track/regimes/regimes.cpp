@@ -17,7 +17,7 @@ namespace ricochet::carrier_track::inline regimes {
 namespace {
 
 constexpr double shortest_step = 1e-7;       // of the logarithm of the speed
-constexpr double shortest_disturbed = 1e-4;  // where margins have no exact slopes
+constexpr double shortest_disturbed = 1e-3;  // where margins have no exact slopes
 constexpr double first_step = 1e-4;          // at least, after a border
 constexpr double rounding = 1e-12;
 constexpr double irregular_step = 0.02;  // where the motion does not repeat
@@ -77,7 +77,7 @@ double longest_of(const SteadyMotion& /*motion*/) {
   return 0.02;
 }
 double longest_of(const DisturbedMotion& /*motion*/) {
-  return 0.1;
+  return 0.03;
 }
 
 double shortest_of(const SteadyMotion& /*motion*/) {

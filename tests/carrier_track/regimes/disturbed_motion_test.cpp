@@ -9,6 +9,7 @@
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/problems/default_machine.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/regimes/observed_turn.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
 namespace ricochet::carrier_track {
@@ -109,6 +110,18 @@ TEST(DisturbedMotion, RemembersWhereFrictionHeldTheCarrier) {
   const DisturbedMotion motion = disturbed_motion(machine);
   EXPECT_GT(collisions_in_the_long_run(motion.machine, 1.3865, 6000, 5000), 0);
   EXPECT_TRUE(!motion.settled || motion.most > 0);
+}
+
+TEST(DisturbedMotion, ForgetsItsStartAtEveryPhase) {
+  // After two turns one phase in fifty still tells two starts apart.
+  Scene machine = scene_of(find_case("C9"), default_machine());
+  const DisturbedMotion motion = disturbed_motion(at_speed(machine, 0.7302));
+  const auto turns =
+      observed_turns(motion.machine, {&motion.machine.disturbance_phase, 1}, 60, 1000);
+  const auto [least, most] = std::ranges::minmax_element(
+      turns, {}, [](const ObservedTurn& observed) { return observed.turn.collisions; });
+  EXPECT_EQ(motion.least, least->turn.collisions);
+  EXPECT_EQ(motion.most, most->turn.collisions);
 }
 
 TEST(DisturbedMotion, IsStillWhileAllForcesTogetherAreHeld) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/problems/default_machine.h"
@@ -221,6 +222,15 @@ TEST(Regimes, OfADisturbedMachineHaveAllTheirBorders) {
   EXPECT_EQ(regime_at(regimes, 3).most_per_turn, 2);
   EXPECT_EQ(regime_at(regimes, 4).least_per_turn, 3);
   EXPECT_EQ(regime_at(regimes, 4).most_per_turn, 3);
+}
+
+/// Strips of phases less than 0.02 rad wide open and close between even phases.
+TEST(Regimes, OfADisturbedMachineCountStripsBetweenEvenPhases) {
+  const auto regimes = regimes_of(random_disturbed_machine(30), {0.84, 0.88});
+  for (const auto& [omega, most] : {std::pair(0.850280398, 3.0), {0.870569255, 4.0}}) {
+    EXPECT_EQ(regime_at(regimes, omega).most_per_turn, most) << omega;
+    EXPECT_TRUE(regime_at(regimes, omega).certain) << omega;
+  }
 }
 
 TEST(Regimes, RefuseWhatTheyCannotTell) {

@@ -30,11 +30,11 @@ inline const Regime& regime_at(const std::vector<Regime>& regimes, double omega)
   return regimes[i];
 }
 
-/// Brings the carrier of an orbit to another speed, in steps of 1 %.
-inline Scene brought(Scene scene, double omega) {
+/// Brings the carrier of an orbit to another speed, in steps of 1 %, or of another factor.
+inline Scene brought(Scene scene, double omega, double factor = 1.01) {
   while (scene.omega != omega) {
-    scene = at_speed(scene, omega > scene.omega ? std::min(omega, 1.01 * scene.omega)
-                                                : std::max(omega, scene.omega / 1.01));
+    scene = at_speed(scene, omega > scene.omega ? std::min(omega, factor * scene.omega)
+                                                : std::max(omega, scene.omega / factor));
     scene.window = Revolutions{24};
     Observer nobody;
     const End<double> end = ImpactModel<double>(scene).run(nobody);

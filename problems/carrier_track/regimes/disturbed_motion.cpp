@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -41,27 +42,34 @@ std::vector<double> even_phases(double first) {
   return even;
 }
 
-/// Whether what happened before the erasing turns is forgotten: starts on either wall lead to the
-/// same turn.
-bool forgets(const DisturbedMotion& motion) {
-  Scene machine = motion.machine;
-  if (!std::isfinite(machine.wall_upper)) return true;
-  const bool on_lower = machine.start_position == machine.wall_lower;
-  machine.start_position = on_lower ? machine.wall_upper : machine.wall_lower;
-  const std::vector<DisturbedTurn> turns =
-      turns_at_phases(machine, even_phases(motion.first_phase), motion.turns_before);
-  for (std::size_t k = 0; k < turns.size(); ++k) {
-    const DisturbedTurn& here = motion.turns[k];
-    if (turns[k].collisions != here.collisions) return false;
-    // A carrier that friction holds in the gap remembers where, though nothing collides.
-    const double away = std::abs(turns[k].end_position - here.end_position);
-    if (away > same_end * (machine.wall_upper - machine.wall_lower)) return false;
-    const double faster = std::abs(turns[k].end_velocity - here.end_velocity);
-    if (faster > same_end * machine.counting_limit) return false;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(here.collisions); ++i) {
-      if (std::abs(turns[k].speeds[i] / here.speeds[i] - 1) > 1e-9) return false;
+/// Whether two turns of one phase, from different starts, are the same: their starts are forgotten.
+bool are_same(const Scene& machine, const DisturbedTurn& a, const DisturbedTurn& b) {
+  if (a.collisions != b.collisions) return false;
+  // A carrier that friction holds in the gap remembers where, though nothing collides.
+  const double away = std::abs(a.end_position - b.end_position);
+  if (away > same_end * (machine.wall_upper - machine.wall_lower)) return false;
+  const double faster = std::abs(a.end_velocity - b.end_velocity);
+  if (faster > same_end * machine.counting_limit) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(a.collisions); ++i) {
+    if (std::abs(a.speeds[i] / b.speeds[i] - 1) > 1e-9) return false;
+  }
+  return true;
+}
+
+/// Takes the turns of some phases. Returns whether starts on either wall lead to the same.
+bool take_if_forgotten(DisturbedMotion& motion, std::span<const double> some) {
+  const Scene& machine = motion.machine;
+  std::vector<DisturbedTurn> turns = turns_at_phases(machine, some, motion.turns_before);
+  if (std::isfinite(machine.wall_upper)) {
+    Scene other = machine;
+    const bool on_lower = machine.start_position == machine.wall_lower;
+    other.start_position = on_lower ? machine.wall_upper : machine.wall_lower;
+    const auto others = turns_at_phases(other, some, motion.turns_before);
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+      if (!are_same(machine, turns[k], others[k])) return false;
     }
   }
+  std::move(turns.begin(), turns.end(), std::back_inserter(motion.turns));
   return true;
 }
 
@@ -91,13 +99,20 @@ std::vector<ObservedTurn> irregular_turns_of(const Scene& machine) {
 /// Takes the turns after some that erase the start on that wall.
 void take_erased_turns(DisturbedMotion& motion, double wall) {
   motion.machine.start_position = wall;
+  // Some phases may tell that the start is remembered.
+  const std::vector<double> even = even_phases(motion.first_phase);
+  std::vector<double> some;
+  std::vector<double> rest;
+  for (std::size_t k = 0; k < even.size(); ++k) (k % 6 == 0 ? some : rest).push_back(even[k]);
   for (const int before : erasing_turns) {
     motion.turns_before = before;
-    motion.turns = turns_at_phases(motion.machine, even_phases(motion.first_phase), before);
-    motion.settled = forgets(motion);
+    motion.turns.clear();
+    motion.settled = take_if_forgotten(motion, some) && take_if_forgotten(motion, rest);
     if (motion.settled) break;
   }
   if (!motion.settled) motion.turns.clear();
+  std::sort(motion.turns.begin(), motion.turns.end(),
+            [](const auto& a, const auto& b) { return a.phase < b.phase; });
 }
 
 /// Takes the turns of a motion that moves and is pressed to that wall.

@@ -10,9 +10,9 @@ namespace ricochet::carrier_track::inline regimes {
 namespace {
 
 constexpr double circle = 2 * std::numbers::pi;
-constexpr double narrowest_gap = 1e-3;  // [rad]
+constexpr double narrowest_gap = 1e-4;  // [rad]
+constexpr double narrow_gap = 1e-3;     // [rad], in which margins jump, if they change much
 constexpr double slow = -1.5;           // margins that are lower are alike
-constexpr double other_order = 0.5;     // change of a margin that other walls stand for
 constexpr double share_beside = 0.5;    // of the change over a gap, over its neighbours
 constexpr double overshoot = 4;         // of a change over a gap, within it
 
@@ -20,7 +20,7 @@ constexpr double overshoot = 4;         // of a change over a gap, within it
 struct TurnSketch {
   double phase;                 // [rad]
   std::vector<double> margins;  // the fastest first
-  std::vector<Wall> walls;      // in turns, by time
+  double first = slow;          // margin of the first: another where a turn begins after it
 
   TurnSketch(const DisturbedTurn& turn, double at_phase, double counting_limit) : phase(at_phase) {
     const double slowest = counting_limit * std::exp(slow);
@@ -28,9 +28,8 @@ struct TurnSketch {
       if (speed <= slowest) break;
       margins.push_back(std::log(speed / counting_limit));
     }
-    for (const Impact& impact : turn.impacts) {
-      const bool goes_on = !walls.empty() && walls.back() == impact.wall;
-      if (impact.speed > slowest && !goes_on) walls.push_back(impact.wall);
+    if (!turn.impacts.empty()) {
+      first = std::max(slow, std::log(turn.impacts.front().speed / counting_limit));
     }
   }
 
@@ -41,7 +40,7 @@ struct TurnSketch {
 
 /// By how much margins change from one turn to another.
 double change_between(const TurnSketch& a, const TurnSketch& b) {
-  double change = a.walls == b.walls ? 0 : other_order;
+  double change = std::abs(a.first - b.first);
   const std::size_t ranks = std::max(a.margins.size(), b.margins.size());
   for (std::size_t rank = 1; rank <= ranks; ++rank) {
     change = std::max(change, std::abs(a.margin(rank) - b.margin(rank)));
@@ -112,7 +111,8 @@ class PhaseGaps {
         const double here = changes[beside] * std::min(1.0, gap / gap_after(beside));
         change = std::max(change, share_beside * here);
       }
-      if (overshoot * change > distance(turn(k), turn(k + 1))) {
+      const double reach = gap > narrow_gap ? overshoot : 1;
+      if (reach * change > distance(turn(k), turn(k + 1))) {
         middles.push_back(turn(k).phase + gap / 2);
       }
     }

@@ -80,6 +80,14 @@ double longest_of(const DisturbedMotion& /*motion*/) {
   return 0.03;
 }
 
+/// The longest first step after a border: what ends there under a disturbance may begin again.
+double longest_first_of(const SteadyMotion& /*motion*/) {
+  return 0.01;
+}
+double longest_first_of(const DisturbedMotion& /*motion*/) {
+  return 1e-3;
+}
+
 double shortest_of(const SteadyMotion& /*motion*/) {
   return shortest_step;
 }
@@ -180,7 +188,7 @@ class Walk {
         return true;
       }
       cross(border, next);
-      step_ = std::max(first_step, std::min(step_, 0.01));
+      step_ = std::max(first_step, std::min(step_, longest_first_of(here_)));
       return true;
     }
     if (!reaches(next)) return false;

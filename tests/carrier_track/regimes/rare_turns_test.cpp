@@ -60,8 +60,17 @@ TEST(RareTurns, AreFoundBesideMarginsThatChangeMuch) {
 }
 
 /// For some phases one impact is the first of a turn and the next one the last.
-TEST(RareTurns, AreFoundWhereImpactsComeInAnotherOrder) {
+TEST(RareTurns, AreFoundWhereATurnBeginsAfterAnImpact) {
   expect_extremes_of_many_phases(51, 0.5759682684);
+}
+
+TEST(RareTurns, AreFoundWhereOnePhaseInSixThousandHasThem) {
+  const DisturbedMotion motion = evenly_sampled(10, 1.43634);
+  ASSERT_EQ(turn_at(motion, 4.227).collisions, 1);
+  ASSERT_EQ(turn_at(motion, 4.226).collisions, 2);
+  ASSERT_EQ(turn_at(motion, 4.228).collisions, 2);
+  const auto rare = rare_turns(motion);
+  EXPECT_TRUE(std::ranges::any_of(rare, [](const auto& turn) { return turn.collisions == 1; }));
 }
 
 TEST(RareTurns, AreNoneWhereAllPhasesCountTheSame) {

@@ -233,6 +233,16 @@ TEST(Regimes, OfADisturbedMachineCountStripsBetweenEvenPhases) {
   }
 }
 
+/// At 1.4363 rad/s the strip of turns that an impact has left before the next one comes in
+/// vanishes, and opens again.
+TEST(Regimes, OfADisturbedMachineBeginAgainAfterABorder) {
+  const auto regimes = regimes_of(random_disturbed_machine(10), {1.4, 1.46});
+  for (const double omega : {1.43, 1.4377538}) {
+    EXPECT_EQ(regime_at(regimes, omega).least_per_turn, 1) << omega;
+    EXPECT_EQ(regime_at(regimes, omega).most_per_turn, 3) << omega;
+  }
+}
+
 TEST(Regimes, RefuseWhatTheyCannotTell) {
   const Scene machine = default_machine();
   EXPECT_THROW(regimes_of(machine, {0, 18}), InputError);

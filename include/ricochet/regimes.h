@@ -44,7 +44,7 @@ struct Regime {
   double from, to;             ///< [rad/s]
   double collisions_per_turn;  ///< mean; exact where nothing disturbs the carrier
   /// Collisions in a turn over the phase of a disturbance that does not repeat, of which turns at
-  /// less than one phase in fifty may be missed; else both are the mean.
+  /// less than one phase in some thousands may be missed; else both are the mean.
   double least_per_turn, most_per_turn;
   LongRun first, last;  ///< at both ends
   int turns;            ///< of one period; 0 if the motion does not repeat

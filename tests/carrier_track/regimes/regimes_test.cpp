@@ -227,7 +227,7 @@ TEST(Regimes, OfADisturbedMachineHaveAllTheirBorders) {
 /// Strips of phases less than 0.02 rad wide open and close between even phases.
 TEST(Regimes, OfADisturbedMachineCountStripsBetweenEvenPhases) {
   const auto regimes = regimes_of(random_disturbed_machine(30), {0.84, 0.88});
-  for (const auto& [omega, most] : {std::pair(0.850280398, 3.0), {0.870569255, 4.0}}) {
+  for (const auto& [omega, most] : {std::pair{0.850280398, 3.0}, std::pair{0.870569255, 4.0}}) {
     EXPECT_EQ(regime_at(regimes, omega).most_per_turn, most) << omega;
     EXPECT_TRUE(regime_at(regimes, omega).certain) << omega;
   }

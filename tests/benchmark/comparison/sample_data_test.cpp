@@ -26,7 +26,8 @@ Json rows_of(double share) {
     catalogue.families[0].problems.push_back(bowl("bowl-" + std::to_string(k), 1));
   }
   catalogue.solvers.clear();
-  for (int s = 0; s < made_up_solvers; ++s) catalogue.solvers.push_back(chance("s" + std::to_string(s)));
+  for (int s = 0; s < made_up_solvers; ++s)
+    catalogue.solvers.push_back(chance("s" + std::to_string(s)));
   const Campaign campaign(
       plan_from("[[part]]\nproblems = \"*\"\nsolvers = \"*\"\nbudgets = 100\ninstances = 2\n",
                 "test"),

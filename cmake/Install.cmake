@@ -26,6 +26,7 @@ install(FILES
   DESTINATION ${package_folder})
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE TYPE DOC)
 install(DIRECTORY docs TYPE DOC)
+install(FILES reports/archive/reference.archive DESTINATION share/ricochet)
 install(FILES python/ricochet.py DESTINATION lib/python3/dist-packages)  # Debian's place for modules
 
 # The manual and the completions, made of the one description of the commands.

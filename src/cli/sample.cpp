@@ -23,14 +23,20 @@ std::string row_in_words(const Json& row) {
     problems += fmt::format("{}{} ({:.2f})", problems.empty() ? "" : ", ",
                             drawn["problem"].get<std::string>(), drawn["difficulty"].get<double>());
   }
-  const bool same = row["leader"] == row["sample_leader"];
-  return fmt::format(
-      "{}: {} of {} problems; {}; {} is first{}\n  {}\n", row["family"].get<std::string>(),
-      row["problems"].size(), row["of"].get<int>(), agreement_in_words(row["agreement"]),
-      row["leader"].get<std::string>(),
-      same ? " on both"
-           : fmt::format(", on the sample {}", row["sample_leader"].get<std::string>()),
-      problems);
+  std::string leader = row["leader"];
+  if (!row["returned"].is_null()) {
+    leader += fmt::format(" ({:.0f} % solved", 100 * row["returned"].get<double>());
+    if (!row["best"].is_null())
+      leader += fmt::format(", P(best) {:.2f}", row["best"].get<double>());
+    leader += ")";
+  }
+  const std::string on_sample =
+      row["leader"] == row["sample_leader"]
+          ? " on both"
+          : fmt::format(", on the sample {}", row["sample_leader"].get<std::string>());
+  return fmt::format("{}: {} of {} problems; {}; {} is first{}\n  {}\n",
+                     row["family"].get<std::string>(), row["problems"].size(), row["of"].get<int>(),
+                     agreement_in_words(row["agreement"]), leader, on_sample, problems);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "src/benchmark/analysis/stratified_sample.h"
 #include "src/benchmark/comparison/group.h"
@@ -42,11 +43,18 @@ Json family_row(const Comparison& comparison, const Group& group, std::size_t nu
                         {"difficulty", difficulties[k]}});
   }
   const std::size_t budget = comparison.part->budgets.size() - 1;
-  const Order whole = order_of(rate(comparison, group.problems, budget));
+  const std::vector<Rating> ratings = rate(comparison, group.problems, budget);
+  const Order whole = order_of(ratings);
+  const Rating* leader = leader_of(ratings);
   const Order sample = order_of(rate(comparison, drawn, budget));
-  return {{"family", group.family},          {"of", group.problems.size()},
-          {"problems", std::move(problems)}, {"agreement", agreement_of(whole, sample)},
-          {"leader", whole.leader},          {"sample_leader", sample.leader}};
+  return {{"family", group.family},
+          {"of", group.problems.size()},
+          {"problems", std::move(problems)},
+          {"agreement", agreement_of(whole, sample)},
+          {"leader", whole.leader},
+          {"returned", leader != nullptr ? Json(leader->returned) : Json()},
+          {"best", leader != nullptr ? Json(leader->probability_of_being_best) : Json()},
+          {"sample_leader", sample.leader}};
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ TEST(Sample, CoversEveryDifficulty) {
   }
   EXPECT_EQ(rows[0]["leader"], "s5, original");
   EXPECT_EQ(rows[0]["sample_leader"], "s5, original");
+  EXPECT_NEAR(rows[0]["returned"].get<double>(), 1, 1e-12);
+  EXPECT_EQ(rows[0]["best"], 1.0);
   EXPECT_NEAR(rows[0]["agreement"]["correlation"].get<double>(), 1, 1e-12);
 }
 

@@ -26,7 +26,7 @@ constexpr int most_rounds = 200;
 constexpr std::array<std::array<int, 2>, 7> stencil = {
     {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}}};
 
-constexpr int newton_steps = 10;
+constexpr int tip_newton_steps = 10;
 constexpr double longest_shift = 0.1;  // [rad]
 constexpr double farthest = 0.5;       // [rad], from the first phase
 
@@ -98,7 +98,7 @@ class Tip {
     Eigen::Vector2d reach(width_ / 2, first_reach);
     std::optional<ImpactPlace> one;
     std::optional<ImpactPlace> other;
-    for (int k = 0; k < newton_steps; ++k) {
+    for (int k = 0; k < tip_newton_steps; ++k) {
       std::vector<Scene> scenes;
       for (const auto& [i, j] : stencil) {
         scenes.push_back(machine_at(motion_, speed(at[0] + i * reach[0]), at[1] + j * reach[1]));

@@ -10,121 +10,17 @@
 
 #include "problems/carrier_track/regimes/border.h"
 #include "problems/carrier_track/regimes/followed_motion.h"
+#include "problems/carrier_track/regimes/kept_sign.h"
+#include "problems/carrier_track/regimes/walk_rules.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
-constexpr double shortest_step = 1e-7;       // of the logarithm of the speed
-constexpr double shortest_disturbed = 1e-3;  // where margins have no exact slopes
-constexpr double first_step = 1e-4;          // at least, after a border
+constexpr double step_after_border = 1e-4;  // at least, after a border
 constexpr double rounding = 1e-12;
 constexpr double irregular_step = 0.02;  // where the motion does not repeat
-
-/// Whether a margin keeps its sign over a step, by the cubic through the values and slopes at both
-/// ends. The cubic's error is of the size of `surprise`, the difference between the rise and what
-/// the slopes say, and of a share of how far its extremum is from the nearer end.
-bool keeps_sign(const Margin& a, const Margin& b, double step) {
-  if ((a.value > 0) != (b.value > 0)) return false;
-  const double sign = a.value > 0 ? 1 : -1;
-  const double from = sign * a.value, to = sign * b.value;
-  const double leaves = sign * step * a.slope, arrives = sign * step * b.slope;
-  const double surprise = std::abs(to - from - (leaves + arrives) / 2);
-  if (surprise > 0.5 * (from + to)) return false;
-  const double square = 3 * (to - from) - 2 * leaves - arrives;
-  const double cube = leaves + arrives - 2 * (to - from);
-  // The least value within the step, where 3 cube t^2 + 2 square t + leaves = 0 and it rises.
-  const double root = square * square - 3 * cube * leaves;
-  if (root < 0) return true;
-  const double t =
-      square > 0 ? -leaves / (square + std::sqrt(root)) : (std::sqrt(root) - square) / (3 * cube);
-  if (!(t > 0 && t < 1)) return true;
-  const double least = from + t * (leaves + t * (square + t * cube));
-  return least > 0.1 * surprise + 0.4 * (std::min(from, to) - least);
-}
-
-/// The largest modulus of the eigenvalues of a period.
-double memory_of(const SteadyMotion& motion) {
-  const double half = motion.trace / 2;
-  const double square = half * half - motion.determinant;
-  return square >= 0 ? std::abs(half) + std::sqrt(square) : std::sqrt(motion.determinant);
-}
-double memory_of(const DisturbedMotion& /*motion*/) {
-  return 0;
-}
-
-/// Whether several motions may be possible at one speed: then the way to a border is looked at,
-/// too.
-bool may_have_others(const SteadyMotion& /*motion*/) {
-  return true;
-}
-bool may_have_others(const DisturbedMotion& /*motion*/) {
-  return false;
-}
-
-/// The longest step between motions with different impacts: one that appears may make others
-/// slower, and two that were just about to count vanish between the ends of the step.
-double unlike_step_of(const SteadyMotion& /*motion*/) {
-  return 1e-5;
-}
-double unlike_step_of(const DisturbedMotion& /*motion*/) {
-  return 1e-3;
-}
-
-/// The longest step: an impact may come and go within a longer one.
-double longest_of(const SteadyMotion& /*motion*/) {
-  return 0.02;
-}
-double longest_of(const DisturbedMotion& /*motion*/) {
-  return 0.03;
-}
-
-/// The longest first step after a border: what ends there under a disturbance may begin again.
-double longest_first_of(const SteadyMotion& /*motion*/) {
-  return 0.01;
-}
-double longest_first_of(const DisturbedMotion& /*motion*/) {
-  return 1e-3;
-}
-
-double shortest_of(const SteadyMotion& /*motion*/) {
-  return shortest_step;
-}
-double shortest_of(const DisturbedMotion& /*motion*/) {
-  return shortest_disturbed;
-}
-
-/// The long run beyond a border with this long run before it.
-LongRun long_run_beyond(const LongRun& /*before*/, RegimeEnd /*kind*/, const SteadyMotion& motion) {
-  return long_run_of(motion);
-}
-LongRun long_run_beyond(const LongRun& before, RegimeEnd kind, const DisturbedMotion& motion) {
-  // Where one impact passes the limit at one phase, no mean changes.
-  if (kind != RegimeEnd::counting_limit) return long_run_of(motion);
-  LongRun beyond = before;
-  beyond.orbit = motion.machine;
-  return beyond;
-}
-
-/// Takes the collisions of a motion into a regime.
-void widen(Regime& regime, double least, double most) {
-  regime.least_per_turn = std::min(regime.least_per_turn, least);
-  regime.most_per_turn = std::max(regime.most_per_turn, most);
-}
-void widen(Regime& regime, const SteadyMotion& motion) {
-  widen(regime, motion.collisions_per_turn(), motion.collisions_per_turn());
-}
-void widen(Regime& regime, const DisturbedMotion& motion) {
-  widen(regime, motion.least, motion.most);
-}
-
-/// Lets a motion watch what another at its speed watches.
-void join(SteadyMotion& /*motion*/, const SteadyMotion& /*other*/) {}
-void join(DisturbedMotion& motion, const DisturbedMotion& other) {
-  for (const DisturbedTurn& turn : other.watched)
-    watch(motion, phase_in(motion, other, turn.phase));
-}
 
 /// Whether the motion beyond such a border is another one, which may be far away.
 bool is_jump(RegimeEnd kind) {
@@ -188,7 +84,7 @@ class Walk {
         return true;
       }
       cross(border, next);
-      step_ = std::max(first_step, std::min(step_, longest_first_of(here_)));
+      step_ = std::max(step_after_border, std::min(step_, longest_first_of(here_)));
       return true;
     }
     if (!reaches(next)) return false;
@@ -213,7 +109,7 @@ class Walk {
     }
     here_ = std::move(beyond);
     margins_ = margins_of(here_);
-    step_ = first_step;
+    step_ = step_after_border;
     return true;
   }
 
@@ -325,7 +221,7 @@ class Walk {
     // Between jumps so near to each other, motions may hide that no step meets.
     const RegimeEnd start = regimes_.size() > 1 ? regimes_.end()[-2].ends_by : RegimeEnd::range;
     const bool jumps = is_jump(kind) || is_jump(start);
-    if (jumps && std::log(to / regime.from) < first_step) regime.certain = false;
+    if (jumps && std::log(to / regime.from) < step_after_border) regime.certain = false;
   }
 
   static constexpr double longest_structured = 0.02;
@@ -348,30 +244,6 @@ class Walk {
 };
 
 }  // namespace
-
-std::string name_of(RegimeEnd end) {
-  switch (end) {
-    case RegimeEnd::release:
-      return "release";
-    case RegimeEnd::counting_limit:
-      return "counting-limit";
-    case RegimeEnd::grazing:
-      return "grazing";
-    case RegimeEnd::end_of_rest:
-      return "end-of-rest";
-    case RegimeEnd::start_of_rest:
-      return "start-of-rest";
-    case RegimeEnd::flip:
-      return "flip";
-    case RegimeEnd::fold:
-      return "fold";
-    case RegimeEnd::irregular:
-      return "irregular";
-    case RegimeEnd::range:
-      return "range";
-  }
-  return "";
-}
 
 bool has_regimes(const Scene& scene) {
   return scene.rule == CountRule::impacts && scene.profile.empty() &&

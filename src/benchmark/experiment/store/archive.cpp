@@ -59,7 +59,9 @@ std::vector<Improvement> thinned(std::vector<Improvement> trace, const StoredPro
     step.x = Vector();
     step.seconds = solves ? rounded(step.seconds) : 0;
     const bool on_the_way = !solves && !returns && k + 1 < trace.size();
-    if (on_the_way) step.true_values.objective = static_cast<float>(step.true_values.objective);
+    double& objective = step.true_values.objective;
+    const bool fits = std::abs(objective) < std::numeric_limits<float>::max();
+    if (on_the_way && fits) objective = static_cast<float>(objective);
     kept.push_back(std::move(step));
   }
   return kept;

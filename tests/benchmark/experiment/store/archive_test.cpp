@@ -70,6 +70,11 @@ TEST(Archive, KeepsTheFirstAsGoodAsTheReturnedPoint) {
   EXPECT_EQ(thin.returned->true_values.objective, 9.5);
 }
 
+TEST(Archive, KeepsValuesThatAreTooLargeForSevenDigits) {
+  EXPECT_THAT(objectives_of(thinned(record_of({1e300, 1.9, 1.3}), problem_of(1, 0))),
+              ElementsAre(1e300, static_cast<float>(1.9), 1.3));
+}
+
 TEST(Archive, KeepsTheFirstFeasiblePoint) {
   RunRecord record = record_of({1, 2, 9, 8});
   record.trace[0].true_values.violation = 2;

@@ -56,8 +56,9 @@ TEST(Description, CompletesNamesOfProblemsSolversPlansAndCases) {
   EXPECT_THAT(call("describe zsh").out,
               AllOf(HasSubstr(":value:_ricochet_or_file "), HasSubstr(" nlopt-cobyla "),
                     HasSubstr(" top-speed-C12 ")));
-  EXPECT_THAT(call("describe fish").out, AllOf(HasSubstr("from run' -F -a 'quick default reference full'"),
-                                               HasSubstr("-l solver-accepts -r -F -a '")));
+  EXPECT_THAT(call("describe fish").out,
+              AllOf(HasSubstr("from run' -F -a 'quick default reference full'"),
+                    HasSubstr("-l solver-accepts -r -F -a '")));
   EXPECT_THAT(call("describe man").out, testing::Not(HasSubstr("top\\-speed\\-C12")));
 }
 

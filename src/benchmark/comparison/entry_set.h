@@ -46,6 +46,14 @@ std::vector<EntrySet> entry_sets_of(const Campaign& campaign,
 /// problems.
 EntrySet joint_entry_set(const Campaign& campaign, const std::vector<EntrySet>& sets);
 
+/// Calls `use` for each entry of a set, also those that take only some of its problems.
+template <class Use>
+void each_entry(const EntrySet& set, const Use& use) {
+  for (const auto* entries : {&set.entries, &set.partial}) {
+    for (const Entry& entry : *entries) use(entry);
+  }
+}
+
 /// Calls `tell` for each set whose entries are compared and collects what it returns.
 template <class Tell>
 report::Json of_compared(const std::vector<EntrySet>& sets, const Tell& tell) {

@@ -36,21 +36,19 @@ std::vector<Rival> rivals_of(const Campaign& campaign, const EntrySet& set, cons
   const std::map<std::size_t, double> ours = shares_of(campaign, own);
   std::vector<Rival> rivals;
   std::vector<double> p_values;
-  for (const auto* entries : {&set.entries, &set.partial}) {
-    for (const Entry& entry : *entries) {
-      if (entry.solver == own.solver) continue;
-      std::vector<double> differences;
-      for (const auto& [problem, share] : shares_of(campaign, entry)) {
-        const auto mine = ours.find(problem);
-        if (mine != ours.end()) differences.push_back(mine->second - share);
-      }
-      if (2 * differences.size() < set.problems.size()) continue;
-      double sum = 0;
-      for (const double difference : differences) sum += difference;
-      rivals.push_back({sum / static_cast<double>(differences.size()), 1});
-      p_values.push_back(signed_rank_test(differences));
+  each_entry(set, [&](const Entry& entry) {
+    if (entry.solver == own.solver) return;
+    std::vector<double> differences;
+    for (const auto& [problem, share] : shares_of(campaign, entry)) {
+      const auto mine = ours.find(problem);
+      if (mine != ours.end()) differences.push_back(mine->second - share);
     }
-  }
+    if (2 * differences.size() < set.problems.size()) return;
+    double sum = 0;
+    for (const double difference : differences) sum += difference;
+    rivals.push_back({sum / static_cast<double>(differences.size()), 1});
+    p_values.push_back(signed_rank_test(differences));
+  });
   const std::vector<double> adjusted = holm(p_values);
   for (std::size_t k = 0; k < rivals.size(); ++k) rivals[k].p = adjusted[k];
   return rivals;
@@ -106,20 +104,18 @@ Json own_solver_data(const Campaign& campaign, const std::vector<EntrySet>& sets
   std::map<std::string, Total> totals;
   for (const EntrySet& set : sets) {
     if (!set.largest) continue;
-    for (const auto* entries : {&set.entries, &set.partial}) {
-      for (const Entry& entry : *entries) {
-        if (!is_own(entry)) continue;
-        const Json& row = rows.emplace_back(family_row(campaign, set, entry));
-        Total& total = totals[entry.solver];
-        for (const auto& [problem, share] : shares_of(campaign, entry)) {
-          ++total.problems;
-          total.solved += share >= most_runs ? 1 : 0;
-        }
-        total.better += row["better"].get<int>();
-        total.worse += row["worse"].get<int>();
-        total.rivals += row["rivals"].get<int>();
+    each_entry(set, [&](const Entry& entry) {
+      if (!is_own(entry)) return;
+      const Json& row = rows.emplace_back(family_row(campaign, set, entry));
+      Total& total = totals[entry.solver];
+      for (const auto& [problem, share] : shares_of(campaign, entry)) {
+        ++total.problems;
+        total.solved += share >= most_runs ? 1 : 0;
       }
-    }
+      total.better += row["better"].get<int>();
+      total.worse += row["worse"].get<int>();
+      total.rivals += row["rivals"].get<int>();
+    });
   }
   Json sums = Json::array();
   for (const auto& [solver, total] : totals) {

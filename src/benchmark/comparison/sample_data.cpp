@@ -8,6 +8,7 @@
 #include "src/benchmark/analysis/stratified_sample.h"
 #include "src/benchmark/comparison/group.h"
 #include "src/benchmark/comparison/order.h"
+#include "src/benchmark/comparison/share_data.h"
 #include "src/core/seed.h"
 
 namespace ricochet::studies::comparison {
@@ -17,16 +18,11 @@ using report::Json;
 
 /// The share of a problem's runs, over all entries, that did not solve it.
 double difficulty_of(const Comparison& comparison, std::size_t problem) {
-  double solved = 0;
-  double runs = 0;
+  Share solved{};
   for (const CellResult& result : comparison.results) {
-    if (result.cell->problem != problem) continue;
-    for (const Outcome& outcome : result.outcomes) {
-      solved += outcome.solved() ? 1 : 0;
-      ++runs;
-    }
+    if (result.cell->problem == problem) add_runs(solved, result);
   }
-  return 1 - solved / runs;
+  return 1 - static_cast<double>(solved.successes) / solved.trials;
 }
 
 Json family_row(const Comparison& comparison, const Group& group, std::size_t number) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/benchmark/comparison/share_data.h"
 #include "src/benchmark/statistics/holm.h"
 #include "src/benchmark/statistics/rank_sum_test.h"
 
@@ -76,10 +77,10 @@ Json separation_data(const Comparison& comparison, std::size_t problem) {
   for (const CellResult& result : comparison.results) {
     const Cell& cell = result.cell->cell;
     if (result.cell->problem != problem || cell.budget != comparison.part->budgets.back()) continue;
-    double solved = 0;
-    for (const Outcome& outcome : result.outcomes) solved += outcome.solved() ? 1 : 0;
+    Share solved{};
+    add_runs(solved, result);
     entries.push_back({&comparison.campaign->solvers()[result.cell->solver], cell.formulation,
-                       solved / static_cast<double>(result.outcomes.size())});
+                       static_cast<double>(solved.successes) / solved.trials});
   }
   Json data = {{"entries", entries.size()},
                {"solving", std::ranges::count_if(

@@ -31,13 +31,6 @@ struct Best {
 /// The best on each problem, by set and problem.
 using BestOn = std::map<std::pair<const EntrySet*, std::size_t>, Best>;
 
-template <class Use>
-void each_entry(const EntrySet& set, const Use& use) {
-  for (const auto* entries : {&set.entries, &set.partial}) {
-    for (const Entry& entry : *entries) use(entry);
-  }
-}
-
 BestOn best_on(const Campaign& campaign, const std::vector<EntrySet>& sets) {
   BestOn best;
   for (const EntrySet& set : sets) {

@@ -16,6 +16,7 @@
 
 #include "ricochet/error.h"
 #include "src/benchmark/comparison/study.h"
+#include "src/benchmark/experiment/campaign/archived_campaign.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/benchmark/experiment/campaign/frame.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
@@ -87,10 +88,14 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
   StoredCampaign stored = [&] {
     const AtInterruption beforehand(
         [] {}, existed ? how_to_go_on : "no run was made: the same command starts again");
+    if (!options.from.empty()) {
+      const Store earlier = Store::open(archive_named(options.from), Store::For::reading);
+      start_from(earlier, searched_campaign(plan, catalogue), provenance(), file);
+    }
     return stored_campaign(plan, catalogue, file, provenance(), announce);
   }();
   const auto& [campaign, store] = stored;
-  if (existed) Progress::announce(in_words(size_of(campaign)));
+  if (existed || !options.from.empty()) Progress::announce(in_words(size_of(campaign)));
   if (store.size() > 0) Progress::announce(fmt::format("{} runs are there already", store.size()));
   if (options.serve.empty() && store.size() == campaign.runs()) return stored;
   const AtInterruption kept([] {}, how_to_go_on);
@@ -130,6 +135,7 @@ bool started_with_other_ranks() {
                                         "--jobs",
                                         std::to_string(std::max(1, options.jobs))};
   if (options.resume) arguments.emplace_back("--resume");
+  if (!options.from.empty()) arguments.insert(arguments.end(), {"--from", options.from});
   if (options.allow_programs) arguments.emplace_back("--allow-programs");
   hand_over(mpi, arguments);
 }

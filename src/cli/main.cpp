@@ -456,7 +456,13 @@ class Program : public CommandLine {
     command->add_option("--shard", run_.shard, "Only the I-th of N parts of the runs")
         ->type_name("I/N")
         ->capture_default_str();
-    command->add_flag("--resume", run_.resume, "Continue the campaign in this folder");
+    CLI::Option* resume =
+        command->add_flag("--resume", run_.resume, "Continue the campaign in this folder");
+    command
+        ->add_option("--from", run_.from,
+                     "Take over the runs of another store whose problem and solver are the same")
+        ->type_name("STORE")
+        ->excludes(resume);
     add_allowance(command, run_.allow_programs);
     command->add_option("--jobs", run_.jobs, "Runs in parallel; 0: as many as cores")
         ->capture_default_str();

@@ -94,6 +94,8 @@ constexpr const char* published_minima =
     "113: 24.3062091, 114: -1768.80696, 116: 97.588409, 117: 32.34867897, 118: 664.82045, "
     "119: 244.899698";
 
+constexpr int published_local = 87;  // the best is lower: just below a jump
+
 /// So much of itself a published minimum is further off than a unit of its last digit.
 const std::map<int, double> published_less_well = {
     {19, 1e-08},  {58, 2e-06},  {59, 2e-06},  {67, 1e-05},  {68, 3e-08},  {72, 2e-08},
@@ -116,7 +118,11 @@ TEST(HockSchittkowski, HasThePublishedMinima) {
     const auto less = published_less_well.find(number);
     const double off =
         less == published_less_well.end() ? 1.1 * unit : less->second * std::abs(value);
-    EXPECT_LE(std::abs(*problem.best_known - value), off) << problem.name;
+    if (number == published_local) {
+      EXPECT_LT(*problem.best_known, value - 1) << problem.name;
+    } else {
+      EXPECT_LE(std::abs(*problem.best_known - value), off) << problem.name;
+    }
   }
   EXPECT_EQ(looked, problems.size());
 }
@@ -244,6 +250,7 @@ double not_balanced(const Vector& gradient, Matrix rows, Eigen::Index equations)
 TEST(HockSchittkowski, MeetsTheConditionsOfKarushKuhnAndTucker) {
   for (const Problem& problem : hock_schittkowski_problems()) {
     if (problem.name == "hs-13") continue;  // see below
+    if (problem.name == "hs-87") continue;  // its best point lies at a jump
     const Derivatives d = problem.differentiate(*problem.best_point);
     EXPECT_LT(not_balanced(d.gradient, active(problem, d), problem.equalities),
               1e-10 * (1 + d.gradient.norm()))

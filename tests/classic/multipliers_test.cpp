@@ -16,6 +16,7 @@ TEST(Multipliers, BalanceTheGradientButForActiveBounds) {
   int looked = 0;
   for (const Problem& problem : hock_schittkowski_problems()) {
     if (problem.name == "hs-13") continue;  // see below
+    if (problem.name == "hs-87") continue;  // its best point lies at a jump
     SCOPED_TRACE(problem.name);
     const std::optional<Vector> multipliers = multipliers_at_best(problem);
     ASSERT_TRUE(multipliers);
@@ -36,7 +37,7 @@ TEST(Multipliers, BalanceTheGradientButForActiveBounds) {
     }
     ++looked;
   }
-  EXPECT_EQ(looked, 115);
+  EXPECT_EQ(looked, 114);
 }
 
 TEST(Multipliers, AreNoneAtACusp) {

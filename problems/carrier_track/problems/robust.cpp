@@ -145,7 +145,6 @@ Problem robust_problem(const Machine& machine, RiskMeasure risk) {
   frame.smoothing = default_smoothing;
   frame.tolerance = speed_tolerance;
   frame.penalty_weight = speed_penalty / step;
-  frame.scan_step = 1e-2;
   frame.cost = robust_samples;
   frame.gradient_cost = robust_gradient_cost;
   return smoothable(frame, define_at);

@@ -37,9 +37,11 @@ std::size_t take_stored_values(const std::vector<Problem>& problems,
     const auto before = known.of.find(problem->first);
     const double so_far =
         before == known.of.end() ? std::numeric_limits<double>::infinity() : before->second.value;
-    if (run.record.trace.back().true_values.objective >= so_far) return;  // without an evaluation
+    const double least_gain = problem->second->tolerance;
+    const double found = run.record.trace.back().true_values.objective;
+    if (!(found < so_far - least_gain)) return;  // without an evaluation
     BestKnown best = best_of(*problem->second, run);
-    if (!(best.value < so_far)) return;
+    if (!(best.value < so_far - least_gain)) return;
     improved.insert(problem->first);
     known.of.insert_or_assign(problem->first, std::move(best));
   });

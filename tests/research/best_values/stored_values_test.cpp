@@ -59,6 +59,11 @@ TEST_F(StoredValues, AreTakenInTheProblemAsStatedIfTheyAreBetter) {
   EXPECT_EQ(take_stored_values({problem()}, store, file), 0U);
 }
 
+TEST_F(StoredValues, WithinTheToleranceAreNotWorthAnotherHash) {
+  keep(2, Vector::Constant(2, 1e-8));
+  EXPECT_EQ(take_stored_values({problem()}, store, file), 0U);
+}
+
 TEST_F(StoredValues, OfInfeasibleOrWorsePointsAreLeft) {
   keep(2, (Vector(2) << 1, 2).finished());  // 0, but infeasible
   EXPECT_EQ(take_stored_values({problem()}, store, file), 0U);

@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <set>
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/store/archive.h"
@@ -12,6 +14,8 @@
 
 namespace ricochet {
 namespace {
+
+namespace fs = std::filesystem;
 
 const Solver* find(const Catalogue& catalogue, const std::string& name) {
   const auto found = std::ranges::find(catalogue.solvers, name, &Solver::name);
@@ -35,8 +39,25 @@ void check_problems(const CampaignDescription& archive, const CampaignDescriptio
       campaign.problems.size(), fmt::join(others, ", "), all > named ? ", ..." : ""));
 }
 
-bool has(const std::vector<std::string>& texts, const std::string& text) {
-  return std::ranges::find(texts, text) != texts.end();
+template <class Entry>
+bool has(const std::vector<Entry>& entries, const Entry& entry) {
+  return std::ranges::find(entries, entry) != entries.end();
+}
+
+/// Makes a store of the runs of another that the campaign plans, of cells that are wanted. Returns
+/// their number.
+std::int64_t write_planned(const Store& from, const Campaign& campaign,
+                           const CampaignDescription& description, const fs::path& file,
+                           const std::function<bool(const Cell&)>& wanted) {
+  std::int64_t written = 0;
+  Store::write(file, description, [&](const Store::AddRun& add) {
+    from.each([&](const StoredRun& run) {
+      if (!campaign.has(run.key) || !wanted(run.key.cell)) return;
+      add(run.key, run.record);
+      ++written;
+    });
+  });
+  return written;
 }
 
 /// Adds the solvers of a part to those of another, as far as no pattern fits them.
@@ -80,14 +101,34 @@ ChangedSolvers changed_solvers(const CampaignDescription& archive, const Catalog
 }
 
 void start_against(const Store& archive, const Campaign& campaign, const Provenance& provenance,
-                   const std::filesystem::path& file) {
+                   const fs::path& file) {
   CampaignDescription description = description_of(campaign, provenance);
   check_problems(archive.description(), description);
   mark_archived(description);
-  Store::write(file, description, [&](const Store::AddRun& add) {
-    archive.each([&](const StoredRun& run) {
-      if (campaign.find(run.key.cell) != nullptr) add(run.key, run.record);
-    });
+  write_planned(archive, campaign, description, file, [](const Cell&) { return true; });
+}
+
+std::int64_t start_from(const Store& earlier, const Campaign& campaign,
+                        const Provenance& provenance, const fs::path& file) {
+  CampaignDescription description = description_of(campaign, provenance);
+  const CampaignDescription& theirs = earlier.description();
+  if (is_archived(theirs)) mark_archived(description);
+  const auto commit = theirs.program.find("commit");
+  if (commit != theirs.program.end()) {
+    description.made["some runs by commit"] = commit->second;
+  }
+  std::set<std::string> problems, solvers;
+  for (const StoredProblem& problem : description.problems) {
+    const auto known = std::ranges::find(theirs.problems, problem.name, &StoredProblem::name);
+    if (known != theirs.problems.end() && known->hash == problem.hash) {
+      problems.insert(problem.name);
+    }
+  }
+  for (const StoredSolver& solver : description.solvers) {
+    if (has(theirs.solvers, solver)) solvers.insert(solver.name);
+  }
+  return write_planned(earlier, campaign, description, file, [&](const Cell& cell) {
+    return problems.contains(cell.problem) && solvers.contains(cell.solver);
   });
 }
 

@@ -353,6 +353,13 @@ const PlannedCell* Campaign::find(const Cell& cell) const {
   return place == places_.end() ? nullptr : &cells_[place->second];
 }
 
+bool Campaign::has(const RunKey& key) const {
+  const PlannedCell* cell = find(key.cell);
+  const int first = plan_.first_instance;
+  return cell != nullptr && key.instance >= first && key.instance < first + cell->instances &&
+         key.run >= 0 && key.run < cell->seeds;
+}
+
 std::int64_t Campaign::runs() const {
   std::int64_t runs = 0;
   for (const PlannedCell& cell : cells_) runs += std::int64_t{cell.instances} * cell.seeds;

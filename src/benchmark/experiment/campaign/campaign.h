@@ -76,6 +76,9 @@ class Campaign {
   /// Null if the plan has no such cell.
   const PlannedCell* find(const Cell& cell) const;
 
+  /// Whether the plan has this run.
+  bool has(const RunKey& key) const;
+
   std::int64_t runs() const;
 
   /// Upper estimate of the number of simulations of all runs.

@@ -152,9 +152,10 @@ PlanScene scene_from(const toml::table& table, const std::string& place, SceneFi
 
 Plan plan_of(const toml::table& file, const std::string& origin, SceneFiles files) {
   const PlanTable in(file, origin);
-  in.check_keys({"name", "limits", "solver", "scene", "part"});
+  in.check_keys({"name", "first_instance", "limits", "solver", "scene", "part"});
   Plan plan;
   in.read("name", plan.name);
+  in.read("first_instance", plan.first_instance);
   if (const toml::node* limits = file.get("limits")) {
     if (!limits->is_table()) in.refuse("limits", *limits, "a table");
     const PlanTable table(*limits->as_table(), origin + ", limits");
@@ -276,9 +277,10 @@ Plan read_plan(const std::string& file) {
 }
 
 std::string text_of(const Plan& plan) {
-  std::string text =
-      fmt::format("name = {}\n\n[limits]\nseconds = {}\nmegabytes = {}\n", quoted(plan.name),
-                  toml_float(plan.limits.seconds), toml_float(plan.limits.megabytes));
+  std::string text = fmt::format("name = {}\n", quoted(plan.name));
+  if (plan.first_instance != 1) text += fmt::format("first_instance = {}\n", plan.first_instance);
+  text += fmt::format("\n[limits]\nseconds = {}\nmegabytes = {}\n", toml_float(plan.limits.seconds),
+                      toml_float(plan.limits.megabytes));
   for (const VariedSolver& solver : plan.solvers) {
     std::vector<std::string> options;
     for (const auto& [key, value] : solver.options) {

@@ -67,6 +67,7 @@ struct VariedSolver {
 /// The content of a plan file.
 struct Plan {
   std::string name;
+  int first_instance = 1;  ///< parts begin there: other instances than those of another plan
   Limits limits;
   std::vector<VariedSolver> solvers = {};
   std::vector<PlanScene> scenes = {};

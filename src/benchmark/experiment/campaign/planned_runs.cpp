@@ -30,7 +30,8 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
   std::vector<Place> places;
   for (const PlannedCell& cell : campaign.cells()) {
     const double length = length_of(campaign, cell);
-    for (int instance = 1; instance <= cell.instances; ++instance) {
+    for (int k = 0; k < cell.instances; ++k) {
+      const int instance = campaign.plan().first_instance + k;
       for (int run = 0; run < cell.seeds; ++run) places.push_back({&cell, instance, run, length});
     }
   }
@@ -48,10 +49,7 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
 }
 
 PlannedRuns::PlannedRuns(const Campaign& campaign, const RunKey& key) {
-  const PlannedCell* cell = campaign.find(key.cell);
-  const bool planned = cell != nullptr && key.instance >= 1 && key.instance <= cell->instances &&
-                       key.run >= 0 && key.run < cell->seeds;
-  if (planned) add(campaign, *cell, key.instance, key.run);
+  if (campaign.has(key)) add(campaign, *campaign.find(key.cell), key.instance, key.run);
 }
 
 void PlannedRuns::add(const Campaign& campaign, const PlannedCell& cell, int instance_number,

@@ -86,6 +86,39 @@ TEST_F(ArchivedCampaign, IsRefusedIfAProblemIsAnotherOne) {
   EXPECT_FALSE(fs::exists(folder_ / "runs.sqlite"));
 }
 
+TEST_F(ArchivedCampaign, LeavesRunsOfChangedProblemsAndSolversToBeMade) {
+  Catalogue changed = catalogue_;
+  changed.families[0].problems[1].tolerance = 0.125;
+  std::ranges::find(changed.solvers, "chance-a", &Solver::name)->version = "3";
+  const Plan plan = plan_from(
+      "name = \"more\"\n" + part_of("\"bowl-[12]\"", "solvers = \"chance-*\"\ninstances = 4"),
+      "test");
+  const Campaign campaign(plan, changed);
+  const Provenance provenance = {{{"version", "2"}}, {}};
+  const fs::path file = folder_ / "runs.sqlite";
+  const Store earlier = Store::open(folder_ / "made.sqlite", Store::For::reading);
+  EXPECT_EQ(start_from(earlier, campaign, provenance, file), 3);
+  StoredCampaign joint = stored_campaign(plan, changed, file, provenance);
+  for (const RunKey& key : joint.store.keys()) {
+    EXPECT_EQ(key.cell.problem, "bowl-1");
+    EXPECT_EQ(key.cell.solver, "chance-b");
+    EXPECT_LE(key.instance, 3);
+  }
+  EXPECT_FALSE(is_archived(joint.store.description()));
+  make_runs(joint.campaign, {}, joint.store);
+  EXPECT_EQ(joint.store.size(), 2 * 2 * 4);
+}
+
+TEST_F(ArchivedCampaign, OfAnArchiveStaysOne) {
+  const Plan plan =
+      plan_from(part_of("\"bowl-[12]\"", "solvers = \"chance-*\"\ninstances = 2"), "test");
+  const fs::path file = folder_ / "runs.sqlite";
+  EXPECT_EQ(
+      start_from(Store::open(archive_, Store::For::reading), Campaign(plan, catalogue_), {}, file),
+      2 * 2 * 2);
+  EXPECT_TRUE(is_archived(Store::open(file, Store::For::reading).description()));
+}
+
 TEST_F(ArchivedCampaign, TakesInTheRunsOfAnotherSolver) {
   const Plan plan = against(catalogue_);
   const Campaign campaign(plan, catalogue_);

@@ -102,12 +102,14 @@ TEST(Plan, IsReadBackFromItsText) {
   for (int k = 0; k < 1000; ++k) {
     Plan plan;
     plan.name = any_text(random);
+    if (random() % 2 == 0) plan.first_instance = static_cast<int>(whole(random, 1, 1'000'000));
     plan.limits = {static_cast<double>(random()) * 1e-15 + 1e-9, 1 + static_cast<double>(random())};
     for (auto left = random() % 3; left > 0; --left) plan.solvers.push_back(any_solver(random));
     for (auto left = 1 + random() % 3; left > 0; --left) plan.parts.push_back(any_part(random));
     const std::string text = text_of(plan);
     const Plan again = plan_from(text, "again");
     EXPECT_EQ(again.name, plan.name);
+    EXPECT_EQ(again.first_instance, plan.first_instance);
     EXPECT_EQ(again.limits.seconds, plan.limits.seconds);
     EXPECT_EQ(again.limits.megabytes, plan.limits.megabytes);
     EXPECT_EQ(again.solvers, plan.solvers) << text;

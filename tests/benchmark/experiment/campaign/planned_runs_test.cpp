@@ -48,6 +48,21 @@ TEST(PlannedRuns, OfShardsAreDisjointAndCompleteWhateverIsDone) {
   }
 }
 
+TEST(PlannedRuns, BeginAtThePlansFirstInstance) {
+  const std::string parts = part_of("\"bowl-1\"", "instances = 2");
+  const Campaign later = campaign_of("first_instance = 4\n" + parts);
+  std::set<int> instances;
+  const PlannedRuns planned(later, {}, {});
+  for (const PlannedRun& run : planned.all()) {
+    instances.insert(run.key.instance);
+    EXPECT_EQ(run.job.problem->instance, run.key.instance);
+    EXPECT_TRUE(later.has(run.key));
+    EXPECT_FALSE(campaign_of(parts).has(run.key));
+  }
+  EXPECT_EQ(instances, (std::set<int>{4, 5}));
+  EXPECT_EQ(later.runs(), 2);
+}
+
 TEST(PlannedRuns, BeginWithTheLongest) {
   const Campaign campaign = campaign_of(part_of("\"bowl-*\"", "budgets = [5, 50]"));
   const PlannedRuns planned(campaign, {}, {});

@@ -440,7 +440,7 @@ TEST_F(CampaignCommands, LoseNothingButItsRunsWithARankThatIsKilled) {
 }
 
 TEST_F(CampaignCommands, LoseNothingWhereverTheyAreKilled) {
-  const std::string kills = fmt::format("{}/tests/hostile/kills {} 5 >{}/log 2>&1", RICOCHET_SOURCE,
+  const std::string kills = fmt::format("{}/tests/hostile/kills {} 3 >{}/log 2>&1", RICOCHET_SOURCE,
                                         RICOCHET_PROGRAM, folder_.string());
   EXPECT_EQ(std::system(kills.c_str()), 0) << read(folder_ / "log");
 }

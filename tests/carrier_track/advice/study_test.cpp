@@ -87,18 +87,17 @@ TEST(AdviceStudy, FillsItsTemplateWhateverTheAnswer) {
   slip.window = Seconds{1};
   const std::pair<Scene, QuietSpeedOptions> asked[] = {
       {case_scene("C1"), {}},
-      {case_scene("C2"), {}},
-      {case_scene("C3"), {Limit{Measure::collisions, 99}, 1e-3, 4}},
-      {case_scene("C3"), {Limit{Measure::collisions, 0}, 1e-3, 4}},
+      {case_scene("C3"), {Limit{Measure::collisions, 99}, 1e-2, 4}},
+      {case_scene("C3"), {Limit{Measure::collisions, 0}, 1e-2, 4}},
       {slip, {std::nullopt, 1e-2, 5}}};
+  report::Json last;
   for (const auto& [scene, options] : asked) {
-    const report::Json data = data_for(scene, options);
-    const report::DrawnPage drawing = report::drawn(page_template, data);
+    last = data_for(scene, options);
+    const report::DrawnPage drawing = report::drawn(page_template, last);
     EXPECT_EQ(drawing.page.title, "How fast may mine turn?");
     EXPECT_THAT(drawing.epilogue, testing::StartsWith("mine: "));
   }
-  EXPECT_THAT(data_for(slip, {std::nullopt, 1e-2, 5})["doubts"].dump(),
-              testing::HasSubstr("0.8 m: walls so far apart"));
+  EXPECT_THAT(last["doubts"].dump(), testing::HasSubstr("0.8 m: walls so far apart"));
 }
 
 }  // namespace

@@ -97,14 +97,19 @@ const lookAt = async (name) => {
   await page.close();
 };
 
-// Pages of solvers are drawn from one template: the largest three stand for them. Links are followed on all.
+// Pages of solvers, of a comparison's families and of problems are drawn from one template each: the
+// largest three stand for them. Links are followed on all.
 const bySize = [...pages].sort((a, b) => fs.statSync(path.join(folder, b)).size - fs.statSync(path.join(folder, a)).size);
-const ofSolvers = bySize.filter((name) => /(^|\/)solvers\/[^/]+\/index\.html$/.test(name));
-check(ofSolvers.length > 10, `only ${ofSolvers.length} pages of solvers`);
-ofSolvers.slice(3).forEach(checkLinks);
+const alike = [];
+for (const kind of [/(^|\/)solvers\/[^/]+\/index\.html$/, /^comparison\/[^/]+\/index\.html$/, /^problems\/[^/]+\/index\.html$/]) {
+  const ofKind = bySize.filter((name) => kind.test(name) && !alike.includes(name));
+  check(ofKind.length > 10, `only ${ofKind.length} pages like ${kind}`);
+  alike.push(...ofKind.slice(3));
+}
+alike.forEach(checkLinks);
 
 // Two at a time, the largest first.
-const left = bySize.filter((name) => !ofSolvers.slice(3).includes(name));
+const left = bySize.filter((name) => !alike.includes(name));
 const lookAtRest = async () => { while (left.length) await lookAt(left.shift()); };
 await Promise.all([lookAtRest(), lookAtRest()]);
 

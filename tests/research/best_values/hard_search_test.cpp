@@ -89,18 +89,16 @@ TEST(HardSearch, LeavesOutTheMachinesOfThePaper) {
 }
 
 /// Every true objective anew, on a grid as fine as that of the search.
-/// Of three of them: to judge one takes ten seconds.
-TEST(HardSearch, JudgesMachinesAsTheirFileSays) {
-  for (std::size_t k = 0; k < hard_machines().size(); k += 5) {
-    const HardMachine& hard = hard_machines()[k];
-    const Found found = look_everywhere(hard.machine, 1e-4);
-    EXPECT_NEAR(found.fastest, hard.best.point[0] - 0.5e-4, 0.5e-4) << hard.machine.id;
-    const auto again = judged_hard(hard.machine);
-    ASSERT_TRUE(again) << hard.machine.id;
-    EXPECT_EQ(again->best.value, hard.best.value) << hard.machine.id;
-    EXPECT_EQ(again->best.provenance, hard.best.provenance);
-    EXPECT_EQ(again->hardness, hard.hardness) << hard.machine.id;
-  }
+/// Of one of them: to judge it takes ten seconds.
+TEST(HardSearch, JudgesAMachineAsItsFileSays) {
+  const HardMachine& hard = hard_machines().at(5);
+  const Found found = look_everywhere(hard.machine, 1e-4);
+  EXPECT_NEAR(found.fastest, hard.best.point[0] - 0.5e-4, 0.5e-4);
+  const auto again = judged_hard(hard.machine);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->best.value, hard.best.value);
+  EXPECT_EQ(again->best.provenance, hard.best.provenance);
+  EXPECT_EQ(again->hardness, hard.hardness);
 }
 
 }  // namespace

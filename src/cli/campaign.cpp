@@ -89,7 +89,8 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
     const AtInterruption beforehand(
         [] {}, existed ? how_to_go_on : "no run was made: the same command starts again");
     if (!options.from.empty()) {
-      const Store earlier = Store::open(archive_named(options.from), Store::For::reading);
+      std::vector<std::filesystem::path> earlier;
+      for (const std::string& store : options.from) earlier.push_back(archive_named(store));
       start_from(earlier, searched_campaign(plan, catalogue), provenance(), file);
     }
     return stored_campaign(plan, catalogue, file, provenance(), announce);
@@ -135,7 +136,9 @@ bool started_with_other_ranks() {
                                         "--jobs",
                                         std::to_string(std::max(1, options.jobs))};
   if (options.resume) arguments.emplace_back("--resume");
-  if (!options.from.empty()) arguments.insert(arguments.end(), {"--from", options.from});
+  for (const std::string& store : options.from) {
+    arguments.insert(arguments.end(), {"--from", store});
+  }
   if (options.allow_programs) arguments.emplace_back("--allow-programs");
   hand_over(mpi, arguments);
 }

@@ -15,9 +15,9 @@ struct RunOptions {
   std::string out = "reports/campaign";  ///< folder of the store, runs.sqlite
   std::string shard = "1/1";
   bool resume = false;
-  std::string from;             ///< a store or archive: its runs that are the plan's are taken over
-  bool allow_programs = false;  ///< that the plan names
-  int jobs = 0;                 ///< runs at once; 0: one for every core, or one under MPI
+  std::vector<std::string> from;  ///< stores, archives: their runs that are the plan's are kept
+  bool allow_programs = false;    ///< that the plan names
+  int jobs = 0;                   ///< runs at once; 0: one for every core, or one under MPI
   std::string serve;  ///< under MPI, the role of this process: "store" or "runs"; see service.h
 };
 

@@ -459,9 +459,12 @@ class Program : public CommandLine {
     CLI::Option* resume =
         command->add_flag("--resume", run_.resume, "Continue the campaign in this folder");
     command
-        ->add_option("--from", run_.from,
-                     "Take over the runs of another store whose problem and solver are the same")
+        ->add_option(
+            "--from", run_.from,
+            "Take over the runs of another store whose problem and solver are the same; may "
+            "be repeated")
         ->type_name("STORE")
+        ->allow_extra_args(false)
         ->excludes(resume);
     add_allowance(command, run_.allow_programs);
     command->add_option("--jobs", run_.jobs, "Runs in parallel; 0: as many as cores")

@@ -26,6 +26,12 @@ Scene case_scene(const char* id) {
   return scene_of(find_case(id), default_machine());
 }
 
+/// What is asked of C1 by default: it takes ten seconds.
+const report::Json& data_of_c1() {
+  static const report::Json data = data_for(case_scene("C1"), {});
+  return data;
+}
+
 TEST(AdviceStudy, DrawsTheStaircaseWhereItIs) {
   const Scene scene = case_scene("C1");
   const report::Json data = data_for(scene, {Limit{Measure::collisions, 6}, 1e-3, 18});
@@ -43,7 +49,7 @@ TEST(AdviceStudy, DrawsTheStaircaseWhereItIs) {
 
 TEST(AdviceStudy, DrawsTheLongRunUnlessTheWindowIsLimited) {
   const Scene scene = case_scene("C1");
-  const report::Json data = data_for(scene, {});
+  const report::Json& data = data_of_c1();
   EXPECT_EQ(data["when"], "a turn, in the long run");
   const auto regimes = regimes_of(scene);
   ASSERT_EQ(data["staircase"].size(), regimes.size() + 1);
@@ -58,7 +64,7 @@ TEST(AdviceStudy, DrawsTheLongRunUnlessTheWindowIsLimited) {
 }
 
 TEST(AdviceStudy, ShowsThePathsBelowAndAbove) {
-  const report::Json data = data_for(case_scene("C1"), {});
+  const report::Json& data = data_of_c1();
   ASSERT_EQ(data["paths"].size(), 2U);
   for (const report::Json& path : data["paths"]) {
     EXPECT_EQ(path["counted"].size(), path["count"]) << path["side"];
@@ -85,19 +91,15 @@ TEST(AdviceStudy, FillsItsTemplateWhateverTheAnswer) {
   Scene slip = case_scene("C3");
   slip.wall_upper = 0.8;
   slip.window = Seconds{1};
-  const std::pair<Scene, QuietSpeedOptions> asked[] = {
-      {case_scene("C1"), {}},
-      {case_scene("C3"), {Limit{Measure::collisions, 99}, 1e-2, 4}},
-      {case_scene("C3"), {Limit{Measure::collisions, 0}, 1e-2, 4}},
-      {slip, {std::nullopt, 1e-2, 5}}};
-  report::Json last;
-  for (const auto& [scene, options] : asked) {
-    last = data_for(scene, options);
-    const report::DrawnPage drawing = report::drawn(page_template, last);
+  const report::Json doubtful = data_for(slip, {std::nullopt, 1e-2, 5});
+  for (const report::Json& data :
+       {data_of_c1(), data_for(case_scene("C3"), {Limit{Measure::collisions, 99}, 1e-2, 4}),
+        data_for(case_scene("C3"), {Limit{Measure::collisions, 0}, 1e-2, 4}), doubtful}) {
+    const report::DrawnPage drawing = report::drawn(page_template, data);
     EXPECT_EQ(drawing.page.title, "How fast may mine turn?");
     EXPECT_THAT(drawing.epilogue, testing::StartsWith("mine: "));
   }
-  EXPECT_THAT(last["doubts"].dump(), testing::HasSubstr("0.8 m: walls so far apart"));
+  EXPECT_THAT(doubtful["doubts"].dump(), testing::HasSubstr("0.8 m: walls so far apart"));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -44,21 +43,28 @@ bool has(const std::vector<Entry>& entries, const Entry& entry) {
   return std::ranges::find(entries, entry) != entries.end();
 }
 
-/// Makes a store of the runs of another that the campaign plans, of cells that are wanted. Returns
-/// their number.
-std::int64_t write_planned(const Store& from, const Campaign& campaign,
-                           const CampaignDescription& description, const fs::path& file,
-                           const std::function<bool(const Cell&)>& wanted) {
-  std::int64_t written = 0;
-  Store::write(file, description, [&](const Store::AddRun& add) {
-    from.each([&](const StoredRun& run) {
-      if (!campaign.has(run.key) || !wanted(run.key.cell)) return;
-      add(run.key, run.record);
-      ++written;
-    });
-  });
-  return written;
-}
+/// Cells of a campaign whose runs in another may be taken over: of equal problems and solvers.
+class CommonCells {
+ public:
+  CommonCells(const CampaignDescription& ours, const CampaignDescription& theirs) {
+    for (const StoredProblem& problem : ours.problems) {
+      const auto known = std::ranges::find(theirs.problems, problem.name, &StoredProblem::name);
+      if (known != theirs.problems.end() && known->hash == problem.hash) {
+        problems_.insert(problem.name);
+      }
+    }
+    for (const StoredSolver& solver : ours.solvers) {
+      if (has(theirs.solvers, solver)) solvers_.insert(solver.name);
+    }
+  }
+
+  bool contain(const Cell& cell) const {
+    return problems_.contains(cell.problem) && solvers_.contains(cell.solver);
+  }
+
+ private:
+  std::set<std::string> problems_, solvers_;
+};
 
 /// Adds the solvers of a part to those of another, as far as no pattern fits them.
 void add_solvers(const PlanPart& from, PlanPart& to) {
@@ -105,30 +111,34 @@ void start_against(const Store& archive, const Campaign& campaign, const Provena
   CampaignDescription description = description_of(campaign, provenance);
   check_problems(archive.description(), description);
   mark_archived(description);
-  write_planned(archive, campaign, description, file, [](const Cell&) { return true; });
+  Store::write(file, description, [&](const Store::AddRun& add) {
+    archive.each([&](const StoredRun& run) {
+      if (campaign.has(run.key)) add(run.key, run.record);
+    });
+  });
 }
 
-std::int64_t start_from(const Store& earlier, const Campaign& campaign,
-                        const Provenance& provenance, const fs::path& file) {
+void start_from(const std::vector<fs::path>& earlier, const Campaign& campaign,
+                const Provenance& provenance, const fs::path& file) {
   CampaignDescription description = description_of(campaign, provenance);
-  const CampaignDescription& theirs = earlier.description();
-  if (is_archived(theirs)) mark_archived(description);
-  const auto commit = theirs.program.find("commit");
-  if (commit != theirs.program.end()) {
-    description.made["some runs by commit"] = commit->second;
-  }
-  std::set<std::string> problems, solvers;
-  for (const StoredProblem& problem : description.problems) {
-    const auto known = std::ranges::find(theirs.problems, problem.name, &StoredProblem::name);
-    if (known != theirs.problems.end() && known->hash == problem.hash) {
-      problems.insert(problem.name);
+  for (const fs::path& place : earlier) {
+    const CampaignDescription theirs = Store::open(place, Store::For::reading).description();
+    if (is_archived(theirs)) mark_archived(description);
+    const auto commit = theirs.program.find("commit");
+    if (commit != theirs.program.end()) {
+      description.made["runs taken over from " + place.string()] = "commit " + commit->second;
     }
   }
-  for (const StoredSolver& solver : description.solvers) {
-    if (has(theirs.solvers, solver)) solvers.insert(solver.name);
-  }
-  return write_planned(earlier, campaign, description, file, [&](const Cell& cell) {
-    return problems.contains(cell.problem) && solvers.contains(cell.solver);
+  std::set<RunKey> taken;
+  Store::write(file, description, [&](const Store::AddRun& add) {
+    for (const fs::path& place : earlier) {
+      const Store store = Store::open(place, Store::For::reading);
+      const CommonCells common(description, store.description());
+      store.each([&](const StoredRun& run) {
+        if (!campaign.has(run.key) || !common.contain(run.key.cell)) return;
+        if (taken.insert(run.key).second) add(run.key, run.record);
+      });
+    }
   });
 }
 

@@ -25,10 +25,11 @@ ChangedSolvers changed_solvers(const CampaignDescription& archive, const Catalog
 void start_against(const Store& archive, const Campaign& campaign, const Provenance& provenance,
                    const std::filesystem::path& file);
 
-/// Makes the store of a campaign in a new file, with those runs of another store that are its own,
-/// too: problem by hash, solver by version, then cell, instance and run. Returns their number.
-std::int64_t start_from(const Store& earlier, const Campaign& campaign,
-                        const Provenance& provenance, const std::filesystem::path& file);
+/// Makes the store of a campaign in a new file, with those runs of other stores that are its own,
+/// too: problem by hash, solver by version, then cell, instance and run; of equal ones the first.
+/// Throws InputError if a store cannot be read.
+void start_from(const std::vector<std::filesystem::path>& earlier, const Campaign& campaign,
+                const Provenance& provenance, const std::filesystem::path& file);
 
 /// The description of two campaigns on the same problems whose solvers differ. Throws InputError if
 /// the second has other problems, by their hashes, or another version of a solver.

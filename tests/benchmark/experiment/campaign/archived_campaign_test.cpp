@@ -96,15 +96,14 @@ TEST_F(ArchivedCampaign, LeavesRunsOfChangedProblemsAndSolversToBeMade) {
   const Campaign campaign(plan, changed);
   const Provenance provenance = {{{"version", "2"}}, {}};
   const fs::path file = folder_ / "runs.sqlite";
-  const Store earlier = Store::open(folder_ / "made.sqlite", Store::For::reading);
-  EXPECT_EQ(start_from(earlier, campaign, provenance, file), 3);
+  start_from({folder_ / "made.sqlite", archive_}, campaign, provenance, file);
   StoredCampaign joint = stored_campaign(plan, changed, file, provenance);
   for (const RunKey& key : joint.store.keys()) {
     EXPECT_EQ(key.cell.problem, "bowl-1");
     EXPECT_EQ(key.cell.solver, "chance-b");
     EXPECT_LE(key.instance, 3);
   }
-  EXPECT_FALSE(is_archived(joint.store.description()));
+  EXPECT_EQ(joint.store.size(), 3);
   make_runs(joint.campaign, {}, joint.store);
   EXPECT_EQ(joint.store.size(), 2 * 2 * 4);
 }
@@ -113,9 +112,11 @@ TEST_F(ArchivedCampaign, OfAnArchiveStaysOne) {
   const Plan plan =
       plan_from(part_of("\"bowl-[12]\"", "solvers = \"chance-*\"\ninstances = 2"), "test");
   const fs::path file = folder_ / "runs.sqlite";
-  EXPECT_EQ(
-      start_from(Store::open(archive_, Store::For::reading), Campaign(plan, catalogue_), {}, file),
-      2 * 2 * 2);
+  start_from({folder_ / "made.sqlite"}, Campaign(plan, catalogue_), {}, file);
+  EXPECT_EQ(Store::open(file, Store::For::reading).size(), 2 * 2 * 2);
+  EXPECT_FALSE(is_archived(Store::open(file, Store::For::reading).description()));
+  fs::remove(file);
+  start_from({archive_}, Campaign(plan, catalogue_), {}, file);
   EXPECT_TRUE(is_archived(Store::open(file, Store::For::reading).description()));
 }
 

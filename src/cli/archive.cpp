@@ -100,8 +100,8 @@ int submit(const SubmitOptions& options) {
   std::vector<std::string> patterns = split_patterns(options.solvers);
   if (patterns.empty()) patterns = own_solvers_of(store.description());
   if (patterns.empty()) {
-    throw InputError(fmt::format("{}: has no solver of yours: --solvers PATTERNS chooses others",
-                                 options.store));
+    throw InputError(fmt::format(
+        "{}: has only solvers of the suite: --solvers PATTERNS chooses among them", options.store));
   }
   std::vector<std::string> names;
   for (const StoredSolver& solver : store.description().solvers) names.push_back(solver.name);

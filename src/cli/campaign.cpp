@@ -210,7 +210,7 @@ int compare(studies::ComparisonOptions options, const SceneChoice& scene, bool q
 int compare_against(const std::string& archive, const std::vector<std::string>& own_solvers,
                     const std::string& out) {
   const auto start = std::chrono::steady_clock::now();
-  if (own_solvers.empty()) throw InputError("--against: needs --solver, a solver of yours");
+  if (own_solvers.empty()) throw InputError("--against: needs --solver, your own solver");
   const Catalogue catalogue = studies::whole_catalogue();
   const Plan plan = plan_against_archive(archive_named(archive), own_solvers, catalogue, out);
   return compared(plan, catalogue, false, out, start);

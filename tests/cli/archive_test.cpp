@@ -84,12 +84,12 @@ TEST_F(Archives, TakeInWhatIsSubmitted) {
 }
 
 TEST_F(Archives, AreRefusedInOneLine) {
-  expect_refusal("compare --against " + archive_, "--against: needs --solver, a solver of yours");
+  expect_refusal("compare --against " + archive_, "--against: needs --solver, your own solver");
   expect_refusal(fmt::format("compare --solver {} --against {}", own,
                              write(folder_, "text", "no archive").string()),
                  "file is not a database");
   expect_refusal(fmt::format("submit {} --out {}", archive_, (folder_ / "again.archive").string()),
-                 "has no solver of yours");
+                 "has only solvers of the suite");
   EXPECT_FALSE(fs::exists(folder_ / "again.archive"));
 }
 

@@ -63,8 +63,9 @@ class Table {
   }
 
   /// Adds the entries of all families together, which have no ratings: sorted by the share solved,
-  /// then by evaluations. Returns true if there are any.
-  bool add_all(std::size_t family) {
+  /// then by evaluations. Returns the number of problems that the first takes, `usual` if the data
+  /// lack it; nothing if there are no entries.
+  std::optional<std::size_t> add_all(std::size_t family, std::size_t usual) {
     std::vector<SpeedAccuracy> joint;
     for (const auto& [key, one] : fast_) {
       if (!one.budget) joint.push_back(one);
@@ -85,7 +86,8 @@ class Table {
       measure(one, entry);
       entries.push_back(std::move(entry));
     }
-    return !joint.empty();
+    if (joint.empty()) return std::nullopt;
+    return joint.front().problems ? static_cast<std::size_t>(*joint.front().problems) : usual;
   }
 
   std::vector<Entry> entries;
@@ -131,7 +133,10 @@ Comparison comparison_of(const FoundReport& report) {
     const FamilyData& family = families.emplace_back(page.data.get<FamilyData>());
     problems.insert(problems.end(), family.problems.begin(), family.problems.end());
   }
-  if (table.add_all(0)) comparison.families.push_back(size_of("all", problems));
+  if (const auto all = table.add_all(0, problems.size())) {
+    comparison.families.push_back(size_of("all", problems));
+    comparison.families.back().problems = *all;
+  }
   for (const FamilyData& family : families) {
     const std::size_t number = comparison.families.size();
     for (const RatedBudget& budget : family.budgets) {

@@ -1,5 +1,4 @@
-# What the libraries need; the installed package finds the same, with this very file. Everything
-# comes from Debian 12; the script `ricochet` lists the packages.
+# What the libraries need. Everything comes from Debian 12; the script `ricochet` lists the packages.
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_path(RICOCHET_JET_FOLDER ceres/jet.h REQUIRED)  # dual numbers: a header of Ceres, not its library
@@ -52,8 +51,11 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)  # where they are found when ricochet 
 ricochet_backend(CERES Ceres::ceres Ceres 2.1)
 ricochet_backend(DLIB dlib::dlib dlib 19.24)
 if(RICOCHET_HAS_DLIB)
-  # Its library finds what it needs itself; the files named here may be missing.
-  set_target_properties(dlib::dlib PROPERTIES INTERFACE_LINK_LIBRARIES "")
+  # What we use needs no other library; the files named here may be missing. Linked statically, for
+  # Debian's shared library brings 70 MB of data sets.
+  find_library(RICOCHET_DLIB_ARCHIVE libdlib.a REQUIRED)
+  set_target_properties(dlib::dlib PROPERTIES
+    INTERFACE_LINK_LIBRARIES "" IMPORTED_LOCATION_NONE ${RICOCHET_DLIB_ARCHIVE})
 endif()
 ricochet_backend(IPOPT PkgConfig::Ipopt pkg-config Ipopt ipopt)
 ricochet_backend(PAGMO Pagmo::pagmo Pagmo 2.18)

@@ -1,33 +1,96 @@
-# What `cmake --install` and `cpack -G DEB` bring: the program, the libraries that a solver or a
-# problem of one's own is built with, their headers, the package for find_package(ricochet), and the
-# C library with its Python module for optimisers outside.
+# What `cmake --install` brings, as far as it is built. A component is a package of Debian, see
+# Package.cmake.
 include(CMakePackageConfigHelpers)
-set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/ricochet)
 
-set(libraries options dual_numbers core carrier_track classic problems seen_problem solvers interface)
-foreach(library ${libraries})
-  set_target_properties(ricochet_${library} PROPERTIES EXPORT_NAME ${library})
-  list(APPEND library_targets ricochet_${library})
+# ricochet_missing(COMPONENT TARGET [FILE]): installing says that what the target makes is not there, and
+# how to build it; making a package fails.
+function(ricochet_missing component target)
+  set(file $<TARGET_FILE:${target}>)
+  if(ARGC GREATER 2)
+    set(file ${ARGV2})
+  endif()
+  install(CODE "
+    if(NOT EXISTS \"${file}\")
+      if(CMAKE_INSTALL_PREFIX MATCHES \"_CPack_Packages\")
+        message(FATAL_ERROR \"${target} is not built\")
+      endif()
+      message(\"-- Not installed, for it is not built: ${target} (ninja -C ${PROJECT_BINARY_DIR} ${target})\")
+    endif()" COMPONENT ${component})
+endfunction()
+
+# The programs, and the plugin with TAO's solvers.
+install(TARGETS ricochet ricochet_reproduce ricochet_studies OPTIONAL COMPONENT ricochet)
+foreach(program ricochet ricochet_reproduce ricochet_studies)
+  ricochet_missing(ricochet ${program})
 endforeach()
-install(TARGETS ricochet ricochet_reproduce ricochet_studies)
 if(TARGET ricochet_mpi)
-  install(TARGETS ricochet_mpi)
+  set_target_properties(ricochet_mpi PROPERTIES INSTALL_RPATH_USE_LINK_PATH OFF)
+  install(TARGETS ricochet_mpi OPTIONAL COMPONENT ricochet-mpi)
+  ricochet_missing(ricochet-mpi ricochet_mpi)
 endif()
-install(TARGETS ${library_targets} EXPORT ricochet)
-install(EXPORT ricochet NAMESPACE ricochet:: DESTINATION ${package_folder} FILE ricochetTargets.cmake)
+if(TARGET ricochet_tao)
+  set_target_properties(ricochet_tao PROPERTIES INSTALL_RPATH_USE_LINK_PATH OFF)
+  install(TARGETS ricochet_tao OPTIONAL
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/ricochet COMPONENT ricochet-tao)
+  ricochet_missing(ricochet-tao ricochet_tao)
+endif()
 
-install(DIRECTORY include/ricochet TYPE INCLUDE)
-configure_package_config_file(cmake/ricochetConfig.cmake.in ricochetConfig.cmake
-  INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+# The libraries, with headers and find_package(ricochet). A set of them has its own file of targets, for
+# a user need not have what another set is made of.
+get_target_property(abi ricochet_interface SOVERSION)  # in the name of the package with the library
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/ricochet)
+set(problems_set core carrier_track classic problems)
+set(solvers_set seen_problem solvers)
+set(interface_set interface)
+foreach(set problems solvers interface)
+  foreach(library ${${set}_set})
+    set_target_properties(ricochet_${library} PROPERTIES EXPORT_NAME ${library})
+    install(TARGETS ricochet_${library} EXPORT ricochet-${set} OPTIONAL
+      ARCHIVE COMPONENT libricochet-dev
+      LIBRARY COMPONENT libricochet${abi} NAMELINK_COMPONENT libricochet-dev)
+    ricochet_missing(libricochet-dev ricochet_${library})
+  endforeach()
+endforeach()
+set_target_properties(ricochet_options PROPERTIES EXPORT_NAME options)
+install(TARGETS ricochet_options EXPORT ricochet-problems)
+foreach(set problems solvers interface)
+  install(EXPORT ricochet-${set} NAMESPACE ricochet:: DESTINATION ${package_folder}
+    FILE ricochet-${set}.cmake COMPONENT libricochet-dev)
+endforeach()
+install(DIRECTORY include/ricochet TYPE INCLUDE COMPONENT libricochet-dev)
+set(RICOCHET_SOLVER_PACKAGES "")  # what the solvers are made of, see ricochetConfig.cmake.in
+set(RICOCHET_SOLVER_LIBRARIES "")
+foreach(backend Ceres Pagmo)
+  string(TOUPPER ${backend} name)
+  if(RICOCHET_HAS_${name})
+    string(APPEND RICOCHET_SOLVER_PACKAGES " \"${backend} ${${backend}_VERSION}\"")
+  endif()
+endforeach()
+foreach(backend dlib ipopt)
+  string(TOUPPER ${backend} name)
+  if(RICOCHET_HAS_${name})
+    string(APPEND RICOCHET_SOLVER_LIBRARIES " ${backend}")
+  endif()
+endforeach()
+configure_file(cmake/ricochetConfig.cmake.in ricochetConfig.cmake @ONLY)
 write_basic_package_version_file(ricochetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES
   ${PROJECT_BINARY_DIR}/ricochetConfig.cmake ${PROJECT_BINARY_DIR}/ricochetConfigVersion.cmake
-  cmake/Dependencies.cmake
-  DESTINATION ${package_folder})
-install(FILES README.md CHANGELOG.md CITATION.cff LICENSE TYPE DOC)
-install(DIRECTORY docs TYPE DOC)
-install(FILES reports/archive/reference.archive DESTINATION share/ricochet)
-install(FILES python/ricochet.py DESTINATION lib/python3/dist-packages)  # Debian's place for modules
+  DESTINATION ${package_folder} COMPONENT libricochet-dev)
+
+# The Python module, in Debian's place for modules.
+install(DIRECTORY python/ DESTINATION lib/python3/dist-packages COMPONENT python3-ricochet
+  FILES_MATCHING REGEX "/python/ricochet(/[^/]*)?\\.(py|typed)$" PATTERN __pycache__ EXCLUDE)
+
+# The docs, with what they link to.
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff TYPE DOC COMPONENT ricochet)
+install(FILES LICENSE TYPE DOC COMPONENT license)  # Debian has it as the file copyright
+install(DIRECTORY docs examples TYPE DOC COMPONENT ricochet PATTERN __pycache__ EXCLUDE)
+install(FILES include/ricochet/ricochet.h DESTINATION ${CMAKE_INSTALL_DOCDIR}/include/ricochet
+        COMPONENT ricochet)
+install(DIRECTORY reports/reference DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports COMPONENT ricochet
+        FILES_MATCHING PATTERN *.md PATTERN *.svg)
+install(FILES reports/archive/reference.archive DESTINATION share/ricochet COMPONENT ricochet)
 
 # The manual and the completions, made of the one description of the commands.
 set(descriptions ${PROJECT_BINARY_DIR}/descriptions)
@@ -37,37 +100,19 @@ foreach(form man bash zsh fish)
     COMMAND ricochet describe ${form} > ${descriptions}/${form}
     DEPENDS ricochet ricochet_reproduce ricochet_studies VERBATIM)
 endforeach()
+add_custom_command(OUTPUT ${descriptions}/man.gz
+  COMMAND gzip -9nc ${descriptions}/man > ${descriptions}/man.gz DEPENDS ${descriptions}/man VERBATIM)
 add_custom_target(ricochet_descriptions ALL
-  DEPENDS ${descriptions}/man ${descriptions}/bash ${descriptions}/zsh ${descriptions}/fish)
-install(FILES ${descriptions}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME ricochet.1)
-install(FILES ${descriptions}/bash RENAME ricochet
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${descriptions}/zsh RENAME _ricochet
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
-install(FILES ${descriptions}/fish RENAME ricochet.fish
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
-
-# The package of Debian. Who builds with the library needs the -dev packages of what it is made of.
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "The authors of ricochet <ricochet@localhost>")
-set(CPACK_PACKAGE_VENDOR ricochet)
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
-find_program(RICOCHET_SHLIBDEPS dpkg-shlibdeps)
-if(RICOCHET_SHLIBDEPS)
-  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-endif()
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "libeigen3-dev, libceres-dev, libnlopt-cxx-dev, libboost-dev, libtbb-dev, libfmt-dev, libtomlplusplus-dev, pkg-config, python3-numpy")
-if(RICOCHET_HAS_DLIB)
-  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", libdlib-dev")
-endif()
-if(RICOCHET_HAS_IPOPT)
-  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", coinor-libipopt-dev")
-endif()
-if(RICOCHET_HAS_PAGMO)
-  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", libpagmo-dev")
-endif()
-include(CPack)
+  DEPENDS ${descriptions}/man.gz ${descriptions}/bash ${descriptions}/zsh ${descriptions}/fish)
+# ricochet_description(FORM FOLDER NAME): installs a form below the folder of data.
+function(ricochet_description form folder name)
+  install(FILES ${descriptions}/${form} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder} RENAME ${name}
+    OPTIONAL COMPONENT ricochet)
+endfunction()
+foreach(program ricochet ricochet-reproduce ricochet-studies)
+  ricochet_description(man.gz man/man1 ${program}.1.gz)  # one manual for all
+endforeach()
+ricochet_description(bash bash-completion/completions ricochet)
+ricochet_description(zsh zsh/vendor-completions _ricochet)
+ricochet_description(fish fish/vendor_completions.d ricochet.fish)
+ricochet_missing(ricochet ricochet_descriptions ${descriptions}/man.gz)

@@ -10,7 +10,7 @@ target_include_directories(ricochet_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>  # "ricochet/problem.h"
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(ricochet_options INTERFACE cxx_std_20)
-target_link_libraries(ricochet_options INTERFACE fmt::fmt)
+target_link_libraries(ricochet_options INTERFACE $<BUILD_INTERFACE:fmt::fmt>)
 # Errors of JSON name the place in the data, "(/rows/3/share)".
 target_compile_definitions(ricochet_options INTERFACE $<BUILD_INTERFACE:JSON_DIAGNOSTICS=1>)
 set(warnings -Wall -Wextra -Wpedantic -Wnon-virtual-dtor $<$<BOOL:${RICOCHET_WERROR}>:-Werror>)

@@ -4,10 +4,12 @@
 /**
  * @file
  * The C interface of ricochet: for solvers that ricochet loads (ricochet_plugin), and for programs
- * in any language that evaluate its problems (ricochet_open). Both use the same ricochet_problem.
+ * in any language that evaluate its problems (ricochet_open) or simulate a machine
+ * (ricochet_open_machine). Solvers and programs use the same ricochet_problem.
  *
- * Vectors are arrays of double of the length given; matrices are row-major. No exception may pass
- * through these functions. Only one thread at a time may use a problem.
+ * Vectors are arrays of double of the length given; matrices are row-major. Arrays for results may
+ * be NULL unless said otherwise. No exception may pass through these functions. After an error,
+ * ricochet_error has the reason. Only one thread at a time may use a problem or a machine.
  */
 
 #include <stdint.h>
@@ -91,6 +93,11 @@ typedef struct ricochet_solver {
 /** Declared here so that C++ also exports its definition: constants are not exported there. */
 extern const ricochet_solver ricochet_plugin;
 
+/** RICOCHET_ABI of the library. */
+int32_t ricochet_abi(void);
+/** The version of the library, such as "0.2.0". */
+const char* ricochet_version(void);
+
 /** Opens the problem of this name in this formulation (NULL or "": the true objective), as instance
  * 0 (original) or 1, 2, ... (moved, reflected), with `budget` evaluations, and `seed` for
  * uniform(). Returns NULL on an error, see ricochet_error. Close it with ricochet_close. The first
@@ -99,16 +106,117 @@ ricochet_problem* ricochet_open(const char* problem, const char* formulation, in
                                 int64_t budget, uint64_t seed);
 /** The same for a problem of the machine in a file (TOML), such as "profile-count-8-scene":
  * `ricochet list problems --scene FILE` lists their names. Takes the time of a threshold, about a
- * second. */
+ * second, if the last call named another file or the file has changed. */
 ricochet_problem* ricochet_open_scene(const char* scene, const char* problem,
                                       const char* formulation, int32_t instance, int64_t budget,
                                       uint64_t seed);
 void ricochet_close(ricochet_problem* problem);
 
+/** @name An open problem, by functions
+ * For languages that cannot call the pointers of a ricochet_problem, which do the same. They take
+ * problems of ricochet_open and ricochet_open_scene; any other pointer is an error. */
+/** @{ */
+const char* ricochet_name(const ricochet_problem* problem);  /**< NULL on an error, as all names */
+const char* ricochet_unit(const ricochet_problem* problem);  /**< of the objective; "": none */
+int32_t ricochet_dimension(const ricochet_problem* problem); /**< -1 on an error */
+int32_t ricochet_constraints(const ricochet_problem* problem);     /**< -1 on an error */
+int32_t ricochet_equalities(const ricochet_problem* problem);      /**< -1 on an error */
+int32_t ricochet_has_derivatives(const ricochet_problem* problem); /**< -1 on an error */
+int32_t ricochet_has_residuals(const ricochet_problem* problem);   /**< -1 on an error */
+
+/** Both of length dimension. Returns 0, or 1 on an error. */
+int32_t ricochet_bounds(const ricochet_problem* problem, double* lower, double* upper);
+int32_t ricochet_start(const ricochet_problem* problem, double* start);
+
+/** Name and unit of variable 0, 1, ..., dimension - 1; "" if it has none. */
+const char* ricochet_variable_name(const ricochet_problem* problem, int32_t index);
+const char* ricochet_variable_unit(const ricochet_problem* problem, int32_t index);
+
+/** The best true objective of a feasible point that is known, and the gap to it that still counts
+ * as solved. NaN if none is known, and on an error. */
+double ricochet_best_known(const ricochet_problem* problem);
+double ricochet_tolerance(const ricochet_problem* problem);
+
+int32_t ricochet_values(ricochet_problem* problem, const double* x, double* objective,
+                        double* constraints);
+int32_t ricochet_derivatives(ricochet_problem* problem, const double* x, double* objective,
+                             double* constraints, double* gradient, double* jacobian);
+int32_t ricochet_residual_count(ricochet_problem* problem, const double* x);
+int32_t ricochet_residuals(ricochet_problem* problem, const double* x, double* residuals,
+                           double* jacobian);
+int64_t ricochet_remaining(ricochet_problem* problem); /**< -1 on an error */
+double ricochet_uniform(ricochet_problem* problem);    /**< NaN on an error */
+
+/** ricochet_values at many points, one after another: `points` is count x dimension, `objectives`
+ * has length count, `constraints` is count x constraints. Returns the number of points evaluated:
+ * less than count once the run is over. */
+int64_t ricochet_values_batch(ricochet_problem* problem, const double* points, int64_t count,
+                              double* objectives, double* constraints);
+
 /** The true objective at x, and the largest constraint violation (0 if x is feasible). Costs no
  * evaluation. Returns 0, or 1 on an error. */
 int32_t ricochet_judge(ricochet_problem* problem, const double* x, double* objective,
                        double* violation);
+/** @} */
+
+/** @name A machine
+ * Units are rad/s, s, m and m/s. Omega is the constant speed of the driver plate. */
+/** @{ */
+typedef struct ricochet_machine ricochet_machine;
+
+/** The machine in a file (TOML, see docs/machine-files.md), or in the text of one. Returns NULL on
+ * an error, which names the file ("text"), the key, the value and what is allowed. Close it with
+ * ricochet_close_machine. */
+ricochet_machine* ricochet_open_machine(const char* file);
+ricochet_machine* ricochet_parse_machine(const char* text);
+void ricochet_close_machine(ricochet_machine* machine);
+
+/** The text of its file. */
+const char* ricochet_machine_text(const ricochet_machine* machine);
+/** The speed in its file; NaN if that is a profile, and on an error. */
+double ricochet_machine_speed(const ricochet_machine* machine);
+
+/** The collision counts at `size` speeds, one simulation each. Neighbours should be similar, which
+ * makes it several times as fast. Neither array may be NULL. Returns 0, or 1 on an error. */
+int32_t ricochet_counts(const ricochet_machine* machine, const double* omegas, int64_t size,
+                        int32_t* counts);
+
+/** Simulates the machine at this speed, NaN for the speed or profile in its file, and keeps the
+ * recording until the next call: the collision count, whether it is certain, and what
+ * ricochet_impacts, ricochet_path and ricochet_doubt tell. The path is sampled about `samples`
+ * times in the window; 0: there is no path. Costs five simulations. Returns 0, or 1 on an error. */
+int32_t ricochet_simulate(ricochet_machine* machine, double omega, int64_t samples, int32_t* count,
+                          int32_t* certain);
+/** Why the count is not certain; "" if it is. */
+const char* ricochet_doubt(const ricochet_machine* machine);
+/** Times, approach speeds and walls (0 lower, 1 upper) of all impacts. Returns their number, which
+ * is the length of the arrays; -1 on an error. */
+int64_t ricochet_impacts(const ricochet_machine* machine, double* times, double* speeds,
+                         int32_t* walls);
+/** Samples of the motion. Returns their number as ricochet_impacts does. */
+int64_t ricochet_path(const ricochet_machine* machine, double* times, double* positions,
+                      double* velocities);
+
+/** Finds what the machine does in the long run over the speeds from..to, within 0.001..1000, and
+ * keeps these regimes until the next call. Returns their number; -1 on an error. */
+int64_t ricochet_regimes(ricochet_machine* machine, double from, double to);
+/** The regimes, by increasing speed: range, collisions in a turn, turns of a period (0: the motion
+ * does not repeat), whether the carrier rests in every period, whether the regime is certain.
+ * Returns their number as ricochet_impacts does. */
+int64_t ricochet_regime_table(const ricochet_machine* machine, double* from, double* to,
+                              double* mean_per_turn, double* least_per_turn, double* most_per_turn,
+                              int32_t* turns, int32_t* rests, int32_t* certain);
+/** What ends regime 0, 1, ... at its fast end, such as "counting-limit". */
+const char* ricochet_regime_end(const ricochet_machine* machine, int64_t index);
+
+/** The fastest quiet speed, the first loud one, and the limit that divides them, as `ricochet
+ * threshold` finds them; NaN where there is none. Quiet are at most `at_most` of `measure`:
+ * "collisions" in the window, "collisions-per-turn", "energy" [J] in the window, "impact-speed";
+ * NULL for two collisions per turn in the long run. `fastest` ends the range, NaN: 18. Returns 0,
+ * or 1 on an error. */
+int32_t ricochet_quiet_speed(const ricochet_machine* machine, const char* measure, double at_most,
+                             double fastest, double* quiet, double* first_loud, double* limit);
+/** @} */
 
 /** The name of problem 0, 1, 2, ..., in static storage; NULL past the last one. */
 const char* ricochet_problem_name(int32_t index);

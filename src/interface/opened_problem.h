@@ -30,6 +30,9 @@ class OpenedProblem : private OpenedRun, public SeenProblem {
   /// std::invalid_argument for null or a point that is not finite, and what the problem throws.
   TrueValues judge(const double* x) const;
 
+  /// In its formulation and instance.
+  const Problem& stated() const { return problem; }
+
  private:
   static std::int32_t values_or_reason(ricochet_problem* problem, const double* x,
                                        double* objective, double* constraints);

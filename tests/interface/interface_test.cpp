@@ -5,9 +5,13 @@
 #include <malloc.h>
 #include <ricochet/ricochet.h>
 
+#include <cstddef>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <regex>
 #include <set>
 #include <string>
 #include <thread>
@@ -17,22 +21,18 @@
 #include "ricochet/random.h"
 #include "src/core/instance.h"
 #include "src/research/suite/families.h"
+#include "tests/interface/opened.h"
 
 namespace ricochet {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 
-struct Closer {
-  void operator()(ricochet_problem* problem) const { ricochet_close(problem); }
-};
-using Opened = std::unique_ptr<ricochet_problem, Closer>;
-
-Opened open(const std::string& problem, const std::string& formulation = "", int instance = 0,
-            std::int64_t budget = 1000, std::uint64_t seed = 0) {
-  return Opened(ricochet_open(problem.c_str(), formulation.c_str(), instance, budget, seed));
-}
+using interface::open;
+using interface::Opened;
 
 const std::vector<Problem>& problems() {
   static const std::vector<Problem> all = every_problem(suite_families());
@@ -279,7 +279,16 @@ TEST(Interface, KeepsNothingOfWhatWasClosed) {
   EXPECT_LT(mallinfo2().uordblks, before + 10'000);
 }
 
-TEST(Interface, ExportsItsFunctionsAlone) {
+TEST(Interface, ExportsTheFunctionsThatItsHeaderDeclares) {
+  std::ifstream header(RICOCHET_SOURCE "/include/ricochet/ricochet.h");
+  const std::string text(std::istreambuf_iterator<char>(header), {});
+  const std::regex declaration(R"((?:^|\n)[a-z][a-z0-9_ ]*[ *]+(ricochet_[a-z_]+)\()");
+  std::set<std::string> declared;
+  for (std::sregex_iterator found(text.begin(), text.end(), declaration), end; found != end;
+       ++found) {
+    declared.insert((*found)[1]);
+  }
+  EXPECT_THAT(declared, IsSupersetOf({"ricochet_open", "ricochet_values", "ricochet_counts"}));
   FILE* const names =
       popen("nm --dynamic --defined-only --format=just-symbols " RICOCHET_LIBRARY, "r");
   ASSERT_NE(names, nullptr);
@@ -287,9 +296,62 @@ TEST(Interface, ExportsItsFunctionsAlone) {
   char name[1000];
   while (std::fscanf(names, "%999s", name) == 1) exported.insert(name);
   ASSERT_EQ(pclose(names), 0);
-  EXPECT_EQ(exported, (std::set<std::string>{"ricochet_close", "ricochet_error", "ricochet_judge",
-                                             "ricochet_open", "ricochet_open_scene",
-                                             "ricochet_problem_name"}));
+  EXPECT_EQ(exported, declared);
+}
+
+/// So that a program that was built with one version of the header runs with another, unless
+/// RICOCHET_ABI says that it cannot.
+TEST(Interface, KeepsTheLayoutOfItsStructures) {
+  EXPECT_EQ(ricochet_abi(), RICOCHET_ABI);
+  static_assert(RICOCHET_ABI == 3, "a new layout: write down its offsets here");
+  if (sizeof(void*) != 8) GTEST_SKIP() << "the offsets are those of 64 bits";
+  const std::vector<std::size_t> problem = {offsetof(ricochet_problem, abi),
+                                            offsetof(ricochet_problem, dimension),
+                                            offsetof(ricochet_problem, constraints),
+                                            offsetof(ricochet_problem, equalities),
+                                            offsetof(ricochet_problem, has_derivatives),
+                                            offsetof(ricochet_problem, has_residuals),
+                                            offsetof(ricochet_problem, name),
+                                            offsetof(ricochet_problem, lower),
+                                            offsetof(ricochet_problem, upper),
+                                            offsetof(ricochet_problem, start),
+                                            offsetof(ricochet_problem, values),
+                                            offsetof(ricochet_problem, derivatives),
+                                            offsetof(ricochet_problem, residual_count),
+                                            offsetof(ricochet_problem, residuals),
+                                            offsetof(ricochet_problem, remaining),
+                                            offsetof(ricochet_problem, uniform),
+                                            sizeof(ricochet_problem)};
+  EXPECT_THAT(problem,
+              ElementsAre(0, 4, 8, 12, 16, 20, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104));
+  const std::vector<std::size_t> solver = {offsetof(ricochet_solver, abi),
+                                           offsetof(ricochet_solver, name),
+                                           offsetof(ricochet_solver, version),
+                                           offsetof(ricochet_solver, takes_constraints),
+                                           offsetof(ricochet_solver, needs_derivatives),
+                                           offsetof(ricochet_solver, needs_residuals),
+                                           offsetof(ricochet_solver, stochastic),
+                                           offsetof(ricochet_solver, solve),
+                                           sizeof(ricochet_solver)};
+  EXPECT_THAT(solver, ElementsAre(0, 8, 16, 24, 28, 32, 36, 40, 48));
+}
+
+/// So that it runs where these are not: from a wheel of Python.
+TEST(Interface, NeedsNoOtherLibraryThanTbbAndThoseOfTheCompiler) {
+  FILE* const lines = popen("readelf --dynamic --wide " RICOCHET_LIBRARY, "r");
+  ASSERT_NE(lines, nullptr);
+  std::set<std::string> needed;
+  char line[1000], name[1000];
+  while (std::fgets(line, sizeof line, lines)) {
+    if (std::sscanf(line, " %*x (NEEDED) Shared library: [%999[^]]]", name) == 1) {
+      needed.insert(name);
+    }
+  }
+  ASSERT_EQ(pclose(lines), 0);
+  const std::set<std::string> allowed = {"libtbb.so.12",  "libstdc++.so.6", "libm.so.6",
+                                         "libgcc_s.so.1", "libc.so.6",      "ld-linux-x86-64.so.2"};
+  EXPECT_THAT(needed, testing::Contains("libc.so.6"));
+  EXPECT_THAT(allowed, IsSupersetOf(needed));
 }
 
 }  // namespace

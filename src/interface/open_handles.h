@@ -1,0 +1,57 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "ricochet/error.h"
+
+namespace ricochet::interface {
+
+/// What an external program holds open. `Opened` is derived from the `Handle` that the program
+/// sees; a pointer that is not one of those given is detected.
+template <class Handle, class Opened>
+class OpenHandles {
+ public:
+  /// `noun`: what is open, for messages.
+  explicit OpenHandles(std::string noun) : noun_(std::move(noun)) {}
+
+  Handle* add(std::unique_ptr<Opened> opened) {
+    Handle* const handle = opened.get();
+    const std::lock_guard lock(mutex_);
+    opened_.emplace(handle, std::move(opened));
+    return handle;
+  }
+
+  /// Throws InputError if it is not open.
+  Opened& at(const Handle* handle) {
+    const std::lock_guard lock(mutex_);
+    return *found(handle)->second;
+  }
+
+  /// Throws InputError if it is not open.
+  void close(const Handle* handle) {
+    std::unique_ptr<Opened> closed;  // destroyed after the lock is released
+    const std::lock_guard lock(mutex_);
+    const auto opened = found(handle);
+    closed = std::move(opened->second);
+    opened_.erase(opened);
+  }
+
+ private:
+  auto found(const Handle* handle) {
+    const auto opened = opened_.find(handle);
+    if (opened == opened_.end()) throw InputError(fmt::format("the {} is not open", noun_));
+    return opened;
+  }
+
+  std::string noun_;
+  std::mutex mutex_;
+  std::unordered_map<const Handle*, std::unique_ptr<Opened>> opened_;
+};
+
+}  // namespace ricochet::interface

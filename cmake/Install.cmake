@@ -78,9 +78,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/ricochetConfig.cmake ${PROJECT_BINARY_DIR}/ricochetConfigVersion.cmake
   DESTINATION ${package_folder} COMPONENT libricochet-dev)
 
-# The Python module, in Debian's place for modules.
-install(DIRECTORY python/ DESTINATION lib/python3/dist-packages COMPONENT python3-ricochet
-  FILES_MATCHING REGEX "/python/ricochet(/[^/]*)?\\.(py|typed)$" PATTERN __pycache__ EXCLUDE)
+add_subdirectory(python)
 
 # The docs, with what they link to.
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff TYPE DOC COMPONENT ricochet)

@@ -1,8 +1,9 @@
-"""The module ricochet, against the program ricochet and against SciPy."""
+"""The problems of the package ricochet, against the program ricochet and against SciPy."""
 
 import json
 import math
 import os
+import pickle
 import subprocess
 import sys
 import threading
@@ -124,8 +125,17 @@ class Problem(unittest.TestCase):
         self.assertEqual(q.lower.tolist(), described["lower"])
         self.assertEqual(q.upper.tolist(), described["upper"])
         self.assertEqual(q.start.tolist(), described["start"])
+        self.assertEqual(q.best_known, described["best_known"])
+        self.assertEqual(q.tolerance, described["tolerance"])
         with self.assertRaises(ValueError):
             q.lower[0] = 0
+
+    def test_names_its_variables_and_their_units(self):
+        q = ricochet.problem("design-count-C1", instance=2)
+        (described,) = evaluated(q.name, [], "--describe", "--instance", "2")
+        self.assertEqual([v._asdict() for v in q.variables], described["variables"])
+        self.assertGreater(len({v.unit for v in q.variables}), 1)
+        self.assertEqual(ricochet.problem("top-speed-C1").unit, "rad/s")
 
     def test_is_one_of_those_listed(self):
         names = ricochet.problems()
@@ -188,6 +198,94 @@ class Problem(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(found, [expected] * 80)
+
+
+class Batch(unittest.TestCase):
+    def test_has_the_values_of_its_points(self):
+        for name in ("hs-71", "count-C4", "top-speed-C1"):
+            q = ricochet.problem(name, budget=40)
+            points = some_points(q, 20)
+            told = q.batch(points)
+            self.assertEqual(q.remaining, 20)
+            self.assertEqual(told.constraints.shape, (20, q.constraints))
+            for x, objective, constraints in zip(points, *told):
+                expected, limits = q.values(x)
+                self.assertEqual(objective, expected)
+                self.assertEqual(constraints.tolist(), limits.tolist())
+
+    def test_takes_points_in_any_order_of_memory(self):
+        q = ricochet.problem("hs-71")
+        points = some_points(q, 6)
+        expected = q.batch(points).objectives.tolist()
+        self.assertEqual(q.batch(numpy.asfortranarray(points)).objectives.tolist(), expected)
+        self.assertEqual(q.batch(points.tolist()).objectives.tolist(), expected)
+        self.assertEqual(q.batch(points[::2]).objectives.tolist(), expected[::2])
+        self.assertEqual(q.batch(numpy.empty((0, 4))).objectives.shape, (0,))
+
+    def test_is_refused_whole(self):
+        q = ricochet.problem("hs-71", budget=3)
+        points = some_points(q, 4)
+        with self.assertRaisesRegex(ricochet.RunOver, "4 points, but 3 evaluations are left"):
+            q.batch(points)
+        for bad in (points[0], points[:, :3], points * math.nan, [[]]):
+            with self.assertRaises(ValueError):
+                q.batch(bad)
+        self.assertEqual(q.remaining, 3)
+        self.assertEqual(len(q.batch(points[:3]).objectives), 3)
+
+    @needs_scipy
+    def test_is_what_scipy_calls_vectorized(self):
+        q = ricochet.problem("profile-count-8-C4")
+        bounds = scipy.optimize.Bounds(q.lower, q.upper)
+        found = [
+            scipy.optimize.differential_evolution(
+                function, bounds, seed=1, maxiter=5, polish=False, updating="deferred", **options
+            ).fun
+            for function, options in [
+                (lambda x: q.batch(x.T).objectives, {"vectorized": True}),
+                (q, {}),
+            ]
+        ]
+        self.assertEqual(found[0], found[1])
+
+
+class Copy(unittest.TestCase):
+    def test_is_the_same_problem(self):
+        scene = os.path.join(os.environ["RICOCHET_SOURCE"], "examples", "machine.toml")
+        for q in (
+            ricochet.problem("top-speed-C4", "surrogate", instance=2, seed=5),
+            ricochet.problem("profile-wear-8-scene", scene=scene),
+        ):
+            copy = pickle.loads(pickle.dumps(q))
+            for x in some_points(q, 5):
+                self.assertEqual(copy.values(x)[0], q.values(x)[0])
+            self.assertEqual(copy.uniform(), q.uniform())
+            self.assertEqual((copy.name, copy.best_known), (q.name, q.best_known))
+
+    def test_has_the_evaluations_that_are_left(self):
+        q = ricochet.problem("hs-71", budget=5)
+        q.values(q.start)
+        copy = pickle.loads(pickle.dumps(q))
+        self.assertEqual(copy.remaining, 4)
+        copy.batch([q.start] * 4)
+        self.assertEqual((copy.remaining, q.remaining), (0, 4))
+        with self.assertRaisesRegex(ricochet.RunOver, "hs-71 cannot be copied"):
+            pickle.dumps(copy)
+        q.close()
+        with self.assertRaisesRegex(ricochet.Error, "hs-71 is closed"):
+            pickle.dumps(q)
+
+    @needs_scipy
+    def test_is_evaluated_by_workers(self):
+        q = ricochet.problem("profile-count-8-C4")
+        bounds = scipy.optimize.Bounds(q.lower, q.upper)
+        found = [
+            scipy.optimize.differential_evolution(
+                q, bounds, seed=1, maxiter=5, polish=False, updating="deferred", workers=workers
+            ).fun
+            for workers in (1, 2)
+        ]
+        self.assertEqual(found[0], found[1])
 
 
 class BadInput(unittest.TestCase):
@@ -257,11 +355,17 @@ class SciPy(unittest.TestCase):
 class Library(unittest.TestCase):
     def test_is_missed_with_a_reason(self):
         done = subprocess.run(
-            [sys.executable, "-c", "import ricochet"],
+            [sys.executable, "-c", "import ricochet; ricochet.problems()"],
             env={**os.environ, "RICOCHET_LIBRARY": "/nowhere.so"}, capture_output=True, text=True,
         )  # fmt: skip
         self.assertEqual(done.returncode, 1)
         self.assertIn("ImportError: ricochet: /nowhere.so cannot be loaded", done.stderr)
+
+    def test_has_the_version_of_the_package(self):
+        done = subprocess.run(
+            [os.environ["RICOCHET_PROGRAM"], "--version"], capture_output=True, text=True
+        )
+        self.assertIn(ricochet.__version__, done.stdout.split()[1])
 
     def test_lets_a_program_end_with_problems_open(self):
         done = subprocess.run(
@@ -269,6 +373,20 @@ class Library(unittest.TestCase):
             capture_output=True, text=True,
         )  # fmt: skip
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_stays_until_the_end_of_the_process(self):
+        # Octave closes what it has loaded; threads of TBB would then run in code that is gone.
+        use = (
+            "import _ctypes, ricochet; from ricochet._library import library; ricochet.problems();"
+            "ricochet.Scene.load('examples/machine.toml').threshold('collisions', 10);"
+            "_ctypes.dlclose(library()._handle);"
+            "print('libricochet' in open('/proc/self/maps').read())"
+        )
+        done = subprocess.run(
+            [sys.executable, "-c", use],
+            cwd=os.environ["RICOCHET_SOURCE"], capture_output=True, text=True,
+        )  # fmt: skip
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "True\n", ""))
 
     def test_keeps_nothing_of_what_was_closed(self):
         def resident():

@@ -62,12 +62,21 @@ class Scene(unittest.TestCase):
         self.assertEqual(self.scene.counts(omegas.T).T.tolist(), counts.tolist())
 
     def test_has_the_regimes_of_the_program(self):
-        told = answer("regimes", "--to", "12")
-        found = self.scene.regimes(highest=12)
-        self.assertGreater(len(found), 3)
-        self.assertEqual([r.highest for r in found], [r["to"] for r in told])
-        self.assertEqual([r.most_per_turn for r in found], [r["most_per_turn"] for r in told])
-        self.assertEqual([r.ends_by for r in found], [r["ends_by"] for r in told])
+        # Under a disturbance, so that turns differ in their collisions.
+        settings = ["disturbance=2", "disturbance_frequency=11"]
+        options = [word for setting in settings for word in ("--set", setting)]
+        told = answer("regimes", "--from", "5.7", "--to", "6", *options)
+        scene = ricochet.Scene.parse(
+            self.scene.text.replace("[scene]", "[scene]\n" + "\n".join(settings))
+        )
+        found = scene.regimes(5.7, 6)
+        self.assertGreater(len(found), 1)
+        self.assertTrue(any(r.least_per_turn < r.mean_per_turn < r.most_per_turn for r in found))
+        names = {"lowest": "from", "highest": "to", "mean_per_turn": "collisions_per_turn"}
+        self.assertEqual(
+            [r._asdict() for r in found],
+            [{name: r[names.get(name, name)] for name in ricochet.Regime._fields} for r in told],
+        )
 
     def test_has_the_threshold_of_the_program(self):
         self.assertEqual(self.scene.threshold().quiet, answer("threshold")["fastest_quiet"])

@@ -98,19 +98,25 @@ class Scene(unittest.TestCase):
 
     def test_is_used_by_threads_at_once(self):
         omegas = [5.0, 6.5, 7.0, 15.0]
-        expected = [self.scene.simulate(omega).impacts.times.tolist() for omega in omegas]
-        found = [None] * len(omegas)
+        counts = [self.scene.simulate(omega).count for omega in omegas]
+        impacts = [len(self.scene.simulate(omega).impacts.times) for omega in omegas]
+        wrong = []
 
         def work(k):
-            for _ in range(10):
-                found[k] = self.scene.simulate(omegas[k]).impacts.times.tolist()
+            for _ in range(100):
+                found = self.scene.simulate(omegas[k])
+                if (found.count, len(found.impacts.times)) != (counts[k], impacts[k]):
+                    wrong.append(omegas[k])
 
+        interval = sys.getswitchinterval()
+        self.addCleanup(sys.setswitchinterval, interval)
+        sys.setswitchinterval(1e-6)
         threads = [threading.Thread(target=work, args=(k,)) for k in range(len(omegas))]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        self.assertEqual(found, expected)
+        self.assertEqual(wrong, [])
 
     def test_refuses_in_the_words_of_the_library(self):
         for ask, complaint in [

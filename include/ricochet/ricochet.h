@@ -164,9 +164,9 @@ int32_t ricochet_judge(ricochet_problem* problem, const double* x, double* objec
 /** @{ */
 typedef struct ricochet_machine ricochet_machine;
 
-/** The machine in a file (TOML, see docs/machine-files.md), or in the text of one. Returns NULL on
- * an error, which names the file ("text"), the key, the value and what is allowed. Close it with
- * ricochet_close_machine. */
+/** The machine in a file (TOML, see docs/machine-files.md; "-": standard input), or in the text of
+ * one. Returns NULL on an error, which names the file ("text"), the key, the value and what is
+ * allowed. Close it with ricochet_close_machine. */
 ricochet_machine* ricochet_open_machine(const char* file);
 ricochet_machine* ricochet_parse_machine(const char* text);
 void ricochet_close_machine(ricochet_machine* machine);
@@ -212,7 +212,8 @@ const char* ricochet_regime_end(const ricochet_machine* machine, int64_t index);
 /** The fastest quiet speed, the first loud one, and the limit that divides them, as `ricochet
  * threshold` finds them; NaN where there is none. Quiet are at most `at_most` of `measure`:
  * "collisions" in the window, "collisions-per-turn", "energy" [J] in the window, "impact-speed";
- * NULL for two collisions per turn in the long run. `fastest` ends the range, NaN: 18. Returns 0,
+ * NULL for two collisions per turn in the long run or, of a machine without regimes, for the level
+ * below the largest step of its counts. `fastest` ends the range, NaN: 18. Returns 0,
  * or 1 on an error. */
 int32_t ricochet_quiet_speed(const ricochet_machine* machine, const char* measure, double at_most,
                              double fastest, double* quiet, double* first_loud, double* limit);

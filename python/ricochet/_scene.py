@@ -200,7 +200,8 @@ class Scene:
 
         measure: what must be `at_most`: "collisions" in the window, "collisions-per-turn" in the
         long run, "energy" [J] in the window, "impact-speed" [m/s]; None for two collisions per
-        turn. Takes up to a second.
+        turn or, of a machine without regimes, for the level below the largest step of its counts.
+        Takes up to some seconds.
 
         >>> scene = ricochet.Scene.load("machine.toml")
         >>> scene.threshold("collisions", 10)

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "ricochet/error.h"
+#include "solvers/outside/asked_points.h"
 #include "solvers/unit_box.h"
 #include "src/core/near_names.h"
 #include "src/core/one_line.h"
@@ -42,7 +44,6 @@ class Message {
   }
 
   bool has(const char* key) const { return content_.contains(key); }
-  const Json& operator[](const char* key) const { return content_[key]; }
 
   /// The value of the key, or `otherwise` if it is missing; `is` checks that it has the described
   /// type.
@@ -57,21 +58,11 @@ class Message {
   }
   bool flag(const char* key) const { return get(key, false, &Json::is_boolean, "true or false"); }
 
-  Vector point(const char* key, const Json& list, Eigen::Index dimension) const {
-    if (!list.is_array()) refuse(fmt::format("\"{}\" is no list of numbers", key));
-    if (static_cast<Eigen::Index>(list.size()) != dimension) {
-      refuse(fmt::format("\"{}\" has {} numbers, but the problem {} variables", key, list.size(),
-                         dimension));
-    }
-    Vector x(dimension);
-    for (Eigen::Index i = 0; i < dimension; ++i) {
-      const Json& number = list[static_cast<std::size_t>(i)];
-      if (!number.is_number() && !number.is_null()) {
-        refuse(fmt::format("\"{}\" holds what is no number", key));
-      }
-      x[i] = number.is_null() ? std::numeric_limits<double>::quiet_NaN() : number.get<double>();
-    }
-    return x;
+  AskedPoints asked(Eigen::Index dimension) const {
+    return understood([&] { return asked_points(content_, "ask", dimension); });
+  }
+  Vector point(const char* key, Eigen::Index dimension) const {
+    return understood([&] { return asked_point(content_[key], key, dimension); });
   }
 
   [[noreturn]] void refuse(const std::string& reason) const {
@@ -81,6 +72,16 @@ class Message {
   }
 
  private:
+  /// What `read` returns; an InputError names the line.
+  template <class Read>
+  std::invoke_result_t<const Read&> understood(const Read& read) const {
+    try {
+      return read();
+    } catch (const InputError& error) {
+      refuse(error.what());
+    }
+  }
+
   int number_;
   std::string_view line_;
   Json content_;
@@ -146,36 +147,25 @@ std::optional<Json> told(Evaluator& evaluator, const Vector& x, bool derivatives
               {"jacobian", rows_of(known->jacobian)}};
 }
 
-/// The reply to a request: for a batch, the replies for each point in order, key by key; nothing
-/// once the run is over.
+/// The reply to a request; nothing once the run is over.
 std::optional<Json> answer(Evaluator& evaluator, const Message& message) {
-  message.allow({"ask", "derivatives", "residuals"});
-  const Eigen::Index dimension = evaluator.dimension();
-  const Json& asked = message["ask"];
-  const bool derivatives = message.flag("derivatives");
-  const bool residuals = message.flag("residuals");
+  const AskedPoints asked = message.asked(evaluator.dimension());
+  const auto [derivatives, residuals] = asked.wanted;
   if (residuals && !evaluator.has_residuals()) {
     message.refuse("wants residuals, but the problem has none");
   }
   if (derivatives && !residuals && !evaluator.has_derivatives()) {
     message.refuse("wants derivatives, but the problem has none");
   }
-  const auto told_of = [&](const Json& list) {
-    const Vector x = message.point("ask", list, dimension);
-    return residuals ? told_residuals(evaluator, x, derivatives) : told(evaluator, x, derivatives);
-  };
-  std::optional<Json> result;
-  if (!asked.is_array() || asked.empty() || !asked[0].is_array()) {
-    result = told_of(asked);
-  } else {
-    result = Json::object();
-    for (const Json& each : asked) {
-      std::optional<Json> one = told_of(each);
-      if (!one) return std::nullopt;
-      for (auto& [key, value] : one->items()) (*result)[key].push_back(std::move(value));
-    }
+  std::vector<Json> replies;
+  for (const Vector& x : asked.points) {
+    std::optional<Json> one =
+        residuals ? told_residuals(evaluator, x, derivatives) : told(evaluator, x, derivatives);
+    if (!one) return std::nullopt;
+    replies.push_back(std::move(*one));
   }
-  if (result) (*result)["remaining"] = evaluator.remaining();
+  Json result = joined(std::move(replies), asked.list);
+  result["remaining"] = evaluator.remaining();
   return result;
 }
 
@@ -183,7 +173,7 @@ SolverTermination exit_of(const Evaluator& evaluator, const Message& message) {
   message.allow({"done", "point"});
   SolverTermination exit{one_line(message.text("done"))};
   if (message.has("point")) {
-    exit.point = message.point("point", message["point"], evaluator.dimension());
+    exit.point = message.point("point", evaluator.dimension());
   }
   if (evaluator.over()) exit.reason = stopped_by_evaluator;
   return exit;

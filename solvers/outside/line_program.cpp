@@ -21,10 +21,9 @@
 namespace ricochet::outside {
 namespace {
 
-constexpr std::size_t longest_line = 4 << 20;  // bytes
-constexpr std::size_t chunk = 1 << 16;         // bytes: the capacity of a pipe
-constexpr std::size_t kept_of_a_line = 80;     // bytes
-constexpr int grace = 1000;                    // ms, for a program to end by itself
+constexpr std::size_t chunk = 1 << 16;      // bytes: the capacity of a pipe
+constexpr std::size_t kept_of_a_line = 80;  // bytes
+constexpr int grace = 1000;                 // ms, for a program to end by itself
 constexpr int forever = -1;
 
 /// While this object lives, writing to a program that has ended is an error and does not end

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@
 #include "src/core/supervised_process.h"
 
 namespace ricochet::outside {
+
+/// Longest line of either side, in bytes.
+inline constexpr std::size_t longest_line = 4 << 20;
 
 /// A file descriptor that is closed on destruction.
 class Descriptor {

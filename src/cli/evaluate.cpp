@@ -8,10 +8,13 @@
 #include <cstring>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "ricochet/error.h"
 #include "ricochet/families.h"
+#include "solvers/outside/asked_points.h"
+#include "solvers/outside/line_program.h"
 #include "src/cli/named.h"
 #include "src/cli/outside_run.h"
 #include "src/core/instance.h"
@@ -22,10 +25,8 @@
 namespace ricochet::cli {
 namespace {
 
+using outside::longest_line;
 using report::Json;
-
-/// Longest line; a longer one is not a point and is not stored.
-constexpr std::size_t longest_line = 1 << 20;
 
 Problem problem_of(const EvaluateOptions& options) {
   if (options.scene_file == "-") {
@@ -81,6 +82,42 @@ bool read_line(std::string& line) {
   return true;
 }
 
+Json parsed(const std::string& line) {
+  if (line.size() > longest_line) {
+    throw InputError(fmt::format("is longer than {} MiB", longest_line >> 20));
+  }
+  try {
+    return Json::parse(line);
+  } catch (const Json::parse_error& error) {
+    throw InputError(fmt::format("is no JSON, from byte {} on", error.byte));
+  } catch (const Json::out_of_range&) {
+    throw InputError("has a number that is too large");
+  }
+}
+
+/// Reads the points of a line: as in the line protocol of solvers, except that they are under "x",
+/// or the whole line.
+outside::AskedPoints points_of(const std::string& line, const Problem& problem, bool derivatives) {
+  Json request = parsed(line);
+  if (request.is_array()) request = {{"x", std::move(request)}};
+  if (!request.is_object() || !request.contains("x")) {
+    throw InputError(
+        R"(must be a point, such as [1, 2] or {"x": [1, 2]}, or a list of points, [[1, 2], [3, 4]])");
+  }
+  outside::AskedPoints asked =
+      outside::asked_points(request, "x", problem.dimension(), {.derivatives = derivatives});
+  for (const Vector& x : asked.points) {
+    if (x.hasNaN()) throw InputError("x must have numbers, not null");
+  }
+  if (asked.wanted.derivatives && !problem.differentiate) {
+    throw InputError("there are no derivatives in this formulation");
+  }
+  if (asked.wanted.residuals && !problem.residuals) {
+    throw InputError("there are no residuals in this formulation");
+  }
+  return asked;
+}
+
 /// Prints and flushes: the caller waits for the line. Throws std::system_error if it cannot be
 /// written.
 void print_line(const Json& json) {
@@ -102,19 +139,13 @@ class Service {
     if (options.replay) again_.emplace(problem);
   }
 
-  /// Throws an error if the line or the point is invalid.
+  /// Throws an error if the line or a point is invalid.
   Json answer(const std::string& line) {
-    if (line.size() > longest_line) {
-      throw InputError(fmt::format("is longer than {} bytes", longest_line));
-    }
-    const AskedPoint asked = parse_asked_point(line, run_.problem(), derivatives_);
-    const Answer answer = run_.answer(asked);
-    Json json = json_of(answer, asked);
+    const outside::AskedPoints asked = points_of(line, run_.problem(), derivatives_);
+    std::vector<Json> answers;
+    for (const Vector& x : asked.points) answers.push_back(answer(x, asked.wanted));
+    Json json = outside::joined(std::move(answers), asked.list);
     json["evaluations"] = run_.evaluations();
-    if (again_) {
-      json["same_again"] = same_bits(answer.numbers(), again_->answer(asked).numbers());
-      all_well_ = all_well_ && json["same_again"];
-    }
     return json;
   }
 
@@ -131,6 +162,16 @@ class Service {
   bool all_well() const { return all_well_; }
 
  private:
+  Json answer(const Vector& x, outside::Wanted wanted) {
+    const Answer answer = run_.answer(x, wanted);
+    Json json = json_of(answer, wanted);
+    if (again_) {
+      json["same_again"] = same_bits(answer.numbers(), again_->answer(x, wanted).numbers());
+      all_well_ = all_well_ && json["same_again"];
+    }
+    return json;
+  }
+
   OutsideRun run_;
   std::optional<OutsideRun> again_;  // repeats every evaluation, if requested
   bool derivatives_;

@@ -16,9 +16,9 @@ struct EvaluateOptions {
   bool describe = false;              ///< describe the problem and evaluate nothing
 };
 
-/// Evaluates the problem for an external optimiser: reads a line of JSON for each point on standard
-/// input and writes a line of JSON with its values on standard output. Returns the exit code: 1 if
-/// a line was invalid, or if a point evaluated twice had two results.
+/// Evaluates the problem for an external optimiser: reads a line of JSON with a point, or with a
+/// list of points, on standard input and writes a line of JSON with the values on standard output.
+/// Returns the exit code: 1 if a line was invalid, or if a point evaluated twice had two results.
 int evaluate(const EvaluateOptions& options);
 
 }  // namespace ricochet::cli

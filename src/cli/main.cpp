@@ -546,7 +546,10 @@ class Program : public CommandLine {
         "  ricochet evaluate profile-count-8-C4 --formulation surrogate --instance 1 --describe\n"
         "  echo '[5.0]' | ricochet evaluate top-speed-C1\n"
         "  ricochet evaluate hs-71 --derivatives < points.jsonl > values.jsonl\n"
-        "An input line is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}.");
+        "An input line is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}. Many "
+        "points\n"
+        "at once are [[1, 2], [3, 4]] or {\"x\": [[1, 2], [3, 4]]}: the answer has a list for each "
+        "key.");
     command->add_option("problem", evaluate_.problem, "A name of `ricochet list problems`")
         ->required()
         ->type_name("PROBLEM");

@@ -32,15 +32,15 @@ std::vector<double> Answer::numbers() const {
   return all;
 }
 
-Json json_of(const Answer& answer, const AskedPoint& asked) {
+Json json_of(const Answer& answer, outside::Wanted wanted) {
   Json json = {{"objective", answer.told.values.objective},
                {"constraints", answer.told.values.constraints}};
-  if (asked.derivatives) {
+  if (wanted.derivatives) {
     json["gradient"] = answer.told.gradient;
     json["jacobian"] = rows_of(answer.told.jacobian);
   }
-  if (asked.residuals) json["residuals"] = answer.residuals.values;
-  if (asked.residuals && asked.derivatives) {
+  if (wanted.residuals) json["residuals"] = answer.residuals.values;
+  if (wanted.residuals && wanted.derivatives) {
     json["residual_jacobian"] = rows_of(answer.residuals.jacobian);
   }
   json["true_values"] = {{"objective", answer.true_values.objective},
@@ -52,24 +52,24 @@ OutsideRun::OutsideRun(Problem problem) : problem_(std::move(problem)) {
   evaluator_.emplace(problem_, Budget{std::numeric_limits<std::int64_t>::max()});
 }
 
-Answer OutsideRun::answer(const AskedPoint& asked) {
+Answer OutsideRun::answer(const Vector& x, outside::Wanted wanted) {
   Answer answer;
-  if (asked.derivatives) {
-    if (auto told = evaluator_->derivatives(asked.x)) answer.told = std::move(*told);
+  if (wanted.derivatives) {
+    if (auto told = evaluator_->derivatives(x)) answer.told = std::move(*told);
   } else {
-    if (auto told = evaluator_->values(asked.x)) answer.told.values = std::move(*told);
+    if (auto told = evaluator_->values(x)) answer.told.values = std::move(*told);
   }
-  if (asked.residuals && asked.derivatives) {
-    if (auto told = evaluator_->residuals(asked.x)) answer.residuals = std::move(*told);
-  } else if (asked.residuals) {
-    if (auto told = evaluator_->residual_values(asked.x)) answer.residuals.values = *told;
+  if (wanted.residuals && wanted.derivatives) {
+    if (auto told = evaluator_->residuals(x)) answer.residuals = std::move(*told);
+  } else if (wanted.residuals) {
+    if (auto told = evaluator_->residual_values(x)) answer.residuals.values = *told;
   }
   if (const std::exception_ptr failure = evaluator_->failure()) {
     before_ = evaluations();
     evaluator_.emplace(problem_, Budget{std::numeric_limits<std::int64_t>::max()});
     std::rethrow_exception(failure);
   }
-  const Vector inside = asked.x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
+  const Vector inside = x.cwiseMax(problem_.lower).cwiseMin(problem_.upper);
   answer.true_values = problem_.true_values
                            ? problem_.true_values(inside)
                            : true_values_of(answer.told.values, problem_.equalities);

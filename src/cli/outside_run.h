@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ricochet/evaluator.h"
-#include "src/cli/asked_point.h"
+#include "solvers/outside/asked_points.h"
 #include "src/report/json.h"
 
 namespace ricochet::cli {
@@ -22,7 +22,7 @@ struct Answer {
 
 /// Has keys for derivatives and residuals if they were requested. JSON has no infinity and no NaN:
 /// these are null.
-report::Json json_of(const Answer& answer, const AskedPoint& asked);
+report::Json json_of(const Answer& answer, outside::Wanted wanted);
 
 /// A run of an external optimiser, which ends when the optimiser decides so.
 class OutsideRun {
@@ -34,7 +34,7 @@ class OutsideRun {
   const Problem& problem() const { return problem_; }
 
   /// Throws what the problem throws; the run continues.
-  Answer answer(const AskedPoint& asked);
+  Answer answer(const Vector& x, outside::Wanted wanted);
 
   /// The number of evaluations that a solver would have been charged.
   std::int64_t evaluations() { return before_ + evaluator_->ledger().charged; }

@@ -60,6 +60,43 @@ TEST(Evaluate, AnswersEveryPoint) {
   EXPECT_EQ(dialogue.answers[1]["evaluations"], 2);
 }
 
+/// The answer to a list has what the answers to its points have, in lists.
+TEST(Evaluate, AnswersAListOfPointsByLists) {
+  const std::string options = R"(, "derivatives": true})";
+  const Dialogue one_by_one = asked("hs-71 --replay", R"({"x": [1, 5, 5, 1])" + options + "\n" +
+                                                          R"({"x": [1, 2, 3, 4])" + options + "\n");
+  const Dialogue at_once =
+      asked("hs-71 --replay", R"({"x": [[1, 5, 5, 1], [1, 2, 3, 4]])" + options + "\n");
+  EXPECT_EQ(at_once.outcome.exit_code, 0) << at_once.outcome.err;
+  ASSERT_EQ(one_by_one.answers.size(), 2U);
+  ASSERT_EQ(at_once.answers.size(), 1U);
+  json expected;
+  for (const json& answer : one_by_one.answers) {
+    for (const auto& [key, value] : answer.items()) expected[key].push_back(value);
+  }
+  EXPECT_EQ(expected["objective"], (json{16, 27}));
+  EXPECT_EQ(expected["same_again"], (json{true, true}));
+  expected["evaluations"] = one_by_one.answers[1]["evaluations"];
+  EXPECT_EQ(at_once.answers[0], expected);
+}
+
+TEST(Evaluate, TakesAListWithoutKeys) {
+  const Dialogue dialogue = asked("hs-71", "[[1, 5, 5, 1], [1, 2, 3, 4]]\n[[1, 2, 3, 4]]\n");
+  ASSERT_EQ(dialogue.answers.size(), 2U);
+  EXPECT_EQ(dialogue.answers[0]["objective"], (json{16, 27}));
+  EXPECT_EQ(dialogue.answers[0]["evaluations"], 2);
+  EXPECT_EQ(dialogue.answers[1]["objective"], (json{27})) << "a list of one is a list";
+  EXPECT_EQ(dialogue.answers[1]["evaluations"], 3);
+}
+
+TEST(Evaluate, EvaluatesNoPointOfAListWithABadOne) {
+  EXPECT_EQ(error_of("[[1, 1, 1, 1], [1, 1]]"), "line 1: x must have 4 numbers in point 2");
+  EXPECT_EQ(error_of("[[1, 1, 1, 1], 5]"), "line 1: x must have 4 numbers in point 2");
+  EXPECT_EQ(error_of("[[1, 1, 1, 1], [1, 1, 1, null]]"), "line 1: x must have numbers, not null");
+  EXPECT_EQ(error_of("[]"), "line 1: x must have 4 numbers");
+  EXPECT_EQ(error_of("[[]]"), "line 1: x must have 4 numbers in point 1");
+}
+
 TEST(Evaluate, TellsDerivativesOfAllPointsOrOfSome) {
   const std::string with = R"({"x": [1, 2, 3, 4], "derivatives": true})";
   const std::string without = R"({"x": [1, 2, 3, 4], "derivatives": false})";
@@ -154,7 +191,7 @@ TEST(Evaluate, GoesOnAfterABadLine) {
   EXPECT_EQ(error_of("[1, 2, 3, 4, 5]"), "line 1: " + point);
   EXPECT_EQ(error_of("{\"x\": 1}"), "line 1: " + point);
   EXPECT_EQ(error_of("[1, 2, 3, \"4\"]"), "line 1: " + point + ": entry 4 is of type string");
-  EXPECT_EQ(error_of("[1, 2, null, 4]"), "line 1: " + point + ": entry 3 is of type null");
+  EXPECT_EQ(error_of("[1, 2, null, 4]"), "line 1: x must have numbers, not null");
   EXPECT_THAT(error_of("5"), StartsWith("line 1: must be a point, such as [1, 2]"));
   EXPECT_THAT(error_of("{\"y\": [1]}"), StartsWith("line 1: must be a point"));
   EXPECT_THAT(error_of("[1, 2, 3, NaN]"), StartsWith("line 1: is no JSON, from byte 11 on"));
@@ -177,14 +214,13 @@ TEST(Evaluate, SurvivesLongLines) {
   const std::string deep(500'000, '[');
   EXPECT_THAT(error_of(deep), HasSubstr("is no JSON"));
   EXPECT_THAT(error_of("[" + deep + std::string(500'000, ']') + "]"), HasSubstr("line 1: x must"));
-  EXPECT_EQ(error_of("[" + std::string(3'000'000, '1') + "]"),
-            "line 1: is longer than 1048576 bytes");
+  EXPECT_EQ(error_of("[" + std::string(5'000'000, '1') + "]"), "line 1: is longer than 4 MiB");
 }
 
 TEST(Evaluate, AnswersALineThatBeginsWithBlanksAndNoneThatIsBlank) {
-  const std::string blank(2'000'000, ' ');
-  EXPECT_EQ(error_of(blank + "[1, 1, 1, 1]"), "line 1: is longer than 1048576 bytes");
-  EXPECT_EQ(error_of(blank + "[1, 1, 1, 1]" + blank), "line 1: is longer than 1048576 bytes");
+  const std::string blank(5'000'000, ' ');
+  EXPECT_EQ(error_of(blank + "[1, 1, 1, 1]"), "line 1: is longer than 4 MiB");
+  EXPECT_EQ(error_of(blank + "[1, 1, 1, 1]" + blank), "line 1: is longer than 4 MiB");
   const Dialogue dialogue = asked("hs-71", blank + "\n[1, 1, 1, 1]\n");
   EXPECT_EQ(dialogue.outcome.exit_code, 0);
   EXPECT_EQ(dialogue.answers.size(), 1U);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "src/core/csv_field.h"
+#include "src/core/label.h"
 #include "src/core/name.h"
 #include "src/report/chart_template.h"
 #include "src/report/headline_template.h"
@@ -34,7 +35,7 @@ std::vector<std::string> paragraphs_of(const Part& part, std::string_view key,
 
 std::string field_of(const Json& data) {
   if (data.is_null()) return "";
-  return data.is_string() ? csv_field(data.get_ref<const std::string&>()) : data.dump();
+  return data.is_string() ? csv_field(label(data.get_ref<const std::string&>())) : data.dump();
 }
 
 /// Returns the rows with all their members, including nested ones; the header has every name.

@@ -131,6 +131,12 @@ TEST(PageTemplate, KeepsNoNameOfARowThatIsAFormula) {
   EXPECT_THAT(table, HasSubstr(",'@SUM(1)\n"));
 }
 
+TEST(PageTemplate, KeepsNoLabelThatIsReadAsAMissingValue) {
+  Json data = sample();
+  data["cases"][0]["rows"][1]["perturbation"] = "nan";
+  EXPECT_THAT(drawn(sheet, data).tables.at("rows-C1.csv"), HasSubstr(",missing-value\n"));
+}
+
 TEST(PageTemplate, KeepsTheRowsOfATableInItsFolderOnly) {
   for (const char* id : {"/../../C1", "a b", "\x1b[31m"}) {
     Json data = sample();

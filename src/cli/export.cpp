@@ -1,15 +1,53 @@
 #include "src/cli/export.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "ricochet/error.h"
+#include "src/benchmark/comparison/rated_families.h"
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/export/formats.h"
 #include "src/benchmark/export/output_folder.h"
+#include "src/cli/finished_campaign.h"
 #include "src/cli/named.h"
 #include "src/cli/stored_runs.h"
 #include "src/core/one_line.h"
+#include "src/core/warning.h"
 
 namespace ricochet::cli {
+namespace {
+
+/// Adds the files about ranked entries, or warns why they or some solvers are left out.
+void add_rated(const exports::Format& format, const Store& store, const std::string& file,
+               const std::filesystem::path& folder) {
+  try {
+    const FinishedCampaign finished = finished_campaign(file);
+    std::vector<std::string> unranked;
+    for (const StoredSolver& solver : store.description().solvers) {
+      const auto& ranked = finished.campaign.solvers();
+      if (std::ranges::find(ranked, solver.name, &Solver::name) == ranked.end()) {
+        unranked.push_back(one_line(solver.name));
+      }
+    }
+    if (!unranked.empty()) {
+      warn(
+          fmt::format("ranked without {}: this build has no such solver; the report that `run` or "
+                      "`compare` wrote beside the store ranks all",
+                      fmt::join(unranked, ", ")));
+    }
+    format.write_rated(studies::comparison::rated_families(finished.campaign, finished.results),
+                       folder);
+  } catch (const InputError& error) {
+    warn(fmt::format("entries are not ranked: {}", error.what()));
+  }
+}
+
+}  // namespace
 
 int export_store(const ExportOptions& options) {
   const exports::Format format = named(exports::all_formats(), options.format, "format",
@@ -18,6 +56,7 @@ int export_store(const ExportOptions& options) {
   warn_of_missing_runs(options.store);
   exports::OutputFolder out(options.out);
   format.write(store, out.draft());
+  if (format.write_rated) add_rated(format, store, options.store, out.draft());
   out.commit();
   fmt::print("{} runs: {}\n", store.size(), one_line(options.out));
   return 0;

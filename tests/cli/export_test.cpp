@@ -55,6 +55,7 @@ TEST(Export, WritesEveryFormatThatOthersRead) {
   }
   EXPECT_GT(runs, 0U);
   EXPECT_TRUE(fs::exists(folder / "latex" / "table.tex"));
+  EXPECT_TRUE(fs::exists(folder / "latex" / "summary.tex"));
   EXPECT_TRUE(fs::exists(folder / "markdown" / "table.md"));
   EXPECT_TRUE(fs::exists(folder / "coco" / "README.txt"));
   if (std::string(RICOCHET_PYTHON).ends_with("NOTFOUND")) return;
@@ -64,6 +65,33 @@ TEST(Export, WritesEveryFormatThatOthersRead) {
                                      .c_str());
   EXPECT_EQ(status, 0) << read(folder / "said");
   EXPECT_EQ(read(folder / "said"), fmt::format("{0} {0}\n", runs));
+}
+
+/// As the report has them: two entries of one family, with the larger budget.
+TEST(Export, RanksTheEntriesOfACompleteCampaign) {
+  const fs::path folder = small_campaign();
+  const std::string store = (folder / "runs.sqlite").string();
+  EXPECT_EQ(call(fmt::format("export {0} --format csv --out {1}/csv", store, folder.string())).err,
+            "");
+  const std::string ratings = read(folder / "csv" / "ratings.csv");
+  EXPECT_THAT(ratings, HasSubstr("\nhs,1,20,random-search,original,1,"));
+  EXPECT_THAT(ratings, HasSubstr("\nhs,1,20,nlopt-cobyla,original,1,"));
+  EXPECT_THAT(read(folder / "csv" / "ecdf.csv"), HasSubstr("\nhs,nlopt-cobyla,original,20,"));
+  EXPECT_THAT(read(folder / "csv" / "targets.csv"), HasSubstr("\nhs,hs-71,"));
+}
+
+TEST(Export, SaysThatItDoesNotRankAPartOfACampaign) {
+  const fs::path folder = small_campaign();
+  const std::string part = (folder / "part").string();
+  ASSERT_EQ(
+      call(fmt::format("run {}/plan.toml --out {} --shard 1/2", folder.string(), part)).exit_code,
+      0);
+  const Outcome outcome =
+      call(fmt::format("export {0}/runs.sqlite --format csv --out {0}/csv", part));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: entries are not ranked: "));
+  EXPECT_TRUE(fs::exists(folder / "part" / "csv" / "running_times.csv"));
+  EXPECT_FALSE(fs::exists(folder / "part" / "csv" / "ratings.csv"));
 }
 
 TEST(Export, RefusesWhatItCannotDo) {

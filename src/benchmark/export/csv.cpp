@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 #include <string>
@@ -10,7 +11,10 @@
 #include "src/benchmark/analysis/judged_runs.h"
 #include "src/benchmark/experiment/store/repeated_terminations.h"
 #include "src/benchmark/export/csv_row.h"
+#include "src/benchmark/export/label_of.h"
+#include "src/benchmark/export/numbering.h"
 #include "src/benchmark/export/output_file.h"
+#include "src/benchmark/export/running_times.h"
 #include "src/benchmark/export/termination_name.h"
 #include "src/core/one_line.h"
 
@@ -26,7 +30,8 @@ constexpr const char* csv_readme =
     R"(The stored runs of a campaign of ricochet, as CSV (RFC 4180, lines end with a line feed, UTF-8).
 Numbers are the shortest decimals that read back to the same double, or inf or nan. Missing values
 are empty. In texts, control characters are written as \x0a; texts of more than 4000 bytes lose
-their middle.
+their middle. No text is one that pandas or R take for a missing value: the perturbation nan is called
+missing-value, and others, such as NA, have a ' before them.
 
 runs.csv: one row per run. `number` is the argument of `ricochet replay`; budget_per_variable is the
 plan's, evaluations_allowed the budget of the run. values, derivatives, hessians: what the solver
@@ -35,9 +40,20 @@ time. feasible, objective, optimality_gap, solved: of the best evaluated point, 
 objective whatever the formulation; returned_...: of the point that the solver returned.
 optimality_gap: objective minus the best known value; solved: feasible, and optimality_gap <= the
 problem's tolerance. terminations: what the solver said at the end of its starts; failure: what was
-thrown. Coordinates of points are separated by blanks.
+thrown.
+points.csv: one row for the point that a run (its number) returned, and one for its last improvement,
+with the coordinates x1, x2, ...; empty beyond the problem's variables. Archives have no points.
 improvements.csv: one row for every point of a run (its number) with a better true value than all
 points before it: less violation, or equal violation and a lower objective. violation 0: feasible.
+running_times.csv: one row per cell, all runs that differ only in instance and number: success rates and
+expected running times, by the best evaluated and by the returned point. Unsolved runs count with all
+their evaluations, identical runs count once, intervals are 95 %.
+ratings.csv: one row per family and entry, a solver-formulation pair, as in the report, with the family's
+largest budget: success rates, number of problems that no run solved, mean rank and P(best), the
+probability of the least mean rank on problems like these. ecdf.csv: the ECDF of runtimes of each of
+them, the share of pairs of problem and target that were reached within so many evaluations per variable,
+with its interval over problems. targets.csv: these targets, optimality gaps. The three are missing where
+runs are. The report beside the store has its other tables as CSV, too.
 problems.csv: one row per problem, with the factors of its machine. Runs of two stores can be compared
 if the problem's hash is the same.
 
@@ -53,33 +69,24 @@ std::string whole(const std::optional<Integer>& value) {
   return value ? std::to_string(*value) : "";
 }
 
-std::string point(const Vector& x) {
-  std::string text;
-  for (const double coordinate : x) {
-    if (!text.empty()) text += ' ';
-    text += number(coordinate);
-  }
-  return text;
-}
-
 std::string terminations(const std::vector<SolverTermination>& terminations) {
   std::string text;
   for (const RepeatedTermination& exit : repeated(terminations)) {
     text += fmt::format("{}{} (x{})", text.empty() ? "" : "; ", exit.reason, exit.starts);
   }
-  return one_line(text);
+  return label_of(text);
 }
 
 std::vector<Column> key_and_cost() {
   using Run = const comparison::JudgedRun&;
   return {
       {"number", [](Run r) { return std::to_string(r.stored.number); }},
-      {"problem", [](Run r) { return one_line(r.stored.key.cell.problem); }},
-      {"formulation", [](Run r) { return one_line(r.stored.key.cell.formulation); }},
-      {"perturbation", [](Run r) { return one_line(r.stored.key.cell.perturbation); }},
-      {"solver", [](Run r) { return one_line(r.stored.key.cell.solver); }},
+      {"problem", [](Run r) { return label_of(r.stored.key.cell.problem); }},
+      {"formulation", [](Run r) { return label_of(r.stored.key.cell.formulation); }},
+      {"perturbation", [](Run r) { return label_of(r.stored.key.cell.perturbation); }},
+      {"solver", [](Run r) { return label_of(r.stored.key.cell.solver); }},
       {"budget_per_variable", [](Run r) { return std::to_string(r.stored.key.cell.budget); }},
-      {"gradient_price", [](Run r) { return one_line(r.stored.key.cell.gradient_price); }},
+      {"gradient_price", [](Run r) { return label_of(r.stored.key.cell.gradient_price); }},
       {"instance", [](Run r) { return std::to_string(r.stored.key.instance); }},
       {"run", [](Run r) { return std::to_string(r.stored.key.run); }},
       {"seed", [](Run r) { return std::to_string(r.stored.record.seed); }},
@@ -94,12 +101,12 @@ std::vector<Column> key_and_cost() {
       {"seconds", [](Run r) { return number(r.stored.record.ledger.seconds); }},
       {"termination_reason",
        [](Run r) { return std::string(name_of(r.stored.record.termination_reason)); }},
-      {"failure", [](Run r) { return one_line(r.stored.record.failure); }},
+      {"failure", [](Run r) { return label_of(r.stored.record.failure); }},
       {"terminations", [](Run r) { return terminations(r.stored.record.terminations); }},
   };
 }
 
-std::vector<Column> verdict_and_points() {
+std::vector<Column> verdict() {
   using Run = const comparison::JudgedRun&;
   return {
       {"feasible", [](Run r) { return yes_or_no(r.outcome.verdict.feasible); }},
@@ -121,22 +128,12 @@ std::vector<Column> verdict_and_points() {
       {"returned_optimality_gap",
        [](Run r) { return number(r.outcome.verdict.returned_optimality_gap); }},
       {"returned_solved", [](Run r) { return yes_or_no(r.outcome.verdict.returned_solved); }},
-      {"returned_x",
-       [](Run r) {
-         const auto& returned = r.stored.record.returned;
-         return returned ? point(returned->x) : "";
-       }},
-      {"last_improvement_x",
-       [](Run r) {
-         const auto& trace = r.stored.record.trace;
-         return trace.empty() ? "" : point(trace.back().x);
-       }},
   };
 }
 
 std::vector<Column> run_columns() {
   std::vector<Column> columns = key_and_cost();
-  for (Column& column : verdict_and_points()) columns.push_back(std::move(column));
+  for (Column& column : verdict()) columns.push_back(std::move(column));
   return columns;
 }
 
@@ -151,9 +148,9 @@ void write_problems(const CampaignDescription& description, const std::filesyste
   for (const std::string& factor : factors) header.push_back(one_line(factor));
   std::string text = csv_row(header);
   for (const StoredProblem& problem : description.problems) {
-    std::vector<std::string> row = {one_line(problem.name),
-                                    one_line(problem.family),
-                                    one_line(problem.machine),
+    std::vector<std::string> row = {label_of(problem.name),
+                                    label_of(problem.family),
+                                    label_of(problem.machine),
                                     std::to_string(problem.variables),
                                     std::to_string(problem.constraints),
                                     std::to_string(problem.equalities),
@@ -169,6 +166,39 @@ void write_problems(const CampaignDescription& description, const std::filesyste
   write_file(file, text);
 }
 
+/// The points of runs, as rows of as many coordinates as the largest problem has.
+class Points {
+ public:
+  Points(const CampaignDescription& description, const std::filesystem::path& file) : file_(file) {
+    std::vector<std::string> header = {"number", "point"};
+    for (const StoredProblem& problem : description.problems) {
+      most_ = std::max(most_, problem.variables);
+    }
+    for (std::int64_t k = 1; k <= most_; ++k) header.push_back(fmt::format("x{}", k));
+    file_.write(csv_row(header));
+  }
+
+  void add(const StoredRun& run) {
+    if (const auto& returned = run.record.returned) add(run.number, "returned", returned->x);
+    const auto& trace = run.record.trace;
+    if (!trace.empty()) add(run.number, "last improvement", trace.back().x);
+  }
+
+  void close() { file_.close(); }
+
+ private:
+  void add(std::int64_t run, const char* point, const Vector& x) {
+    if (x.size() == 0) return;  // of an archive
+    std::vector<std::string> row = {std::to_string(run), point};
+    for (const double coordinate : x) row.push_back(number(coordinate));
+    row.resize(static_cast<std::size_t>(most_) + 2);
+    file_.write(csv_row(row));
+  }
+
+  OutputFile file_;
+  std::int64_t most_ = 0;  ///< variables
+};
+
 }  // namespace
 
 void write_csv(const Store& store, const std::filesystem::path& folder) {
@@ -179,9 +209,13 @@ void write_csv(const Store& store, const std::filesystem::path& folder) {
   runs.write(csv_row(fields));
   OutputFile improvements(folder / "improvements.csv");
   improvements.write(csv_row({"number", "evaluations", "seconds", "objective", "violation"}));
+  Points points(store.description(), folder / "points.csv");
+  Numbering numbering(store.description());
+  RunningTimes times(folder / "running_times.csv");
   const auto write_run = [&](const comparison::JudgedRun& run) {
     for (std::size_t k = 0; k < columns.size(); ++k) fields[k] = columns[k].value(run);
     runs.write(csv_row(fields));
+    points.add(run.stored);
     for (const Improvement& step : run.stored.record.trace) {
       improvements.write(
           csv_row({std::to_string(run.stored.number), std::to_string(step.evaluations),
@@ -189,9 +223,12 @@ void write_csv(const Store& store, const std::filesystem::path& folder) {
                    number(step.true_values.violation)}));
     }
   };
-  comparison::each_judged(store, write_run, [](const comparison::JudgedCell&) {});
+  comparison::each_judged(store, write_run,
+                          [&](const comparison::JudgedCell& cell) { times.add(cell, numbering); });
   runs.close();
   improvements.close();
+  points.close();
+  times.close();
   write_problems(store.description(), folder / "problems.csv");
   write_file(folder / "README.txt", csv_readme);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "src/benchmark/analysis/rated_family.h"
 #include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::exports {
@@ -16,6 +17,11 @@ struct Format {
   /// Writes files into the folder, which must exist and be empty. Throws InputError if the store is
   /// damaged, OutputError if the disk is full.
   std::function<void(const Store&, const std::filesystem::path& folder)> write;
+  /// Adds files about the ranked entries of a store whose runs are complete; empty if there are
+  /// none.
+  std::function<void(const std::vector<comparison::RatedFamily>&,
+                     const std::filesystem::path& folder)>
+      write_rated = {};
 };
 
 std::vector<Format> all_formats();

@@ -11,6 +11,7 @@
 #include "src/benchmark/export/numbering.h"
 #include "src/benchmark/export/output_file.h"
 #include "src/benchmark/export/running_times.h"
+#include "src/core/label.h"
 #include "src/report/json.h"
 
 namespace ricochet::exports {
@@ -102,7 +103,7 @@ class Case {
       attributes.push_back({{name, number(value)}});
     }
     attributes.push_back({{"formulation", cell.formulation}});
-    attributes.push_back({{"perturbation", cell.perturbation}});
+    attributes.push_back({{"perturbation", label(cell.perturbation)}});
     return {
         {"version", "0.3.18"},  // of IOHexperimenter, which defines this format
         {"suite", "ricochet"},

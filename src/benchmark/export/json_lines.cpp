@@ -6,6 +6,7 @@
 #include "src/benchmark/experiment/store/repeated_terminations.h"
 #include "src/benchmark/export/output_file.h"
 #include "src/benchmark/export/termination_name.h"
+#include "src/core/label.h"
 #include "src/report/json.h"
 
 namespace ricochet::exports {
@@ -14,22 +15,18 @@ namespace {
 using report::Json;
 
 constexpr const char* json_lines_readme =
-    "What a campaign of ricochet stored, as JSON (UTF-8).\n"
-    "\n"
-    "campaign.json: the plan, the problems with best known value and tolerance, the solvers, the\n"
-    "program and the machine.\n"
-    "runs.jsonl: a line for each run, an object. `number` is that of `ricochet replay`; the key\n"
-    "says which run it is; seconds are of processor time. The verdict is of the best point that "
-    "was\n"
-    "evaluated, by its true objective, and of the one returned; optimality gap: objective less the "
-    "best known "
-    "of\n"
-    "the problem; solved: feasible, and optimality gap <= tolerance. Improvements: points that "
-    "were "
-    "truly\n"
-    "better than all before; [evaluations, seconds, objective, violation] of each, and x of the\n"
-    "last. Numbers keep all their digits; null: there is none, or it is infinite or no number, as\n"
-    "of a time without a limit.\n";
+    R"(The stored runs of a campaign of ricochet, as JSON (UTF-8).
+
+campaign.json: the plan, the problems with best known value and tolerance, the solvers, the program and
+the machine.
+runs.jsonl: one line, an object, for each run. `number` is the argument of `ricochet replay`; the key says
+which run it is; seconds are of processor time. The verdict is of the best evaluated point, scored on the
+true objective, and of the returned one; optimality gap: objective minus the best known value; solved:
+feasible, and optimality gap <= tolerance. Improvements: points that were truly better than all before;
+[evaluations, seconds, objective, violation] of each, and x of the last. Numbers keep all their digits;
+null: there is none, or it is infinite or NaN, as a time without a limit. The perturbation nan is called
+missing-value, since pandas takes nan for a missing value.
+)";
 
 /// The data as text; invalid UTF-8 in it is no error.
 std::string text_of(const Json& data, int indent = -1) {
@@ -41,7 +38,7 @@ Json list(const Vector& x) {
 }
 
 Json json_of(const StoredProblem& problem) {
-  return {{"name", problem.name},
+  return {{"name", label(problem.name)},
           {"family", problem.family},
           {"machine", problem.machine},
           {"variables", problem.variables},
@@ -54,22 +51,23 @@ Json json_of(const StoredProblem& problem) {
 }
 
 Json json_of(const CampaignDescription& description) {
-  return {{"plan", description.plan},
-          {"problems", report::list_of(description.problems,
-                                       [](const StoredProblem& q) { return json_of(q); })},
-          {"solvers", report::list_of(description.solvers,
-                                      [](const StoredSolver& s) {
-                                        return Json{{"name", s.name}, {"version", s.version}};
-                                      })},
-          {"program", description.program},
-          {"made", description.made}};
+  return {
+      {"plan", description.plan},
+      {"problems",
+       report::list_of(description.problems, [](const StoredProblem& q) { return json_of(q); })},
+      {"solvers", report::list_of(description.solvers,
+                                  [](const StoredSolver& s) {
+                                    return Json{{"name", label(s.name)}, {"version", s.version}};
+                                  })},
+      {"program", description.program},
+      {"made", description.made}};
 }
 
 Json json_of(const RunKey& key) {
-  return {{"problem", key.cell.problem},
-          {"formulation", key.cell.formulation},
-          {"perturbation", key.cell.perturbation},
-          {"solver", key.cell.solver},
+  return {{"problem", label(key.cell.problem)},
+          {"formulation", label(key.cell.formulation)},
+          {"perturbation", label(key.cell.perturbation)},
+          {"solver", label(key.cell.solver)},
           {"budget_per_variable", key.cell.budget},
           {"gradient_price", key.cell.gradient_price},
           {"instance", key.instance},

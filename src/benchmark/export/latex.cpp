@@ -4,78 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "src/benchmark/export/latex_text.h"
 #include "src/benchmark/export/output_file.h"
 #include "src/benchmark/export/summary_row.h"
-#include "src/core/one_line.h"
 
 namespace ricochet::exports {
 namespace {
-
-/// The text with LaTeX's special characters escaped.
-std::string escaped(std::string_view text) {
-  std::string tex;
-  for (const char c : one_line(text)) {
-    switch (c) {
-      case '\\':
-        tex += "\\textbackslash{}";
-        break;
-      case '~':
-        tex += "\\textasciitilde{}";
-        break;
-      case '^':
-        tex += "\\textasciicircum{}";
-        break;
-      case '<':
-        tex += "\\textless{}";
-        break;
-      case '>':
-        tex += "\\textgreater{}";
-        break;
-      case '|':
-        tex += "\\textbar{}";
-        break;
-      case '"':
-        tex += "\\textquotedbl{}";
-        break;
-      case '\'':
-        tex += "\\textquotesingle{}";
-        break;
-      case '`':
-        tex += "\\textasciigrave{}";
-        break;
-      case '-':  // LaTeX would turn two of them into a dash
-        tex += tex.ends_with('-') ? "{}-" : "-";
-        break;
-      case '[':  // after the end of a row LaTeX would read these as part of it
-      case '*':
-        tex += {'{', c, '}'};
-        break;
-      case '#':
-      case '$':
-      case '%':
-      case '&':
-      case '_':
-      case '{':
-      case '}':
-        tex += '\\';
-        [[fallthrough]];
-      default:
-        tex += c;
-    }
-  }
-  return tex;
-}
 
 /// The cells in a row, the last one bold if runs failed.
 std::string line(const std::vector<std::string>& names, const std::vector<std::string>& figures,
                  bool failed) {
   std::vector<std::string> cells;
-  for (const std::string& name : names) cells.push_back(escaped(name));
+  for (const std::string& name : names) cells.push_back(latex_text(name));
   for (const std::string& figure : figures) {
-    cells.push_back(figure == "-" ? "--" : escaped(figure));
+    cells.push_back(figure == "-" ? "--" : latex_text(figure));
   }
   if (failed) cells.back() = "\\textbf{" + cells.back() + "}";
   return fmt::format("{} \\\\\n", fmt::join(cells, " & "));
@@ -91,8 +35,9 @@ void write_latex(const Store& store, const std::filesystem::path& folder) {
       "% \\usepackage{textcomp}, \\usepackage[T1]{fontenc}, and as wide a page.\n"
       "\\begin{longtable}{" +
       std::string(summary_names().size() - 1, 'l') +
-      std::string(summary_figures().size() + 1, 'r') + "}\n\\caption{" + escaped(summary_legend()) +
-      "}\\\\\n\\toprule\n" + header + "\\midrule\n\\endfirsthead\n\\toprule\n" + header +
+      std::string(summary_figures().size() + 1, 'r') + "}\n\\caption{" +
+      latex_text(summary_legend()) + "}\\\\\n\\toprule\n" + header +
+      "\\midrule\n\\endfirsthead\n\\toprule\n" + header +
       "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n");
   comparison::each_judged(
       store, [](const comparison::JudgedRun&) {},

@@ -9,8 +9,8 @@
 namespace ricochet::exports {
 
 /// A table beside an export whose readers compute these numbers differently: the names of
-/// algorithms and functions, the success rate, and the expected running
-/// time.
+/// algorithms and functions, and, by the best evaluated and by the returned point, the success rate
+/// and the expected running time.
 class RunningTimes {
  public:
   explicit RunningTimes(const std::filesystem::path& file);

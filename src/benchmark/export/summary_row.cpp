@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "src/core/label.h"
+
 namespace ricochet::exports {
 namespace {
 
@@ -43,8 +45,8 @@ SummaryRow summary_row(const comparison::JudgedCell& judged) {
   const comparison::Result result = comparison::result_of(judged.outcomes);
   const Cell& cell = judged.cell;
   const auto& time = result.running_time;
-  return {{cell.problem, cell.solver, cell.formulation, cell.perturbation, cell.gradient_price,
-           std::to_string(cell.budget)},
+  return {{cell.problem, cell.solver, cell.formulation, label(cell.perturbation),
+           cell.gradient_price, std::to_string(cell.budget)},
           {std::to_string(result.runs), percent(result.found.share),
            interval(result.found.interval, percent), time ? count(time->value) : "-",
            time ? interval(time->interval, count) : "-", std::to_string(result.failed)},

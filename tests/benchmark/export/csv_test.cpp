@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -132,6 +133,72 @@ TEST_F(Csv, HasEveryImprovement) {
     EXPECT_EQ(read(row.at("violation")), step.true_values.violation);
   }
   for (const auto& [key, record] : records) EXPECT_EQ(seen[key], record.trace.size());
+}
+
+/// Of 12 variables at most; the made-up runs return the point of their last improvement.
+TEST_F(Csv, HasPointsByTheirCoordinates) {
+  write_csv(store, out);
+  std::map<std::string, RunKey> key_of_number;
+  store.each([&](const StoredRun& run) { key_of_number[std::to_string(run.number)] = run.key; });
+  std::map<std::string, int> seen;
+  for (const auto& row : table_in(text_of(out / "points.csv"))) {
+    const RunRecord& record = records.at(key_of_number.at(row.at("number")));
+    const bool returned = row.at("point") == "returned";
+    const Vector& x = returned ? record.returned->x : record.trace.back().x;
+    ++seen[row.at("point")];
+    for (Eigen::Index k = 0; k < 12; ++k) {
+      const std::string& cell = row.at("x" + std::to_string(k + 1));
+      ASSERT_EQ(cell.empty(), k >= x.size());
+      if (k < x.size()) {
+        EXPECT_EQ(read(cell), x[k]);
+      }
+    }
+  }
+  int returned = 0;
+  int improved = 0;
+  for (const auto& [key, record] : records) {
+    returned += record.returned ? 1 : 0;
+    improved += record.trace.empty() ? 0 : 1;
+  }
+  EXPECT_GT(returned, 0);
+  EXPECT_EQ(seen["returned"], returned);
+  EXPECT_EQ(seen["last improvement"], improved);
+}
+
+TEST_F(Csv, HasNoLabelThatIsReadAsAMissingValue) {
+  RunRecord record;
+  record.failure = "None";
+  add({{"wide", "original", "nan", "nlopt-cobyla", 99, "n"}, 1, 0}, record);
+  write_csv(store, out);
+  const Table runs = table_in(text_of(out / "runs.csv"));
+  const auto added = std::ranges::find_if(
+      runs, [](const auto& run) { return run.at("budget_per_variable") == "99"; });
+  ASSERT_NE(added, runs.end());
+  EXPECT_EQ(added->at("perturbation"), "missing-value");
+  EXPECT_EQ(added->at("failure"), "'None");
+}
+
+/// 24 cells of each problem: 3 solvers, 2 perturbations, 2 budgets; of "profile/5" one more, in
+/// which 2 of 4 runs solve it after 3 and 5 evaluations and the others are charged 10 each.
+TEST_F(Csv, HasTheRunningTimeOfEveryCell) {
+  for (int k = 0; k < 4; ++k) {
+    RunRecord record;
+    record.ledger.charged = 10;
+    if (k < 2) record.trace = {{3 + 2 * k, 0.1, {0.001, 0}, Vector::Zero(5)}};
+    if (k == 0) record.returned = ReturnedPoint{Vector::Zero(5), {0.001, 0}};
+    if (k > 1) record.trace = {{3 + k, 0.1, {2.0, 0}, Vector::Zero(5)}};
+    add({{"profile/5", "original", "plain", "nlopt-cobyla", 7, "n"}, k, 0}, record);
+  }
+  write_csv(store, out);
+  const Table cells = table_in(text_of(out / "running_times.csv"));
+  ASSERT_EQ(cells.size(), 4U * 12 + 1);
+  const auto added = std::ranges::find_if(
+      cells, [](const auto& cell) { return cell.at("budget_per_variable") == "7"; });
+  ASSERT_NE(added, cells.end());
+  EXPECT_EQ(added->at("solved_share"), "0.5");
+  EXPECT_EQ(added->at("expected_running_time"), "14");
+  EXPECT_EQ(added->at("returned_solved_share"), "0.25");
+  EXPECT_EQ(added->at("returned_expected_running_time"), "33");
 }
 
 TEST_F(Csv, HasTheProblemsWithTheirFactors) {

@@ -21,6 +21,12 @@ const Solver* find(const Catalogue& catalogue, const std::string& name) {
   return found == catalogue.solvers.end() ? nullptr : &*found;
 }
 
+/// Whether the solver is one of the catalogue, or of the plan with options of its own.
+bool can_be_made(const std::string& solver, const Plan& plan, const Catalogue& catalogue) {
+  const auto varied = std::ranges::find(plan.solvers, solver, &VariedSolver::name);
+  return find(catalogue, varied == plan.solvers.end() ? solver : varied->of) != nullptr;
+}
+
 /// Throws InputError if a problem of the campaign is another one than the archive's.
 void check_problems(const CampaignDescription& archive, const CampaignDescription& campaign) {
   std::map<std::string, std::string> hashes;
@@ -82,7 +88,7 @@ Plan plan_against(const CampaignDescription& archive, const std::vector<std::str
   for (PlanPart& part : plan.parts) {
     std::vector<std::string> solvers;
     for (const StoredSolver& solver : archive.solvers) {
-      if (fits_any(solver.name, part.solvers) && find(catalogue, solver.name) != nullptr) {
+      if (fits_any(solver.name, part.solvers) && can_be_made(solver.name, plan, catalogue)) {
         solvers.push_back(solver.name);
       }
     }

@@ -2,14 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+
+#include "ricochet/error.h"
+#include "src/benchmark/analysis/rating.h"
 #include "src/benchmark/comparison/agreement_data.h"
+#include "src/benchmark/comparison/entry_changes.h"
 #include "src/cli/agreement_text.h"
+#include "src/cli/archive.h"
 #include "src/cli/finished_campaign.h"
+#include "src/core/one_line.h"
+#include "src/core/warning.h"
 
 namespace ricochet::cli {
 namespace {
 
+using comparison::entry;
 using report::Json;
+using studies::comparison::entry_changes;
+using studies::comparison::EntryChange;
+using studies::comparison::EntryChanges;
 
 std::string family_in_words(const Json& row) {
   const std::string leader = row["leader"];
@@ -26,18 +39,78 @@ std::string family_in_words(const Json& row) {
       row["other_leader"].get<std::string>());
 }
 
+std::string entry_in_words(const EntryChange& change) {
+  std::string name = entry(change.solver, change.formulation);
+  if (change.perturbation != "plain") name += "/" + change.perturbation;
+  if (change.gradient_price != "n") name += ", gradients at " + change.gradient_price;
+  if (change.version != change.other_version) {
+    name += fmt::format(" ({}, then {})", change.version, change.other_version);
+  }
+  return one_line(fmt::format(
+             "{}: {} (p = {:.2g}); {:.2f} times the evaluations, fewer on {} and more on {} of {} "
+             "problems",
+             name, change.sure() ? "changed" : "not significant", change.p_value, change.ratio,
+             change.cheaper, change.dearer, change.problems)) +
+         "\n";
+}
+
+void print(const EntryChanges& changes) {
+  const auto same = std::ranges::count_if(changes.entries, &EntryChange::same);
+  for (const EntryChange& change : changes.entries) {
+    if (!change.same()) fmt::print("{}", entry_in_words(change));
+  }
+  if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
+  if (changes.entries.empty()) fmt::print("no entry is in both\n");
+  if (!changes.other_problems.empty()) {
+    fmt::print("{} problems are left out, since their hashes differ\n",
+               changes.other_problems.size());
+  }
+}
+
+Json json_of(const EntryChange& change) {
+  return {{"solver", change.solver},
+          {"formulation", change.formulation},
+          {"perturbation", change.perturbation},
+          {"gradient_price", change.gradient_price},
+          {"version", change.version},
+          {"other_version", change.other_version},
+          {"problems", change.problems},
+          {"cheaper", change.cheaper},
+          {"dearer", change.dearer},
+          {"ratio", change.ratio},
+          {"p", change.p_value},
+          {"sure", change.sure()}};
+}
+
+/// The agreement by family; empty, with a warning, if a campaign cannot be made or is not complete.
+Json agreements(const std::string& first, const std::string& second) {
+  try {
+    const FinishedCampaign one = finished_campaign(first);
+    const FinishedCampaign other = finished_campaign(second);
+    return studies::comparison::agreement_data(one.campaign, one.results, other.campaign,
+                                               other.results);
+  } catch (const InputError& error) {
+    warn(fmt::format("the orders of the entries are not compared: {}", error.what()));
+    return Json::array();
+  }
+}
+
 }  // namespace
 
 int compare_stores(const std::string& first, const std::string& second, bool json) {
-  const FinishedCampaign one = finished_campaign(first);
-  const FinishedCampaign other = finished_campaign(second);
-  const Json rows =
-      studies::comparison::agreement_data(one.campaign, one.results, other.campaign, other.results);
+  const EntryChanges changes =
+      entry_changes(Store::open(archive_named(first), Store::For::reading),
+                    Store::open(archive_named(second), Store::For::reading));
+  const Json families = agreements(first, second);
   if (json) {
-    fmt::print("{}\n", rows.dump(2));
+    const Json data = {{"families", families},
+                       {"entries", report::list_of(changes.entries, json_of)},
+                       {"other_problems", changes.other_problems}};
+    fmt::print("{}\n", data.dump(2, ' ', false, Json::error_handler_t::replace));
     return 0;
   }
-  for (const Json& row : rows) fmt::print("{}", family_in_words(row));
+  for (const Json& row : families) fmt::print("{}", family_in_words(row));
+  print(changes);
   return 0;
 }
 

@@ -356,8 +356,10 @@ class Program : public CommandLine {
             ->type_name("ARCHIVE");
     CLI::Option* stores =
         command
-            ->add_option("--stores", stores_,
-                         "Print how far two stores, or archives, order their entries alike")
+            ->add_option(
+                "--stores", stores_,
+                "Print how far two stores, or archives, order their entries alike, and which "
+                "entries changed")
             ->type_name("FILE")
             ->expected(2);
     add_format(command, stores_json_);

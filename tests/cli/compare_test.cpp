@@ -91,6 +91,40 @@ TEST(Compare, ChoosesFormulations) {
   EXPECT_EQ(data["results"].size(), 2U);
 }
 
+/// BOBYQA with a first step of a quarter of the box and of a thousandth, random search beside it.
+TEST(Compare, SaysWhichEntriesChangedBetweenStores) {
+  const auto folder = fresh_folder();
+  const auto run = [&](const std::string& step) {
+    const auto plan =
+        write(folder, step + ".toml",
+              "name = \"versions\"\n[[solver]]\nname = \"mine\"\nof = \"nlopt-bobyqa\"\n"
+              "options = { initial_step = " +
+                  step +
+                  " }\n"
+                  "[[part]]\nproblems = [\"classic-*-[2-6]\", \"classic-b*\"]\n"
+                  "solvers = [\"mine\", \"random-search\"]\nbudgets = [100]\ninstances = 3\n");
+    EXPECT_EQ(
+        call(fmt::format("run {} --out {}", plan.string(), (folder / step).string())).exit_code, 0);
+    return (folder / step / "runs.sqlite").string();
+  };
+  const std::string stores = "compare --stores " + run("0.25") + " " + run("0.001");
+  const Outcome words = call(stores);
+  EXPECT_THAT(words.out, testing::HasSubstr("mine, original (NLopt "));
+  EXPECT_THAT(words.out, testing::HasSubstr("): changed (p = 0."));
+  EXPECT_THAT(words.out, testing::EndsWith("\n1 of 2 entries: the same\n"));
+  const Json data = Json::parse(call(stores + " --format json").out);
+  EXPECT_EQ(data["families"].size(), 1U);
+  ASSERT_EQ(data["entries"].size(), 2U);
+  const Json& mine = data["entries"][0];
+  EXPECT_EQ(mine["solver"], "mine");
+  EXPECT_EQ(mine["sure"], true);
+  EXPECT_GT(mine["ratio"], 1.0);
+  EXPECT_GT(mine["dearer"], mine["cheaper"]);
+  const Json& other = data["entries"][1];
+  EXPECT_EQ(other["p"], 1.0);
+  EXPECT_EQ(other["ratio"], 1.0);
+}
+
 TEST(Compare, RefusesWhatNothingFits) {
   expect_refusal("compare --problems top-sped-C1", "--problems top-sped-C1: nothing fits");
   expect_refusal("compare --solvers coblya", "--solvers coblya: nothing fits");

@@ -74,7 +74,7 @@ TEST(Export, RanksTheEntriesOfACompleteCampaign) {
   EXPECT_EQ(call(fmt::format("export {0} --format csv --out {1}/csv", store, folder.string())).err,
             "");
   const std::string ratings = read(folder / "csv" / "ratings.csv");
-  EXPECT_THAT(ratings, HasSubstr("\nhs,1,20,random-search,original,1,"));
+  EXPECT_THAT(ratings, HasSubstr("\nhs,1,20,random-search,penalised,1,"));
   EXPECT_THAT(ratings, HasSubstr("\nhs,1,20,nlopt-cobyla,original,1,"));
   EXPECT_THAT(read(folder / "csv" / "ecdf.csv"), HasSubstr("\nhs,nlopt-cobyla,original,20,"));
   EXPECT_THAT(read(folder / "csv" / "targets.csv"), HasSubstr("\nhs,hs-71,"));

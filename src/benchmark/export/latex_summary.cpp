@@ -37,15 +37,23 @@ constexpr const char* foot = R"(\bottomrule
 \end{table}
 )";
 
-std::string row_of(const RatedFamily& family, const Rating& rating, bool first) {
-  const std::string place =
-      first ? fmt::format("{} & {} & {}", latex_text(family.name), family.problems, family.budget)
-            : " & &";
-  const auto best = rating.probability_of_being_best;
-  return fmt::format("{} & {} & {:.0f} & {:.1f} & {} \\\\\n", place,
-                     latex_text(comparison::entry(rating.solver, rating.formulation)),
-                     100 * rating.returned, *rating.rank,
-                     best ? fmt::format("{:.2f}", *best) : "--");
+/// The rows of the first entries, at most so many; one that solved no run is not among the first.
+std::string rows_of(const RatedFamily& family, std::size_t most) {
+  std::string place =
+      fmt::format("{} & {} & {}", latex_text(family.name), family.problems, family.budget);
+  std::string rows;
+  std::size_t shown = 0;
+  for (const Rating& rating : family.ratings) {
+    if (!rating.rank || rating.returned == 0) continue;
+    if (shown++ == most) break;
+    const auto best = rating.probability_of_being_best;
+    rows += fmt::format("{} & {} & {:.0f} & {:.1f} & {} \\\\\n", place,
+                        latex_text(comparison::entry(rating.solver, rating.formulation)),
+                        100 * rating.returned, *rating.rank,
+                        best ? fmt::format("{:.2f}", *best) : "--");
+    place = " & &";
+  }
+  return shown > 0 ? rows : place + " & no run is solved & & & \\\\\n";
 }
 
 }  // namespace
@@ -55,11 +63,7 @@ void write_latex_summary(const std::vector<RatedFamily>& families,
   const std::size_t most = rows_of_a_page / std::max<std::size_t>(1, families.size());
   std::string text = head;
   for (const RatedFamily& family : families) {
-    for (std::size_t k = 0; k < std::min(std::max<std::size_t>(1, most), family.ratings.size());
-         ++k) {
-      if (!family.ratings[k].rank) break;  // the ranked ones are first
-      text += row_of(family, family.ratings[k], k == 0);
-    }
+    text += rows_of(family, std::max<std::size_t>(1, most));
   }
   write_file(folder / "summary.tex", text + foot);
 }

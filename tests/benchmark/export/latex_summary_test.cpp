@@ -34,6 +34,17 @@ TEST_F(LatexSummary, HasTheRankedEntriesOfEachFamily) {
   EXPECT_THAT(text, Not(HasSubstr("solver\\_2"))) << "it is not ranked";
 }
 
+TEST_F(LatexSummary, HasNoFirstEntryThatSolvedNoRun) {
+  RatedFamily some = rated("some", 2);
+  some.ratings[0].returned = 0;
+  RatedFamily none = rated("none", 2);
+  for (comparison::Rating& rating : none.ratings) rating.returned = 0;
+  write_latex_summary({some, none}, out);
+  const std::string text = text_of(out / "summary.tex");
+  EXPECT_THAT(text, HasSubstr("\nsome & 2 & 100 & solver\\_1, original & 50 & 2.2 & 0.12 \\\\\n"
+                              "none & 2 & 100 & no run is solved & & & \\\\\n"));
+}
+
 TEST_F(LatexSummary, HasAsManyRowsAsAPageHolds) {
   for (const int families : {1, 4, 13}) {
     const auto folder = made(out / std::to_string(families));

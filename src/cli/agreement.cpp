@@ -60,7 +60,8 @@ void print(const EntryChanges& changes) {
     if (!change.same()) fmt::print("{}", entry_in_words(change));
   }
   if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
-  if (changes.entries.empty()) fmt::print("no entry is in both\n");
+  if (changes.entries.empty())
+    fmt::print("no entry has runs on the same instances with the same budget in both\n");
   if (!changes.other_problems.empty()) {
     fmt::print("{} problems are left out, since their hashes differ\n",
                changes.other_problems.size());

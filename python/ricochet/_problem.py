@@ -29,36 +29,6 @@ def problems() -> List[str]:
     return names
 
 
-def problem(
-    name: str,
-    formulation: str = "",
-    *,
-    instance: int = 0,
-    budget: Optional[int] = None,
-    seed: int = 0,
-    scene: Optional[str | os.PathLike[str]] = None,
-) -> Problem:
-    """Opens the problem of this name.
-
-    formulation: such as "count", "surrogate" or "penalised-count"; "" for the true objective.
-    instance: 0 as stated; 1, 2, ... the same problem in another box, moved and reflected.
-    budget: evaluations, after which RunOver is raised; None for no limit.
-    seed: of `uniform`, from 0 to 2**64 - 1.
-    scene: a machine file; the problems are then those of its machine, such as
-    "profile-count-8-scene". The first one takes about a second.
-
-    Raises Error if there is no such problem or formulation, with what may have been meant, and if
-    the machine file is not valid.
-
-    >>> ricochet.problem("hs-71").best_known
-    17.014017289156303
-    >>> ricochet.problem("hs-71", "surrogate")
-    Traceback (most recent call last):
-    ricochet.Error: surrogate: hs-71 has no such formulation; allowed: original, penalised
-    """
-    return Problem(name, formulation, instance=instance, budget=budget, seed=seed, scene=scene)
-
-
 class Problem:
     """An open problem. One thread at a time may use it; `close` it, or use it in `with`.
 
@@ -98,6 +68,24 @@ class Problem:
         seed: int = 0,
         scene: Optional[str | os.PathLike[str]] = None,
     ) -> None:
+        """Opens the problem of this name; `ricochet.problem` is the same.
+
+        formulation: such as "count", "surrogate" or "penalised-count"; "" for the true objective.
+        instance: 0 as stated; 1, 2, ... the same problem in another box, moved and reflected.
+        budget: evaluations, after which RunOver is raised; None for no limit.
+        seed: of `uniform`, from 0 to 2**64 - 1.
+        scene: a machine file; the problems are then those of its machine, such as
+        "profile-count-8-scene". The first one takes about a second.
+
+        Raises Error if there is no such problem or formulation, with what may have been meant, and
+        if the machine file is not valid.
+
+        >>> ricochet.problem("hs-71").best_known
+        17.014017289156303
+        >>> ricochet.problem("hs-71", "surrogate")
+        Traceback (most recent call last):
+        ricochet.Error: surrogate: hs-71 has no such formulation; allowed: original, penalised
+        """
         ask = library()
         asked = (
             name.encode(),
@@ -345,6 +333,9 @@ class Problem:
 
     def __repr__(self) -> str:
         return f"<ricochet.Problem {self.name}{'' if self._problem else ', closed'}>"
+
+
+problem = Problem
 
 
 def _within(what: str, number: int, lowest: int, highest: int) -> int:

@@ -60,8 +60,9 @@ void print(const EntryChanges& changes) {
     if (!change.same()) fmt::print("{}", entry_in_words(change));
   }
   if (same > 0) fmt::print("{} of {} entries: the same\n", same, changes.entries.size());
-  if (changes.entries.empty())
+  if (changes.entries.empty()) {
     fmt::print("no entry has runs on the same instances with the same budget in both\n");
+  }
   if (!changes.other_problems.empty()) {
     fmt::print("{} problems are left out, since their hashes differ\n",
                changes.other_problems.size());
@@ -84,7 +85,7 @@ Json json_of(const EntryChange& change) {
 }
 
 /// The agreement by family; empty, with a warning, if a campaign cannot be made or is not complete.
-Json agreements(const std::string& first, const std::string& second) {
+Json agreements(const Store& first, const Store& second) {
   try {
     const FinishedCampaign one = finished_campaign(first);
     const FinishedCampaign other = finished_campaign(second);
@@ -99,10 +100,10 @@ Json agreements(const std::string& first, const std::string& second) {
 }  // namespace
 
 int compare_stores(const std::string& first, const std::string& second, bool json) {
-  const EntryChanges changes =
-      entry_changes(Store::open(archive_named(first), Store::For::reading),
-                    Store::open(archive_named(second), Store::For::reading));
-  const Json families = agreements(first, second);
+  const Store one = Store::open(archive_named(first), Store::For::reading);
+  const Store other = Store::open(archive_named(second), Store::For::reading);
+  const EntryChanges changes = entry_changes(one, other);
+  const Json families = agreements(one, other);
   if (json) {
     const Json data = {{"families", families},
                        {"entries", report::list_of(changes.entries, json_of)},

@@ -23,10 +23,10 @@ namespace ricochet::cli {
 namespace {
 
 /// Adds the files about ranked entries, or warns why they or some solvers are left out.
-void add_rated(const exports::Format& format, const Store& store, const std::string& file,
+void add_rated(const exports::Format& format, const Store& store,
                const std::filesystem::path& folder) {
   try {
-    const FinishedCampaign finished = finished_campaign(file);
+    const FinishedCampaign finished = finished_campaign(store);
     std::vector<std::string> unranked;
     for (const StoredSolver& solver : store.description().solvers) {
       const auto& ranked = finished.campaign.solvers();
@@ -56,7 +56,7 @@ int export_store(const ExportOptions& options) {
   warn_of_missing_runs(options.store);
   exports::OutputFolder out(options.out);
   format.write(store, out.draft());
-  if (format.write_rated) add_rated(format, store, options.store, out.draft());
+  if (format.write_rated) add_rated(format, store, out.draft());
   out.commit();
   fmt::print("{} runs: {}\n", store.size(), one_line(options.out));
   return 0;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "src/benchmark/analysis/cell_results.h"
+#include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::cli {
 
@@ -13,7 +13,7 @@ struct FinishedCampaign {
   std::vector<comparison::CellResult> results;
 };
 
-/// Reads a store or an archive, for instance "archive"; leaves out solvers that this build lacks.
-FinishedCampaign finished_campaign(const std::string& store);
+/// Reads a store; leaves out solvers that this build lacks.
+FinishedCampaign finished_campaign(const Store& store);
 
 }  // namespace ricochet::cli

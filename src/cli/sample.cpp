@@ -7,6 +7,7 @@
 #include "ricochet/error.h"
 #include "src/benchmark/comparison/sample_data.h"
 #include "src/cli/agreement_text.h"
+#include "src/cli/archive.h"
 #include "src/cli/finished_campaign.h"
 
 namespace ricochet::cli {
@@ -45,7 +46,8 @@ int sample_problems(const std::string& archive, double share, bool json) {
   if (!(share > 0 && share <= 1)) {
     throw InputError(fmt::format("--share {}: must be in (0, 1]", share));
   }
-  const FinishedCampaign finished = finished_campaign(archive);
+  const FinishedCampaign finished =
+      finished_campaign(Store::open(archive_named(archive), Store::For::reading));
   const Json rows =
       studies::comparison::sample_data(finished.campaign, finished.results, share, least_problems);
   if (json) {

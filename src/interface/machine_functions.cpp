@@ -34,14 +34,6 @@ OpenMachines& open_machines() {
   return all;
 }
 
-/// What `ask` returns for the open machine, or `refused`.
-template <class Result, class Ask>
-Result asked_of(const ricochet_machine* machine, Result refused, const Ask& ask) {
-  Result result = refused;
-  succeeds([&] { result = ask(open_machines().at(machine)); });
-  return result;
-}
-
 /// Writes one number of every row to the caller's array, unless it is null.
 template <class Row, class Number, class Column>
 void write_column(const std::vector<Row>& rows, Number* to, const Column& column) {
@@ -96,19 +88,21 @@ RICOCHET_EXPORTED void ricochet_close_machine(ricochet_machine* machine) {
 }
 
 RICOCHET_EXPORTED const char* ricochet_machine_text(const ricochet_machine* machine) {
-  return asked_of<const char*>(machine, nullptr, [](OpenedMachine& at) { return at.text.c_str(); });
+  return open_machines().ask<const char*>(machine, nullptr,
+                                          [](OpenedMachine& at) { return at.text.c_str(); });
 }
 
 RICOCHET_EXPORTED double ricochet_machine_speed(const ricochet_machine* machine) {
-  return asked_of(machine, std::numeric_limits<double>::quiet_NaN(), [](OpenedMachine& at) {
-    return at.scene.profile.empty() ? at.scene.omega : std::numeric_limits<double>::quiet_NaN();
-  });
+  return open_machines().ask(
+      machine, std::numeric_limits<double>::quiet_NaN(), [](OpenedMachine& at) {
+        return at.scene.profile.empty() ? at.scene.omega : std::numeric_limits<double>::quiet_NaN();
+      });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_simulate(ricochet_machine* machine, double omega,
                                                  std::int64_t samples, std::int32_t* count,
                                                  std::int32_t* certain) {
-  return asked_of(machine, 1, [&](OpenedMachine& at) {
+  return open_machines().ask(machine, 1, [&](OpenedMachine& at) {
     if (samples < 0) throw InputError(fmt::format("samples {}: must be >= 0", samples));
     at.recording = simulate(std::isnan(omega) ? at.scene : at_speed(at.scene, omega),
                             default_smoothing, static_cast<std::size_t>(samples));
@@ -119,13 +113,13 @@ RICOCHET_EXPORTED std::int32_t ricochet_simulate(ricochet_machine* machine, doub
 }
 
 RICOCHET_EXPORTED const char* ricochet_doubt(const ricochet_machine* machine) {
-  return asked_of<const char*>(
+  return open_machines().ask<const char*>(
       machine, nullptr, [](OpenedMachine& at) { return at.recording.certainty.reason.c_str(); });
 }
 
 RICOCHET_EXPORTED std::int64_t ricochet_impacts(const ricochet_machine* machine, double* times,
                                                 double* speeds, std::int32_t* walls) {
-  return asked_of(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
+  return open_machines().ask(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
     const auto& impacts = at.recording.impacts;
     write_column(impacts, times, [](const Impact& impact) { return impact.time; });
     write_column(impacts, speeds, [](const Impact& impact) { return impact.speed; });
@@ -136,7 +130,7 @@ RICOCHET_EXPORTED std::int64_t ricochet_impacts(const ricochet_machine* machine,
 
 RICOCHET_EXPORTED std::int64_t ricochet_path(const ricochet_machine* machine, double* times,
                                              double* positions, double* velocities) {
-  return asked_of(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
+  return open_machines().ask(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
     const auto& path = at.recording.path;
     write_column(path, times, [](const Sample& sample) { return sample.time; });
     write_column(path, positions, [](const Sample& sample) { return sample.position; });
@@ -148,7 +142,7 @@ RICOCHET_EXPORTED std::int64_t ricochet_path(const ricochet_machine* machine, do
 RICOCHET_EXPORTED std::int32_t ricochet_counts(const ricochet_machine* machine,
                                                const double* speeds, std::int64_t size,
                                                std::int32_t* found) {
-  return asked_of(machine, 1, [&](OpenedMachine& at) {
+  return open_machines().ask(machine, 1, [&](OpenedMachine& at) {
     if (size < 0) throw InputError(fmt::format("{} speeds: must be >= 0", size));
     if (size > 0 && !(speeds && found)) throw InputError("the speeds or the counts are NULL");
     const std::vector<int> all =
@@ -159,7 +153,7 @@ RICOCHET_EXPORTED std::int32_t ricochet_counts(const ricochet_machine* machine,
 }
 
 RICOCHET_EXPORTED std::int64_t ricochet_regimes(ricochet_machine* machine, double from, double to) {
-  return asked_of(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
+  return open_machines().ask(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
     at.regimes = regimes_of(at.scene, {from, to});
     at.regime_ends.clear();
     for (const Regime& regime : at.regimes) at.regime_ends.push_back(name_of(regime.ends_by));
@@ -172,7 +166,7 @@ RICOCHET_EXPORTED std::int64_t ricochet_regime_table(const ricochet_machine* mac
                                                      double* least_per_turn, double* most_per_turn,
                                                      std::int32_t* turns, std::int32_t* rests,
                                                      std::int32_t* certain) {
-  return asked_of(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
+  return open_machines().ask(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
     const auto tell = [&](auto* column, auto member) {
       write_column(at.regimes, column, [&](const Regime& regime) { return regime.*member; });
     };
@@ -190,7 +184,7 @@ RICOCHET_EXPORTED std::int64_t ricochet_regime_table(const ricochet_machine* mac
 
 RICOCHET_EXPORTED const char* ricochet_regime_end(const ricochet_machine* machine,
                                                   std::int64_t index) {
-  return asked_of<const char*>(machine, nullptr, [&](OpenedMachine& at) {
+  return open_machines().ask<const char*>(machine, nullptr, [&](OpenedMachine& at) {
     if (index < 0 || index >= size_of(at.regime_ends)) {
       throw InputError(fmt::format("regime {}: there are {}", index, at.regime_ends.size()));
     }
@@ -202,7 +196,7 @@ RICOCHET_EXPORTED std::int32_t ricochet_quiet_speed(const ricochet_machine* mach
                                                     const char* measure, double at_most,
                                                     double fastest, double* quiet,
                                                     double* first_loud, double* limit) {
-  return asked_of(machine, 1, [&](OpenedMachine& at) {
+  return open_machines().ask(machine, 1, [&](OpenedMachine& at) {
     QuietSpeedOptions options;
     if (measure) options.limit = Limit{measure_named(measure), at_most};
     if (!std::isnan(fastest)) options.fastest = fastest;

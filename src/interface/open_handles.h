@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ricochet/error.h"
+#include "src/interface/last_error.h"
 
 namespace ricochet::interface {
 
@@ -31,6 +32,15 @@ class OpenHandles {
   Opened& at(const Handle* handle) {
     const std::lock_guard lock(mutex_);
     return *found(handle)->second;
+  }
+
+  /// What `asked` returns for what is open, or `refused`, with the last error, if it is not open or
+  /// `asked` throws.
+  template <class Result, class Asked>
+  Result ask(const Handle* handle, Result refused, const Asked& asked) {
+    Result result = refused;
+    succeeds([&] { result = asked(at(handle)); });
+    return result;
   }
 
   /// Throws InputError if it is not open.

@@ -15,14 +15,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What `ask` returns for the open problem, or `refused`.
-template <class Result, class Ask>
-Result asked_of(const ricochet_problem* problem, Result refused, const Ask& ask) {
-  Result result = refused;
-  succeeds([&] { result = ask(open_problems().at(problem)); });
-  return result;
-}
-
 /// The variable, or null if the problem gives its variables no names.
 const Variable* variable_of(const Problem& problem, std::int32_t index) {
   if (index < 0 || index >= problem.dimension()) {
@@ -42,37 +34,38 @@ void write(const double* from, std::int32_t size, double* to) {
 using namespace ricochet::interface;
 
 RICOCHET_EXPORTED const char* ricochet_name(const ricochet_problem* problem) {
-  return asked_of<const char*>(problem, nullptr, [](OpenedProblem& at) { return at.name; });
+  return open_problems().ask<const char*>(problem, nullptr,
+                                          [](OpenedProblem& at) { return at.name; });
 }
 
 RICOCHET_EXPORTED const char* ricochet_unit(const ricochet_problem* problem) {
-  return asked_of<const char*>(problem, nullptr,
-                               [](OpenedProblem& at) { return at.stated().unit.c_str(); });
+  return open_problems().ask<const char*>(
+      problem, nullptr, [](OpenedProblem& at) { return at.stated().unit.c_str(); });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_dimension(const ricochet_problem* problem) {
-  return asked_of(problem, -1, [](OpenedProblem& at) { return at.dimension; });
+  return open_problems().ask(problem, -1, [](OpenedProblem& at) { return at.dimension; });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_constraints(const ricochet_problem* problem) {
-  return asked_of(problem, -1, [](OpenedProblem& at) { return at.constraints; });
+  return open_problems().ask(problem, -1, [](OpenedProblem& at) { return at.constraints; });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_equalities(const ricochet_problem* problem) {
-  return asked_of(problem, -1, [](OpenedProblem& at) { return at.equalities; });
+  return open_problems().ask(problem, -1, [](OpenedProblem& at) { return at.equalities; });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_has_derivatives(const ricochet_problem* problem) {
-  return asked_of(problem, -1, [](OpenedProblem& at) { return at.has_derivatives; });
+  return open_problems().ask(problem, -1, [](OpenedProblem& at) { return at.has_derivatives; });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_has_residuals(const ricochet_problem* problem) {
-  return asked_of(problem, -1, [](OpenedProblem& at) { return at.has_residuals; });
+  return open_problems().ask(problem, -1, [](OpenedProblem& at) { return at.has_residuals; });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_bounds(const ricochet_problem* problem, double* lower,
                                                double* upper) {
-  return asked_of(problem, 1, [&](OpenedProblem& at) {
+  return open_problems().ask(problem, 1, [&](OpenedProblem& at) {
     write(at.lower, at.dimension, lower);
     write(at.upper, at.dimension, upper);
     return 0;
@@ -80,7 +73,7 @@ RICOCHET_EXPORTED std::int32_t ricochet_bounds(const ricochet_problem* problem, 
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_start(const ricochet_problem* problem, double* start) {
-  return asked_of(problem, 1, [&](OpenedProblem& at) {
+  return open_problems().ask(problem, 1, [&](OpenedProblem& at) {
     write(at.start, at.dimension, start);
     return 0;
   });
@@ -88,7 +81,7 @@ RICOCHET_EXPORTED std::int32_t ricochet_start(const ricochet_problem* problem, d
 
 RICOCHET_EXPORTED const char* ricochet_variable_name(const ricochet_problem* problem,
                                                      std::int32_t index) {
-  return asked_of<const char*>(problem, nullptr, [&](OpenedProblem& at) {
+  return open_problems().ask<const char*>(problem, nullptr, [&](OpenedProblem& at) {
     const auto* const variable = variable_of(at.stated(), index);
     return variable ? variable->name.c_str() : "";
   });
@@ -96,31 +89,32 @@ RICOCHET_EXPORTED const char* ricochet_variable_name(const ricochet_problem* pro
 
 RICOCHET_EXPORTED const char* ricochet_variable_unit(const ricochet_problem* problem,
                                                      std::int32_t index) {
-  return asked_of<const char*>(problem, nullptr, [&](OpenedProblem& at) {
+  return open_problems().ask<const char*>(problem, nullptr, [&](OpenedProblem& at) {
     const auto* const variable = variable_of(at.stated(), index);
     return variable ? variable->unit.c_str() : "";
   });
 }
 
 RICOCHET_EXPORTED double ricochet_best_known(const ricochet_problem* problem) {
-  return asked_of(problem, unknown,
-                  [](OpenedProblem& at) { return at.stated().best_known.value_or(unknown); });
+  return open_problems().ask(
+      problem, unknown, [](OpenedProblem& at) { return at.stated().best_known.value_or(unknown); });
 }
 
 RICOCHET_EXPORTED double ricochet_tolerance(const ricochet_problem* problem) {
-  return asked_of(problem, unknown, [](OpenedProblem& at) { return at.stated().tolerance; });
+  return open_problems().ask(problem, unknown,
+                             [](OpenedProblem& at) { return at.stated().tolerance; });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_values(ricochet_problem* problem, const double* x,
                                                double* objective, double* constraints) {
-  return asked_of(problem, 1,
-                  [&](OpenedProblem& at) { return at.values(&at, x, objective, constraints); });
+  return open_problems().ask(
+      problem, 1, [&](OpenedProblem& at) { return at.values(&at, x, objective, constraints); });
 }
 
 RICOCHET_EXPORTED std::int64_t ricochet_values_batch(ricochet_problem* problem,
                                                      const double* points, std::int64_t count,
                                                      double* objectives, double* constraints) {
-  return asked_of(problem, std::int64_t{0}, [&](OpenedProblem& at) {
+  return open_problems().ask(problem, std::int64_t{0}, [&](OpenedProblem& at) {
     for (std::int64_t k = 0; k < count; ++k) {
       const double* const x = points ? points + k * at.dimension : nullptr;
       if (at.values(&at, x, objectives ? objectives + k : nullptr,
@@ -135,24 +129,25 @@ RICOCHET_EXPORTED std::int64_t ricochet_values_batch(ricochet_problem* problem,
 RICOCHET_EXPORTED std::int32_t ricochet_derivatives(ricochet_problem* problem, const double* x,
                                                     double* objective, double* constraints,
                                                     double* gradient, double* jacobian) {
-  return asked_of(problem, 1, [&](OpenedProblem& at) {
+  return open_problems().ask(problem, 1, [&](OpenedProblem& at) {
     return at.derivatives(&at, x, objective, constraints, gradient, jacobian);
   });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_residual_count(ricochet_problem* problem, const double* x) {
-  return asked_of(problem, 0, [&](OpenedProblem& at) { return at.residual_count(&at, x); });
+  return open_problems().ask(problem, 0,
+                             [&](OpenedProblem& at) { return at.residual_count(&at, x); });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_residuals(ricochet_problem* problem, const double* x,
                                                   double* residuals, double* jacobian) {
-  return asked_of(problem, 1,
-                  [&](OpenedProblem& at) { return at.residuals(&at, x, residuals, jacobian); });
+  return open_problems().ask(
+      problem, 1, [&](OpenedProblem& at) { return at.residuals(&at, x, residuals, jacobian); });
 }
 
 RICOCHET_EXPORTED std::int32_t ricochet_judge(ricochet_problem* problem, const double* x,
                                               double* objective, double* violation) {
-  return asked_of(problem, 1, [&](OpenedProblem& at) {
+  return open_problems().ask(problem, 1, [&](OpenedProblem& at) {
     const ricochet::TrueValues true_values = at.judge(x);
     if (objective) *objective = true_values.objective;
     if (violation) *violation = true_values.violation;
@@ -161,9 +156,10 @@ RICOCHET_EXPORTED std::int32_t ricochet_judge(ricochet_problem* problem, const d
 }
 
 RICOCHET_EXPORTED std::int64_t ricochet_remaining(ricochet_problem* problem) {
-  return asked_of(problem, std::int64_t{-1}, [](OpenedProblem& at) { return at.remaining(&at); });
+  return open_problems().ask(problem, std::int64_t{-1},
+                             [](OpenedProblem& at) { return at.remaining(&at); });
 }
 
 RICOCHET_EXPORTED double ricochet_uniform(ricochet_problem* problem) {
-  return asked_of(problem, unknown, [](OpenedProblem& at) { return at.uniform(&at); });
+  return open_problems().ask(problem, unknown, [](OpenedProblem& at) { return at.uniform(&at); });
 }

@@ -42,6 +42,14 @@ def some_points(q, count=20):
     return draw.uniform(q.lower, q.upper, (count, q.dimension))
 
 
+def evolved(q, function, **options):
+    """The least value that SciPy's differential evolution finds in five generations."""
+    bounds = scipy.optimize.Bounds(q.lower, q.upper)
+    return scipy.optimize.differential_evolution(
+        function, bounds, seed=1, maxiter=5, polish=False, updating="deferred", **options
+    ).fun
+
+
 class Values(unittest.TestCase):
     def test_are_those_of_the_program_bit_for_bit(self):
         for name, formulation in [
@@ -236,17 +244,8 @@ class Batch(unittest.TestCase):
     @needs_scipy
     def test_is_what_scipy_calls_vectorized(self):
         q = ricochet.problem("profile-count-8-C4")
-        bounds = scipy.optimize.Bounds(q.lower, q.upper)
-        found = [
-            scipy.optimize.differential_evolution(
-                function, bounds, seed=1, maxiter=5, polish=False, updating="deferred", **options
-            ).fun
-            for function, options in [
-                (lambda x: q.batch(x.T).objectives, {"vectorized": True}),
-                (q, {}),
-            ]
-        ]
-        self.assertEqual(found[0], found[1])
+        found = evolved(q, lambda x: q.batch(x.T).objectives, vectorized=True)
+        self.assertEqual(found, evolved(q, q))
 
 
 class Copy(unittest.TestCase):
@@ -278,14 +277,7 @@ class Copy(unittest.TestCase):
     @needs_scipy
     def test_is_evaluated_by_workers(self):
         q = ricochet.problem("profile-count-8-C4")
-        bounds = scipy.optimize.Bounds(q.lower, q.upper)
-        found = [
-            scipy.optimize.differential_evolution(
-                q, bounds, seed=1, maxiter=5, polish=False, updating="deferred", workers=workers
-            ).fun
-            for workers in (1, 2)
-        ]
-        self.assertEqual(found[0], found[1])
+        self.assertEqual(evolved(q, q, workers=1), evolved(q, q, workers=2))
 
 
 class BadInput(unittest.TestCase):

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "src/benchmark/analysis/judged_runs.h"
+#include "src/benchmark/comparison/profile_data.h"
 #include "src/benchmark/statistics/holm.h"
 #include "src/benchmark/statistics/signed_rank_test.h"
 
@@ -24,11 +25,8 @@ std::map<Cell, Costs> costs_in(const Store& store) {
       store,
       [&](const JudgedRun& run) {
         const RunKey& key = run.stored.key;
-        constexpr double penalty = 10;
-        const double budget = static_cast<double>(key.cell.budget * run.problem.variables);
-        const double spent = static_cast<double>(evaluations_until_solved(run.outcome));
-        all[key.cell][{key.instance, key.run}] =
-            run.outcome.solved() ? std::max(1.0, spent) : penalty * budget;
+        const auto budget = static_cast<double>(key.cell.budget * run.problem.variables);
+        all[key.cell][{key.instance, key.run}] = penalised_cost(run.outcome, budget);
       },
       [](const JudgedCell&) {});
   return all;
@@ -47,12 +45,6 @@ std::optional<double> log_ratio(const Costs& first, const Costs& second) {
   }
   if (of_first == 0) return std::nullopt;
   return std::log(of_second / of_first);
-}
-
-std::map<std::string, std::string> hashes_of(const CampaignDescription& description) {
-  std::map<std::string, std::string> hashes;
-  for (const StoredProblem& problem : description.problems) hashes[problem.name] = problem.hash;
-  return hashes;
 }
 
 std::string version_in(const CampaignDescription& description, const std::string& solver) {
@@ -79,8 +71,8 @@ EntryChange change_of(const Cell& entry, const std::vector<double>& log_ratios) 
 
 EntryChanges entry_changes(const Store& first, const Store& second) {
   EntryChanges changes;
-  const auto hashes = hashes_of(first.description());
-  const auto other_hashes = hashes_of(second.description());
+  const auto hashes = first.description().hashes();
+  const auto other_hashes = second.description().hashes();
   for (const auto& [problem, hash] : hashes) {
     const auto other = other_hashes.find(problem);
     if (other == other_hashes.end() || other->second == hash) continue;

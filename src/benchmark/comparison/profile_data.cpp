@@ -101,13 +101,15 @@ double running_time(const Campaign& campaign, const CellResult& result) {
   return one.share > 0 ? one.evaluations / one.share : std::numeric_limits<double>::infinity();
 }
 
+double penalised_cost(const Outcome& outcome, double budget) {
+  if (!outcome.solved()) return 10 * budget;
+  return std::max(static_cast<double>(evaluations_until_solved(outcome)), 1.0);
+}
+
 double penalised_cost(const Campaign& campaign, const CellResult& result) {
   double sum = 0;
   const auto budget = static_cast<double>(result.cell->budget.evaluations);
-  for (const Outcome& outcome : result.outcomes) {
-    sum += outcome.solved() ? std::max(static_cast<double>(evaluations_until_solved(outcome)), 1.0)
-                            : 10 * budget;
-  }
+  for (const Outcome& outcome : result.outcomes) sum += penalised_cost(outcome, budget);
   const auto& stated = campaign.problems()[result.cell->problem];
   return sum / static_cast<double>(result.outcomes.size()) /
          static_cast<double>(stated.dimension());

@@ -9,9 +9,12 @@ namespace ricochet::studies::comparison {
 /// infinite if no run solved it.
 double running_time(const Campaign& campaign, const CellResult& result);
 
-/// Penalised cost of a solver on a problem: evaluations per variable, mean over its runs; a run
-/// that did not solve it counts as ten times the budget (PAR10; Lindauer, van Rijn and Kotthoff
-/// 2019, doi:10.1016/j.artint.2018.10.004).
+/// Penalised cost of a run with this budget: evaluations until it solved its problem, at least 1;
+/// if it did not, ten times the budget (PAR10; Lindauer, van Rijn and Kotthoff 2019,
+/// doi:10.1016/j.artint.2018.10.004).
+double penalised_cost(const Outcome& outcome, double budget);
+
+/// That of a solver on a problem: per variable, mean over its runs.
 double penalised_cost(const Campaign& campaign, const CellResult& result);
 
 /// Returns the entries sorted by the geometric mean of their penalised costs, least first.

@@ -88,8 +88,8 @@ TEST(HardSearch, LeavesOutTheMachinesOfThePaper) {
   EXPECT_FALSE(judged_hard(all_machines()[0]));
 }
 
-/// Every true objective anew, on a grid as fine as that of the search.
-/// Of one of them: to judge it takes ten seconds.
+/// Every true objective again, on a grid as fine as that of the search; of one machine, since to
+/// judge it takes ten seconds.
 TEST(HardSearch, JudgesAMachineAsItsFileSays) {
   const HardMachine& hard = hard_machines().at(5);
   const Found found = look_everywhere(hard.machine, 1e-4);

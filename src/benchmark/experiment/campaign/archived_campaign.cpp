@@ -29,8 +29,7 @@ bool can_be_made(const std::string& solver, const Plan& plan, const Catalogue& c
 
 /// Throws InputError if a problem of the campaign is another one than the archive's.
 void check_problems(const CampaignDescription& archive, const CampaignDescription& campaign) {
-  std::map<std::string, std::string> hashes;
-  for (const StoredProblem& problem : archive.problems) hashes[problem.name] = problem.hash;
+  auto hashes = archive.hashes();
   std::vector<std::string> others;
   for (const StoredProblem& problem : campaign.problems) {
     if (hashes[problem.name] != problem.hash) others.push_back(problem.name);
@@ -53,11 +52,9 @@ bool has(const std::vector<Entry>& entries, const Entry& entry) {
 class CommonCells {
  public:
   CommonCells(const CampaignDescription& ours, const CampaignDescription& theirs) {
+    auto hashes = theirs.hashes();
     for (const StoredProblem& problem : ours.problems) {
-      const auto known = std::ranges::find(theirs.problems, problem.name, &StoredProblem::name);
-      if (known != theirs.problems.end() && known->hash == problem.hash) {
-        problems_.insert(problem.name);
-      }
+      if (hashes[problem.name] == problem.hash) problems_.insert(problem.name);
     }
     for (const StoredSolver& solver : ours.solvers) {
       if (has(theirs.solvers, solver)) solvers_.insert(solver.name);
@@ -127,8 +124,10 @@ void start_against(const Store& archive, const Campaign& campaign, const Provena
 void start_from(const std::vector<fs::path>& earlier, const Campaign& campaign,
                 const Provenance& provenance, const fs::path& file) {
   CampaignDescription description = description_of(campaign, provenance);
+  std::vector<Store> stores;
   for (const fs::path& place : earlier) {
-    const CampaignDescription theirs = Store::open(place, Store::For::reading).description();
+    stores.push_back(Store::open(place, Store::For::reading));
+    const CampaignDescription& theirs = stores.back().description();
     if (is_archived(theirs)) mark_archived(description);
     const auto commit = theirs.program.find("commit");
     if (commit != theirs.program.end()) {
@@ -137,8 +136,7 @@ void start_from(const std::vector<fs::path>& earlier, const Campaign& campaign,
   }
   std::set<RunKey> taken;
   Store::write(file, description, [&](const Store::AddRun& add) {
-    for (const fs::path& place : earlier) {
-      const Store store = Store::open(place, Store::For::reading);
+    for (const Store& store : stores) {
       const CommonCells common(description, store.description());
       store.each([&](const StoredRun& run) {
         if (!campaign.has(run.key) || !common.contain(run.key.cell)) return;

@@ -22,6 +22,12 @@ namespace ricochet {
 
 namespace fs = std::filesystem;
 
+std::map<std::string, std::string> CampaignDescription::hashes() const {
+  std::map<std::string, std::string> all;
+  for (const StoredProblem& problem : problems) all[problem.name] = problem.hash;
+  return all;
+}
+
 struct Store::Database {
   fs::path file;
   std::optional<ScratchFolder> unpacked;  // if the file is an archive

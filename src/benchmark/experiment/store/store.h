@@ -48,6 +48,9 @@ struct CampaignDescription {
   std::map<std::string, std::string> program;  ///< version, commit, compiler, libraries
   std::map<std::string, std::string> made;     ///< machine, cores, date
 
+  /// Of the problems, by name.
+  std::map<std::string, std::string> hashes() const;
+
   bool operator==(const CampaignDescription&) const = default;
 };
 

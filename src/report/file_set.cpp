@@ -30,7 +30,7 @@ std::string manifest_of(const FileSet& files) {
   return lines;
 }
 
-std::string text_of(const fs::path& file) {
+std::string content_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -38,12 +38,12 @@ std::string text_of(const fs::path& file) {
 /// Returns the files of an earlier report that are unchanged and that no new file replaces.
 std::vector<fs::path> stale_files(const fs::path& folder, const FileSet& files) {
   std::vector<fs::path> stale;
-  std::istringstream manifest(text_of(folder / manifest_name));
+  std::istringstream manifest(content_of(folder / manifest_name));
   for (std::string hash, name; manifest >> hash && std::getline(manifest >> std::ws, name);) {
     const fs::path path = folder / name;
     const bool ours = fs::path(name).filename() == name &&
                       fs::is_regular_file(fs::symlink_status(path)) &&
-                      hash_of(text_of(path)) == hash;
+                      hash_of(content_of(path)) == hash;
     if (ours && !files.contains(name)) stale.push_back(path);
   }
   return stale;

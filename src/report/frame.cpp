@@ -13,7 +13,7 @@ namespace {
 constexpr double least_width = 60, least_height = 30;  // of the plot, pixels
 constexpr double text_height = 18;                     // of a line
 constexpr double tick_room = 9;                        // a tick and the gap up to its label
-constexpr double widest_share = 0.45;                  // of the picture, for a name
+constexpr double widest_name = 0.45;                   // of the picture, for a name
 const double sine = std::sin(name_angle * std::numbers::pi / 180);
 const double cosine = std::cos(name_angle * std::numbers::pi / 180);
 
@@ -104,8 +104,7 @@ std::vector<LegendEntry> legend_of(const Chart& chart, const std::vector<EndLabe
     if (!lines[i].empty()) legend.push_back({Of::line, i, lines[i]});
   // A single entry needs no legend: title and axis name it.
   if (legend.size() == 1) legend.clear();
-  for (LegendEntry& entry : legend)
-    entry.label = shortened(entry.label, widest_share * chart.width);
+  for (LegendEntry& entry : legend) entry.label = shortened(entry.label, widest_name * chart.width);
   return legend;
 }
 
@@ -152,7 +151,7 @@ class Layout {
     } else {
       frame_.y_ticks = name_ticks(chart_.y.categories, room, 13);
       for (Tick& tick : frame_.y_ticks)
-        tick.label = shortened(tick.label, widest_share * chart_.width);
+        tick.label = shortened(tick.label, widest_name * chart_.width);
     }
     if (chart_.heat_map)
       frame_.colour_ticks =

@@ -54,7 +54,7 @@ TEST(Penalty, HasTheGradientOfItsValues) {
 }
 
 /// The same with constraints that bend, and their second derivatives.
-Problem bent() {
+Problem with_bent_constraints() {
   Problem problem = constrained();
   problem.evaluate = [](const Vector& x) {
     return Values{x[0] * x[0] + x[1], Vector{{1 - x[0] * x[0] * x[1], x[1] * x[1] - 2}}};
@@ -71,7 +71,7 @@ Problem bent() {
 }
 
 TEST(Penalty, HasTheSecondDerivativesOfItsGradient) {
-  Problem original = bent();
+  Problem original = with_bent_constraints();
   for (const Eigen::Index equalities : {0, 1}) {
     original.equalities = equalities;
     const Problem problem = penalised(original, 10);

@@ -28,7 +28,7 @@ constexpr std::array<std::array<int, 2>, 7> stencil = {
 
 constexpr int tip_newton_steps = 10;
 constexpr double longest_shift = 0.1;  // [rad]
-constexpr double farthest = 0.5;       // [rad], from the first phase
+constexpr double farthest_tip = 0.5;   // [rad], from the first phase
 
 /// Which impact of a turn: the series of impacts on one wall that it belongs to, and its place.
 struct ImpactPlace {
@@ -135,7 +135,8 @@ class Tip {
       }
       if (!step.allFinite()) return std::nullopt;
       at += step;
-      if (!(at[0] > 0 && at[0] < width_ && std::abs(at[1] - phase) < farthest)) return std::nullopt;
+      if (!(at[0] > 0 && at[0] < width_ && std::abs(at[1] - phase) < farthest_tip))
+        return std::nullopt;
       // The next step would be about the square of this one.
       if (is_extreme && std::abs(step[0]) < 1e-9 * until_ && std::abs(step[1]) < 1e-3) {
         if (lower_beside({at[1], at[0]})) return std::nullopt;
@@ -307,7 +308,7 @@ class Tip {
       };
       double in = 0;
       double out = narrowest;
-      while (out < farthest && is_in(at(out))) {
+      while (out < farthest_tip && is_in(at(out))) {
         in = out;
         out *= 4;
       }

@@ -17,10 +17,10 @@ namespace {
 
 using namespace ricochet::comparison;
 
-using Costs = std::map<std::pair<int, int>, double>;  ///< by instance and run
+using RunCosts = std::map<std::pair<int, int>, double>;  ///< by instance and run
 
-std::map<Cell, Costs> costs_in(const Store& store) {
-  std::map<Cell, Costs> all;
+std::map<Cell, RunCosts> costs_in(const Store& store) {
+  std::map<Cell, RunCosts> all;
   each_judged(
       store,
       [&](const JudgedRun& run) {
@@ -34,7 +34,7 @@ std::map<Cell, Costs> costs_in(const Store& store) {
 
 /// The logarithm of the ratio of the mean costs of the runs that both have; nothing if there are
 /// none.
-std::optional<double> log_ratio(const Costs& first, const Costs& second) {
+std::optional<double> log_ratio(const RunCosts& first, const RunCosts& second) {
   double of_first = 0;
   double of_second = 0;
   for (const auto& [run, cost] : first) {

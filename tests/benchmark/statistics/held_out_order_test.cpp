@@ -32,7 +32,7 @@ std::vector<RivalsAhead> noisy_problems(std::size_t number, double noise) {
 }
 
 /// Kendall's tau-b by its definition.
-double tau(const std::vector<double>& a, const std::vector<double>& b) {
+double tau_b(const std::vector<double>& a, const std::vector<double>& b) {
   double concordant = 0, discordant = 0, tied_a = 0, tied_b = 0, pairs = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t k = i + 1; k < a.size(); ++k) {
@@ -83,7 +83,7 @@ TEST(HeldOutOrder, IsTheMeanOverAllHalves) {
       if (parts[0].size() != half || parts[1].size() != half) continue;
       const auto a = means_of(problems, parts[0]);
       const auto b = means_of(problems, parts[1]);
-      sum += tau(a, b);
+      sum += tau_b(a, b);
       stays += same_first(a, b);
       ++splits;
     }

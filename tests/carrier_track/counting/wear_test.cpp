@@ -10,7 +10,7 @@ namespace ricochet::carrier_track {
 namespace {
 
 /// A ball of 2 kg thrown from a floor at 3 m/s under 9.81 m/s^2, without friction.
-Scene ball(double restitution) {
+Scene falling_ball(double restitution) {
   Scene scene;
   scene.mass = 2.0;
   scene.wall_upper = std::numeric_limits<double>::infinity();
@@ -23,17 +23,17 @@ Scene ball(double restitution) {
 }
 
 TEST(Wear, OfABallThatComesToRestIsAllItsEnergy) {
-  EXPECT_NEAR(wear(ball(0.5)), 1e3 * 0.5 * 2.0 * 9.0, 1e-8);
+  EXPECT_NEAR(wear(falling_ball(0.5)), 1e3 * 0.5 * 2.0 * 9.0, 1e-8);
 }
 
 TEST(Wear, OfOneImpactIsWhatTheRestitutionLeaves) {
-  Scene scene = ball(0.5);
+  Scene scene = falling_ball(0.5);
   scene.window = Seconds{0.8};  // it comes back after 0.61 s, and again 0.31 s later
   EXPECT_NEAR(wear(scene), 1e3 * 0.5 * 2.0 * 9.0 * (1 - 0.25), 1e-9);
 }
 
 TEST(Wear, FadesToTheEndOfTheWindow) {
-  Scene scene = ball(0.5);
+  Scene scene = falling_ball(0.5);
   const double time = 2 * 3.0 / 9.81;
   const double whole = 1e3 * 0.5 * 2.0 * 9.0 * (1 - 0.25);
   scene.window = Seconds{time * (1 + 1e-9)};
@@ -43,7 +43,7 @@ TEST(Wear, FadesToTheEndOfTheWindow) {
 }
 
 TEST(Wear, OfElasticWallsIsNone) {
-  EXPECT_EQ(wear(ball(1.0)), 0.0);
+  EXPECT_EQ(wear(falling_ball(1.0)), 0.0);
 }
 
 /// The two walls of a slot lose what each returns.
@@ -60,7 +60,7 @@ TEST(Wear, GoesByTheRestitutionOfTheWall) {
 }
 
 TEST(Wear, HasWhatFrictionInContactTakesInIt) {
-  Scene scene = ball(1.0);
+  Scene scene = falling_ball(1.0);
   scene.contact_friction = true;
   scene.friction = 0.6;  // sqrt(0.4 / 1.6) = 0.5 of the speed is left
   scene.window = Seconds{0.8};
@@ -72,7 +72,7 @@ TEST(Wear, ShowsTheSimulationToAnother) {
     void impact(const double& /*time*/, Wall /*wall*/, const double& /*speed*/) { ++impacts; }
     int impacts = 0;
   } counter;
-  Scene scene = ball(0.5);
+  Scene scene = falling_ball(0.5);
   scene.window = Seconds{0.7};
   wear(scene, counter);
   EXPECT_EQ(counter.impacts, 1);

@@ -11,7 +11,7 @@
 namespace ricochet::carrier_track {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Quantity, IsInTheSiUnitWhateverUnitItIsGivenIn) {
   EXPECT_EQ(quantity("0.8 mm", "m"), 0.8e-3);

@@ -14,12 +14,12 @@
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
-constexpr double sharp = 1e-13;          // relative width at which a bracket of speeds is a border
-constexpr double small_margin = 0.2;     // margins so small on both sides of a border may pass 0
-constexpr double first_reach = 0.05;     // [rad], of the first stencil, to both sides
-constexpr double first_step = 1e-2;      // down, of the width of the search
-constexpr double narrowest = 1e-13;      // [rad], of phases that are beyond
-constexpr double farthest_beside = 0.1;  // [rad], from a tip
+constexpr double sharp = 1e-13;       // relative width at which a bracket of speeds is a border
+constexpr double small_margin = 0.2;  // margins so small on both sides of a border may pass 0
+constexpr double first_reach_of_tip = 0.05;  // [rad], of the first stencil, to both sides
+constexpr double first_step = 1e-2;          // down, of the width of the search
+constexpr double narrowest = 1e-13;          // [rad], of phases that are beyond
+constexpr double farthest_beside = 0.1;      // [rad], from a tip
 constexpr int most_rounds = 200;
 
 /// Places of speed and phase from which a quadratic dependence is known.
@@ -95,7 +95,7 @@ class Tip {
   /// that of one impact is extreme, or those of two impacts are 0, which change places there.
   std::optional<PhaseTip> smooth_tip(double phase) const {
     Eigen::Vector2d at(width_ / 2, phase);
-    Eigen::Vector2d reach(width_ / 2, first_reach);
+    Eigen::Vector2d reach(width_ / 2, first_reach_of_tip);
     std::optional<ImpactPlace> one;
     std::optional<ImpactPlace> other;
     for (int k = 0; k < tip_newton_steps; ++k) {

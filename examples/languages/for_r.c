@@ -48,6 +48,19 @@ SEXP open_problem(SEXP name) {
   return opened(ricochet_open(CHAR(Rf_asChar(name)), "", 0, INT64_MAX, 0), close_problem);
 }
 
+/* A matrix with a row for each variable: its bounds and its start. */
+SEXP box(SEXP problem) {
+  ricochet_problem* const asked = R_ExternalPtrAddr(problem);
+  const int size = ricochet_dimension(asked);
+  SEXP told;
+  if (size < 0) Rf_error("%s", ricochet_error());
+  told = PROTECT(Rf_allocMatrix(REALSXP, size, 3));
+  ricochet_bounds(asked, REAL(told), REAL(told) + size);
+  ricochet_start(asked, REAL(told) + 2 * size);
+  UNPROTECT(1);
+  return told;
+}
+
 /* The objective, then the constraints. */
 SEXP values(SEXP problem, SEXP x) {
   ricochet_problem* const asked = R_ExternalPtrAddr(problem);

@@ -1,7 +1,8 @@
 /* ricochet in Octave and MATLAB.
  * [counts, quiet] = ricochet_mex("machine", FILE, OMEGAS): collision counts at speeds [rad/s], and
  * the fastest quiet speed.
- * [objective, constraints, best_known] = ricochet_mex("problem", NAME, X): a problem at a point. */
+ * [objective, constraints, best_known] = ricochet_mex("problem", NAME, X): a problem at a point.
+ * box = ricochet_mex("box", NAME): a row for each variable, its bounds and its start. */
 #include <math.h>
 #include <mex.h>
 #include <ricochet/ricochet.h>
@@ -36,14 +37,29 @@ static void of_problem(mxArray* told[], const char* name, const mxArray* x) {
   if (refused) mexErrMsgTxt(ricochet_error());
 }
 
+static void of_box(mxArray* told[], const char* name) {
+  ricochet_problem* const problem = ricochet_open(name, "", 0, 1, 0);
+  if (!problem) mexErrMsgTxt(ricochet_error());
+  const mwSize size = (mwSize)ricochet_dimension(problem);
+  told[0] = mxCreateDoubleMatrix(size, 3, mxREAL);
+  ricochet_bounds(problem, mxGetPr(told[0]), mxGetPr(told[0]) + size);
+  ricochet_start(problem, mxGetPr(told[0]) + 2 * size);
+  ricochet_close(problem);
+}
+
 void mexFunction(int told_size, mxArray* told[], int given_size, const mxArray* given[]) {
   char what[16], name[4096];
   mxArray* all[3] = {NULL, NULL, NULL};
-  if (given_size != 3 || mxGetString(given[0], what, sizeof what) ||
-      mxGetString(given[1], name, sizeof name) || !mxIsDouble(given[2])) {
-    mexErrMsgTxt("ricochet_mex(\"machine\", FILE, OMEGAS) or (\"problem\", NAME, X)");
+  if (given_size < 2 || mxGetString(given[0], what, sizeof what) ||
+      mxGetString(given[1], name, sizeof name) ||
+      given_size != (strcmp(what, "box") == 0 ? 2 : 3) ||
+      (given_size == 3 && !mxIsDouble(given[2]))) {
+    mexErrMsgTxt(
+        "ricochet_mex(\"machine\", FILE, OMEGAS), (\"problem\", NAME, X) or (\"box\", NAME)");
   }
-  if (strcmp(what, "machine") == 0) {
+  if (strcmp(what, "box") == 0) {
+    of_box(all, name);
+  } else if (strcmp(what, "machine") == 0) {
     of_machine(all, name, given[2]);
   } else {
     of_problem(all, name, given[2]);

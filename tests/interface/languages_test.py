@@ -1,4 +1,4 @@
-"""The example of one language in examples/languages: what it prints, and its error of a bad file.
+"""The examples of one language in examples/languages: what they print, and the error of a bad file.
 
     languages_test.py C|Lua|R|Octave
 """
@@ -27,6 +27,22 @@ LANGUAGES = {
         ["octave-cli", "--quiet", "--no-init-file", "ask.m"],
     ),
 }  # fmt: skip
+
+
+def minimisation():
+    """What `minimise` prints, as the Python package finds it."""
+    import numpy
+    import ricochet
+
+    speeds = numpy.linspace(5, 7, 201)
+    counts = ricochet.Scene.load(SOURCE / "examples" / "machine.toml").counts(speeds)
+    with ricochet.problem("classic-rosenbrock-2") as problem:
+        least = problem.best_known
+        assert problem([1, 1]) == least
+    return (
+        f"first collisions at {speeds[(counts > 0).argmax()]:.2f} rad/s\n"
+        f"minimum {least:.2f} at 1.00 1.00\n"
+    )
 
 
 def main(language):
@@ -60,6 +76,13 @@ def main(language):
         if (done.returncode, done.stdout) != (0, EXPECTED):
             print(f"exit code {done.returncode}, prints\n{done.stdout}{done.stderr}")
             return 1
+        *calling, example = running
+        minimise = example.replace("ask", "minimise")
+        if (folder / minimise).exists():
+            done = run([*calling, minimise])
+            if (done.returncode, done.stdout) != (0, minimisation()):
+                print(f"{minimise}: exit code {done.returncode}, prints\n{done.stdout}{done.stderr}")
+                return 1
         (folder / "machine.toml").write_text("[scene]\nmas = 1\n")
         done = run(running)
         if done.returncode == 0 or "machine.toml: " not in done.stdout + done.stderr:

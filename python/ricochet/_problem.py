@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import ctypes
 import functools
 import os
-from typing import Any, List, NoReturn, Optional, Tuple
+from typing import Any, List, Optional, Tuple
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
+from ._calls import Calls
 from ._library import Error, last_error, library
 from ._results import Evaluated, RunOver, TrueValues, Variable
 
@@ -56,8 +56,6 @@ class Problem:
     99
     """
 
-    _problem: Optional[int] = None  # until it is open, and after it was closed
-
     def __init__(
         self,
         name: str,
@@ -100,15 +98,15 @@ class Problem:
             opened = ask.ricochet_open_scene(os.fsencode(scene), *asked)
         if not opened:
             raise Error(last_error())
-        self._problem = opened
+        self._calls = Calls(opened)
         self._opened_by = (name, formulation, instance, budget, seed, scene)
-        self.name: str = ask.ricochet_name(opened).decode()
+        self.name = self._calls.name
         self.unit: str = ask.ricochet_unit(opened).decode()
-        self.dimension: int = ask.ricochet_dimension(opened)
-        self.constraints: int = ask.ricochet_constraints(opened)
+        self.dimension = self._calls.dimension
+        self.constraints = self._calls.constraint_count
         self.equalities: int = ask.ricochet_equalities(opened)
-        self.has_derivatives = bool(ask.ricochet_has_derivatives(opened))
-        self.has_residuals = bool(ask.ricochet_has_residuals(opened))
+        self.has_derivatives = self._calls.has_derivatives
+        self.has_residuals = self._calls.has_residuals
         self.variables = tuple(
             Variable(
                 ask.ricochet_variable_name(opened, k).decode(),
@@ -124,67 +122,6 @@ class Problem:
         ask.ricochet_start(opened, self.start.ctypes.data)
         for vector in (self.lower, self.upper, self.start):
             vector.flags.writeable = False
-        self._prepare(ask)
-
-    def _prepare(self, ask: ctypes.CDLL) -> None:
-        """Makes room for points and results: addresses are slow to come by."""
-        self._ask_values = ask.ricochet_values
-        self._ask_derivatives = ask.ricochet_derivatives
-        self._x = numpy.empty(self.dimension)
-        self._told_objective = numpy.empty(1)
-        self._told_constraints = numpy.empty(self.constraints)
-        self._told_gradient = numpy.empty(self.dimension)
-        self._told_jacobian = numpy.empty((self.constraints, self.dimension))
-        self._at_x = self._x.ctypes.data
-        self._at_objective = self._told_objective.ctypes.data
-        self._at_constraints = self._told_constraints.ctypes.data
-        self._at_gradient = self._told_gradient.ctypes.data
-        self._at_jacobian = self._told_jacobian.ctypes.data
-
-    def _open(self) -> int:
-        if self._problem is None:
-            raise Error(f"{self.name} is closed")
-        return self._problem
-
-    def _take(self, x: ArrayLike) -> int:
-        """Takes over a point. One that is not finite would end the run: it is refused here."""
-        opened = self._open()
-        x = numpy.asarray(x, dtype=float)
-        if x.shape != self._x.shape and not (x.ndim == 0 and self.dimension == 1):
-            raise ValueError(f"x must be of shape {self._x.shape}, not {x.shape}")
-        if not numpy.isfinite(x).all():
-            raise ValueError(f"x must be finite, not {x}")
-        self._x[...] = x
-        return opened
-
-    def _values(
-        self, x: ArrayLike, at_objective: Optional[int], at_constraints: Optional[int]
-    ) -> None:
-        if self._ask_values(self._take(x), self._at_x, at_objective, at_constraints):
-            self._refused()
-
-    def _derivatives(self, x: ArrayLike, *addresses: Optional[int]) -> None:
-        if not self.has_derivatives:
-            raise Error(f"{self.name} has no derivatives in this formulation")
-        if self._ask_derivatives(self._take(x), self._at_x, *addresses):
-            self._refused()
-
-    def _count_residuals(self, x: ArrayLike) -> int:
-        if not self.has_residuals:
-            raise Error(f"{self.name} has no residuals in this formulation")
-        count: int = library().ricochet_residual_count(self._take(x), self._at_x)
-        if not count:
-            self._refused()
-        return count
-
-    def _residuals(self, told: _Vector, *addresses: Optional[int]) -> _Vector:
-        if library().ricochet_residuals(self._problem, self._at_x, *addresses):
-            self._refused()
-        return told
-
-    def _refused(self) -> NoReturn:
-        raise (RunOver if self.remaining == 0 else Error)(last_error())
-
     def __call__(self, x: ArrayLike) -> float:
         """The objective at x of a problem without constraints.
 
@@ -200,13 +137,15 @@ class Problem:
 
     def objective(self, x: ArrayLike) -> float:
         """The objective at x, of shape (dimension,)."""
-        self._values(x, self._at_objective, None)
-        return self._told_objective.item()
+        calls = self._calls
+        calls.values(x, calls.at_objective, None)
+        return calls.objective.item()
 
     def constraint_values(self, x: ArrayLike) -> _Vector:
         """The constraints at x, of shape (constraints,): equalities first, the others <= 0."""
-        self._values(x, None, self._at_constraints)
-        return self._told_constraints.copy()
+        calls = self._calls
+        calls.values(x, None, calls.at_constraints)
+        return calls.constraints.copy()
 
     def values(self, x: ArrayLike) -> Tuple[float, _Vector]:
         """Objective and constraints at x, the latter of shape (constraints,).
@@ -214,8 +153,9 @@ class Problem:
         >>> ricochet.problem("hs-71").values([1, 5, 5, 1])
         (16.0, array([12.,  0.]))
         """
-        self._values(x, self._at_objective, self._at_constraints)
-        return self._told_objective.item(), self._told_constraints.copy()
+        calls = self._calls
+        calls.values(x, calls.at_objective, calls.at_constraints)
+        return calls.objective.item(), calls.constraints.copy()
 
     def batch(self, points: ArrayLike) -> Evaluated:
         """The values at many points, of shape (points, dimension), in one call of the library.
@@ -225,20 +165,7 @@ class Problem:
         >>> ricochet.problem("count-C1").batch([[3.0], [5.0], [9.0]]).objectives
         array([5., 5., 8.])
         """
-        opened = self._open()
-        many = numpy.ascontiguousarray(points, dtype=float)
-        if many.ndim != 2 or many.shape[1] != self.dimension:
-            raise ValueError(f"points must be of shape (n, {self.dimension}), not {many.shape}")
-        if not numpy.isfinite(many).all():
-            raise ValueError("points must be finite")
-        if len(many) > self.remaining:
-            raise RunOver(f"{len(many)} points, but {self.remaining} evaluations are left")
-        told = Evaluated(numpy.empty(len(many)), numpy.empty((len(many), self.constraints)))
-        if library().ricochet_values_batch(
-            opened, many.ctypes.data, len(many), *(each.ctypes.data for each in told)
-        ) < len(many):
-            self._refused()
-        return told
+        return self._calls.batch(points)
 
     def gradient(self, x: ArrayLike) -> _Vector:
         """The gradient of the objective at x, of shape (dimension,).
@@ -246,25 +173,28 @@ class Problem:
         >>> ricochet.problem("hs-71").gradient([1, 5, 5, 1])
         array([12.,  1.,  2., 11.])
         """
-        self._derivatives(x, None, None, self._at_gradient, None)
-        return self._told_gradient.copy()
+        calls = self._calls
+        calls.derivatives(x, None, None, calls.at_gradient, None)
+        return calls.gradient.copy()
 
     def jacobian(self, x: ArrayLike) -> _Vector:
         """The Jacobian of the constraints at x, of shape (constraints, dimension)."""
-        self._derivatives(x, None, None, None, self._at_jacobian)
-        return self._told_jacobian.copy()
+        calls = self._calls
+        calls.derivatives(x, None, None, None, calls.at_jacobian)
+        return calls.jacobian.copy()
 
     def derivatives(self, x: ArrayLike) -> Tuple[float, _Vector, _Vector, _Vector]:
         """Objective, constraints, gradient and Jacobian at x, as `values`, `gradient` and
         `jacobian` return them."""
-        self._derivatives(
-            x, self._at_objective, self._at_constraints, self._at_gradient, self._at_jacobian
+        calls = self._calls
+        calls.derivatives(
+            x, calls.at_objective, calls.at_constraints, calls.at_gradient, calls.at_jacobian
         )
         return (
-            self._told_objective.item(),
-            self._told_constraints.copy(),
-            self._told_gradient.copy(),
-            self._told_jacobian.copy(),
+            calls.objective.item(),
+            calls.constraints.copy(),
+            calls.gradient.copy(),
+            calls.jacobian.copy(),
         )
 
     def residuals(self, x: ArrayLike) -> _Vector:
@@ -274,14 +204,14 @@ class Problem:
         >>> ricochet.problem("least-squares-01-linear-full-rank-9x45").residuals([1.0] * 9).shape
         (45,)
         """
-        told = numpy.empty(self._count_residuals(x))
-        return self._residuals(told, told.ctypes.data, None)
+        told = numpy.empty(self._calls.residual_count(x))
+        return self._calls.residuals(told, told.ctypes.data, None)
 
     def residual_jacobian(self, x: ArrayLike) -> _Vector:
         """The Jacobian of the residuals at x, of shape (residuals, dimension). Costs 1 + dimension
         evaluations, or dimension if the residuals at x were asked for just before."""
-        told = numpy.empty((self._count_residuals(x), self.dimension))
-        return self._residuals(told, None, told.ctypes.data)
+        told = numpy.empty((self._calls.residual_count(x), self.dimension))
+        return self._calls.residuals(told, None, told.ctypes.data)
 
     def judge(self, x: ArrayLike) -> TrueValues:
         """What the suite scores x by. Costs no evaluation.
@@ -289,36 +219,28 @@ class Problem:
         >>> ricochet.problem("top-speed-C1", "penalised-surrogate").judge(5.0)
         TrueValues(objective=-5.0, violation=0.0)
         """
-        violation = ctypes.c_double()
-        if library().ricochet_judge(
-            self._take(x), self._at_x, self._at_objective, ctypes.byref(violation)
-        ):
-            raise Error(last_error())
-        return TrueValues(self._told_objective.item(), violation.value)
+        return self._calls.judge(x)
 
     def uniform(self) -> float:
         """A number uniform in [0, 1), from the seed."""
-        number: float = library().ricochet_uniform(self._open())
+        number: float = library().ricochet_uniform(self._calls.handle())
         return number
 
     @property
     def remaining(self) -> int:
         """Evaluations left."""
-        left: int = library().ricochet_remaining(self._open())
-        return left
+        return self._calls.remaining()
 
     def close(self) -> None:
         """Releases what the problem holds; nothing may be asked afterwards."""
-        opened, self._problem = self._problem, None
-        if opened:
-            library().ricochet_close(opened)
+        self._calls.close()
 
     def __reduce__(self) -> Tuple[Any, ...]:
         name, formulation, instance, budget, seed, scene = self._opened_by
+        self._calls.handle()  # raises Error if it is closed
         left = None if budget is None else self.remaining
         if left == 0:
             raise RunOver(f"{self.name} cannot be copied: its budget is spent")
-        self._open()
         options = {"instance": instance, "budget": left, "seed": seed, "scene": scene}
         return functools.partial(Problem, name, formulation, **options), ()
 
@@ -328,11 +250,8 @@ class Problem:
     def __exit__(self, *exception: object) -> None:
         self.close()
 
-    def __del__(self) -> None:
-        self.close()
-
     def __repr__(self) -> str:
-        return f"<ricochet.Problem {self.name}{'' if self._problem else ', closed'}>"
+        return f"<ricochet.Problem {self.name}{'' if self._calls.opened else ', closed'}>"
 
 
 problem = Problem

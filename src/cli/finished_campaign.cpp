@@ -2,15 +2,12 @@
 
 #include <utility>
 
-#include "src/benchmark/experiment/campaign/archived_campaign.h"
-#include "src/research/suite/catalogue.h"
+#include "src/cli/recorded_campaign.h"
 
 namespace ricochet::cli {
 
 FinishedCampaign finished_campaign(const Store& store) {
-  const Catalogue catalogue = studies::whole_catalogue();
-  const Plan plan = plan_against(store.description(), {}, catalogue);
-  Campaign campaign = campaign_of(store.description(), plan, catalogue);
+  Campaign campaign = recorded_campaign(store);
   auto results = comparison::cell_results(campaign, store, [](const StoredRun&) {});
   return {std::move(campaign), std::move(results)};
 }

@@ -13,7 +13,7 @@ struct FinishedCampaign {
   std::vector<comparison::CellResult> results;
 };
 
-/// Reads a store; leaves out solvers that this build lacks.
+/// Reads a store, see recorded_campaign().
 FinishedCampaign finished_campaign(const Store& store);
 
 }  // namespace ricochet::cli

@@ -80,6 +80,39 @@ TEST(Export, RanksTheEntriesOfACompleteCampaign) {
   EXPECT_THAT(read(folder / "csv" / "targets.csv"), HasSubstr("\nhs,hs-71,"));
 }
 
+/// A program that asks for one point of hs-71 again and again; what it says of itself.
+std::string program(const fs::path& folder, const std::string& name, const std::string& claims) {
+  const fs::path file = write(folder, name + ".sh",
+                              fmt::format("echo '{{\"name\": \"{}\", {}}}'\nwhile read line; do\n"
+                                          "  echo '{{\"ask\": [1, 5, 5, 1]}}'\n  read line\n"
+                                          "  echo '{{\"done\": \"asked\"}}'\ndone\n",
+                                          name, claims));
+  return "sh " + file.string();
+}
+
+TEST(Export, RanksAUsersProgramsWithoutStartingThem) {
+  const fs::path folder = fresh_folder();
+  const fs::path plan = write(
+      folder, "plan.toml",
+      fmt::format("name = \"own\"\n[[part]]\nproblems = [\"hs-71\", \"hs-1\"]\n"
+                  "solvers = [\"random-search\", \"{}\", \"{}\"]\n"
+                  "formulations = [\"original\", \"penalised\"]\nbudgets = [5]\ninstances = 1\n",
+                  program(folder, "takes-none", "\"takes_constraints\": 0"),
+                  program(folder, "takes-all", "\"takes_constraints\": 2")));
+  const Outcome made =
+      call(fmt::format("run {} --out {} --allow-programs", plan.string(), folder.string()));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  fs::remove(folder / "takes-none.sh");
+  fs::remove(folder / "takes-all.sh");
+  const Outcome outcome =
+      call(fmt::format("export {0}/runs.sqlite --format csv --out {0}/csv", folder.string()));
+  EXPECT_EQ(outcome.err, "");
+  const std::string ratings = read(folder / "csv" / "ratings.csv");
+  EXPECT_THAT(ratings, HasSubstr(",takes-none,penalised,"));
+  EXPECT_THAT(ratings, HasSubstr(",takes-all,original,"));
+  EXPECT_THAT(ratings, HasSubstr(",takes-all,penalised,"));
+}
+
 TEST(Export, SaysThatItDoesNotRankAPartOfACampaign) {
   const fs::path folder = small_campaign();
   const std::string part = (folder / "part").string();

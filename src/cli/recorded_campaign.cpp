@@ -16,7 +16,7 @@ namespace {
 using RecordedSolvers = std::map<std::string, Solver>;  ///< by the plan's text for each
 
 /// The user's solvers of a store, able to do all that a program or library can say of itself.
-RecordedSolvers own_solvers_of(const CampaignDescription& description) {
+RecordedSolvers recorded_solvers_of(const CampaignDescription& description) {
   RecordedSolvers own;
   for (const StoredSolver& stored : description.solvers) {
     const auto text = description.made.find(StoredCampaign::program_key(stored.name));
@@ -74,7 +74,7 @@ Capabilities capabilities_of(const std::string& solver, const Campaign& most,
 
 Campaign recorded_campaign(const Store& store) {
   const CampaignDescription& description = store.description();
-  RecordedSolvers own = own_solvers_of(description);
+  RecordedSolvers own = recorded_solvers_of(description);
   Campaign campaign = campaign_with(own, description);
   if (own.empty()) return campaign;
   std::set<Cell> run;

@@ -97,7 +97,8 @@ TEST(Forecast, HasTheSearchForBestValues) {
                                      "solvers = \"chance-a\"\nbudgets = 2\ninstances = 1",
                                      "test"),
                            catalogue));
-  EXPECT_NEAR(forecast.search, 0.5, 0.1) << "1000 steps of 0.5 ms";
+  EXPECT_GE(forecast.search, 0.49) << "1000 steps of at least 0.5 ms";
+  EXPECT_LT(forecast.search, 5) << "a busy machine takes longer, but not so much";
 }
 
 TEST(Forecast, IsALowerLimitWhereASolverCannotBeTimed) {

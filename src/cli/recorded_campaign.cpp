@@ -32,12 +32,9 @@ RecordedSolvers recorded_solvers_of(const CampaignDescription& description) {
   return own;
 }
 
-Campaign campaign_with(const RecordedSolvers& own, const CampaignDescription& description) {
-  Catalogue catalogue = studies::whole_catalogue();
-  catalogue.own_solver = [&own](const std::string& text) -> std::optional<Solver> {
-    const auto place = own.find(text);
-    return place == own.end() ? std::nullopt : std::optional(place->second);
-  };
+/// The plan of a store, with those of its user's solvers that were recorded.
+Plan plan_with(const RecordedSolvers& own, const CampaignDescription& description,
+               const Catalogue& catalogue) {
   const Plan stored = plan_from(description.plan, "the store's plan");
   Plan plan = plan_against(description, {}, catalogue);
   for (std::size_t part = 0; part < plan.parts.size(); ++part) {
@@ -45,7 +42,7 @@ Campaign campaign_with(const RecordedSolvers& own, const CampaignDescription& de
       if (own.contains(text)) plan.parts[part].solvers.push_back(text);
     }
   }
-  return campaign_of(description, plan, catalogue);
+  return plan;
 }
 
 /// What the solver of this name takes, by the problems that it has runs on.
@@ -75,14 +72,20 @@ Capabilities capabilities_of(const std::string& solver, const Campaign& most,
 Campaign recorded_campaign(const Store& store) {
   const CampaignDescription& description = store.description();
   RecordedSolvers own = recorded_solvers_of(description);
-  Campaign campaign = campaign_with(own, description);
+  Catalogue catalogue = studies::whole_catalogue();
+  catalogue.own_solver = [&own](const std::string& text) -> std::optional<Solver> {
+    const auto place = own.find(text);
+    return place == own.end() ? std::nullopt : std::optional(place->second);
+  };
+  const Plan plan = plan_with(own, description, catalogue);
+  Campaign campaign = campaign_of(description, plan, catalogue);
   if (own.empty()) return campaign;
   std::set<Cell> run;
   for (const RunKey& key : store.keys()) run.insert(key.cell);
   for (auto& [text, solver] : own) {
     solver.capabilities = capabilities_of(solver.name, campaign, run);
   }
-  return campaign_with(own, description);
+  return campaign_of(description, plan, catalogue);
 }
 
 }  // namespace ricochet::cli

@@ -6,22 +6,12 @@ import csv
 import io
 import json
 import os
-import pathlib
 import shutil
-import subprocess
-import sys
 import tempfile
 
-SOURCE = pathlib.Path(os.environ["RICOCHET_SOURCE"])
+from examples_test import SOURCE, call, need_module
+
 NOTEBOOK = SOURCE / "examples" / "machine_to_comparison.ipynb"
-
-
-def skip_without_numpy():
-    try:
-        import numpy  # noqa: F401
-    except ImportError:
-        print("skipped: this Python has no NumPy (Debian: python3-numpy)")
-        sys.exit(77)
 
 
 def cells_of(notebook):
@@ -43,8 +33,7 @@ def execute(cells):
 
 
 def ask(*arguments, **options):
-    command = [os.environ["RICOCHET_PROGRAM"], *map(str, arguments)]
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, **options).stdout
+    return call(os.environ["RICOCHET_PROGRAM"], *arguments, **options)
 
 
 def same_machine(names):
@@ -83,7 +72,7 @@ def same_runs(names, printed):
 
 
 def main():
-    skip_without_numpy()
+    need_module("numpy")
     os.environ["MPLBACKEND"] = "Agg"
     with tempfile.TemporaryDirectory() as folder:
         shutil.copy(SOURCE / "examples" / "machine.toml", folder)

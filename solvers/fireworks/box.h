@@ -28,7 +28,7 @@ class Box {
   /// Brings x back into the box, coordinate by coordinate.
   void bring_back(Vector& x, Mapping mapping, Random& random) const;
 
-  /// Draws each coordinate of x outside the box anew: uniform where the box and the centre, which
+  /// Draws each coordinate of x outside the box again: uniform where the box and the centre, which
   /// is in the box, +- amplitude box widths overlap.
   void bring_near(Vector& x, const Vector& centre, double amplitude, Random& random) const;
 

@@ -20,7 +20,7 @@ struct LoserOutFireworksOptions {
   double reach = 0;
   AmplitudeSteps steps = {};  ///< of each firework's amplitude, which starts at a box width
   Mapping mapping = Mapping::redraw;
-  /// Coordinates outside the box are drawn anew within the amplitude about the firework, in place
+  /// Coordinates outside the box are drawn again within the amplitude about the firework, in place
   /// of `mapping`.
   bool redraw_near = false;
 };
@@ -28,7 +28,7 @@ struct LoserOutFireworksOptions {
 /// MGFWA, the multi-guiding spark fireworks algorithm (Meng and Tan, Swarm and Evolutionary
 /// Computation 2024, 101458, doi 10.1016/j.swevo.2023.101458): LoTFWA with 10 guiding sparks, which
 /// reach 1.5 differences beyond the mean of the best sparks. The equations and the numbers are
-/// those of the authors' public program, as are the sparks drawn anew near their firework. It
+/// those of the authors' public program, as are the sparks drawn again near their firework. It
 /// leaves open how points rank that are not feasible; here as in all members, see better(). Its
 /// count of the generations left ignores the guiding sparks, and an improvement below 1e-8 is none;
 /// here both are exact.

@@ -12,7 +12,7 @@ namespace ricochet::studies::comparison {
 report::Json library_notes(const std::vector<Solver>& solvers);
 
 /// Returns the data of the page of all solvers, by name: families and problems that each takes,
-/// solved (number of these problems that at least one of its runs solved, by the returned point),
+/// solved (number of these problems that it solved in at least one run, by the returned point),
 /// fronts (the families on whose Pareto front of speed and accuracy it is). Under `pages` is a page
 /// for each. `speed_accuracy` are the rows of speed_accuracy_data(). All is of the largest budgets
 /// and the solver's best formulation for a family, except for the termination reasons, which are

@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "problems/carrier_track/counting/feature_comparison.h"
 #include "problems/carrier_track/scene/perturbation.h"
 #include "ricochet/recording.h"
 
@@ -19,123 +20,11 @@ namespace {
 
 using Feature = FeatureTrace::Feature;
 
-/// Features of two simulations are the same if they differ by at most this in the scaled margin and
-/// by at most Neighbour::same_time in time.
-constexpr double same_margin = 0.1;
-
 /// A path with this growth or more is sensitive: perturbation_size then changes a scaled margin by
-/// a hundredth of same_margin.
+/// a hundredth of the largest difference of features that are the same.
 constexpr double sensitive_growth = 1e6;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Finds for the features of another simulation the same features of this one, for one kind. Call
-/// of() in order of time.
-class Counterparts {
- public:
-  Counterparts(const std::vector<Feature>& others, double duration)
-      : others_(others), within_(Neighbour::same_time * duration) {}
-
-  /// Returns the feature nearest in time, if it is the same feature; else nullptr.
-  const Feature* of(const Feature& feature) {
-    while (after_ != others_.end() && after_->time < feature.time) ++after_;
-    const Feature* best = after_ != others_.end() ? &*after_ : nullptr;
-    if (after_ != others_.begin()) {
-      const Feature& before = *std::prev(after_);
-      if (best == nullptr || feature.time - before.time < best->time - feature.time) best = &before;
-    }
-    if (best == nullptr || std::abs(best->time - feature.time) > within_ ||
-        std::abs(best->scaled - feature.scaled) > same_margin) {
-      return nullptr;
-    }
-    return best;
-  }
-
- private:
-  const std::vector<Feature>& others_;
-  double within_;  // [s]
-  std::vector<Feature>::const_iterator after_ = others_.begin();
-};
-
-/// A feature of which it is in doubt whether it counts.
-struct Suspect {
-  double time = infinity;  ///< [s]
-  std::size_t kind = 0;
-  double margin = 0;
-  Doubt doubt = Doubt::none;
-  double left = 0;  ///< [s], time to the end of the window
-};
-
-/// A feature that occurs in both traces.
-struct Pair {
-  double time;  ///< [s]
-  double change;
-};
-
-/// Compares a trace with that of a slightly different scene.
-class Comparison {
- public:
-  Comparison(const FeatureTrace& given, double given_end, const FeatureTrace& other,
-             double other_end) {
-    for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
-      compare(kind, given.features(kind), given_end, other.features(kind), other_end);
-    }
-    for (std::size_t kind = 0; kind < FeatureTrace::kinds; ++kind) {
-      find_near_end(kind, given.features(kind), given_end);
-      find_near_end(kind, other.features(kind), other_end);
-    }
-  }
-
-  const Suspect& first() const { return first_; }
-  const std::vector<Pair>& pairs() const { return pairs_; }
-
- private:
-  void compare(std::size_t kind, const std::vector<Feature>& given, double given_end,
-               const std::vector<Feature>& others, double other_end) {
-    Counterparts in_others(others, given_end);
-    for (const Feature& f : given) {
-      const Feature* other = in_others.of(f);
-      if (other == nullptr) {
-        if (f.counts()) suspect(kind, f, Doubt::graze, given_end);
-        continue;
-      }
-      const double change = std::abs(other->scaled - f.scaled);
-      pairs_.push_back({f.time, change});
-      moved_ = std::max(moved_, std::abs(other->time / other_end - f.time / given_end));
-      if (std::abs(f.scaled) <= std::max(change, perturbation_size)) {
-        suspect(kind, f, Doubt::margin, given_end);
-      }
-    }
-    Counterparts in_given(given, given_end);
-    for (const Feature& f : others) {
-      if (f.counts() && f.time < other_end && in_given.of(f) == nullptr) {
-        suspect(kind, f, Doubt::graze, other_end);
-      }
-    }
-  }
-
-  /// Uses ten times the largest movement, because the movement of an impact just after the end,
-  /// which the given trace lacks, is unknown.
-  void find_near_end(std::size_t kind, const std::vector<Feature>& features, double end) {
-    for (auto f = features.rbegin(); f != features.rend(); ++f) {
-      if (f->time < (1 - Neighbour::same_time) * end) break;
-      if (f->counts() &&
-          std::abs(end - f->time) <= 10 * end * std::max(moved_, perturbation_size)) {
-        suspect(kind, *f, Doubt::window, end);
-      }
-    }
-  }
-
-  void suspect(std::size_t kind, const Feature& f, Doubt doubt, double end) {
-    const bool near_end = std::abs(end - f.time) <= Neighbour::same_time * end;
-    if (doubt == Doubt::graze && near_end) doubt = Doubt::window;
-    if (f.time < first_.time) first_ = {f.time, kind, f.margin(), doubt, end - f.time};
-  }
-
-  Suspect first_;
-  std::vector<Pair> pairs_;
-  double moved_ = 0;  // largest movement of a feature in time, as a share of the window
-};
 
 bool has_impact(const FeatureTrace& trace, const Graze& graze, double duration) {
   const std::vector<double>& times = trace.impacts(graze.wall);
@@ -207,6 +96,28 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
   return "";
 }
 
+/// The largest change up to a time [s], in units of perturbation_size.
+double growth_of(const std::vector<FeaturePair>& pairs, double until) {
+  double largest = 0;
+  for (const FeaturePair& pair : pairs) {
+    if (pair.time <= until) largest = std::max(largest, pair.change);
+  }
+  return largest / perturbation_size;
+}
+
+/// The growth if all these neighbours are clear of doubts; else nothing.
+std::optional<double> clear_growth(const FeatureTrace& trace, double duration,
+                                   const std::array<const Neighbour*, 2>& side) {
+  double growth = 0;
+  for (const Neighbour* near : side) {
+    if (near->failure) return std::nullopt;
+    const FeatureComparison comparison(trace, duration, near->trace, near->end);
+    if (!comparison.is_clear()) return std::nullopt;
+    growth = std::max(growth, growth_of(comparison.pairs(), infinity));
+  }
+  return growth;
+}
+
 /// Margins increase with the scaled ones, so that two logarithms are enough.
 std::optional<double> smallest_margin(const FeatureTrace& trace) {
   const Feature* above = nullptr;
@@ -241,11 +152,15 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace, Neighbours
     return give_up(Doubt::graze, unsure_sentence("a maximum", *trace.shallow_peak()));
   if (!trace.finite()) return give_up(Doubt::sensitive, "numbers overflow");
   const double duration = duration_of(scene);
+  if (const auto growth = clear_growth(trace, duration, neighbours.one_side())) {
+    certainty.growth = *growth;
+    return certainty;
+  }
   Suspect first;
   std::optional<Graze> graze;
   bool graze_is_given = false;
-  std::vector<Pair> pairs;
-  for (const Neighbour& near : neighbours.simulated()) {
+  std::vector<FeaturePair> pairs;
+  for (const Neighbour& near : neighbours.all()) {
     try {
       if (near.failure) std::rethrow_exception(near.failure);
     } catch (const std::runtime_error& error) {
@@ -253,7 +168,7 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace, Neighbours
                      fmt::format("with the tenth digit changed {}", error.what()));
     }
     const FeatureTrace& other = near.trace;
-    const Comparison comparison(trace, duration, other, near.end);
+    const FeatureComparison comparison(trace, duration, other, near.end);
     pairs.insert(pairs.end(), comparison.pairs().begin(), comparison.pairs().end());
     const Suspect& suspect = comparison.first();
     if (suspect.time < first.time) first = suspect;
@@ -262,10 +177,7 @@ Certainty certainty_of(const Scene& scene, const FeatureTrace& trace, Neighbours
     graze_is_given = graze.has_value();
     if (!graze) graze = touched(other, trace, duration);
   }
-  for (const Pair& pair : pairs) {
-    if (pair.time > first.time) continue;
-    certainty.growth = std::max(certainty.growth, pair.change / perturbation_size);
-  }
+  certainty.growth = growth_of(pairs, first.time);
   if (first.doubt == Doubt::none) return certainty;
   if (graze && graze->time > first.time + Neighbour::same_time * duration) graze.reset();
   if (graze) {

@@ -1,5 +1,6 @@
 #include "problems/carrier_track/counting/feature_trace.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "problems/carrier_track/counting/collisions.h"
@@ -41,6 +42,14 @@ void FeatureTrace::contact(double time, double position, double velocity) {
   const double inward = upper ? velocity : -velocity;
   if (inward > 0 && swung_out_) hops(time, upper ? Wall::upper : Wall::lower);
   swung_out_ = swung_out_ || inward < 0;
+}
+
+double FeatureTrace::reach() const {
+  double reach = 0;
+  for (const double x : {scene_.wall_lower, scene_.wall_upper, scene_.start_position}) {
+    if (std::isfinite(x)) reach = std::max(reach, std::abs(x));
+  }
+  return reach;
 }
 
 void FeatureTrace::tell(std::size_t kind, double scaled) {

@@ -75,6 +75,9 @@ class FeatureTrace : public Observer {
   /// tenth digit of its height. Rounding makes such a maximum if the speed only touches zero.
   const std::optional<double>& shallow_peak() const { return shallow_; }
 
+  /// The largest finite coordinate [m] of walls and start.
+  double reach() const;
+
   /// Returns true if all reported values are finite; they are not if numbers overflow.
   bool finite() const { return finite_; }
 

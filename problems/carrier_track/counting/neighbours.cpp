@@ -40,10 +40,20 @@ Neighbours::Neighbours(const Scene& scene)
             {scene, root_stride, +1},
             {scene, root_stride, -1}}} {}
 
-const std::array<Neighbour, 4>& Neighbours::simulated() {
-  if (simulated_) return all_;
-  simulated_ = true;
-  for (Neighbour* n : sound_ones()) {
+Neighbours::Side Neighbours::one_side() {
+  simulate_side(0);
+  return {&all_[0], &all_[2]};
+}
+
+const std::array<Neighbour, 4>& Neighbours::all() {
+  simulate_side(0);
+  if (!all_[0].failure) simulate_side(1);
+  return all_;
+}
+
+void Neighbours::simulate_side(std::size_t side) {
+  if (std::exchange(simulated_[side], true)) return;
+  for (Neighbour* n : sound_ones(side)) {
     try {
       n->end_with(simulate(n->scene, n->trace), nullptr);
     } catch (...) {
@@ -51,12 +61,12 @@ const std::array<Neighbour, 4>& Neighbours::simulated() {
     }
     if (n->failure) break;
   }
-  return all_;
 }
 
-std::vector<Neighbour*> Neighbours::sound_ones() {
+std::vector<Neighbour*> Neighbours::sound_ones(std::size_t side) {
   std::vector<Neighbour*> sound;
-  for (Neighbour& n : all_) {
+  for (const std::size_t k : {side, side + 2}) {
+    Neighbour& n = all_[k];
     if (crosses(n.scene)) {
       n.failure = std::make_exception_ptr(std::runtime_error("one wall crosses the other"));
     } else {

@@ -78,18 +78,20 @@ class ShownTo : public Observer {
 };
 
 /// The four neighbours of a valid scene: all constants changed at once in their tenth digit, in two
-/// patterns and their opposites.
+/// patterns and their opposites. One of each pattern is one side; often it is enough.
 class Neighbours {
  public:
+  using Side = std::array<const Neighbour*, 2>;
+
   explicit Neighbours(const Scene& scene);
 
-  /// Simulates the scene itself for an observer and, where all of them fit into lanes, its
-  /// neighbours by its side. Throws what the simulation of the scene throws.
+  /// Simulates the scene itself for an observer and, where all of them fit into lanes, one side of
+  /// its neighbours with it. Throws what the simulation of the scene throws.
   template <class SomeObserver>
   End<double> simulate_with(const Scene& scene, SomeObserver& observer) {
     if (!fits_lanes(scene)) return simulate(scene, observer);
     std::vector<ShownTo<SomeObserver>> observers = {ShownTo<SomeObserver>(&observer)};
-    const std::vector<Neighbour*> sound = sound_ones();
+    const std::vector<Neighbour*> sound = sound_ones(0);
     for (Neighbour* n : sound) observers.emplace_back(&n->trace);
     const auto outcomes = run_in_lanes(
         observers.size(),
@@ -99,20 +101,26 @@ class Neighbours {
     for (std::size_t k = 0; k < sound.size(); ++k) {
       sound[k]->end_with(outcomes[k + 1].end, outcomes[k + 1].failure);
     }
-    simulated_ = true;
+    simulated_[0] = true;
     return outcomes.front().end;
   }
 
-  /// Returns all neighbours, simulated. After one whose simulation fails, the others may not be
-  /// simulated.
-  const std::array<Neighbour, 4>& simulated();
+  /// One side, simulated.
+  Side one_side();
+
+  /// All neighbours, simulated, a pattern and its opposite after one another. After one whose
+  /// simulation fails, the others may not be simulated.
+  const std::array<Neighbour, 4>& all();
 
  private:
-  /// Returns the neighbours whose walls do not cross; stores a failure for the others.
-  std::vector<Neighbour*> sound_ones();
+  /// Simulates the neighbours of a side, 0 or 1, once.
+  void simulate_side(std::size_t side);
+
+  /// Returns the neighbours of a side whose walls do not cross; stores a failure for the others.
+  std::vector<Neighbour*> sound_ones(std::size_t side);
 
   std::array<Neighbour, 4> all_;
-  bool simulated_ = false;
+  std::array<bool, 2> simulated_{};
 };
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -42,6 +42,7 @@ class ImpactLanes {
 
  private:
   void fill() {
+    lanes_.used = 0;
     for (std::size_t k = 0; k < Lanes::size && next_ < outcomes_.size(); ++k) {
       models_[k].emplace(model_at_(next_));
       // All models in the lanes must have the same number of harmonics.
@@ -51,6 +52,7 @@ class ImpactLanes {
       }
       lanes_.harmonics = models_[k]->harmonics();
       index_[k] = next_++;
+      lanes_.used = k + 1;
       ++busy_;
       models_[k]->begin();
       models_[k]->enter(lanes_, k);

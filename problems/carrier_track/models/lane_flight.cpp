@@ -128,7 +128,7 @@ class LaneFlight {
 }  // namespace
 
 void RICOCHET_FLY(Lanes& lanes) {
-  for (std::size_t first = 0; first < Lanes::size; first += Row::size()) {
+  for (std::size_t first = 0; first < lanes.used; first += Row::size()) {
     if (lanes.harmonics == 1) {
       LaneFlight<1>(lanes, first).run();
     } else {

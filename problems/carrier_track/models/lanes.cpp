@@ -5,7 +5,17 @@
 namespace ricochet::carrier_track::inline models {
 namespace {
 
-auto widest() {
+using Fly = void (*)(Lanes&);
+
+/// For up to four bodies: longer rows take longer.
+Fly short_enough_for_four() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx2")) return fly_avx2;
+#endif
+  return fly_plain;
+}
+
+Fly widest() {
 #if defined(__x86_64__) && !defined(__clang__)
   // All AVX-512 processors except the first few support all of these.
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
@@ -13,17 +23,15 @@ auto widest() {
     return fly_avx512;
   }
 #endif
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2")) return fly_avx2;
-#endif
-  return fly_plain;
+  return short_enough_for_four();
 }
 
 }  // namespace
 
 void fly(Lanes& lanes) {
-  static const auto chosen = widest();
-  chosen(lanes);
+  static const Fly wide = widest();
+  static const Fly narrow = short_enough_for_four();
+  (lanes.used > 4 ? wide : narrow)(lanes);
 }
 
 }  // namespace ricochet::carrier_track::inline models

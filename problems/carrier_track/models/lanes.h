@@ -43,7 +43,8 @@ struct Lanes {
   alignas(64) Row elapsed{};  ///< [s], of a body with an event
   alignas(64) Row speed{};    ///< of approach, of a body that struck
 
-  int harmonics = 2;  ///< number that act on every body, 1 or 2
+  int harmonics = 2;        ///< number that act on every body, 1 or 2
+  std::size_t used = size;  ///< no body is in the lanes from this one on
 };
 
 /// Moves every body to its next event, if that is a turning point or an impact within the window,

@@ -33,8 +33,8 @@ TEST(Neighbours, AreTheSameBesideTheSceneAndAlone) {
     EXPECT_EQ(end.position, simulate(scene, alone).position);
     expect_same(trace, alone);
     for (std::size_t k = 0; k < 4; ++k) {
-      expect_same(beside.simulated()[k].trace, apart.simulated()[k].trace);
-      features += apart.simulated()[k].trace.features(FeatureTrace::lower_impact).size();
+      expect_same(beside.all()[k].trace, apart.all()[k].trace);
+      features += apart.all()[k].trace.features(FeatureTrace::lower_impact).size();
     }
   }
   EXPECT_GT(features, 1000U);
@@ -43,7 +43,7 @@ TEST(Neighbours, AreTheSameBesideTheSceneAndAlone) {
 TEST(Neighbours, LastALittleLongerThanTheScene) {
   const Scene scene = RandomScenes(22).next();
   Neighbours neighbours(scene);
-  for (const Neighbour& n : neighbours.simulated()) {
+  for (const Neighbour& n : neighbours.all()) {
     EXPECT_NEAR(n.end, duration_of(scene), 1e-8 * duration_of(scene));
     EXPECT_NEAR(duration_of(n.scene) / n.end, 1 + Neighbour::same_time, 1e-12);
   }
@@ -56,7 +56,7 @@ TEST(Neighbours, WhoseWallsCrossCannotBeSimulated) {
   scene.wall_upper = 1.0 + 1e-13;
   Neighbours neighbours(scene);
   int failures = 0;
-  for (const Neighbour& n : neighbours.simulated()) failures += n.failure ? 1 : 0;
+  for (const Neighbour& n : neighbours.all()) failures += n.failure ? 1 : 0;
   EXPECT_GT(failures, 0);
 }
 

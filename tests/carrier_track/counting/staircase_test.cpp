@@ -142,8 +142,7 @@ TEST(Staircase, DoesNotHangOnWhereTheScanEnds) {
   int same = 0, none = 0, beyond = 0;  // what becomes of the answer where a scan goes further
   for (const Scene& machine : many_machines()) {
     const LogarithmicScan whole =
-        scan_logarithmically([&](double omega) { return count_at(machine, omega); },
-                             slowest_scanned, judged_share * farthest);
+        scan_logarithmically(machine, slowest_scanned, judged_share * farthest);
     const Staircase far = staircase_of(whole, farthest);
     const auto answer = far.main_step();
     for (const double fastest : {3.0, 7.0}) {

@@ -9,6 +9,7 @@ find_package(Boost 1.74 REQUIRED)  # headers: Odeint, Math
 find_package(TBB REQUIRED)
 find_package(fmt 9 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
+pkg_check_modules(md4c REQUIRED IMPORTED_TARGET md4c-html)  # Markdown to HTML
 
 # ricochet_backend(NAME TARGET PACKAGE...): a library that a build can do without. RICOCHET_WITH_NAME
 # is ON: required, OFF: left out, AUTO: used if found. RICOCHET_HAS_NAME says whether it is there.

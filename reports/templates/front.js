@@ -142,6 +142,87 @@ const fill = (select, entries) => {
   if (entries.some(([value]) => String(value) === before)) select.value = before;
 };
 
+// ---- which solver? ----
+
+const cell = (kind, text, alignment) => {
+  const made = document.createElement(kind);
+  made.textContent = text;
+  made.className = alignment;
+  return made;
+};
+
+const chooser = site.chooser;
+const extentText = ({least, most}) => least === most ? String(most) : `${least} to ${most}`;
+const solvedText = ({solved, lower, upper}) =>
+  `${Math.round(100 * solved)}${lower === null ? "" : ` [${Math.round(100 * lower)}, ${Math.round(100 * upper)}]`}`;
+
+// How far a number lies outside of an extent, as a ratio's logarithm; 0 inside.
+const outsideBy = (value, {least, most}) => value < least ? Math.log(least / value) : value > most ? Math.log(value / most) : 0;
+
+// The situations that match the choice: those with the nearest numbers of variables and, of a family,
+// the nearest budget.
+const matching = (choice) => {
+  const kinds = chooser.situations.filter((one) => one.perturbation === choice.trouble &&
+    (choice.constraints === "none" ? one.constraints.least === 0 : one.constraints.most > 0) &&
+    (!choice.objective || (choice.objective === "count") === one.counts) &&
+    one.entries.some((entry) => choice.gradient || !entry.gradient));
+  const nearest = Math.min(...kinds.map((one) => outsideBy(choice.variables, one.variables)));
+  const near = kinds.filter((one) => outsideBy(choice.variables, one.variables) === nearest);
+  const each = choice.evaluations / choice.variables;
+  const off = (one) => Math.abs(Math.log(one.budget / each));
+  return near.filter((one) => near.every((other) => other.family !== one.family || off(other) >= off(one)));
+};
+
+const choiceSentence = (choice, found) => {
+  const own = `${choice.variables} variable${choice.variables === 1 ? "" : "s"}, ${choice.evaluations} evaluations (${number(choice.evaluations / choice.variables)} a variable)`;
+  if (!found.length) return `${own}: no such problem was run.`;
+  const [one] = found, entry = one.entries.find((e) => choice.gradient || !e.gradient);
+  const near = outsideBy(choice.variables, one.variables) > 0 ? ` The nearest that were run have ${extentText(one.variables)} variables.` : "";
+  const easy = one.random ? ` Random search needs only ${number(one.random, 2)} evaluations there.` : "";
+  const others = found.length > 1 ? `, and what is best on ${found.length - 1} other kind${found.length > 2 ? "s" : ""} of problems` : "";
+  return `${own}: ${entry.solver} on the formulation ${entry.formulation} solved ${solvedText(entry)} % on ${one.problems} ${one.family} problem${one.problems === 1 ? "" : "s"}${others}.${near}${easy}`;
+};
+
+const drawChoice = () => {
+  const value = (name) => element(`choose-${name}`).value;
+  const choice = {variables: Math.max(1, Number(value("variables")) || 1), evaluations: Math.max(1, Number(value("evaluations")) || 1),
+                  gradient: value("gradient") === "yes", constraints: value("constraints"), objective: value("objective"), trouble: value("trouble")};
+  const found = matching(choice);
+  element("choice").textContent = choiceSentence(choice, found);
+  const head = document.createElement("tr"), body = document.createElement("tbody"), top = document.createElement("thead");
+  for (const [title, side] of [["best entries", "left"], ["solved [%]", "right"], ["P(best)", "right"], ["kind of problem", "left"], ["problems", "right"], ["variables", "right"], ["evaluations a variable", "right"]]) {
+    const heading = cell("th", title, side);
+    heading.scope = "col";
+    head.append(heading);
+  }
+  for (const one of found) {
+    for (const [i, entry] of one.entries.filter((e) => choice.gradient || !e.gradient).slice(0, 3).entries()) {
+      const line = document.createElement("tr"), name = cell("th", `${entry.solver}, ${entry.formulation}`, "left"), kind = cell("td", "", "left");
+      name.scope = "row";
+      if (i === 0) {
+        const link = document.createElement("a");
+        link.href = `${one.folder}/index.html`;
+        link.textContent = one.family;
+        kind.append(link);
+      }
+      const runs = one.runs === null ? "" : `, ${one.runs} runs`;
+      line.append(name, cell("td", solvedText(entry), "right"), cell("td", entry.best === null ? "–" : entry.best.toFixed(2), "right"), kind,
+                  cell("td", `${entry.problems ?? one.problems} of ${one.problems}${runs}`, "right"), cell("td", extentText(one.variables), "right"), cell("td", String(one.budget), "right"));
+      body.append(line);
+    }
+  }
+  top.append(head);
+  element("choices").replaceChildren(top, body);
+};
+
+// What the address asks for: ?variables=4&evaluations=400&trouble=noisy
+const readChoice = () => {
+  for (const [name, value] of new URLSearchParams(location.search)) {
+    const field = element(`choose-${name}`);
+    if (field) field.value = value;
+  }
+};
+
 // ---- the comparison ----
 
 const comparison = site.comparison;
@@ -252,13 +333,6 @@ const sorted = (list) => [...list].sort((a, b) => {
   if (one === null || two === null) return one === null ? 1 : -1;
   return (one < two ? -1 : 1) * (sorting.down ? -1 : 1);
 });
-
-const cell = (kind, text, alignment) => {
-  const made = document.createElement(kind);
-  made.textContent = text;
-  made.className = alignment;
-  return made;
-};
 
 const drawBoard = () => {
   const list = sorted(withPlaces(chosen()));
@@ -512,6 +586,12 @@ const offerFamilies = () => {
 
 const start = () => {
   document.documentElement.classList.add("moves");
+  if (chooser && chooser.situations.length) {
+    readChoice();
+    element("choose").addEventListener("input", drawChoice);
+    element("choose").addEventListener("submit", (event) => event.preventDefault());
+    drawChoice();
+  }
   if (comparison) {
     for (const id of ["by-variables", "by-constraints"]) element(id).addEventListener("change", offerFamilies);
     element("family").addEventListener("change", offerBudgets);

@@ -36,6 +36,7 @@ struct Headline {
   std::string finding;             ///< the result, in a sentence
   std::string command;             ///< that made it; empty: that of its kind, with the time
   std::vector<std::string> holds;  ///< data for interactive parts of a front page, see src/site
+  std::string group, label;  ///< in the navigation, of a further page that stands in it by itself
   std::vector<Excerpt> excerpts;
   std::vector<Chart> charts;  ///< named like the sections that they link to
 };

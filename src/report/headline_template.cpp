@@ -43,6 +43,8 @@ Headline headline_of(const Part& page, const Scopes& scopes) {
   headline.version = headline_version;
   headline.finding = part.filled_text("finding", scopes);
   headline.command = part.filled_text("made_by", scopes);
+  headline.group = part.filled_text("group", scopes);
+  headline.label = part.filled_text("label", scopes);
   for (const Part& excerpt : part.parts("excerpt")) {
     for (const Scopes& place : places_of(excerpt, scopes)) {
       headline.excerpts.push_back(excerpt_of(excerpt, place));

@@ -67,12 +67,18 @@ void check(const Page& page) {
   }
 }
 
-/// Functions that write a text into the page or into its summary: a plain one, and one with links.
+/// Functions that write a text into the page or into its summary: a plain one, one with links, and
+/// one for what stands there as it is.
 struct TextWriters {
   std::string (*plain)(std::string_view);
   std::string (*linked)(std::string_view);
+  std::string (*code)(std::string_view);
   const char* file;  ///< of a page in its folder
 };
+
+std::string unchanged(std::string_view text) {
+  return std::string(text);
+}
 
 /// The address of a place in a report, see Link.
 std::string address_of(const std::string& place, const TextWriters& writing) {
@@ -190,6 +196,7 @@ Json data_of(const Section& section, const DrawnCharts& charts, const TextWriter
   data["id"] = section.id;
   data["heading"] = writing.plain(section.heading);
   data["paragraphs"] = list_of(section.paragraphs, writing.linked);
+  data["code"] = list_of(section.code, writing.code);
   data["tables"] = std::move(tables);
   data["has_choices"] = !choices.empty();
   data["choices"] = list_under("choice", std::move(choices));
@@ -245,9 +252,9 @@ std::vector<std::string> write_page(const Page& page, const std::filesystem::pat
     if (chart.is_drawn()) files[name + ".svg"] = chart.svg;
     if (!chart.is_drawn()) failures.push_back(failure_of(chart));
   }
-  Json html = data_of(page, charts, {escape_html, html_with_links, "index.html"});
+  Json html = data_of(page, charts, {escape_html, html_with_links, escape_html, "index.html"});
   html["look"] = embedded::look;
-  const Json summary = data_of(page, charts, {escape_markdown, escape_markdown, "summary.md"});
+  const Json summary = data_of(page, charts, {escape_markdown, escape_markdown, unchanged, "summary.md"});
   files["index.html"] = filled(embedded::page_template, {&html});
   files["summary.md"] = filled(embedded::summary_template, {&summary});
   replace_files(folder, files);

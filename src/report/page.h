@@ -52,6 +52,7 @@ struct Section {
   std::vector<Table> tables = {};
   std::vector<Figure> figures = {};  ///< narrow ones stand side by side
   std::optional<Explorer> explorer = {};
+  std::vector<std::string> code = {};  ///< shown as it is, after the paragraphs: commands
 };
 
 struct Page {

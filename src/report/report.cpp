@@ -159,7 +159,7 @@ std::vector<ReportKind> report_kinds() {
     if (headline == nullptr || !headline->contains("command")) continue;
     const Part part(*headline);
     kinds.push_back(
-        {std::string(name), part.text("label"), part.text("question"), part.text("command")});
+        {std::string(name), part.text("group"), part.text("label"), part.text("question"), part.text("command")});
   }
   return kinds;
 }

@@ -30,12 +30,13 @@ WrittenReport redraw_report(const std::filesystem::path& from, const std::filesy
 /// A kind of report that a site shows, by its template.
 struct ReportKind {
   std::string name;      ///< as data.json has it in "report"
+  std::string group;     ///< word of the navigation under which it stands
   std::string label;     ///< in the navigation
   std::string question;  ///< that it answers
   std::string command;   ///< the command that makes it
 };
 
-RICOCHET_WRITTEN_AS_JSON(ReportKind, name, label, question, command);
+RICOCHET_WRITTEN_AS_JSON(ReportKind, name, group, label, question, command);
 
 /// Returns all kinds: the templates whose headline has a command, in the order of a site.
 std::vector<ReportKind> report_kinds();

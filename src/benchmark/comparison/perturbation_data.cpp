@@ -31,6 +31,20 @@ struct Tally {
 
 using ByPerturbation = std::map<std::string, Tally>;
 
+/// The problems of a family that are run under perturbations.
+struct Tried {
+  std::set<std::size_t> problems = {};
+  Eigen::Index least_variables = 0, most_variables = 0;
+  std::int64_t budget = 0;  ///< the largest, in evaluations for each variable
+
+  void add(std::size_t problem, Eigen::Index variables, std::int64_t evaluations) {
+    budget = std::max(budget, evaluations);
+    least_variables = problems.empty() ? variables : std::min(least_variables, variables);
+    most_variables = std::max(most_variables, variables);
+    problems.insert(problem);
+  }
+};
+
 /// Family and solver, then formulation.
 using Table = std::map<std::pair<std::string, std::string>, std::map<std::string, ByPerturbation>>;
 
@@ -148,11 +162,15 @@ Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& 
   const auto largest = largest_budgets(results);
   std::set<std::string> there;
   Table table;
+  std::map<std::string, Tried> tried;
   for (const CellResult& s : results) {
     const Cell& cell = s.cell->cell;
     there.insert(cell.perturbation);
     if (cell.budget != largest.at(s.cell->problem)) continue;
-    Tally& tally = table[{campaign.family_of(s.cell->problem), cell.solver}][cell.formulation]
+    const std::string& family = campaign.family_of(s.cell->problem);
+    tried[family].add(s.cell->problem, campaign.problems()[s.cell->problem].dimension(),
+                      cell.budget);
+    Tally& tally = table[{family, cell.solver}][cell.formulation]
                         [cell.perturbation];
     for (const Outcome& outcome : s.outcomes) tally.solved += outcome.solved() ? 1 : 0;
     tally.runs += static_cast<int>(s.outcomes.size());
@@ -177,8 +195,18 @@ Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& 
       if (mine == tallies.end() || plain == tallies.end() || mine == plain) continue;
       changes[perturbation->name].push_back({key.second, key.first, plain->second, mine->second});
     }
+    const Tried& family = tried.at(key.first);
     rows.push_back({{"entry", fmt::format("{}: {}, {}", key.first, key.second, formulation)},
-                    {"shares", std::move(cells)}});
+                    {"shares", std::move(cells)},
+                    {"family", key.first},
+                    {"solver", key.second},
+                    {"formulation", formulation},
+                    {"problems", family.problems.size()},
+                    {"least_variables", family.least_variables},
+                    {"most_variables", family.most_variables},
+                    {"budget", family.budget},
+                    {"runs", plain == tallies.end() ? tallies.begin()->second.runs
+                                                    : plain->second.runs}});
   }
   for (const Perturbation* perturbation : perturbations) {
     const auto found = changes.find(perturbation->name);

@@ -13,7 +13,8 @@ using namespace ricochet::comparison;
 /// - `perturbations`: a row for each perturbation: means over solvers with and without it, the
 ///   number of solvers that it harms significantly, the most harmed ones, and the one that solves
 ///   most under it;
-/// - `perturbation_rows`: a row for each solver, with a success rate for each perturbation;
+/// - `perturbation_rows`: a row for each solver, with a success rate for each perturbation, the
+///   problems and runs under each, and the variables of the problems;
 /// - `atlas`: for every machine and perturbation the outcomes of the runs, and a command that
 ///   repeats one of the failed ones.
 /// Lists are empty if the campaign has no perturbation but "plain".

@@ -132,7 +132,10 @@ Json compute(const Campaign& campaign, const Store& store) {
   for (const Solver& solver : campaign.solvers()) {
     const bool outside = std::none_of(known.begin(), known.end(),
                                       [&](const Solver& k) { return k.name == solver.name; });
-    solvers.push_back({{"name", solver.name}, {"version", solver.version}, {"outside", outside}});
+    solvers.push_back({{"name", solver.name},
+                       {"version", solver.version},
+                       {"outside", outside},
+                       {"needs", solver.capabilities.needs_in_words()}});
   }
   data["campaign"] = campaign.plan().name;
   data["compared"] = campaign.plan().name.starts_with("compare");  // true for the command `compare`

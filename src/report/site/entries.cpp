@@ -21,11 +21,6 @@ Extent extent(const std::vector<FamilyProblem>& problems, std::int64_t FamilyPro
   return least == problems.end() ? Extent{0, 0} : Extent{(*least).*number, (*most).*number};
 }
 
-FamilySize size_of(const std::string& name, const std::vector<FamilyProblem>& problems) {
-  return {name, problems.size(), extent(problems, &FamilyProblem::variables),
-          extent(problems, &FamilyProblem::constraints)};
-}
-
 class Table {
  public:
   explicit Table(const ComparisonData& data) {
@@ -122,6 +117,11 @@ Curve curve_of(std::size_t family, double budget, const Progress& first) {
 }
 
 }  // namespace
+
+FamilySize size_of(const std::string& name, const std::vector<FamilyProblem>& problems) {
+  return {name, problems.size(), extent(problems, &FamilyProblem::variables),
+          extent(problems, &FamilyProblem::constraints)};
+}
 
 Comparison comparison_of(const FoundReport& report) {
   Comparison comparison{report.folder, {}, {}, {}};

@@ -21,6 +21,11 @@ struct FamilySize {
   Extent variables, constraints;
 };
 
+struct FamilyProblem;
+
+/// Returns the size of a family of problems, or of all of them.
+FamilySize size_of(const std::string& name, const std::vector<FamilyProblem>& problems);
+
 /// A solver-formulation pair on a family with a budget. A missing value was not rated or not
 /// measured.
 struct Entry {

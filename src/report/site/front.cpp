@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "src/report/site/comparison_data.h"
+#include "src/report/site/front_answers.h"
 #include "src/report/site/paper_algorithm.h"
 
 namespace ricochet::site {
@@ -117,6 +119,56 @@ auto read_or_mark(const FoundReport* report, Front& front, const Read& read) {
   }
 }
 
+/// The report of the paper's cases; null if there is none.
+const FoundReport* of_kind(const std::vector<FoundReport>& reports, const std::string& kind) {
+  const auto found = std::ranges::find_if(reports, [&](const FoundReport& report) {
+    return report.kind.name == kind && report.headline;
+  });
+  return found == reports.end() ? nullptr : &*found;
+}
+
+void read_machines(const std::vector<FoundReport>& reports, Front& front) {
+  front.machines =
+      read_or_mark(of_kind(reports, "reproduction"), front, [&](const FoundReport&) {
+        return paper_machines(reports);
+      }).value_or(std::nullopt);
+}
+
+/// Reads the largest comparison, and what follows from it.
+void read_comparison(const std::vector<FoundReport>& reports, Front& front) {
+  const FoundReport* largest = largest_comparison(reports);
+  front.comparison = read_or_mark(largest, front, comparison_of);
+  if (!front.comparison) return;
+  add_places(*front.comparison, front);
+  front.chooser = read_or_mark(largest, front, chooser_of);
+  const auto data = largest->data.get<ComparisonData>();
+  front.runs = data.runs;
+  front.solvers = static_cast<std::int64_t>(data.solvers.size());
+  for (const FamilySize& family : front.comparison->families) {
+    if (family.name != "all") front.problems += static_cast<std::int64_t>(family.problems);
+  }
+  const auto simulating = std::ranges::find_if(
+      reports, [](const FoundReport& r) { return holds(r.headline, "simulations"); });
+  if (simulating == reports.end()) return;
+  front.pairs = read_or_mark(&*simulating, front, [&](const FoundReport& report) {
+                  return pairs_of(report, *largest);
+                }).value_or(std::nullopt);
+}
+
+void add_answers(const std::vector<FoundReport>& reports, Front& front) {
+  const FoundReport* comparison = front.comparison ? largest_comparison(reports) : nullptr;
+  const Answered answered{front.machines, front.chooser, front.pairs, comparison, reports};
+  front.answers = first_answers(answered);
+  if (comparison != nullptr) {
+    if (auto worth = paper_algorithm(*comparison)) {
+      front.question.insert(front.question.begin(), std::move(*worth));
+    }
+  }
+  std::vector<FrontExcerpt> further = further_answers(answered);
+  front.question.insert(front.question.begin(), std::make_move_iterator(further.begin()),
+                        std::make_move_iterator(further.end()));
+}
+
 }  // namespace
 
 Front front_of(const std::vector<FoundReport>& reports) {
@@ -132,19 +184,9 @@ Front front_of(const std::vector<FoundReport>& reports) {
       front.motion = FrontCharts{report.folder, report.headline->charts};
     }
   }
-  front.comparison = read_or_mark(largest_comparison(reports), front, comparison_of);
-  if (front.comparison) {
-    add_places(*front.comparison, front);
-    const auto worth = paper_algorithm(*largest_comparison(reports));
-    if (worth) front.question.push_back(*worth);
-    const auto simulating = std::ranges::find_if(
-        reports, [](const FoundReport& r) { return holds(r.headline, "simulations"); });
-    if (simulating != reports.end()) {
-      front.pairs = read_or_mark(&*simulating, front, [&](const FoundReport& report) {
-                      return pairs_of(report, *largest_comparison(reports));
-                    }).value_or(std::nullopt);
-    }
-  }
+  read_machines(reports, front);
+  read_comparison(reports, front);
+  add_answers(reports, front);
   for (const report::ReportKind& kind : report::report_kinds()) {
     const bool there = std::ranges::any_of(
         reports, [&](const FoundReport& report) { return report.kind.name == kind.name; });

@@ -1,19 +1,22 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "src/report/site/chooser.h"
 #include "src/report/site/entries.h"
 #include "src/report/site/pairs.h"
+#include "src/report/site/paper_machines.h"
 
 namespace ricochet::site {
 
 /// A link of an excerpt, with the folder of its report.
 struct FrontLink {
   std::string text;
-  std::string folder;  ///< of the page, relative to the front page
+  std::string folder;  ///< of the page, relative to the front page; empty: the front page
   std::string anchor;  ///< with its #, or empty
 };
 
@@ -58,7 +61,12 @@ struct FrontCharts {
 
 /// The content of the front page.
 struct Front {
+  std::vector<FrontExcerpt> answers = {};  ///< in a sentence each
   std::vector<FrontExcerpt> speed, solver, own, question, entries;  ///< excerpts by their topic
+  std::optional<PaperMachines> machines = {};                       ///< not written
+  std::optional<Chooser> chooser = {};
+  std::int64_t runs = 0, problems = 0, solvers = 0;  ///< of the comparison
+  bool live = false;  ///< true if the site has the machine that runs in a browser
   std::optional<Comparison> comparison;
   std::optional<FrontCharts> motion;
   std::optional<Pairs> pairs;
@@ -75,7 +83,7 @@ RICOCHET_WRITTEN_AS_JSON(FrontColumn, title, left);
 RICOCHET_WRITTEN_AS_JSON(FrontExcerpt, heading, text, links, caption, columns, rows);
 RICOCHET_WRITTEN_AS_JSON(Card, folder, label, title, finding, date, quick, seconds, command);
 RICOCHET_WRITTEN_AS_JSON(FrontCharts, folder, charts);
-RICOCHET_WRITTEN_AS_JSON(Front, speed, solver, own, question, entries, comparison, motion, pairs,
+RICOCHET_WRITTEN_AS_JSON(Front, answers, speed, solver, own, question, entries, chooser, comparison, motion, pairs,
                          cards, missing);
 
 /// Collects the headlines of the reports.

@@ -1,5 +1,9 @@
 #include "src/report/site/front_page.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "embedded/chart_library.h"
 #include "embedded/front_script.h"
 #include "embedded/front_summary_template.h"
@@ -9,6 +13,7 @@
 #include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
 #include "src/report/site/front_charts.h"
+#include "src/report/site/script_text.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -23,20 +28,7 @@ Json written(const Json& data, std::string (*write)(std::string_view)) {
   return copy;
 }
 
-/// JSON in which "</script>" cannot occur.
-std::string inside_a_script(const std::string& json) {
-  std::string text;
-  for (const char c : json) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
-/// A question at the top of the page.
+/// A heading over tables and commands.
 struct Topic {
   const char *id, *question;
   const char* none;  ///< shown if there are no excerpts
@@ -47,19 +39,19 @@ struct Topic {
 
 const Topic topics[] = {
     {"speed",
-     "How fast may it turn?",
+     "Fastest quiet speeds",
      "Not computed yet: ./ricochet reproduce",
      "A machine of your own:",
      {"./ricochet machine new > machine.toml", "./ricochet machine advise machine.toml"},
      &Front::speed},
     {"solver",
-     "Which solver, when?",
+     "First solver by kind of problem",
      "No solvers compared yet: ./ricochet compare",
      "",
      {},
      &Front::solver},
     {"own",
-     "Where does your solver stand?",
+     "Your own solver",
      "Write it in any language. It gets the same formulation as every solver; ricochet counts its "
      "evaluations, stops it and scores it. One run; then its place among the others, on this page:",
      "",
@@ -89,6 +81,42 @@ Json answers(const Front& front) {
   });
 }
 
+/// A number with its interval and the problems it is from: "7 % [2, 21]".
+std::string solved_text(const Choice& choice) {
+  std::string text = fmt::format("{:.0f}", 100 * choice.solved);
+  if (choice.lower && choice.upper) {
+    text += fmt::format(" [{:.0f}, {:.0f}]", 100 * *choice.lower, 100 * *choice.upper);
+  }
+  return text;
+}
+
+std::string extent_text(const Extent& extent) {
+  return extent.least == extent.most ? fmt::format("{}", extent.most)
+                                     : fmt::format("{} to {}", extent.least, extent.most);
+}
+
+/// The first entry of each situation, for readers without scripts.
+Json chooser_rows(const Chooser& chooser) {
+  return report::list_of(chooser.situations, [&](const Situation& one) -> Json {
+    const Choice& first = one.entries.front();
+    const auto trouble = std::ranges::find_if(chooser.troubles, [&](const Trouble& known) {
+      return known.perturbation == one.perturbation;
+    });
+    return {{"family", one.family},
+            {"folder", one.folder},
+            {"problems", one.problems},
+            {"variables", extent_text(one.variables)},
+            {"constraints", one.constraints.most > 0},
+            {"budget", one.budget},
+            {"trouble", trouble == chooser.troubles.end() ? "" : trouble->words},
+            {"entry", first.solver + ", " + first.formulation},
+            {"gradient", first.gradient},
+            {"solved", solved_text(first)},
+            {"best", first.best ? fmt::format("{:.2f}", *first.best) : "–"},
+            {"random", one.random ? Json(fmt::format("{:.2g}", *one.random)) : Json()}};
+  });
+}
+
 /// Removes repeated empty lines, which sections of a template leave behind.
 std::string without_gaps(std::string text) {
   for (std::size_t at = text.find("\n\n\n"); at != std::string::npos;
@@ -100,7 +128,15 @@ std::string without_gaps(std::string text) {
 
 /// Returns the data for the texts of the page.
 Json told(const Front& front, std::string (*write)(std::string_view)) {
-  Json page = {{"has_comparison", front.comparison.has_value()},
+  Json page = {{"answer", front.answers},
+               {"has_chooser", front.chooser && !front.chooser->situations.empty()},
+               {"choices", front.chooser ? chooser_rows(*front.chooser) : Json::array()},
+               {"troubles", front.chooser ? Json(front.chooser->troubles) : Json::array()},
+               {"runs", fmt::format("{}", front.runs)},
+               {"problems", front.problems},
+               {"solvers", front.solvers},
+               {"live", front.live},
+               {"has_comparison", front.comparison.has_value()},
                {"has_motion", front.motion.has_value()},
                {"has_pairs", front.pairs.has_value()},
                {"has_questions", !front.question.empty()},
@@ -117,8 +153,10 @@ Json told(const Front& front, std::string (*write)(std::string_view)) {
 }  // namespace
 
 FrontPage front_page(const Front& front, const std::string& navigation) {
-  const Json shown = {
-      {"comparison", front.comparison}, {"motion", front.motion}, {"pairs", front.pairs}};
+  const Json shown = {{"chooser", front.chooser},
+                      {"comparison", front.comparison},
+                      {"motion", front.motion},
+                      {"pairs", front.pairs}};
   Json page = told(front, report::escape_html);
   page["navigation"] = navigation;
   std::vector<std::string> failures;
@@ -129,10 +167,12 @@ FrontPage front_page(const Front& front, const std::string& navigation) {
   };
   page["charts"] = report::list_of(front_charts(front), drawn);
   page["has_charts"] = !page["charts"].empty();
+  page["regimes"] = nullptr;
+  if (front.machines) page["regimes"] = drawn(regimes_chart(*front.machines));
   page["pairs_chart"] = nullptr;
   if (front.pairs) page["pairs_chart"] = drawn(pairs_chart(*front.pairs));
   page["look"] = embedded::look;
-  page["data"] = inside_a_script(report::data_text(shown));
+  page["data"] = json_in_script(report::data_text(shown));
   page["chart_library"] = embedded::chart_library;
   page["script"] = embedded::front_script;
   const Json summary = told(front, report::escape_markdown);

@@ -1,8 +1,6 @@
 #include "src/report/site/navigation.h"
 
 #include <algorithm>
-#include <array>
-#include <sstream>
 
 #include "embedded/navigation_template.h"
 #include "src/report/filled_text.h"
@@ -16,53 +14,102 @@ namespace fs = std::filesystem;
 
 constexpr const char* mark = "navigation";
 
-}  // namespace
-
-std::string navigation(const std::vector<FoundReport>& reports, const std::string& here) {
-  // The folders of the report, of its page and of the page in that.
-  std::array<std::string, 3> own_place;
-  std::string up;
-  std::istringstream folders(here);
-  for (std::string& folder : own_place) {
-    if (std::getline(folders, folder, '/')) up += "../";
-  }
-  const auto& [own_folder, own_page, inner_page] = own_place;
-  Json data = {{"up", up},
-               {"front", here.empty()},
-               {"own", Json()},
-               {"own_page", own_page},
-               {"inner_page", inner_page},
-               {"reports", Json::array()},
-               {"pages", Json::array()}};
-  for (const FoundReport& report : reports) {
-    const bool own = report.folder == own_folder;
-    const std::string folder = report::escape_html(report.folder);
-    const std::string label = report::escape_html(label_of(report));
-    data["reports"].push_back(
-        {{"folder", folder}, {"label", label}, {"here", own && own_page.empty()}});
-    if (!own) continue;
-    data["own"] = {{"folder", folder}, {"label", label}};
-    for (const FoundPage& page : report.pages) {
-      const std::string name = report::escape_html(page.folder);
-      data["pages"].push_back({{"folder", folder},
-                               {"page", name},
-                               {"here", page.folder == own_page && inner_page.empty()},
-                               {"around", page.folder == own_page && !inner_page.empty()}});
+/// The place that holds the page of a folder: the innermost one; null for the front page.
+const Place* holder_of(const std::vector<Place>& places, const std::string& here) {
+  const Place* holder = nullptr;
+  for (const Place& place : places) {
+    const bool holds = here == place.folder || here.starts_with(place.folder + "/");
+    if (holds && (holder == nullptr || place.folder.size() > holder->folder.size())) {
+      holder = &place;
     }
   }
+  return holder;
+}
+
+std::string way_up(const std::string& here) {
+  if (here.empty()) return "";
+  std::string up = "../";
+  for (const char c : here) {
+    if (c == '/') up += "../";
+  }
+  return up;
+}
+
+/// The words, of which each leads to the first place of its group.
+Json words_of(const std::vector<Place>& places, const Place* own, const std::string& here) {
+  Json words = Json::array();
+  std::string last;
+  for (const Place& place : places) {
+    if (place.group == last) continue;
+    last = place.group;
+    const bool around = own != nullptr && own->group == place.group;
+    words.push_back({{"word", report::escape_html(place.group)},
+                     {"folder", report::escape_html(place.folder)},
+                     {"here", here == place.folder},
+                     {"around", around && here != place.folder}});
+  }
+  return words;
+}
+
+/// The pages inside a place, with the way to the one shown.
+void add_pages(const Place& own, const std::string& here, Json& data) {
+  const std::string inside = here == own.folder ? "" : here.substr(own.folder.size() + 1);
+  const std::size_t slash = std::min(inside.find('/'), inside.size());
+  const std::string page = inside.substr(0, slash);
+  const std::string inner = slash < inside.size() ? inside.substr(slash + 1) : "";
+  data["own"] = {{"folder", report::escape_html(own.folder)},
+                 {"label", report::escape_html(own.label)}};
+  data["own_page"] = report::escape_html(page);
+  data["inner_page"] = report::escape_html(inner);
+  for (const std::string& one : own.pages) {
+    data["pages"].push_back({{"folder", report::escape_html(own.folder)},
+                             {"page", report::escape_html(one)},
+                             {"here", one == page && inner.empty()},
+                             {"around", one == page && !inner.empty()}});
+  }
+}
+
+}  // namespace
+
+std::string navigation(const std::vector<Place>& places, const std::string& here) {
+  const Place* own = holder_of(places, here);
+  Json data = {{"up", way_up(here)},
+               {"front", here.empty()},
+               {"words", words_of(places, own, here)},
+               {"own", Json()},
+               {"own_page", ""},
+               {"inner_page", ""},
+               {"places", Json::array()},
+               {"pages", Json::array()}};
+  if (own != nullptr) {
+    for (const Place& place : places) {
+      if (place.group != own->group) continue;
+      data["places"].push_back({{"folder", report::escape_html(place.folder)},
+                                {"label", report::escape_html(place.label)},
+                                {"here", here == place.folder},
+                                {"around", &place == own && here != place.folder}});
+    }
+    add_pages(*own, here, data);
+  }
+  data["has_places"] = data["places"].size() > 1;
   data["has_pages"] = !data["pages"].empty();
+  data["page_count"] = data["pages"].size();
   return report::filled(embedded::navigation_template, {&data});
 }
 
-void link_pages(const fs::path& site, const std::vector<FoundReport>& reports) {
+void link_pages(const fs::path& site, const std::vector<Place>& places,
+                const std::vector<FoundReport>& reports) {
+  const auto link = [&](const std::string& folder) {
+    put_at(site / folder / "index.html", mark, navigation(places, folder));
+  };
+  for (const Place& place : places) {
+    link(place.folder);
+    for (const std::string& page : place.pages) link(place.folder + "/" + page);
+  }
   for (const FoundReport& report : reports) {
-    put_at(site / report.folder / "index.html", mark, navigation(reports, report.folder));
     for (const FoundPage& page : report.pages) {
-      const std::string name = report.folder + "/" + page.folder;
-      put_at(site / name / "index.html", mark, navigation(reports, name));
       for (const std::string& inner : page.pages) {
-        const std::string inner_name = name + "/" + inner;
-        put_at(site / inner_name / "index.html", mark, navigation(reports, inner_name));
+        link(report.folder + "/" + page.folder + "/" + inner);
       }
     }
   }

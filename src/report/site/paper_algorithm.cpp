@@ -74,8 +74,37 @@ std::string rivals(const Measured& measured) {
   return text + missing;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+std::string counted(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", names.size());
+}
+
+std::string percent(const SpeedAccuracy& one) {
+  return fmt::format("{:.0f} %", 100 * *one.share);
+}
+
+/// Whether it is better than random search, by their intervals, beside the best of all.
+std::string verdict(const Measured& measured, const std::string& where) {
+  const SpeedAccuracy* own = measured.named(its_name);
+  if (own == nullptr) return "";
+  const SpeedAccuracy* drawn = measured.named(chance);
+  std::string text;
+  if (drawn != nullptr) {
+    const bool better = own->share_lower > drawn->share_upper;
+    const bool worse = own->share_upper < drawn->share_lower;
+    text = fmt::format("{} than random search: on {} it solves {} of the runs, random search {}",
+                       better ? "Better" : worse ? "Worse" : "Not measurably better", where,
+                       percent(*own), percent(*drawn));
+  } else {
+    text = fmt::format("On {} it solves {} of the runs", where, percent(*own));
+  }
+  const SpeedAccuracy* cmaes = measured.best(
+      [](const std::string& solver) { return solver.find("cmaes") != std::string::npos; });
+  if (cmaes != nullptr) text += ", CMA-ES " + percent(*cmaes);
+  const SpeedAccuracy* first = measured.best([](const std::string&) { return true; });
+  if (first != nullptr && first != own && first != cmaes) {
+    text += fmt::format(", {} {}", first->solver, percent(*first));
+  }
+  return fmt::format("{} ({} problems).", text, own->problems.value_or(0));
 }
 
 /// Where it leads, of the families that it takes.
@@ -98,11 +127,20 @@ std::string wins(const std::vector<SpeedAccuracy>& all) {
     const SpeedAccuracy* drawn = measured.named(chance);
     if (drawn != nullptr && own->share_lower > drawn->share_upper) over_chance.push_back(family);
   }
-  return fmt::format(" Of {} families it leads all in: {}; random search, intervals apart, in: {}.",
-                     taken, listed(most), listed(over_chance));
+  return fmt::format(
+      " It solves most in {} of {} families{}{}; it is better than random search, intervals apart, "
+      "in {}{}{}.",
+      counted(most), taken, most.empty() ? "" : ": ", fmt::join(most, ", "), counted(over_chance),
+      over_chance.empty() ? "" : ": ", fmt::join(over_chance, ", "));
 }
 
 }  // namespace
+
+std::string paper_algorithm_verdict(const FoundReport& comparison) {
+  const std::vector<SpeedAccuracy> all = comparison.data.get<ComparisonData>().speed_accuracy;
+  const std::string own = verdict(Measured(all, own_family), "the paper's own problem");
+  return own.empty() ? verdict(Measured(all, "all"), "all families together") : own;
+}
 
 std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
   const std::vector<SpeedAccuracy> all = comparison.data.get<ComparisonData>().speed_accuracy;
@@ -124,10 +162,10 @@ std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
   if (text.empty()) return std::nullopt;
   return FrontExcerpt{
       .heading = "What is the paper's fireworks algorithm worth?",
-      .text =
-          "Runs solved by the returned point (95 % interval), beside the best solvers of CMA-ES, "
-          "NLopt and Ipopt. " +
-          text + wins(all),
+      .text = paper_algorithm_verdict(comparison) + wins(all) +
+              " Runs solved by the returned point (95 % interval), beside the best solvers of "
+              "CMA-ES, NLopt and Ipopt: " +
+              text,
       .links = std::move(links)};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "src/report/site/front.h"
 
@@ -13,5 +14,9 @@ namespace ricochet::site {
 /// if the comparison did not run it on either. Throws Json::exception if its data are of another
 /// version.
 std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison);
+
+/// Returns the answer in one sentence, with its numbers: on the paper's own problem, or else on all
+/// families; empty if the comparison did not run it on either.
+std::string paper_algorithm_verdict(const FoundReport& comparison);
 
 }  // namespace ricochet::site

@@ -8,7 +8,10 @@
 #include "ricochet/error.h"
 #include "src/report/file_set.h"
 #include "src/report/report.h"
+#include "src/report/site/cite_page.h"
+#include "src/report/site/docs_pages.h"
 #include "src/report/site/front_page.h"
+#include "src/report/site/machine_page.h"
 #include "src/report/site/navigation.h"
 #include "src/report/site/page_mark.h"
 #include "src/report/site/paper_algorithm.h"
@@ -20,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* data_file = "data.json";
+constexpr const char* live_page = "live/index.html";  ///< the machine that runs in a browser
 
 /// Removes dots and a trailing slash, so that the path has a name and a parent.
 fs::path plain(const fs::path& folder) {
@@ -42,6 +46,18 @@ void tell_of_paper_algorithm(const fs::path& folder, const std::vector<FoundRepo
   }
 }
 
+/// Writes the pages that are no report. Returns the places of all pages.
+std::vector<Place> written_places(const fs::path& folder, const std::vector<FoundReport>& reports,
+                                  const Front& front, std::vector<std::string>& failures) {
+  std::vector<OwnPage> pages;
+  if (front.machines) pages.push_back(machine_page(*front.machines, reports));
+  pages.push_back(cite_page(reports));
+  std::vector<Place> own = write_own_pages(folder, pages, failures);
+  if (front.live) own.push_back({"Machine", "Live machine", "live"});
+  own.push_back(write_docs_pages(folder, reports));
+  return places_of(reports, own);
+}
+
 struct WrittenSite {
   std::vector<std::string> undrawn;                         ///< a line for each chart
   std::vector<std::pair<std::string, std::string>> unread;  ///< see Front
@@ -50,11 +66,15 @@ struct WrittenSite {
 WrittenSite written_site(const fs::path& folder) {
   const std::vector<FoundReport> reports = found_reports(folder);
   Front front = front_of(reports);
-  FrontPage page = front_page(front, navigation(reports, ""));
+  front.live = fs::exists(folder / live_page);
+  std::vector<std::string> failures;
+  const std::vector<Place> places = written_places(folder, reports, front, failures);
+  FrontPage page = front_page(front, navigation(places, ""));
   report::replace_files(folder, page.files);
-  link_pages(folder, reports);
+  link_pages(folder, places, reports);
   tell_of_paper_algorithm(folder, reports, front);
-  return {std::move(page.failures), std::move(front.unread)};
+  failures.insert(failures.end(), page.failures.begin(), page.failures.end());
+  return {std::move(failures), std::move(front.unread)};
 }
 
 }  // namespace

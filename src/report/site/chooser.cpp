@@ -1,0 +1,191 @@
+#include "src/report/site/chooser.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "src/benchmark/statistics/wilson_interval.h"
+#include "src/report/site/comparison_data.h"
+
+namespace ricochet::site {
+namespace {
+
+constexpr std::size_t shown = 3;  ///< entries of each kind
+
+/// The perturbations that are a reader's trouble, and not a test of a solver's invariance.
+const std::vector<Trouble> known_troubles = {
+    {"noisy", "noise, new at every call"},
+    {"frozen-noise", "noise, the same at a point"},
+    {"outliers", "outliers"},
+    {"nan", "missing values (NaN)"},
+    {"throwing", "evaluations that fail"},
+    {"truncated", "values of six digits"},
+    {"quantised", "variables on a grid"},
+    {"infinite-where-infeasible", "infinite where infeasible"},
+    {"binary-constraints", "constraints that only say yes or no"}};
+
+/// What a comparison knows of its solvers and families.
+class Known {
+ public:
+  explicit Known(const FoundReport& report) {
+    const auto data = report.data.get<ComparisonData>();
+    for (const NamedSolver& solver : data.solvers) {
+      if (solver.needs && *solver.needs != "nothing") derivative_.insert(solver.name);
+    }
+    for (const SpeedAccuracy& one : data.speed_accuracy) {
+      if (one.budget) fast_[{one.family, *one.budget, one.solver, one.formulation}] = one;
+    }
+    for (const LeadingEntry& leader : data.leaders) {
+      if (leader.easy.value_or(false)) easy_[{leader.family, leader.budget}] = leader.random;
+    }
+  }
+
+  bool needs_derivatives(const std::string& solver) const { return derivative_.contains(solver); }
+
+  /// Evaluations that random search needs, if the family is too easy to name a first entry.
+  std::optional<double> random(const std::string& family, double budget) const {
+    const auto found = easy_.find({family, budget});
+    return found == easy_.end() ? std::nullopt : found->second;
+  }
+
+  const SpeedAccuracy* speed_accuracy(const std::string& family, double budget,
+                                      const Rating& rating) const {
+    const auto found = fast_.find({family, budget, rating.solver, rating.formulation});
+    return found == fast_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  std::set<std::string> derivative_;
+  std::map<std::tuple<std::string, double, std::string, std::string>, SpeedAccuracy> fast_;
+  std::map<std::pair<std::string, double>, std::optional<double>> easy_;
+};
+
+/// Keeps the first entries, and the first without derivatives.
+std::vector<Choice> first_of(const std::vector<Choice>& all) {
+  std::vector<Choice> kept;
+  std::size_t any = 0, plain = 0;
+  for (const Choice& choice : all) {
+    const bool wanted = any < shown || (!choice.gradient && plain < shown);
+    ++any;
+    if (!choice.gradient) ++plain;
+    if (wanted) kept.push_back(choice);
+  }
+  return kept;
+}
+
+bool is_count(const std::string& formulation) {
+  return formulation.find("count") != std::string::npos ||
+         formulation.find("surrogate") != std::string::npos;
+}
+
+Situation situation_of(const Known& known, const FamilyData& family, const RatedBudget& budget,
+                       const std::string& folder) {
+  const FamilySize size = size_of(family.family, family.problems);
+  Situation situation{.family = family.family,
+                      .folder = folder,
+                      .counts = false,
+                      .problems = static_cast<std::int64_t>(size.problems),
+                      .variables = size.variables,
+                      .constraints = size.constraints,
+                      .budget = budget.budget,
+                      .perturbation = "plain",
+                      .runs = {},
+                      .random = known.random(family.family, budget.budget),
+                      .entries = {}};
+  std::vector<Choice> all;
+  for (const Rating& rating : budget.ratings) {
+    situation.counts = situation.counts || is_count(rating.formulation);
+    if (!rating.rank || rating.returned <= 0) continue;
+    const SpeedAccuracy* fast = known.speed_accuracy(family.family, budget.budget, rating);
+    Choice choice{rating.solver, rating.formulation, known.needs_derivatives(rating.solver),
+                  rating.returned, {}, {}, rating.best, rating.problems};
+    if (fast != nullptr) {
+      choice.lower = fast->share_lower;
+      choice.upper = fast->share_upper;
+    }
+    all.push_back(std::move(choice));
+  }
+  situation.entries = first_of(all);
+  return situation;
+}
+
+/// The entries of a family under one perturbation, best first.
+std::vector<Choice> choices_under(const Known& known, const std::vector<PerturbedEntry>& entries,
+                                  std::size_t perturbation) {
+  std::vector<Choice> all;
+  for (const PerturbedEntry& entry : entries) {
+    const Json& cell = entry.shares.at(perturbation);
+    const double share = cell.is_null() ? 0 : cell.get<double>();
+    if (share <= 0) continue;
+    const double runs = static_cast<double>(*entry.runs);
+    const Interval interval = wilson_interval(share * runs, runs);
+    all.push_back({*entry.solver, *entry.formulation, known.needs_derivatives(*entry.solver),
+                   share, interval.lower, interval.upper, std::nullopt, entry.problems});
+  }
+  std::ranges::stable_sort(
+      all, [](const Choice& a, const Choice& b) { return a.solved > b.solved; });
+  return all;
+}
+
+void add_perturbed(const Known& known, const PerturbedData& data, const std::string& folder,
+                   Chooser& chooser) {
+  std::map<std::string, std::vector<PerturbedEntry>> families;
+  for (const PerturbedEntry& entry : data.perturbation_rows) {
+    if (entry.family && entry.runs) families[*entry.family].push_back(entry);
+  }
+  for (std::size_t p = 0; p < data.perturbation_names.size(); ++p) {
+    const std::string& name = data.perturbation_names[p].perturbation;
+    const bool offered = std::ranges::any_of(
+        known_troubles, [&](const Trouble& trouble) { return trouble.perturbation == name; });
+    if (!offered) continue;
+    for (const auto& [family, entries] : families) {
+      const auto plain = std::ranges::find_if(chooser.situations, [&](const Situation& one) {
+        return one.family == family;
+      });
+      std::vector<Choice> choices = first_of(choices_under(known, entries, p));
+      if (choices.empty() || plain == chooser.situations.end()) continue;
+      Situation situation = *plain;
+      situation.folder = folder;
+      situation.problems = entries.front().problems.value_or(0);
+      situation.variables = {entries.front().least_variables.value_or(0),
+                             entries.front().most_variables.value_or(0)};
+      situation.budget = entries.front().budget.value_or(0);
+      situation.perturbation = name;
+      situation.runs = entries.front().runs;
+      situation.random.reset();
+      situation.entries = std::move(choices);
+      chooser.situations.push_back(std::move(situation));
+    }
+  }
+}
+
+}  // namespace
+
+Chooser chooser_of(const FoundReport& comparison) {
+  const Known known(comparison);
+  Chooser chooser{comparison.folder, {}, {}};
+  for (const FoundPage& page : comparison.pages) {
+    if (!holds(page.headline, "family")) continue;
+    const auto family = page.data.get<FamilyData>();
+    for (const RatedBudget& budget : family.budgets) {
+      Situation situation =
+          situation_of(known, family, budget, comparison.folder + "/" + page.folder);
+      if (!situation.entries.empty()) chooser.situations.push_back(std::move(situation));
+    }
+  }
+  for (const FoundPage& page : comparison.pages) {
+    if (!holds(page.headline, "perturbations")) continue;
+    add_perturbed(known, page.data.get<PerturbedData>(), comparison.folder + "/" + page.folder,
+                  chooser);
+  }
+  for (const Trouble& trouble : known_troubles) {
+    const bool there = std::ranges::any_of(chooser.situations, [&](const Situation& one) {
+      return one.perturbation == trouble.perturbation;
+    });
+    if (there) chooser.troubles.push_back(trouble);
+  }
+  return chooser;
+}
+
+}  // namespace ricochet::site

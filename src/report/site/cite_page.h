@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "src/report/site/own_page.h"
+
+namespace ricochet::site {
+
+/// The page that says how to cite ricochet and how to repeat its reports: BibTeX, versions, seeds,
+/// plan, digest, archive and commands.
+OwnPage cite_page(const std::vector<FoundReport>& reports);
+
+}  // namespace ricochet::site

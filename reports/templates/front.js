@@ -179,8 +179,8 @@ const choiceSentence = (choice, found) => {
   const [one] = found, entry = one.entries.find((e) => choice.gradient || !e.gradient);
   const near = outsideBy(choice.variables, one.variables) > 0 ? ` The nearest that were run have ${extentText(one.variables)} variables.` : "";
   const easy = one.random ? ` Random search needs only ${number(one.random, 2)} evaluations there.` : "";
-  const others = found.length > 1 ? `, and what is best on ${found.length - 1} other kind${found.length > 2 ? "s" : ""} of problems` : "";
-  return `${own}: ${entry.solver} on the formulation ${entry.formulation} solved ${solvedText(entry)} % on ${one.problems} ${one.family} problem${one.problems === 1 ? "" : "s"}${others}.${near}${easy}`;
+  const others = found.length > 1 ? `; ${found.length - 1} other kind${found.length > 2 ? "s" : ""} of problems below` : "";
+  return `${own}: ${entry.solver}, formulation ${entry.formulation}, solved ${solvedText(entry)} % on ${one.problems} problem${one.problems === 1 ? "" : "s"} (${one.title || one.family})${others}.${near}${easy}`;
 };
 
 const drawChoice = () => {
@@ -190,7 +190,7 @@ const drawChoice = () => {
   const found = matching(choice);
   element("choice").textContent = choiceSentence(choice, found);
   const head = document.createElement("tr"), body = document.createElement("tbody"), top = document.createElement("thead");
-  for (const [title, side] of [["best entries", "left"], ["solved [%]", "right"], ["P(best)", "right"], ["kind of problem", "left"], ["problems", "right"], ["variables", "right"], ["evaluations a variable", "right"]]) {
+  for (const [title, side] of [["kind of problem", "left"], ["best entries", "left"], ["solved [%]", "right"], ["P(best)", "right"], ["problems", "right"], ["variables", "right"], ["evaluations a variable", "right"]]) {
     const heading = cell("th", title, side);
     heading.scope = "col";
     head.append(heading);
@@ -202,11 +202,11 @@ const drawChoice = () => {
       if (i === 0) {
         const link = document.createElement("a");
         link.href = `${one.folder}/index.html`;
-        link.textContent = one.family;
+        link.textContent = one.title || one.family;
         kind.append(link);
       }
       const runs = one.runs === null ? "" : `, ${one.runs} runs`;
-      line.append(name, cell("td", solvedText(entry), "right"), cell("td", entry.best === null ? "–" : entry.best.toFixed(2), "right"), kind,
+      line.append(kind, name, cell("td", solvedText(entry), "right"), cell("td", entry.best === null ? "–" : entry.best.toFixed(2), "right"),
                   cell("td", `${entry.problems ?? one.problems} of ${one.problems}${runs}`, "right"), cell("td", extentText(one.variables), "right"), cell("td", String(one.budget), "right"));
       body.append(line);
     }

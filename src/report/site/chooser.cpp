@@ -83,6 +83,7 @@ Situation situation_of(const Known& known, const FamilyData& family, const Rated
                        const std::string& folder) {
   const FamilySize size = size_of(family.family, family.problems);
   Situation situation{.family = family.family,
+                      .title = {},
                       .folder = folder,
                       .counts = false,
                       .problems = static_cast<std::int64_t>(size.problems),
@@ -160,9 +161,35 @@ void add_perturbed(const Known& known, const PerturbedData& data, const std::str
   }
 }
 
+std::string title_of(const std::string& family, const FamilyTitles& titles) {
+  std::string longest;
+  for (const auto& [name, title] : titles) {
+    if (family.starts_with(name) && name.size() > longest.size()) longest = name;
+  }
+  return longest.empty() ? "" : titles.at(longest);
+}
+
+struct TitledFamily {
+  std::string name, title;
+};
+RICOCHET_READ_FROM_JSON(TitledFamily, name, title);
+
 }  // namespace
 
-Chooser chooser_of(const FoundReport& comparison) {
+FamilyTitles family_titles(const std::vector<FoundReport>& reports) {
+  FamilyTitles titles;
+  for (const FoundReport& report : reports) {
+    if (report.kind.name != "problems" || !report.data.contains("families")) continue;
+    for (const Json& one : report.data["families"]) {
+      const auto family = one.get<TitledFamily>();
+      titles[family.name] = family.title;
+    }
+    break;
+  }
+  return titles;
+}
+
+Chooser chooser_of(const FoundReport& comparison, const FamilyTitles& titles) {
   const Known known(comparison);
   Chooser chooser{comparison.folder, {}, {}};
   for (const FoundPage& page : comparison.pages) {
@@ -171,6 +198,7 @@ Chooser chooser_of(const FoundReport& comparison) {
     for (const RatedBudget& budget : family.budgets) {
       Situation situation =
           situation_of(known, family, budget, comparison.folder + "/" + page.folder);
+      situation.title = title_of(family.family, titles);
       if (!situation.entries.empty()) chooser.situations.push_back(std::move(situation));
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct Choice {
 /// Problems that were solved with one budget, under at most one perturbation.
 struct Situation {
   std::string family;
+  std::string title;         ///< of the family, if it is known
   std::string folder;        ///< of the page that says more, with its anchor
   bool counts;               ///< true if the objective is a count: an integer with jumps
   std::int64_t problems;
@@ -47,14 +49,20 @@ struct Chooser {
 
 RICOCHET_WRITTEN_AS_JSON(Choice, solver, formulation, gradient, solved, lower, upper, best,
                          problems);
-RICOCHET_WRITTEN_AS_JSON(Situation, family, folder, counts, problems, variables, constraints,
+RICOCHET_WRITTEN_AS_JSON(Situation, family, title, folder, counts, problems, variables, constraints,
                          budget, perturbation, runs, random, entries);
 RICOCHET_WRITTEN_AS_JSON(Trouble, perturbation, words);
 RICOCHET_WRITTEN_AS_JSON(Chooser, folder, situations, troubles);
 
+/// Titles of families of problems, by name.
+using FamilyTitles = std::map<std::string, std::string>;
+
+/// Returns the titles that the first report of the problems knows.
+FamilyTitles family_titles(const std::vector<FoundReport>& reports);
+
 /// Collects the situations of a comparison: of each of its families with each budget, by mean rank;
 /// and of each family that was run under perturbations, by success rate. Entries that solved
-/// nothing are left out. Throws Json::exception if its data are of another version.
-Chooser chooser_of(const FoundReport& comparison);
+/// nothing are left out. The title of a family is that of the longest name with which its own begins. Throws Json::exception if its data are of another version.
+Chooser chooser_of(const FoundReport& comparison, const FamilyTitles& titles = {});
 
 }  // namespace ricochet::site

@@ -10,7 +10,6 @@
 
 #include "src/report/site/comparison_data.h"
 #include "src/report/site/front_answers.h"
-#include "src/report/site/paper_algorithm.h"
 
 namespace ricochet::site {
 namespace {
@@ -140,7 +139,9 @@ void read_comparison(const std::vector<FoundReport>& reports, Front& front) {
   front.comparison = read_or_mark(largest, front, comparison_of);
   if (!front.comparison) return;
   add_places(*front.comparison, front);
-  front.chooser = read_or_mark(largest, front, chooser_of);
+  front.chooser = read_or_mark(largest, front, [&](const FoundReport& report) {
+    return chooser_of(report, family_titles(reports));
+  });
   const auto data = largest->data.get<ComparisonData>();
   front.runs = data.runs;
   front.solvers = static_cast<std::int64_t>(data.solvers.size());
@@ -159,11 +160,6 @@ void add_answers(const std::vector<FoundReport>& reports, Front& front) {
   const FoundReport* comparison = front.comparison ? largest_comparison(reports) : nullptr;
   const Answered answered{front.machines, front.chooser, front.pairs, comparison, reports};
   front.answers = first_answers(answered);
-  if (comparison != nullptr) {
-    if (auto worth = paper_algorithm(*comparison)) {
-      front.question.insert(front.question.begin(), std::move(*worth));
-    }
-  }
   std::vector<FrontExcerpt> further = further_answers(answered);
   front.question.insert(front.question.begin(), std::make_move_iterator(further.begin()),
                         std::make_move_iterator(further.end()));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "src/report/site/machine_grid.h"
 #include "src/report/site/paper_algorithm.h"
 
 namespace ricochet::site {
@@ -69,22 +70,51 @@ std::string error_text(double error) {
   return error < 1e-4 ? fmt::format("{:.0e}", error) : fmt::format("{:.2g}", error);
 }
 
-/// Error and cost of the pairs of order 5(4) with a tolerance of 1e-6, beside the reference.
+/// The paper's algorithm, with its intervals and those of its rivals on its report's page.
+std::optional<FrontExcerpt> fireworks_against_cmaes(const Answered& answered) {
+  const std::string verdict = paper_algorithm_verdict(*answered.comparison);
+  const std::string own = folder_of(answered.reports, "fireworks");
+  if (verdict.empty()) return std::nullopt;
+  return answer("Fireworks against CMA-ES: where does it win?", verdict,
+                {{"with intervals", own.empty() ? answered.comparison->folder : own, ""}});
+}
+
+/// Error and cost of Dormand-Prince 5(4) at the tolerances around 1e-6, beside the reference.
 std::optional<FrontExcerpt> on_rk45(const Pairs& pairs) {
-  const PairedSimulation *rk45 = nullptr, *reference = nullptr;
+  const PairedSimulation* reference = nullptr;
+  std::string measured;
   for (const PairedSimulation& one : pairs.simulations) {
-    const bool order_5 = one.simulation == "odeint-dopri5";
-    if (order_5 && one.control.find("1e-6") != std::string::npos) rk45 = &one;
     if (one.reference) reference = &one;
+    const bool near = one.control == "tolerance 1e-5" || one.control == "tolerance 1e-6" ||
+                      one.control == "tolerance 1e-7";
+    if (one.simulation != "odeint-dopri5" || !near || !one.error) continue;
+    measured += fmt::format("{}{}: {} rad/s off, {:.0f} µs a simulation",
+                            measured.empty() ? "" : "; ", one.control, error_text(*one.error),
+                            1e6 * one.seconds);
   }
-  if (rk45 == nullptr || reference == nullptr || !rk45->error) return std::nullopt;
+  if (measured.empty() || reference == nullptr) return std::nullopt;
   return answer("What are error and cost of RK45 at 1e-6?",
-                fmt::format("Dormand-Prince 5(4) with {}: the threshold is off by up to {} rad/s, "
-                            "at {:.0f} µs for each simulation. The event-driven simulation is the "
-                            "reference, at {:.0f} µs.",
-                            rk45->control, error_text(*rk45->error), 1e6 * rk45->seconds,
-                            1e6 * reference->seconds),
+                fmt::format("Dormand-Prince 5(4), {}. The event-driven simulation takes {:.0f} µs; "
+                            "it is the reference.",
+                            measured, 1e6 * reference->seconds),
                 {{"all methods", pairs.folder, "#thresholds"}});
+}
+
+/// The threshold of C4 with a restitution between.
+std::optional<FrontExcerpt> on_what_if(const PaperMachines& all,
+                                       const std::vector<FoundReport>& reports) {
+  constexpr double other = 0.5;
+  const auto grid = machine_grid(reports);
+  const auto machine = std::ranges::find_if(
+      all.machines, [](const PaperMachine& one) { return one.id == "C4"; });
+  if (!grid || machine == all.machines.end() || !machine->quiet_up_to) return std::nullopt;
+  const auto speed = with_restitution(*grid, *machine, other);
+  if (!speed) return std::nullopt;
+  return answer(
+      fmt::format("What if C4 had restitution {} in place of {}?", other, machine->restitution),
+      fmt::format("It would be quiet up to {:.2f} rad/s in place of {:.2f}.", *speed,
+                  *machine->quiet_up_to),
+      {{"what if", "machine", "#what-if"}});
 }
 
 /// The paper's threshold of its first case beside ours.
@@ -107,28 +137,31 @@ std::optional<FrontExcerpt> on_paper(const PaperMachines& all) {
 std::vector<FrontExcerpt> first_answers(const Answered& answered) {
   std::vector<FrontExcerpt> all;
   if (answered.machines) {
-    const PaperMachines& machines = *answered.machines;
-    all.push_back(answer("How fast may it turn?", speed_sentence(machines),
+    all.push_back(answer("How fast may it turn?", speed_sentence(*answered.machines),
                          {{"every machine", "machine", "#machines"}}));
-    const std::string effects = effects_sentence(machines);
-    if (!effects.empty()) {
-      all.push_back(answer("What moves this threshold?", effects,
-                           {{"values between", "machine", "#what-if"}}));
-    }
-    all.push_back(answer("Does the paper agree?", agreement_sentence(machines),
-                         {{"the paper's cases", machines.folder, "#thresholds"}}));
   }
   if (answered.comparison != nullptr && answered.chooser) {
     const std::string verdict = paper_algorithm_verdict(*answered.comparison);
+    const std::string own = folder_of(answered.reports, "fireworks");
     if (!verdict.empty()) {
-      const std::string own = folder_of(answered.reports, "fireworks");
-      all.push_back(answer("Is the paper's fireworks algorithm worth it?", verdict,
-                           {{"the algorithm", own.empty() ? answered.comparison->folder : own, ""}}));
+      all.push_back(
+          answer("Is the paper's fireworks algorithm worth it?", verdict,
+                 {{"where it wins", own.empty() ? answered.comparison->folder : own, ""}}));
     }
     if (!answered.chooser->situations.empty()) {
-      all.push_back(answer("Which solver?", solvers_sentence(*answered.chooser),
-                           {{"choose", "", "#chooser"}, {"speed against accuracy", "", "#speed-accuracy"}}));
+      all.push_back(answer(
+          "Which solver?", solvers_sentence(*answered.chooser),
+          {{"choose", "", "#chooser"}, {"speed against accuracy", "", "#speed-accuracy"}}));
     }
+  }
+  if (answered.machines) {
+    const std::string effects = effects_sentence(*answered.machines);
+    if (!effects.empty()) {
+      all.push_back(answer("What moves the threshold?", effects,
+                           {{"values between", "machine", "#what-if"}}));
+    }
+    all.push_back(answer("Does the paper agree?", agreement_sentence(*answered.machines),
+                         {{"the paper's cases", answered.machines->folder, "#thresholds"}}));
   }
   return all;
 }
@@ -137,9 +170,12 @@ std::vector<FrontExcerpt> further_answers(const Answered& answered) {
   std::vector<FrontExcerpt> all;
   if (answered.machines) {
     if (auto one = on_paper(*answered.machines)) all.push_back(std::move(*one));
-    all.push_back(answer("What if C4 had restitution 0.5 in place of 0.9?",
-                         "The thresholds over restitution, friction and disturbance say it.",
-                         {{"what if", "machine", "#what-if"}}));
+    if (auto one = on_what_if(*answered.machines, answered.reports)) {
+      all.push_back(std::move(*one));
+    }
+  }
+  if (answered.comparison != nullptr) {
+    if (auto worth = fireworks_against_cmaes(answered)) all.push_back(std::move(*worth));
   }
   if (answered.chooser) {
     const Chooser& chooser = *answered.chooser;

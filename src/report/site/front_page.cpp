@@ -168,7 +168,10 @@ FrontPage front_page(const Front& front, const std::string& navigation) {
   page["charts"] = report::list_of(front_charts(front), drawn);
   page["has_charts"] = !page["charts"].empty();
   page["regimes"] = nullptr;
-  if (front.machines) page["regimes"] = drawn(regimes_chart(*front.machines));
+  if (front.machines) {
+    page["regimes"] = drawn(regimes_chart(*front.machines));
+    page["groups"] = report::escape_html(groups_sentence(*front.machines));
+  }
   page["pairs_chart"] = nullptr;
   if (front.pairs) page["pairs_chart"] = drawn(pairs_chart(*front.pairs));
   page["look"] = embedded::look;

@@ -2,64 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <string>
+#include <utility>
 
+#include "src/report/site/machine_grid.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
 namespace {
 
 
-struct Level {
-  std::string level;
-};
-RICOCHET_READ_FROM_JSON(Level, level);
-
-struct GridRow {
-  std::string machine;
-  Json cells;  ///< a threshold [rad/s] for each level, or null
-};
-RICOCHET_READ_FROM_JSON(GridRow, machine, cells);
-
-/// Machines on a grid: the best known value of the problem of each.
-struct Grid {
-  std::string family, column;
-  std::vector<Level> columns;
-  std::vector<GridRow> known;
-};
-RICOCHET_READ_FROM_JSON(Grid, family, column, columns, known);
-
-constexpr const char* grid_family = "top-speed-machines";
-
-std::optional<Grid> grid_of(const std::vector<FoundReport>& reports) {
-  for (const FoundReport& report : reports) {
-    for (const FoundPage& page : report.pages) {
-      const auto machines = page.data.find("machines");
-      if (machines == page.data.end()) continue;
-      for (const Json& one : *machines) {
-        if (one.value("family", "") == grid_family) return one.get<Grid>();
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 /// The paper's machines of a row of the grid, without disturbance and with it.
 std::string cases_of(const std::vector<PaperMachine>& machines, const std::string& row) {
   std::string ids;
   for (const PaperMachine& one : machines) {
-    if (row != fmt::format("friction {}, restitution {}", one.friction, one.restitution)) continue;
+    if (row != row_label(one.friction, one.restitution)) continue;
     ids += (ids.empty() ? "" : ", ") + one.id;
   }
   return ids;
 }
 
-report::Table grid_table(const Grid& grid, const std::vector<PaperMachine>& machines) {
-  report::Table table{"Fastest quiet speed [rad/s] of machines on a grid, by the disturbance [N]. The "
-              "others stand for the paper's values and one between: restitution 0.5.",
+report::Table grid_table(const MachineGrid& grid, const std::vector<PaperMachine>& machines) {
+  report::Table table{"Fastest quiet speed [rad/s] over restitution, friction and disturbance [N]: the "
+                      "paper's values, and restitutions between.",
               {{"machine", report::Alignment::left}, {"the paper's", report::Alignment::left}},
               {}};
-  for (const Level& level : grid.columns) {
+  for (const GridLevel& level : grid.columns) {
     table.columns.push_back({grid.column + " " + level.level});
   }
   for (const GridRow& row : grid.known) {
@@ -93,7 +61,7 @@ report::Table machines_table(const PaperMachines& all) {
          {fmt::format("{}", one.disturbance)},
          {report::text_or_dash(one.silent_up_to, "{:.2f}")},
          {report::text_or_dash(one.quiet_up_to, "{:.2f}")},
-         {report::text_or_dash(one.paper_threshold, "{}")},
+         {one.paper_threshold ? fmt::format("{}", *one.paper_threshold) : "none given"},
          {both ? fmt::format("{:+.0f} %", 100 * (*one.quiet_up_to / *one.paper_threshold - 1))
                : "–"}});
   }
@@ -121,7 +89,7 @@ OwnPage machine_page(const PaperMachines& machines, const std::vector<FoundRepor
   report::Section moves{.id = "what-if",
                 .heading = "What moves the threshold?",
                 .paragraphs = {effects_sentence(machines)}};
-  if (const auto grid = grid_of(reports)) {
+  if (const auto grid = machine_grid(reports)) {
     moves.tables.push_back(grid_table(*grid, machines.machines));
   }
   own.page.sections.push_back(std::move(moves));

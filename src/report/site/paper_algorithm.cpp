@@ -128,8 +128,7 @@ std::string wins(const std::vector<SpeedAccuracy>& all) {
     if (drawn != nullptr && own->share_lower > drawn->share_upper) over_chance.push_back(family);
   }
   return fmt::format(
-      " It solves most in {} of {} families{}{}; it is better than random search, intervals apart, "
-      "in {}{}{}.",
+      " It wins in {} of {} families{}{}, and beats random search, intervals apart, in {}{}{}.",
       counted(most), taken, most.empty() ? "" : ": ", fmt::join(most, ", "), counted(over_chance),
       over_chance.empty() ? "" : ": ", fmt::join(over_chance, ", "));
 }
@@ -138,8 +137,9 @@ std::string wins(const std::vector<SpeedAccuracy>& all) {
 
 std::string paper_algorithm_verdict(const FoundReport& comparison) {
   const std::vector<SpeedAccuracy> all = comparison.data.get<ComparisonData>().speed_accuracy;
-  const std::string own = verdict(Measured(all, own_family), "the paper's own problem");
-  return own.empty() ? verdict(Measured(all, "all"), "all families together") : own;
+  std::string own = verdict(Measured(all, own_family), "the paper's own problem");
+  if (own.empty()) own = verdict(Measured(all, "all"), "all families together");
+  return own.empty() ? own : own + wins(all);
 }
 
 std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
@@ -162,7 +162,7 @@ std::optional<FrontExcerpt> paper_algorithm(const FoundReport& comparison) {
   if (text.empty()) return std::nullopt;
   return FrontExcerpt{
       .heading = "What is the paper's fireworks algorithm worth?",
-      .text = paper_algorithm_verdict(comparison) + wins(all) +
+      .text = paper_algorithm_verdict(comparison) +
               " Runs solved by the returned point (95 % interval), beside the best solvers of "
               "CMA-ES, NLopt and Ipopt: " +
               text,

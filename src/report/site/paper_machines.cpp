@@ -76,15 +76,24 @@ report::Area columns(const PaperMachines& all, std::string label, std::optional<
   return area;
 }
 
-/// "by a factor of 1.5 to 1.8", or "by 2 to 12 %" for less than a quarter.
-std::string change_in_words(double least, double most) {
-  if (least >= 1.25) {
-    const std::string first = fmt::format("{:.1f}", least), last = fmt::format("{:.1f}", most);
-    return "by a factor of " + (first == last ? first : first + " to " + last);
-  }
-  const std::string first = fmt::format("{:.0f}", 100 * (least - 1));
-  const std::string last = fmt::format("{:.0f}", 100 * (most - 1));
-  return fmt::format("by {} %", first == last ? first : first + " to " + last);
+/// "1.5 to 1.9", or one number if both are shown alike.
+std::string extent_of(double least, double most, const char* form) {
+  const std::string first = fmt::format(fmt::runtime(form), least);
+  const std::string last = fmt::format(fmt::runtime(form), most);
+  return first == last ? first : first + " to " + last;
+}
+
+constexpr double as_a_factor = 1.25;  ///< from here on a ratio is told as a factor
+
+/// What the effect does to the threshold: "divides it by 3.4 to 4.5", "lowers it by 0.1 to 12 %".
+std::string done_by(const ThresholdEffect& effect) {
+  const double least = effect.least, most = effect.most;
+  const auto percent = [](double ratio) { return 100 * std::abs(ratio - 1); };
+  if (least >= as_a_factor) return "multiplies it by " + extent_of(least, most, "{:.1f}");
+  if (most <= 1 / as_a_factor) return "divides it by " + extent_of(1 / most, 1 / least, "{:.1f}");
+  if (most <= 1) return fmt::format("lowers it by {} %", extent_of(percent(most), percent(least), "{:.2g}"));
+  if (least >= 1) return fmt::format("raises it by {} %", extent_of(percent(least), percent(most), "{:.2g}"));
+  return fmt::format("changes it by -{:.2g} to +{:.2g} %", percent(least), percent(most));
 }
 
 }  // namespace
@@ -136,7 +145,7 @@ report::Chart regimes_chart(const PaperMachines& all) {
                             .range = report::Range{0, top}},
                       .width = 520,
                       .height = 330};
-  report::Series paper{.label = "the paper's threshold (none for C11, C12)",
+  report::Series paper{.label = "the paper's threshold",
                        .mark = report::Mark::points,
                        .samples = {},
                        .dark = true};
@@ -152,7 +161,7 @@ report::Chart regimes_chart(const PaperMachines& all) {
     return std::max(m.quiet_up_to.value_or(0), silent(m));
   };
   chart.areas = {
-      columns(all, "silent: no collision", 1.0,
+      columns(all, "silent: no collision that counts", 1.0,
               [&](const PaperMachine& m) { return std::pair(0.0, silent(m)); }),
       columns(all, "quiet: at most two a turn", 0.72,
               [&](const PaperMachine& m) { return std::pair(silent(m), quiet(m)); }),
@@ -179,20 +188,26 @@ std::string speed_sentence(const PaperMachines& all) {
 std::string effects_sentence(const PaperMachines& all) {
   std::string text;
   for (const ThresholdEffect& effect : threshold_effects(all.machines)) {
-    const bool falls = effect.most < 1;
-    std::string change;
-    if (effect.least >= 1) {
-      change = "raises the threshold " + change_in_words(effect.least, effect.most);
-    } else if (falls && effect.least < 0.8) {
-      change = "lowers the threshold " + change_in_words(1 / effect.most, 1 / effect.least);
-    } else {
-      change = fmt::format("changes the threshold by {:+.1f} to {:+.1f} %", 100 * (effect.least - 1),
-                           100 * (effect.most - 1));
-    }
-    text += fmt::format("{}From {} to {}, {} {}.", text.empty() ? "" : " ", effect.from, effect.to,
-                        effect.constant, change);
+    text += fmt::format("{}{} from {} to {}{} {}", text.empty() ? "" : "; ", effect.constant,
+                        effect.from, effect.to, effect.constant == "disturbance" ? " N" : "",
+                        done_by(effect));
   }
-  return text;
+  return text.empty() ? text : "The threshold: " + text + ".";
+}
+
+std::string groups_sentence(const PaperMachines& all) {
+  std::string text;
+  for (std::size_t i = 0; i < all.machines.size(); ++i) {
+    const PaperMachine& one = all.machines[i];
+    const bool same = i > 0 && one.restitution == all.machines[i - 1].restitution &&
+                      one.friction == all.machines[i - 1].friction;
+    const bool ends = i + 1 == all.machines.size() ||
+                      one.restitution != all.machines[i + 1].restitution ||
+                      one.friction != all.machines[i + 1].friction;
+    text += (text.empty() ? "" : same ? ", " : "; ") + one.id;
+    if (ends) text += fmt::format(": restitution {}, friction {}", one.restitution, one.friction);
+  }
+  return text + ". Within a group the disturbance differs.";
 }
 
 std::string agreement_sentence(const PaperMachines& all) {

@@ -53,6 +53,8 @@ report::Chart regimes_chart(const PaperMachines& machines);
 /// The answers, in sentences.
 std::string speed_sentence(const PaperMachines& machines);
 std::string effects_sentence(const PaperMachines& machines);
+/// Which machines have which restitution and friction.
+std::string groups_sentence(const PaperMachines& machines);
 std::string agreement_sentence(const PaperMachines& machines);
 
 }  // namespace ricochet::site

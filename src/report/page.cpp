@@ -88,12 +88,20 @@ std::string address_of(const std::string& place, const TextWriters& writing) {
          writing.plain(place.substr(hash));
 }
 
-Json data_of(const Table& table, const TextWriters& writing) {
+/// A screen shows this many rows of a longer table until the reader asks for all.
+constexpr std::size_t rows_at_first = 10;
+
+/// A table with more columns is set closer.
+constexpr std::size_t many_columns = 8;
+
+/// `id` is unique on the page.
+Json data_of(const Table& table, const std::string& id, const TextWriters& writing) {
   Json columns = Json::array(), rows = Json::array();
   for (const Column& column : table.columns) {
     columns.push_back(
         {{"title", writing.plain(column.title)}, {"left", column.alignment == Alignment::left}});
   }
+  const bool folds = table.rows.size() > rows_at_first + 2;
   for (const auto& row : table.rows) {
     Json cells = Json::array();
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -103,10 +111,14 @@ Json data_of(const Table& table, const TextWriters& writing) {
                        {"good", row[i].state == State::good},
                        {"bad", row[i].state == State::bad}});
     }
-    rows.push_back({{"cells", std::move(cells)}});
+    rows.push_back({{"cells", std::move(cells)}, {"later", folds && rows.size() >= rows_at_first}});
   }
   return {{"caption", writing.linked(table.caption)},
           {"plain_caption", writing.plain(table.caption)},
+          {"id", id},
+          {"folds", folds},
+          {"all", table.rows.size()},
+          {"many_columns", table.columns.size() > many_columns},
           {"columns", std::move(columns)},
           {"rows", std::move(rows)}};
 }
@@ -180,7 +192,10 @@ Json data_of(const Section& section, const DrawnCharts& charts, const TextWriter
   Json tables = Json::array();
   std::vector<Json> figures;
   Named choices, folds;
-  for (const Table& table : section.tables) tables.push_back(data_of(table, writing));
+  for (const Table& table : section.tables) {
+    const std::string id = fmt::format("{}-rows-{}", section.id, tables.size());
+    tables.push_back(data_of(table, id, writing));
+  }
   for (const Figure& figure : section.figures) {
     Json drawn = data_of(figure, charts.at(figure.chart.name), writing);
     if (!figure.fold.empty()) {
@@ -197,6 +212,8 @@ Json data_of(const Section& section, const DrawnCharts& charts, const TextWriter
   data["heading"] = writing.plain(section.heading);
   data["paragraphs"] = list_of(section.paragraphs, writing.linked);
   data["code"] = list_of(section.code, writing.code);
+  data["has_notes"] = !section.notes.empty();
+  data["notes"] = list_of(section.notes, writing.linked);
   data["tables"] = std::move(tables);
   data["has_choices"] = !choices.empty();
   data["choices"] = list_under("choice", std::move(choices));
@@ -220,6 +237,8 @@ Json data_of(const Page& page, const DrawnCharts& charts, const TextWriters& wri
     sections.push_back(data_of(section, charts, writing));
   return {{"title", writing.plain(page.title)},
           {"intro", list_of(page.intro, writing.linked)},
+          {"has_background", !page.background.empty()},
+          {"background", list_of(page.background, writing.linked)},
           {"script", needs_script(page) ? Json(embedded::page_script) : Json()},
           {"above", writing.plain(page.above)},
           {"has_further", !page.further.empty()},
@@ -254,7 +273,8 @@ std::vector<std::string> write_page(const Page& page, const std::filesystem::pat
   }
   Json html = data_of(page, charts, {escape_html, html_with_links, escape_html, "index.html"});
   html["look"] = embedded::look;
-  const Json summary = data_of(page, charts, {escape_markdown, escape_markdown, unchanged, "summary.md"});
+  const Json summary =
+      data_of(page, charts, {escape_markdown, escape_markdown, unchanged, "summary.md"});
   files["index.html"] = filled(embedded::page_template, {&html});
   files["summary.md"] = filled(embedded::summary_template, {&summary});
   replace_files(folder, files);

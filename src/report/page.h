@@ -43,7 +43,7 @@ struct Explorer {
   std::vector<std::string> answers;  ///< the last setting changes first
 };
 
-/// A heading and its contents, in this order, with an explorer before the tables. Text is plain;
+/// A heading and its contents: paragraphs, code, explorer, figures, tables, notes. Text is plain;
 /// https:// addresses become links.
 struct Section {
   std::string id;  ///< the address of the section within the page; unique, without spaces
@@ -52,13 +52,15 @@ struct Section {
   std::vector<Table> tables = {};
   std::vector<Figure> figures = {};  ///< narrow ones stand side by side
   std::optional<Explorer> explorer = {};
-  std::vector<std::string> code = {};  ///< shown as it is, after the paragraphs: commands
+  std::vector<std::string> code = {};   ///< shown as it is, after the paragraphs: commands
+  std::vector<std::string> notes = {};  ///< paragraphs on how it was computed, folded on a screen
 };
 
 struct Page {
   std::string title;
-  std::vector<std::string> intro;  ///< paragraphs
+  std::vector<std::string> intro;  ///< paragraphs: the answer
   std::vector<Section> sections;
+  std::vector<std::string> background = {};  ///< paragraphs: the question, folded on a screen
   // The summary links these, as the navigation of the site does for the page:
   std::string above = {};                 ///< name of the page in the folder above, if any
   std::vector<std::string> further = {};  ///< folders of further pages

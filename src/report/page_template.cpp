@@ -99,6 +99,7 @@ Figure figure_of(const Part& chart, const Scopes& scopes, Mismatch mismatch) {
 Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, DrawnPage& result) {
   Section section{filled(part.text("id"), scopes), filled(part.text("heading"), scopes)};
   section.paragraphs = paragraphs_of(part, "text", scopes);
+  section.notes = paragraphs_of(part, "notes", scopes);
   if (part.has("explorer")) section.explorer = explorer_of(part.part("explorer"), scopes);
   for (const Part& table : part.parts("table")) {
     for (const Scopes& place : places_of(table, scopes)) {
@@ -130,6 +131,7 @@ DrawnPage drawn(const std::string& page_template, const Json& data, Mismatch mis
   const Json finding = {{"finding", result.headline.finding}};
   const Scopes scopes = {&finding, &data};
   result.page.intro = paragraphs_of(root, "intro", scopes);
+  result.page.background = paragraphs_of(root, "background", scopes);
   result.page.above = root.filled_text("above", scopes);
   result.page.further = data.value("pages", std::vector<std::string>());
   for (const Part& section : root.parts("section")) {

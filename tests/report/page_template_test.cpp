@@ -55,11 +55,13 @@ answer = "{{quiet:.2f}} rad/s"
 constexpr const char* sheet = R"(
 title = "{{total}} cases"
 intro = ["First.", "{{#absent}}never{{/absent}}"]
+background = ["Why {{total}}."]
 epilogue = "{{total}} done"
 [[section]]
 id = "all"
 heading = "All {{total}}"
 text = ["Found {{total}}."]
+notes = ["How {{total}}."]
 [[section.table]]
 each = "cases"
 rows = "rows"
@@ -94,6 +96,8 @@ TEST(PageTemplate, MakesAPageOfData) {
   const Section& section = drawing.page.sections.front();
   EXPECT_EQ(section.heading, "All 2");
   EXPECT_THAT(section.paragraphs, ElementsAre("Found 2."));
+  EXPECT_THAT(section.notes, ElementsAre("How 2."));
+  EXPECT_THAT(drawing.page.background, ElementsAre("Why 2."));
   ASSERT_EQ(section.tables.size(), 2u);
   EXPECT_EQ(section.tables[0].caption, "Of C1");
   EXPECT_EQ(section.tables[1].rows.size(), 0u);

@@ -81,6 +81,41 @@ TEST_F(PageFiles, HoldEverythingInOneHtmlFile) {
                           Not(HasSubstr("<img")), Not(HasSubstr("@import"))));
 }
 
+TEST_F(PageFiles, BeginWithTheAnswerThenTheChartAndFoldTheRest) {
+  Page page = page_with({"one"});
+  page.background = {"Why we ask."};
+  page.sections[0].notes = {"How we did it."};
+  write_page(page, root_);
+  const std::string html = read(root_ / "index.html");
+  const std::string summary = read(root_ / "summary.md");
+  const auto expect_order = [](const std::string& text, const std::vector<const char*>& parts) {
+    std::size_t last = 0;
+    for (const char* part : parts) {
+      const std::size_t at = text.find(part);
+      ASSERT_NE(at, std::string::npos) << part;
+      EXPECT_GT(at, last) << part;
+      last = at;
+    }
+  };
+  expect_order(html, {"Intro, see", "<details", "Why we ask.", "1 &lt; 2", "<svg", "Caption of one",
+                      "<table", "<details class=\"notes\">\n<summary>How", "How we did it."});
+  expect_order(summary, {"Intro, see", "one.svg", "Caption of one", "| case |", "How we did it.",
+                         "## What this report asks", "Why we ask."});
+}
+
+TEST_F(PageFiles, ShowTenRowsOfALongTableUntilTheReaderAsksForAll) {
+  for (const std::size_t rows : {12U, 13U}) {
+    Page page = page_with({});
+    page.sections[0].tables[0].rows.assign(rows, {{"C1"}});
+    write_page(page, root_);
+    const std::string html = read(root_ / "index.html");
+    static const std::regex later("<tr class=\"later\">");
+    const auto folded = std::distance(std::sregex_iterator(html.begin(), html.end(), later), {});
+    EXPECT_EQ(folded, rows == 12 ? 0 : 3);
+    EXPECT_EQ(html.find("Show all 13 rows") != std::string::npos, rows == 13);
+  }
+}
+
 /// The colours that the style replaces in the dark are those that charts are drawn in.
 TEST_F(PageFiles, KnowTheColoursOfTheirCharts) {
   Page page = page_with({"one", "two"});

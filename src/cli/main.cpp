@@ -36,6 +36,7 @@
 #include "src/cli/sample.h"
 #include "src/cli/scene.h"
 #include "src/cli/simulate.h"
+#include "src/cli/site.h"
 #include "src/cli/solve.h"
 #include "src/cli/stored_runs.h"
 #include "src/cli/threshold.h"
@@ -102,6 +103,7 @@ class Program : public CommandLine {
     add_run();
     add_stores();
     add_report();
+    add_site();
     add_other(reproduction);
     for (const OtherCommand& other : other_commands) add_other(other);
     add_moved("trials", "calibrate --variants");
@@ -601,6 +603,24 @@ class Program : public CommandLine {
     on_call(command, [this] { return draw_again(report_from_, report_out_); });
   }
 
+  void add_site() {
+    CLI::App* command =
+        add("site", "Write all reports and documents as a site for a static host",
+            "  ricochet site --out pages\n"
+            "  ricochet site reports --out pages");
+    command->add_option("folder", site_from_, "Folder of the reports")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    command->add_option("--out", site_out_, "Folder for the site: new, empty or an earlier site")
+        ->type_name("FOLDER")
+        ->required();
+    command
+        ->add_option("--live", site_live_,
+                     "Folder of the machine that runs in a browser; default: live in FOLDER")
+        ->type_name("FOLDER");
+    on_call(command, [this] { return write_site(site_from_, site_live_, site_out_); });
+  }
+
   /// All arguments after the command are passed to the other program, including --help.
   void add_other(const OtherCommand& other) {
     start_group(other.group);
@@ -682,6 +702,7 @@ class Program : public CommandLine {
   ListOptions list_;
   std::string description_;
   std::string report_from_, report_out_;
+  std::string site_from_ = "reports/reference", site_live_, site_out_;
 };
 
 }  // namespace

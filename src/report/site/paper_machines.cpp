@@ -91,9 +91,9 @@ std::string done_by(const ThresholdEffect& effect) {
   const auto percent = [](double ratio) { return 100 * std::abs(ratio - 1); };
   if (least >= as_a_factor) return "multiplies it by " + extent_of(least, most, "{:.1f}");
   if (most <= 1 / as_a_factor) return "divides it by " + extent_of(1 / most, 1 / least, "{:.1f}");
-  if (most <= 1) return fmt::format("lowers it by {} %", extent_of(percent(most), percent(least), "{:.2g}"));
-  if (least >= 1) return fmt::format("raises it by {} %", extent_of(percent(least), percent(most), "{:.2g}"));
-  return fmt::format("changes it by -{:.2g} to +{:.2g} %", percent(least), percent(most));
+  if (most <= 1) return fmt::format("lowers it by {} %", extent_of(percent(most), percent(least), "{:.1f}"));
+  if (least >= 1) return fmt::format("raises it by {} %", extent_of(percent(least), percent(most), "{:.1f}"));
+  return fmt::format("changes it by -{:.1f} to +{:.1f} %", percent(least), percent(most));
 }
 
 }  // namespace

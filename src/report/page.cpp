@@ -76,6 +76,17 @@ struct TextWriters {
   const char* file;  ///< of a page in its folder
 };
 
+/// Escapes text line by line: what stands in <pre> keeps its lines.
+std::string escape_lines(std::string_view text) {
+  std::string html;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    html += (start > 0 ? "\n" : "") + escape_html(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return html;
+}
+
 std::string unchanged(std::string_view text) {
   return std::string(text);
 }
@@ -271,7 +282,7 @@ std::vector<std::string> write_page(const Page& page, const std::filesystem::pat
     if (chart.is_drawn()) files[name + ".svg"] = chart.svg;
     if (!chart.is_drawn()) failures.push_back(failure_of(chart));
   }
-  Json html = data_of(page, charts, {escape_html, html_with_links, escape_html, "index.html"});
+  Json html = data_of(page, charts, {escape_html, html_with_links, escape_lines, "index.html"});
   html["look"] = embedded::look;
   const Json summary =
       data_of(page, charts, {escape_markdown, escape_markdown, unchanged, "summary.md"});

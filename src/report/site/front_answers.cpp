@@ -127,8 +127,10 @@ std::optional<FrontExcerpt> on_paper(const PaperMachines& all) {
   const double off = 100 * (*first->quiet_up_to / *first->paper_threshold - 1);
   return answer(
       fmt::format("Is the paper's {} rad/s of C1 right?", *first->paper_threshold),
-      fmt::format("Nearly: C1 is quiet up to {:.2f} rad/s in the long run, {:.0f} % {} the paper's.",
-                  *first->quiet_up_to, std::abs(off), off < 0 ? "below" : "above"),
+      fmt::format("C1 is quiet up to {:.2f} rad/s in the long run, {:.0f} % {} the paper's{}.",
+                  *first->quiet_up_to, std::abs(off), off < 0 ? "below" : "above",
+                  all.fitted ? fmt::format(", after fitting {} parameters to its thresholds", *all.fitted)
+                             : ""),
       {{"every case", all.folder, "#long-run"}});
 }
 

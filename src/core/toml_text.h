@@ -3,7 +3,6 @@
 #include <toml++/toml.h>
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -18,12 +17,6 @@ inline constexpr int deepest_toml = 32;                 ///< names in one key: a
 /// text beyond these limits.
 toml::table parse_toml(const std::string& text, const std::string& origin);
 
-/// The same for a file; reads no more than the limit, as it may be a pipe or endless.
-toml::table parse_toml_file(const std::filesystem::path& path);
-
-/// The text of a TOML file, up to one byte beyond the limit. Throws InputError if it cannot be
-/// read.
-std::string read_toml_text(const std::filesystem::path& path);
 /// Gives a key of an older version, which is there in place of `key`, today's name, with a warning
 /// that begins with `place`.
 void rename_key(toml::table& table, std::string_view old_key, std::string_view key,

@@ -1,7 +1,7 @@
 #include "src/interface/scene_text.h"
 
 #include "ricochet/error.h"
-#include "src/core/toml_text.h"
+#include "src/core/toml_file.h"
 
 namespace ricochet::interface {
 

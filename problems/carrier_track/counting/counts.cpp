@@ -44,7 +44,7 @@ bool suits_lanes(const Scene& scene) {
 
 std::vector<double> objectives(std::span<const Scene> scenes, double smoothing) {
   std::vector<double> results;
-  if (!std::ranges::all_of(scenes, suits_lanes)) {
+  if (!std::all_of(scenes.begin(), scenes.end(), suits_lanes)) {
     for (const Scene& scene : scenes) results.push_back(objective(scene, smoothing));
     return results;
   }

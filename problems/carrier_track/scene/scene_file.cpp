@@ -171,19 +171,9 @@ SceneFile scene_file_of(toml::table file, std::string origin,
 
 }  // namespace
 
-SceneFile read_scene_file(const std::string& path, const std::vector<std::string>& settings) {
-  const bool standard_input = path == "-";
-  return scene_file_of(parse_toml_file(standard_input ? "/dev/stdin" : path),
-                       standard_input ? "standard input" : path, settings);
-}
-
 SceneFile parse_scene_file(const std::string& text, const std::string& origin,
                            const std::vector<std::string>& settings) {
   return scene_file_of(parse_toml(text, origin), origin, settings);
-}
-
-Scene read_scene(const std::string& path) {
-  return read_scene_file(path).scene;
 }
 
 Scene parse_scene(const std::string& text, const std::string& origin) {

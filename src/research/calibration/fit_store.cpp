@@ -11,7 +11,7 @@
 #include "src/core/fnv_hash.h"
 #include "src/core/suite_version.h"
 #include "src/core/text_file.h"
-#include "src/core/toml_text.h"
+#include "src/core/toml_file.h"
 #include "src/core/warning.h"
 
 namespace ricochet::studies::calibration {

@@ -5,6 +5,7 @@
 
 #include "src/benchmark/experiment/campaign/plan_table.h"
 #include "src/core/name.h"
+#include "src/core/toml_file.h"
 #include "src/core/toml_text.h"
 
 namespace ricochet {

@@ -1,0 +1,19 @@
+#include "src/live/count_there.h"
+
+#include "problems/carrier_track/counting/collisions.h"
+#include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/models/impact_model.h"
+
+namespace ricochet::live {
+
+using namespace carrier_track;
+
+int count_there(const Scene& scene) {
+  if (!suits_lanes(scene)) return static_cast<int>(objective(scene, 0.0));
+  ImpactCount impacts;
+  impacts.counting_limit = scene.counting_limit;
+  ImpactModel<double>(scene).run(impacts);
+  return impacts.count;
+}
+
+}  // namespace ricochet::live

@@ -1,0 +1,22 @@
+// What the simulation takes from the machine that it runs on, where there is no clock of the
+// processor and no vector of eight numbers.
+#include "problems/carrier_track/models/lanes.h"
+#include "src/core/processor_time.h"
+
+namespace ricochet {
+
+/// No time passes: a race is bounded by its evaluations.
+double processor_seconds() {
+  return 0;
+}
+
+}  // namespace ricochet
+
+namespace ricochet::carrier_track::inline models {
+
+/// Moves nobody, so that every body takes its next step by itself, with the same bits.
+void fly(Lanes& lanes) {
+  lanes.event.fill(Lanes::none);
+}
+
+}  // namespace ricochet::carrier_track::inline models

@@ -1,0 +1,71 @@
+#include "src/live/race.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "ricochet/evaluator.h"
+#include "ricochet/problem.h"
+#include "ricochet/solver.h"
+#include "solvers/fireworks/fireworks.h"
+#include "solvers/random_search.h"
+#include "src/core/penalty.h"
+#include "src/live/cma_es.h"
+#include "src/live/count_there.h"
+
+namespace ricochet::live {
+namespace {
+
+constexpr double slowest = 0.01;  // [rad/s], as problems/speed_range.h has it
+
+Solver solver_of(Racer racer) {
+  switch (racer) {
+    case Racer::fireworks:
+      return fireworks::fireworks("fireworks-paper", fireworks::paper_options());
+    case Racer::random_search:
+      return random_search();
+    case Racer::cma_es:
+      return cma_es();
+  }
+  throw std::logic_error("there is no such racer");
+}
+
+/// The fastest quiet speed, as problems/top_speed.h has it; its evaluations are added to `steps`.
+Problem problem_of(const Race& race, std::vector<RaceStep>& steps) {
+  Problem problem;
+  problem.name = "top-speed";
+  problem.lower = Vector::Constant(1, slowest);
+  problem.upper = Vector::Constant(1, race.fastest);
+  problem.start = (problem.lower + problem.upper) / 2;
+  problem.constraints = 1;
+  problem.evaluate = [&race, &steps](const Vector& x) {
+    const int count = count_there(at_speed(race.machine, x[0]));
+    steps.push_back({x[0], count, 0});
+    return Values{-x[0], Vector::Constant(1, count - std::floor(race.quiet_limit))};
+  };
+  // No gain of speed in the box outweighs half a collision.
+  Problem alone = penalised(problem, 2 * race.fastest);
+  alone.evaluate = [evaluate = alone.evaluate, &steps](const Vector& x) {
+    Values values = evaluate(x);
+    steps.back().value = values.objective;
+    return values;
+  };
+  return alone;
+}
+
+}  // namespace
+
+std::vector<RaceStep> steps_of(Racer racer, const Race& race, std::uint64_t seed) {
+  std::vector<RaceStep> steps;
+  const Problem problem = problem_of(race, steps);
+  Evaluator evaluator(problem, Budget{race.evaluations});
+  const Solver solver = solver_of(racer);
+  Random random(seed);
+  Vector start = problem.start;
+  while (!evaluator.over()) {
+    solver.solve(evaluator, start, random);
+    start = uniform_point(problem.lower, problem.upper, random);
+  }
+  return steps;
+}
+
+}  // namespace ricochet::live

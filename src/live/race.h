@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ricochet/scene.h"
+
+/// Solvers that look for the fastest quiet speed of a machine, evaluation by evaluation.
+namespace ricochet::live {
+
+/// Who takes part.
+enum class Racer {
+  fireworks,      ///< the paper's equations
+  random_search,  ///< uniform points
+  cma_es          ///< see cma_es.h
+};
+
+/// What all of them look for: the fastest speed whose collision count is quiet.
+struct Race {
+  carrier_track::Scene machine;  ///< valid; its speed is not used
+  double quiet_limit = 0;        ///< a count up to this is quiet
+  double fastest = 18;           ///< [rad/s], end of the range
+  std::int64_t evaluations = 100;
+};
+
+/// One evaluation.
+struct RaceStep {
+  double omega;  ///< [rad/s]
+  int count;     ///< collisions there
+  double value;  ///< [rad/s], which the solver minimises: -omega, plus the penalty
+};
+
+/// The evaluations of one solver, in their order. The problem is top-speed of the suite, with the
+/// count as a penalised constraint. A solver that has converged begins again elsewhere, as in the
+/// suite's runs. The same seed gives the same steps.
+std::vector<RaceStep> steps_of(Racer racer, const Race& race, std::uint64_t seed);
+
+}  // namespace ricochet::live

@@ -1,0 +1,135 @@
+// ricochet_live_scenes NUMBER FILE: what the native program makes of random machines, for
+// module_test.mjs. The file has plain doubles, and begins with the numbers of a scene and NUMBER.
+// For each machine: its numbers, and its count; NaN if it has more impacts than a simulation may
+// have. Then for each of the paper's first four cases: its numbers, 900 counts, and the lists
+// below, each with its length before it.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "problems/carrier_track/check/oracle/random_scenes.h"
+#include "problems/carrier_track/counting/counts.h"
+#include "problems/carrier_track/counting/recording.h"
+#include "problems/carrier_track/counting/threshold.h"
+#include "problems/carrier_track/problems/machine.h"
+#include "ricochet/regimes.h"
+#include "src/live/flat_scene.h"
+#include "src/live/race.h"
+
+namespace {
+
+using namespace ricochet;
+using namespace ricochet::carrier_track;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double step = 0.02;  // [rad/s], of a scan of 900 speeds
+constexpr std::size_t speeds = 900;
+
+using Numbers = std::vector<double>;
+
+double count_of(const Scene& scene) {
+  try {
+    const double omega = scene.omega;
+    return counts_at(scene, std::span(&omega, 1)).front();
+  } catch (const std::runtime_error&) {
+    return missing;
+  }
+}
+
+Numbers impacts_of(const Scene& scene, double omega) {
+  const Recording recording = record(at_speed(scene, omega), 0, 0);
+  Numbers numbers{static_cast<double>(recording.count)};
+  for (const Impact& impact : recording.impacts) {
+    numbers.push_back(impact.time);
+    numbers.push_back(impact.speed);
+  }
+  return numbers;
+}
+
+Numbers regimes_as_numbers(const Scene& scene) {
+  Numbers numbers;
+  for (const Regime& regime : regimes_of(scene)) {
+    for (const double x : {regime.from, regime.to, regime.most_per_turn}) numbers.push_back(x);
+  }
+  return numbers;
+}
+
+Numbers rule_of(const Scene& scene, const Claim& claim, const SpeedScan& scan) {
+  const Score found = score(scene, Claim{claim.threshold, {}, {}}, scan, 1);
+  return {static_cast<double>(found.quiet_count), found.threshold.value_or(missing),
+          found.first_loud.value_or(missing), found.misclassified};
+}
+
+Numbers race_of(const Machine& machine, live::Racer racer) {
+  Numbers numbers;
+  const live::Race race{machine.scene, machine.quiet_limit, 18, 100};
+  for (const live::RaceStep& one : live::steps_of(racer, race, 7)) {
+    numbers.push_back(one.omega);
+    numbers.push_back(one.count);
+  }
+  return numbers;
+}
+
+class File {
+ public:
+  explicit File(const char* name) : stream_(name, std::ios::binary) {}
+
+  void add(const Numbers& numbers) {
+    stream_.write(reinterpret_cast<const char*>(numbers.data()),
+                  static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+  }
+  void add_list(const Numbers& numbers) {
+    add({static_cast<double>(numbers.size())});
+    add(numbers);
+  }
+  bool close() {
+    stream_.close();
+    return !stream_.fail();
+  }
+
+ private:
+  std::ofstream stream_;
+};
+
+void add_case(File& file, const Machine& machine) {
+  file.add(live::numbers_of(machine.scene));
+  SpeedScan scan{step, {}};
+  Numbers scanned;
+  for (std::size_t k = 0; k < speeds; ++k) scanned.push_back(scan.omega(k));
+  scan.counts = counts_at(machine.scene, scanned);
+  file.add_list({scan.counts.begin(), scan.counts.end()});
+  file.add_list(impacts_of(machine.scene, 9));
+  file.add_list(regimes_as_numbers(machine.scene));
+  Claim claim;
+  claim.threshold = machine.threshold;
+  file.add_list(rule_of(machine.scene, claim, scan));
+  for (const auto racer :
+       {live::Racer::fireworks, live::Racer::random_search, live::Racer::cma_es}) {
+    file.add_list(race_of(machine, racer));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  const int number = std::atoi(argv[1]);
+  File file(argv[2]);
+  RandomScenes random(2024);
+  file.add({static_cast<double>(live::numbers_of(Scene{}).size()), static_cast<double>(number)});
+  for (int k = 0; k < number; ++k) {
+    const Scene scene = random.next();
+    Numbers numbers = live::numbers_of(scene);
+    numbers.push_back(count_of(scene));
+    file.add(numbers);
+  }
+  const std::vector<Machine> machines = all_machines();
+  for (std::size_t k = 0; k < 4; ++k) add_case(file, machines[k]);
+  return file.close() ? 0 : 1;
+}

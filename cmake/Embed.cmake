@@ -1,9 +1,20 @@
 # ricochet_embed(TARGET FILE NAME): makes the text of FILE available to TARGET as
 # ricochet::embedded::NAME, declared in embedded/NAME.h.
 function(ricochet_embed target file name)
+  file(READ ${file} text)
+  ricochet_embed_text(${target} ${file} ${name} "${text}")
+endfunction()
+
+# ricochet_embed_base64(TARGET FILE NAME): the same for the bytes of FILE, in base64.
+function(ricochet_embed_base64 target file name)
+  execute_process(COMMAND base64 -w 0 ${file} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  ricochet_embed_text(${target} ${file} ${name} "${text}")
+endfunction()
+
+function(ricochet_embed_text target file name text)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-  file(READ ${file} EMBEDDED_TEXT)
   set(EMBEDDED_NAME ${name})
+  set(EMBEDDED_TEXT "${text}")
   configure_file(${PROJECT_SOURCE_DIR}/cmake/embedded.h.in
                  ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.h @ONLY)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})

@@ -49,7 +49,8 @@ struct FieldList {
   void add(const Field& field, std::string_view suffix = "",
            std::vector<std::string> choices = {}) const {
     fields.push_back({table, std::string(field.key) + std::string(suffix), std::string(field.unit),
-                      std::string(field.remark), range_of(field.range), std::move(choices)});
+                      std::string(field.remark), range_of(field.range), std::move(choices),
+                      field.presence == carrier_track::Presence::required});
   }
 
   void operator()(const Field& field, double /*x*/) const { add(field); }

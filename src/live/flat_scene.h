@@ -18,6 +18,7 @@ struct FlatField {
   std::string remark;                ///< what it means
   std::string range;                 ///< allowed numbers: "> 0", ">= 0", "0..1" or ""
   std::vector<std::string> choices;  ///< of a choice, whose number is its place; else empty
+  bool required;                     ///< in a machine file
 };
 
 /// The fields of a machine file in its order, without [across] and speed profiles. Window and

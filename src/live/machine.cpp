@@ -70,15 +70,18 @@ RICOCHET_EXPORT(text_size) int text_size() {
 }
 
 /// Text: a line for each number of a scene, in the order of the numbers: table, key, unit, remark,
-/// range, choices with a bar between them.
+/// range, choices with a bar between them, "required" if a file must have it. Numbers: of a scene
+/// of which nothing is given.
 RICOCHET_EXPORT(fields) void fields() {
   told_text.clear();
   for (const FlatField& field : flat_fields()) {
     std::string choices;
     for (const std::string& choice : field.choices)
       choices += (choices.empty() ? "" : "|") + choice;
-    tell_line({field.table, field.key, field.unit, field.remark, field.range, choices});
+    tell_line({field.table, field.key, field.unit, field.remark, field.range, choices,
+               field.required ? "required" : ""});
   }
+  told_numbers = numbers_of(Scene{});
 }
 
 /// Text: the ids of the paper's cases; numbers: restitution, friction, disturbance [N], the paper's

@@ -5,10 +5,12 @@
 class Machine {
   constructor(module) {
     this.module = module;
+    this.numbers = null;  // of the machine, one for each of the fields
     this.begin();
-    this.fields = this.call("fields").text.trimEnd().split("\n").map((line) => {
-      const [table, key, unit, remark, range, choices] = line.split("\t");
-      return {table, key, unit, remark, range, choices: choices ? choices.split("|") : null};
+    const listed = this.call("fields");
+    this.fields = listed.text.trimEnd().split("\n").map((line, place) => {
+      const [table, key, unit, remark, range, choices, required] = line.split("\t");
+      return {place, table, key, unit, remark, range, choices: choices ? choices.split("|") : null, required: required === "required", usual: listed.numbers[place]};
     });
     const {numbers, text} = this.call("cases");
     this.cases = text.trimEnd().split("\n").map((id, k) => {

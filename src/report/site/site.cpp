@@ -11,6 +11,7 @@
 #include "src/report/site/cite_page.h"
 #include "src/report/site/docs_pages.h"
 #include "src/report/site/front_page.h"
+#include "src/report/site/live_page.h"
 #include "src/report/site/machine_page.h"
 #include "src/report/site/navigation.h"
 #include "src/report/site/page_mark.h"

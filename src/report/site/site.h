@@ -11,9 +11,10 @@ namespace ricochet::site {
 /// page. In other folders a report stands alone, and no further file is written.
 bool is_site(const std::filesystem::path& folder);
 
-/// Writes the front page of the reports in the folder, index.html, summary.md and data.json, and
-/// links all pages with each other. Returns a line for each of its charts that could not be drawn.
-/// Throws InputError or OutputError if the folder cannot be written.
+/// Writes the front page of the reports in the folder, index.html, summary.md and data.json, the
+/// page of a live machine, live/index.html, and links all pages with each other. Returns a line for
+/// each of its charts that could not be drawn. Throws InputError or OutputError if the folder
+/// cannot be written.
 std::vector<std::string> write_site(const std::filesystem::path& folder);
 
 /// Writes the front page of the folder above a report, if it is a site. Returns the same.

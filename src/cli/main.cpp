@@ -604,10 +604,9 @@ class Program : public CommandLine {
   }
 
   void add_site() {
-    CLI::App* command =
-        add("site", "Write all reports and documents as a site for a static host",
-            "  ricochet site --out pages\n"
-            "  ricochet site reports --out pages");
+    CLI::App* command = add("site", "Write all reports and documents as a site for a static host",
+                            "  ricochet site --out pages\n"
+                            "  ricochet site reports --out pages");
     command->add_option("folder", site_from_, "Folder of the reports")
         ->type_name("FOLDER")
         ->capture_default_str();

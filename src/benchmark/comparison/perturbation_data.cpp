@@ -170,8 +170,7 @@ Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& 
     const std::string& family = campaign.family_of(s.cell->problem);
     tried[family].add(s.cell->problem, campaign.problems()[s.cell->problem].dimension(),
                       cell.budget);
-    Tally& tally = table[{family, cell.solver}][cell.formulation]
-                        [cell.perturbation];
+    Tally& tally = table[{family, cell.solver}][cell.formulation][cell.perturbation];
     for (const Outcome& outcome : s.outcomes) tally.solved += outcome.solved() ? 1 : 0;
     tally.runs += static_cast<int>(s.outcomes.size());
   }
@@ -196,17 +195,17 @@ Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& 
       changes[perturbation->name].push_back({key.second, key.first, plain->second, mine->second});
     }
     const Tried& family = tried.at(key.first);
-    rows.push_back({{"entry", fmt::format("{}: {}, {}", key.first, key.second, formulation)},
-                    {"shares", std::move(cells)},
-                    {"family", key.first},
-                    {"solver", key.second},
-                    {"formulation", formulation},
-                    {"problems", family.problems.size()},
-                    {"least_variables", family.least_variables},
-                    {"most_variables", family.most_variables},
-                    {"budget", family.budget},
-                    {"runs", plain == tallies.end() ? tallies.begin()->second.runs
-                                                    : plain->second.runs}});
+    rows.push_back(
+        {{"entry", fmt::format("{}: {}, {}", key.first, key.second, formulation)},
+         {"shares", std::move(cells)},
+         {"family", key.first},
+         {"solver", key.second},
+         {"formulation", formulation},
+         {"problems", family.problems.size()},
+         {"least_variables", family.least_variables},
+         {"most_variables", family.most_variables},
+         {"budget", family.budget},
+         {"runs", plain == tallies.end() ? tallies.begin()->second.runs : plain->second.runs}});
   }
   for (const Perturbation* perturbation : perturbations) {
     const auto found = changes.find(perturbation->name);

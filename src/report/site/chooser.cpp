@@ -99,8 +99,14 @@ Situation situation_of(const Known& known, const FamilyData& family, const Rated
     situation.counts = situation.counts || is_count(rating.formulation);
     if (!rating.rank || rating.returned <= 0) continue;
     const SpeedAccuracy* fast = known.speed_accuracy(family.family, budget.budget, rating);
-    Choice choice{rating.solver, rating.formulation, known.needs_derivatives(rating.solver),
-                  rating.returned, {}, {}, rating.best, rating.problems};
+    Choice choice{rating.solver,
+                  rating.formulation,
+                  known.needs_derivatives(rating.solver),
+                  rating.returned,
+                  {},
+                  {},
+                  rating.best,
+                  rating.problems};
     if (fast != nullptr) {
       choice.lower = fast->share_lower;
       choice.upper = fast->share_upper;
@@ -121,11 +127,11 @@ std::vector<Choice> choices_under(const Known& known, const std::vector<Perturbe
     if (share <= 0) continue;
     const double runs = static_cast<double>(*entry.runs);
     const Interval interval = wilson_interval(share * runs, runs);
-    all.push_back({*entry.solver, *entry.formulation, known.needs_derivatives(*entry.solver),
-                   share, interval.lower, interval.upper, std::nullopt, entry.problems});
+    all.push_back({*entry.solver, *entry.formulation, known.needs_derivatives(*entry.solver), share,
+                   interval.lower, interval.upper, std::nullopt, entry.problems});
   }
-  std::ranges::stable_sort(
-      all, [](const Choice& a, const Choice& b) { return a.solved > b.solved; });
+  std::ranges::stable_sort(all,
+                           [](const Choice& a, const Choice& b) { return a.solved > b.solved; });
   return all;
 }
 
@@ -141,9 +147,8 @@ void add_perturbed(const Known& known, const PerturbedData& data, const std::str
         known_troubles, [&](const Trouble& trouble) { return trouble.perturbation == name; });
     if (!offered) continue;
     for (const auto& [family, entries] : families) {
-      const auto plain = std::ranges::find_if(chooser.situations, [&](const Situation& one) {
-        return one.family == family;
-      });
+      const auto plain = std::ranges::find_if(
+          chooser.situations, [&](const Situation& one) { return one.family == family; });
       std::vector<Choice> choices = first_of(choices_under(known, entries, p));
       if (choices.empty() || plain == chooser.situations.end()) continue;
       Situation situation = *plain;

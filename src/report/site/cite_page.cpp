@@ -13,7 +13,6 @@
 namespace ricochet::site {
 namespace {
 
-
 /// What a comparison says about its runs.
 struct Repeated {
   std::string campaign;
@@ -46,7 +45,8 @@ std::string bibtex(const std::vector<FoundReport>& reports) {
       "  author  = {{{{The ricochet authors}}}},\n"
       "  version = {{{}}},\n"
       "{}"
-      "  note    = {{Simulates a yarn carrier of a braiding machine and benchmarks solvers on it}}\n"
+      "  note    = {{Simulates a yarn carrier of a braiding machine and benchmarks solvers on "
+      "it}}\n"
       "}}\n\n"
       "@article{{yao2024,\n"
       "  title     = {{Optimization analysis of carrier-track collision in braiding process}},\n"
@@ -68,7 +68,8 @@ report::Section repeat_section(const FoundReport* comparison) {
   section.paragraphs = {
       fmt::format(
           "The comparison has {} runs of the plan \"{}\"{}. The seed of a run follows from the "
-          "names of problem, formulation, solver, budget, instance and seed, so that each run can be "
+          "names of problem, formulation, solver, budget, instance and seed, so that each run can "
+          "be "
           "repeated alone, bit by bit, on any number of threads.",
           all.runs, all.campaign,
           all.suite ? fmt::format(", version {} of the suite of problems", *all.suite) : ""),
@@ -76,22 +77,23 @@ report::Section repeat_section(const FoundReport* comparison) {
                   "reports/archive/reference.archive, has the runs of every solver on every "
                   "problem, without their points; replay repeats runs of it and compares.",
                   all.digest.value_or("unknown"))};
-  section.code = {fmt::format("./ricochet run {} --out mine      # the same runs; two hours on two cores\n"
-                              "./ricochet digest mine             # {}\n"
-                              "./ricochet replay reports/archive/reference.archive 1000\n"
-                              "./ricochet site --out pages        # these pages, from their data",
-                              all.campaign, all.digest.value_or("its digest"))};
+  section.code = {
+      fmt::format("./ricochet run {} --out mine      # the same runs; two hours on two cores\n"
+                  "./ricochet digest mine             # {}\n"
+                  "./ricochet replay reports/archive/reference.archive 1000\n"
+                  "./ricochet site --out pages        # these pages, from their data",
+                  all.campaign, all.digest.value_or("its digest"))};
   return section;
 }
 
 report::Table reports_table(const std::vector<FoundReport>& reports) {
   report::Table table{"The reports of this site, and what made them.",
-              {{"report", report::Alignment::left},
-               {"command", report::Alignment::left},
-               {"version", report::Alignment::left},
-               {"compiler", report::Alignment::left},
-               {"date", report::Alignment::left}},
-              {}};
+                      {{"report", report::Alignment::left},
+                       {"command", report::Alignment::left},
+                       {"version", report::Alignment::left},
+                       {"compiler", report::Alignment::left},
+                       {"date", report::Alignment::left}},
+                      {}};
   for (const FoundReport& report : reports) {
     const Build build = build_of(report);
     const bool own = report.headline && !report.headline->command.empty();
@@ -111,8 +113,8 @@ RICOCHET_READ_FROM_JSON(Versioned, name, version);
 
 report::Table solvers_table(const FoundReport& comparison) {
   report::Table table{"Versions of the libraries that the solvers are from.",
-              {{"version", report::Alignment::left}, {"solvers", report::Alignment::left}},
-              {}};
+                      {{"version", report::Alignment::left}, {"solvers", report::Alignment::left}},
+                      {}};
   for (const Json& one : comparison.data.at("solvers")) {
     const auto solver = one.get<Versioned>();
     const auto same = std::ranges::find_if(
@@ -136,11 +138,10 @@ OwnPage cite_page(const std::vector<FoundReport>& reports) {
       "Cite the software with its version, and the paper whose machine it simulates. Every report "
       "can be made again by one command; runs repeat bit by bit."};
   own.page.above = "the front page";
-  own.page.sections = {{.id = "cite", .heading = "How do I cite it?", .code = {bibtex(reports)}},
-                       repeat_section(comparison),
-                       {.id = "versions",
-                        .heading = "Commands and versions",
-                        .tables = {reports_table(reports)}}};
+  own.page.sections = {
+      {.id = "cite", .heading = "How do I cite it?", .code = {bibtex(reports)}},
+      repeat_section(comparison),
+      {.id = "versions", .heading = "Commands and versions", .tables = {reports_table(reports)}}};
   if (comparison != nullptr) {
     own.page.sections.back().tables.push_back(solvers_table(*comparison));
   }

@@ -111,8 +111,8 @@ RICOCHET_READ_FROM_JSON(SpeedAccuracy, family, budget, largest, solver, formulat
 RICOCHET_READ_FROM_JSON(LeadingEntry, family, budget, easy, random);
 RICOCHET_READ_FROM_JSON(ComparisonData, runs, solvers, speed_accuracy, leaders);
 RICOCHET_READ_FROM_JSON(FamilyProblem, variables, constraints);
-RICOCHET_READ_FROM_JSON(Rating, solver, formulation, problems, best, share, lower, upper, returned, never,
-                        rank);
+RICOCHET_READ_FROM_JSON(Rating, solver, formulation, problems, best, share, lower, upper, returned,
+                        never, rank);
 RICOCHET_READ_FROM_JSON(Step, evaluations, share);
 RICOCHET_READ_FROM_JSON(Progress, solver, formulation, progress);
 RICOCHET_READ_FROM_JSON(RatedBudget, budget, ratings, first);

@@ -112,9 +112,8 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
     }
     report::replace_files(
         folder / name,
-        {{"index.html",
-          page_of(embedded::document_template,
-                  {{"title", title}, {"parts", parts}, {"html", document.html}})}});
+        {{"index.html", page_of(embedded::document_template,
+                                {{"title", title}, {"parts", parts}, {"html", document.html}})}});
     list.push_back({{"name", name}, {"title", title}});
     place.pages.emplace_back(name);
   }
@@ -125,10 +124,10 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
   }
   Json data = Json(search);
   report::replace_files(
-      folder, {{"index.html", page_of(embedded::docs_template,
-                                      {{"documents", list},
-                                       {"search", json_in_script(data.dump())},
-                                       {"script", embedded::search_script}})}});
+      folder,
+      {{"index.html", page_of(embedded::docs_template, {{"documents", list},
+                                                        {"search", json_in_script(data.dump())},
+                                                        {"script", embedded::search_script}})}});
   return place;
 }
 

@@ -127,10 +127,9 @@ const FoundReport* of_kind(const std::vector<FoundReport>& reports, const std::s
 }
 
 void read_machines(const std::vector<FoundReport>& reports, Front& front) {
-  front.machines =
-      read_or_mark(of_kind(reports, "reproduction"), front, [&](const FoundReport&) {
-        return paper_machines(reports);
-      }).value_or(std::nullopt);
+  front.machines = read_or_mark(of_kind(reports, "reproduction"), front, [&](const FoundReport&) {
+                     return paper_machines(reports);
+                   }).value_or(std::nullopt);
 }
 
 /// Reads the largest comparison, and what follows from it.

@@ -61,7 +61,7 @@ struct FrontCharts {
 
 /// The content of the front page.
 struct Front {
-  std::vector<FrontExcerpt> answers = {};  ///< in a sentence each
+  std::vector<FrontExcerpt> answers = {};                           ///< in a sentence each
   std::vector<FrontExcerpt> speed, solver, own, question, entries;  ///< excerpts by their topic
   std::optional<PaperMachines> machines = {};                       ///< not written
   std::optional<Chooser> chooser = {};
@@ -83,8 +83,8 @@ RICOCHET_WRITTEN_AS_JSON(FrontColumn, title, left);
 RICOCHET_WRITTEN_AS_JSON(FrontExcerpt, heading, text, links, caption, columns, rows);
 RICOCHET_WRITTEN_AS_JSON(Card, folder, label, title, finding, date, quick, seconds, command);
 RICOCHET_WRITTEN_AS_JSON(FrontCharts, folder, charts);
-RICOCHET_WRITTEN_AS_JSON(Front, answers, speed, solver, own, question, entries, chooser, comparison, motion, pairs,
-                         cards, missing);
+RICOCHET_WRITTEN_AS_JSON(Front, answers, speed, solver, own, question, entries, chooser, comparison,
+                         motion, pairs, cards, missing);
 
 /// Collects the headlines of the reports.
 Front front_of(const std::vector<FoundReport>& reports);

@@ -41,12 +41,31 @@ std::string solvers_sentence(const Chooser& chooser) {
 }
 
 std::string told(const Choice& choice) {
-  std::string text =
-      fmt::format("{}, {}: {:.0f} % solved", choice.solver, choice.formulation, 100 * choice.solved);
+  std::string text = fmt::format("{}, {}: {:.0f} % solved", choice.solver, choice.formulation,
+                                 100 * choice.solved);
   if (choice.lower && choice.upper) {
     text += fmt::format(" [{:.0f}, {:.0f}]", 100 * *choice.lower, 100 * *choice.upper);
   }
   return text;
+}
+
+/// The best entry, and the best without derivatives if that is another.
+std::string best_of(const Situation& one) {
+  const Choice& first = one.entries.front();
+  std::string text = told(first);
+  const auto plain =
+      std::ranges::find_if(one.entries, [](const Choice& choice) { return !choice.gradient; });
+  if (first.gradient && plain != one.entries.end()) {
+    text += "; without a gradient " + told(*plain);
+  }
+  return text;
+}
+
+/// The page about a perturbation.
+std::string folder_under(const Chooser& chooser, const std::string& perturbation) {
+  const auto found = std::ranges::find_if(
+      chooser.situations, [&](const Situation& one) { return one.perturbation == perturbation; });
+  return found == chooser.situations.end() ? chooser.folder : found->folder;
 }
 
 /// The best entries under a perturbation, of those kinds of problems that match.
@@ -56,12 +75,14 @@ std::string best_under(const Chooser& chooser, const std::string& perturbation,
   std::string text;
   for (const Situation& one : chooser.situations) {
     if (one.perturbation != perturbation || !matches(one)) continue;
-    text += fmt::format("{}{} ({} {} problems of {} variable{}, {} runs)", text.empty() ? "" : "; ",
-                        told(one.entries.front()), one.problems, one.family,
-                        one.variables.least == one.variables.most
-                            ? fmt::format("{}", one.variables.most)
-                            : fmt::format("{} to {}", one.variables.least, one.variables.most),
-                        one.variables.most == 1 ? "" : "s", one.runs.value_or(0));
+    const std::string variables =
+        one.variables.least == one.variables.most
+            ? fmt::format("{}", one.variables.most)
+            : fmt::format("{} to {}", one.variables.least, one.variables.most);
+    text +=
+        fmt::format("{}{} ({} {} problem{} of {} variable{}, {} runs)", text.empty() ? "" : ". ",
+                    best_of(one), one.problems, one.family, one.problems == 1 ? "" : "s", variables,
+                    one.variables.most == 1 ? "" : "s", one.runs.value_or(0));
   }
   return text.empty() ? text : text + ".";
 }
@@ -88,9 +109,9 @@ std::optional<FrontExcerpt> on_rk45(const Pairs& pairs) {
     const bool near = one.control == "tolerance 1e-5" || one.control == "tolerance 1e-6" ||
                       one.control == "tolerance 1e-7";
     if (one.simulation != "odeint-dopri5" || !near || !one.error) continue;
-    measured += fmt::format("{}{}: {} rad/s off, {:.0f} µs a simulation",
-                            measured.empty() ? "" : "; ", one.control, error_text(*one.error),
-                            1e6 * one.seconds);
+    measured +=
+        fmt::format("{}{}: {} rad/s off, {:.0f} µs a simulation", measured.empty() ? "" : "; ",
+                    one.control, error_text(*one.error), 1e6 * one.seconds);
   }
   if (measured.empty() || reference == nullptr) return std::nullopt;
   return answer("What are error and cost of RK45 at 1e-6?",
@@ -105,8 +126,8 @@ std::optional<FrontExcerpt> on_what_if(const PaperMachines& all,
                                        const std::vector<FoundReport>& reports) {
   constexpr double other = 0.5;
   const auto grid = machine_grid(reports);
-  const auto machine = std::ranges::find_if(
-      all.machines, [](const PaperMachine& one) { return one.id == "C4"; });
+  const auto machine =
+      std::ranges::find_if(all.machines, [](const PaperMachine& one) { return one.id == "C4"; });
   if (!grid || machine == all.machines.end() || !machine->quiet_up_to) return std::nullopt;
   const auto speed = with_restitution(*grid, *machine, other);
   if (!speed) return std::nullopt;
@@ -129,8 +150,9 @@ std::optional<FrontExcerpt> on_paper(const PaperMachines& all) {
       fmt::format("Is the paper's {} rad/s of C1 right?", *first->paper_threshold),
       fmt::format("C1 is quiet up to {:.2f} rad/s in the long run, {:.0f} % {} the paper's{}.",
                   *first->quiet_up_to, std::abs(off), off < 0 ? "below" : "above",
-                  all.fitted ? fmt::format(", after fitting {} parameters to its thresholds", *all.fitted)
-                             : ""),
+                  all.fitted
+                      ? fmt::format(", after fitting {} parameters to its thresholds", *all.fitted)
+                      : ""),
       {{"every case", all.folder, "#long-run"}});
 }
 
@@ -151,9 +173,9 @@ std::vector<FrontExcerpt> first_answers(const Answered& answered) {
                  {{"where it wins", own.empty() ? answered.comparison->folder : own, ""}}));
     }
     if (!answered.chooser->situations.empty()) {
-      all.push_back(answer(
-          "Which solver?", solvers_sentence(*answered.chooser),
-          {{"choose", "", "#chooser"}, {"speed against accuracy", "", "#speed-accuracy"}}));
+      all.push_back(
+          answer("Which solver?", solvers_sentence(*answered.chooser),
+                 {{"choose", "", "#chooser"}, {"speed against accuracy", "", "#speed-accuracy"}}));
     }
   }
   if (answered.machines) {
@@ -185,14 +207,14 @@ std::vector<FrontExcerpt> further_answers(const Answered& answered) {
       return one.variables.most > 1 && one.constraints.most == 0;
     });
     if (!noise.empty()) {
-      all.push_back(answer("Which solver for 4 variables, 400 evaluations and noise?", noise,
-                           {{"choose", "", "?variables=4&evaluations=400&trouble=noisy#chooser"}}));
+      all.push_back(answer(
+          "Which solver for 4 variables, 400 evaluations and noise?", noise,
+          {{"choose", "", "?variables=4&evaluations=400&trouble=noisy&gradient=yes#chooser"}}));
     }
-    const std::string missing =
-        best_under(chooser, "nan", [](const Situation&) { return true; });
+    const std::string missing = best_under(chooser, "nan", [](const Situation&) { return true; });
     if (!missing.empty()) {
       all.push_back(answer("Which solver copes with missing values?", missing,
-                           {{"choose", "", "?trouble=nan#chooser"}}));
+                           {{"by perturbation", folder_under(chooser, "nan"), "#perturbations"}}));
     }
   }
   if (answered.pairs) {

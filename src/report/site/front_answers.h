@@ -18,7 +18,8 @@ struct Answered {
   const std::vector<FoundReport>& reports;
 };
 
-/// The first answers: what the machine does, whether the paper's algorithm is worth it, which solver.
+/// The first answers: what the machine does, whether the paper's algorithm is worth it, which
+/// solver.
 std::vector<FrontExcerpt> first_answers(const Answered& answered);
 
 /// A stranger's further questions. A link without a folder leads to a place of the front page.

@@ -11,7 +11,6 @@
 namespace ricochet::site {
 namespace {
 
-
 /// The paper's machines of a row of the grid, without disturbance and with it.
 std::string cases_of(const std::vector<PaperMachine>& machines, const std::string& row) {
   std::string ids;
@@ -23,10 +22,11 @@ std::string cases_of(const std::vector<PaperMachine>& machines, const std::strin
 }
 
 report::Table grid_table(const MachineGrid& grid, const std::vector<PaperMachine>& machines) {
-  report::Table table{"Fastest quiet speed [rad/s] over restitution, friction and disturbance [N]: the "
-                      "paper's values, and restitutions between.",
-              {{"machine", report::Alignment::left}, {"the paper's", report::Alignment::left}},
-              {}};
+  report::Table table{
+      "Fastest quiet speed [rad/s] over restitution, friction and disturbance [N]: the "
+      "paper's values, and restitutions between.",
+      {{"machine", report::Alignment::left}, {"the paper's", report::Alignment::left}},
+      {}};
   for (const GridLevel& level : grid.columns) {
     table.columns.push_back({grid.column + " " + level.level});
   }
@@ -41,17 +41,18 @@ report::Table grid_table(const MachineGrid& grid, const std::vector<PaperMachine
 }
 
 report::Table machines_table(const PaperMachines& all) {
-  report::Table table{"Long run: silent up to the first speed, quiet up to the second. The paper gives no "
-              "threshold for C11 and C12.",
-              {{"case", report::Alignment::left},
-               {"restitution"},
-               {"friction"},
-               {"disturbance [N]"},
-               {"silent up to [rad/s]"},
-               {"quiet up to [rad/s]"},
-               {"paper's threshold [rad/s]"},
-               {"difference"}},
-              {}};
+  report::Table table{
+      "Long run: silent up to the first speed, quiet up to the second. The paper gives no "
+      "threshold for C11 and C12.",
+      {{"case", report::Alignment::left},
+       {"restitution"},
+       {"friction"},
+       {"disturbance [N]"},
+       {"silent up to [rad/s]"},
+       {"quiet up to [rad/s]"},
+       {"paper's threshold [rad/s]"},
+       {"difference"}},
+      {}};
   for (const PaperMachine& one : all.machines) {
     const bool both = one.quiet_up_to && one.paper_threshold;
     table.rows.push_back(
@@ -87,8 +88,8 @@ OwnPage machine_page(const PaperMachines& machines, const std::vector<FoundRepor
   own.page.intro = {speed_sentence(machines)};
   own.page.above = "the front page";
   report::Section moves{.id = "what-if",
-                .heading = "What moves the threshold?",
-                .paragraphs = {effects_sentence(machines)}};
+                        .heading = "What moves the threshold?",
+                        .paragraphs = {effects_sentence(machines)}};
   if (const auto grid = machine_grid(reports)) {
     moves.tables.push_back(grid_table(*grid, machines.machines));
   }

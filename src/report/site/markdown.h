@@ -22,8 +22,8 @@ struct Document {
 /// Returns where a link of the document leads on the site; empty if nowhere, then its text stays.
 using LinkTarget = std::function<std::string(const std::string&)>;
 
-/// Converts Markdown with tables (the dialect of GitHub). Pictures become links to them. HTML in the
-/// text is dropped. Throws std::runtime_error for text that the library does not accept.
+/// Converts Markdown with tables (the dialect of GitHub). Pictures become links to them. HTML in
+/// the text is dropped. Throws std::runtime_error for text that the library does not accept.
 Document document_of(const std::string& markdown, const LinkTarget& target);
 
 }  // namespace ricochet::site

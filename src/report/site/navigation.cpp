@@ -73,14 +73,10 @@ void add_pages(const Place& own, const std::string& here, Json& data) {
 
 std::string navigation(const std::vector<Place>& places, const std::string& here) {
   const Place* own = holder_of(places, here);
-  Json data = {{"up", way_up(here)},
-               {"front", here.empty()},
-               {"words", words_of(places, own, here)},
-               {"own", Json()},
-               {"own_page", ""},
-               {"inner_page", ""},
-               {"places", Json::array()},
-               {"pages", Json::array()}};
+  Json data = {
+      {"up", way_up(here)},      {"front", here.empty()}, {"words", words_of(places, own, here)},
+      {"own", Json()},           {"own_page", ""},        {"inner_page", ""},
+      {"places", Json::array()}, {"pages", Json::array()}};
   if (own != nullptr) {
     for (const Place& place : places) {
       if (place.group != own->group) continue;

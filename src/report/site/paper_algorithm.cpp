@@ -92,8 +92,10 @@ std::string verdict(const Measured& measured, const std::string& where) {
     const bool better = own->share_lower > drawn->share_upper;
     const bool worse = own->share_upper < drawn->share_lower;
     text = fmt::format("{} than random search: on {} it solves {} of the runs, random search {}",
-                       better ? "Better" : worse ? "Worse" : "Not measurably better", where,
-                       percent(*own), percent(*drawn));
+                       better  ? "Better"
+                       : worse ? "Worse"
+                               : "Not measurably better",
+                       where, percent(*own), percent(*drawn));
   } else {
     text = fmt::format("On {} it solves {} of the runs", where, percent(*own));
   }

@@ -70,8 +70,7 @@ report::Area columns(const PaperMachines& all, std::string label, std::optional<
     const auto [lower, upper] = ends(all.machines[i]);
     if (upper <= lower) continue;
     const double at = static_cast<double>(i);
-    area.parts.push_back(
-        {{at - half_column, {lower, upper}}, {at + half_column, {lower, upper}}});
+    area.parts.push_back({{at - half_column, {lower, upper}}, {at + half_column, {lower, upper}}});
   }
   return area;
 }
@@ -91,8 +90,10 @@ std::string done_by(const ThresholdEffect& effect) {
   const auto percent = [](double ratio) { return 100 * std::abs(ratio - 1); };
   if (least >= as_a_factor) return "multiplies it by " + extent_of(least, most, "{:.1f}");
   if (most <= 1 / as_a_factor) return "divides it by " + extent_of(1 / most, 1 / least, "{:.1f}");
-  if (most <= 1) return fmt::format("lowers it by {} %", extent_of(percent(most), percent(least), "{:.1f}"));
-  if (least >= 1) return fmt::format("raises it by {} %", extent_of(percent(least), percent(most), "{:.1f}"));
+  if (most <= 1)
+    return fmt::format("lowers it by {} %", extent_of(percent(most), percent(least), "{:.1f}"));
+  if (least >= 1)
+    return fmt::format("raises it by {} %", extent_of(percent(least), percent(most), "{:.1f}"));
   return fmt::format("changes it by -{:.1f} to +{:.1f} %", percent(least), percent(most));
 }
 
@@ -102,7 +103,10 @@ std::optional<PaperMachines> paper_machines(const std::vector<FoundReport>& repo
   for (const FoundReport& report : reports) {
     if (report.kind.name != "reproduction" || !report.headline) continue;
     const auto agreement = report.data.at("agreement").get<Agreement>();
-    PaperMachines all{report.folder, {}, agreement.error, agreement.thresholds,
+    PaperMachines all{report.folder,
+                      {},
+                      agreement.error,
+                      agreement.thresholds,
                       report.data.at("interpretation").get<Fit>().fitted};
     for (const auto& [id, one] : report.data.at("cases").items()) {
       all.machines.push_back(one.get<PaperMachine>());
@@ -138,17 +142,15 @@ std::optional<std::pair<double, double>> quiet_range(const std::vector<PaperMach
 report::Chart regimes_chart(const PaperMachines& all) {
   const auto range = quiet_range(all.machines);
   const double top = std::max(shown_to, range ? range->second + 1 : 0);
-  report::Chart chart{.name = "regimes-of-the-machines",
-                      .title = "How fast the paper's machines are silent, quiet and loud",
-                      .x = {.label = ""},
-                      .y = {.label = "speed of the driver plate [rad/s]",
-                            .range = report::Range{0, top}},
-                      .width = 520,
-                      .height = 330};
-  report::Series paper{.label = "the paper's threshold",
-                       .mark = report::Mark::points,
-                       .samples = {},
-                       .dark = true};
+  report::Chart chart{
+      .name = "regimes-of-the-machines",
+      .title = "How fast the paper's machines are silent, quiet and loud",
+      .x = {.label = ""},
+      .y = {.label = "speed of the driver plate [rad/s]", .range = report::Range{0, top}},
+      .width = 520,
+      .height = 330};
+  report::Series paper{
+      .label = "the paper's threshold", .mark = report::Mark::points, .samples = {}, .dark = true};
   for (std::size_t i = 0; i < all.machines.size(); ++i) {
     const PaperMachine& machine = all.machines[i];
     chart.x.categories.push_back(machine.id);
@@ -160,13 +162,12 @@ report::Chart regimes_chart(const PaperMachines& all) {
   const auto quiet = [&](const PaperMachine& m) {
     return std::max(m.quiet_up_to.value_or(0), silent(m));
   };
-  chart.areas = {
-      columns(all, "silent: no collision that counts", 1.0,
-              [&](const PaperMachine& m) { return std::pair(0.0, silent(m)); }),
-      columns(all, "quiet: at most two a turn", 0.72,
-              [&](const PaperMachine& m) { return std::pair(silent(m), quiet(m)); }),
-      columns(all, "loud: more", 0.12,
-              [&](const PaperMachine& m) { return std::pair(quiet(m), top); })};
+  chart.areas = {columns(all, "silent: no collision that counts", 1.0,
+                         [&](const PaperMachine& m) { return std::pair(0.0, silent(m)); }),
+                 columns(all, "quiet: at most two a turn", 0.72,
+                         [&](const PaperMachine& m) { return std::pair(silent(m), quiet(m)); }),
+                 columns(all, "loud: more", 0.12,
+                         [&](const PaperMachine& m) { return std::pair(quiet(m), top); })};
   if (!paper.samples.empty()) chart.series.push_back(std::move(paper));
   chart.description =
       "Columns of the paper's machines over speed: silent, quiet and loud, with the paper's "

@@ -22,8 +22,8 @@ struct PaperMachine {
 /// How far a constant moves the threshold, with the others held.
 struct ThresholdEffect {
   std::string constant;
-  double from, to;      ///< of the constant, at its ends
-  double least, most;   ///< threshold at `to` over that at `from`, over the pairs
+  double from, to;     ///< of the constant, at its ends
+  double least, most;  ///< threshold at `to` over that at `from`, over the pairs
   std::size_t pairs;
 };
 
@@ -31,8 +31,8 @@ struct ThresholdEffect {
 struct PaperMachines {
   std::string folder;  ///< of the report
   std::vector<PaperMachine> machines;
-  double error;                     ///< root mean square in log speed, by the paper's rule
-  std::int64_t compared;            ///< thresholds
+  double error;                        ///< root mean square in log speed, by the paper's rule
+  std::int64_t compared;               ///< thresholds
   std::optional<std::int64_t> fitted;  ///< parameters fitted to these thresholds
 };
 

@@ -9,7 +9,7 @@ namespace ricochet::site {
 
 /// A page that the navigation lists under one of its words.
 struct Place {
-  std::string group;                    ///< the word
+  std::string group;  ///< the word
   std::string label;
   std::string folder;                   ///< inside the site
   std::vector<std::string> pages = {};  ///< folders of pages inside its own

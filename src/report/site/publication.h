@@ -11,7 +11,7 @@ namespace ricochet::site {
 /// A site written for a static host.
 struct Publication {
   std::size_t pages = 0;
-  std::uintmax_t bytes = 0;               ///< of all files
+  std::uintmax_t bytes = 0;                ///< of all files
   std::vector<std::string> failures = {};  ///< a line for each thing that could not be drawn
 };
 

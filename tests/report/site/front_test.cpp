@@ -32,10 +32,11 @@ TEST(Front, PutsExcerptsUnderTheirTopics) {
   EXPECT_EQ(front.speed[0].rows[0].cells[0].folder, "first");
   EXPECT_EQ(front.speed[0].rows[0].cells[0].anchor, "#c1");
   EXPECT_EQ(front.speed[0].rows[0].cells[1].folder, "");
-  ASSERT_EQ(front.question.size(), 1U);
-  EXPECT_EQ(front.question[0].links[0].folder, "first/count");
-  EXPECT_EQ(front.question[0].links[0].anchor, "#there");
-  EXPECT_EQ(front.question[0].links[1].folder, "first");
+  const FrontExcerpt& question = front.question.back();  // after those of the site itself
+  EXPECT_EQ(question.heading, "How fast?");
+  EXPECT_EQ(question.links[0].folder, "first/count");
+  EXPECT_EQ(question.links[0].anchor, "#there");
+  EXPECT_EQ(question.links[1].folder, "first");
 }
 
 TEST(Front, HasTheExcerptsOfFurtherPagesToo) {

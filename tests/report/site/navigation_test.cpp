@@ -17,36 +17,48 @@ std::vector<FoundReport> two_reports() {
           made_up("stress", Json::object(), "ill & mean")};
 }
 
+std::string links_at(const std::string& here) {
+  return navigation(places_of(two_reports(), {{"Data", "Cite", "cite"}}), here);
+}
+
 class LinkPages : public TemporaryFolder {};
 
-TEST(Navigation, LinksAllReportsAndMarksTheOwn) {
-  const std::string links = navigation(two_reports(), "problems");
-  EXPECT_THAT(links, HasSubstr("<a href=\"../index.html\">Overview</a>"));
+TEST(Navigation, HasAWordForEachGroupThatLeadsToItsFirstPlace) {
+  const std::string links = links_at("problems");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../index.html\">ricochet</a>"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../ill &amp; mean/index.html\">Robustness</a>"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../cite/index.html\" aria-current=\"true\">Data</a>"));
+  EXPECT_THAT(links, Not(HasSubstr("Machine")));
+}
+
+TEST(Navigation, ListsThePlacesOfTheOwnGroupAndMarksTheOwn) {
+  const std::string links = links_at("problems");
   EXPECT_THAT(links, HasSubstr("<a href=\"../problems/index.html\" aria-current=\"page\">"));
-  EXPECT_THAT(links, HasSubstr("<a href=\"../ill &amp; mean/index.html\">"));
+  EXPECT_THAT(links, HasSubstr("<a href=\"../cite/index.html\">Cite</a>"));
+  EXPECT_THAT(links, Not(HasSubstr("Pathological problems: ill")));
   EXPECT_THAT(links, HasSubstr("<a href=\"../problems/count/index.html\">count</a>"));
   EXPECT_THAT(links, Not(HasSubstr("crumbs")));
 }
 
 TEST(Navigation, OfAPageOfAReportLeadsBackToIt) {
-  const std::string links = navigation(two_reports(), "problems/count");
-  EXPECT_THAT(links, HasSubstr("<a href=\"../../problems/index.html\">The problems</a> › count"));
+  const std::string links = links_at("problems/count");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../../problems/index.html\">Problems</a> › count"));
   EXPECT_THAT(links, HasSubstr("<a href=\"../../problems/top-speed/index.html\">"));
   EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"page\""));
 }
 
 TEST(Navigation, OfAPageInAPageLeadsBackToBoth) {
-  const std::string links = navigation(two_reports(), "problems/count/count-C1");
-  EXPECT_THAT(links, HasSubstr("<a href=\"../../../index.html\">Overview</a>"));
+  const std::string links = links_at("problems/count/count-C1");
+  EXPECT_THAT(links, HasSubstr("<a href=\"../../../index.html\">ricochet</a>"));
   EXPECT_THAT(links,
-              HasSubstr("<a href=\"../../../problems/index.html\">The problems</a> › "
+              HasSubstr("<a href=\"../../../problems/index.html\">Problems</a> › "
                         "<a href=\"../../../problems/count/index.html\">count</a> › count-C1"));
   EXPECT_THAT(links, HasSubstr("count/index.html\" aria-current=\"true\""));
   EXPECT_THAT(links, Not(HasSubstr("aria-current=\"page\"")));
 }
 
 TEST(Navigation, OfTheFrontPageHasNoPagesOfReports) {
-  const std::string links = navigation(two_reports(), "");
+  const std::string links = links_at("");
   EXPECT_THAT(links, HasSubstr("<a href=\"index.html\" aria-current=\"page\">"));
   EXPECT_THAT(links, Not(HasSubstr("top-speed")));
 }
@@ -55,11 +67,12 @@ TEST_F(LinkPages, PutsTheLinksWhereThePageHasRoomAndDoesSoAgain) {
   const auto page = folder_ / "problems" / "index.html";
   keep(folder_, "problems", Json::object());
   std::ofstream(page) << "a<!-- navigation -->old<!-- /navigation -->b";
-  for (int times = 0; times < 2; ++times) link_pages(folder_, two_reports());
+  const std::vector<Place> places = places_of(two_reports(), {});
+  for (int times = 0; times < 2; ++times) link_pages(folder_, places, two_reports());
   std::ifstream stream(page);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
-  EXPECT_EQ(text, "a<!-- navigation -->\n" + navigation(two_reports(), "problems") +
-                      "<!-- /navigation -->b");
+  EXPECT_EQ(text,
+            "a<!-- navigation -->\n" + navigation(places, "problems") + "<!-- /navigation -->b");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "ill & mean"));
 }
 
@@ -72,7 +85,7 @@ TEST_F(LinkPages, PutsTheLinksIntoPagesInPages) {
   const auto reports = found_reports(folder_);
   ASSERT_EQ(reports.size(), 1U);
   EXPECT_EQ(reports[0].pages[0].pages, std::vector<std::string>{"count-C1"});
-  link_pages(folder_, reports);
+  link_pages(folder_, places_of(reports, {}), reports);
   std::ifstream stream(page);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   EXPECT_THAT(text, HasSubstr("› count-C1"));

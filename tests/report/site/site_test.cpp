@@ -54,7 +54,7 @@ TEST_F(Site, IsDrawnAgainWithAllItsReportsAndTheirLinks) {
   keep(folder_ / "from", "verification", verification_data());
   ASSERT_TRUE(redraw_site(folder_ / "from", folder_ / "to"));
   EXPECT_THAT(page_text(folder_ / "to/verification/index.html"),
-              HasSubstr("<a href=\"../index.html\">Overview</a>"));
+              HasSubstr("<a href=\"../index.html\">ricochet</a>"));
   EXPECT_FALSE(fs::exists(folder_ / "from/index.html"));
   const std::string first = page_text(folder_ / "to/index.html");
   ASSERT_TRUE(redraw_site(folder_ / "to", folder_ / "again"));

@@ -1,0 +1,51 @@
+#include "src/report/site/markdown.h"
+
+#include <gmock/gmock.h>
+
+namespace ricochet::site {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Document converted(const std::string& markdown) {
+  return document_of(markdown,
+                     [](const std::string& link) { return link == "no" ? "" : "to/" + link; });
+}
+
+TEST(Markdown, HasAnchorsAsCodeHostsMakeThem) {
+  const Document document =
+      converted("# What it *is*: 3 of 4\n\nFirst.\n\n## A `b_c` d\n\nSecond.\n");
+  EXPECT_EQ(document.title, "What it is: 3 of 4");
+  EXPECT_THAT(document.html, HasSubstr("id=\"what-it-is-3-of-4\""));
+  ASSERT_EQ(document.parts.size(), 2U);
+  EXPECT_EQ(document.parts[1].anchor, "a-b_c-d");
+  EXPECT_THAT(document.parts[1].text, HasSubstr("Second."));
+  EXPECT_THAT(document.parts[0].text, Not(HasSubstr("Second.")));
+}
+
+TEST(Markdown, LeadsLinksAndPicturesWhereTheSiteHasThem) {
+  const std::string html = converted("[one](a.md) [two](no) ![three](b.svg)").html;
+  EXPECT_THAT(html, HasSubstr("<a href=\"to/a.md\">one</a>"));
+  EXPECT_THAT(html, HasSubstr("<span>two</span>"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"to/b.svg\">three</a>"));
+}
+
+TEST(Markdown, HasTablesAndListingsThatScroll) {
+  const std::string html =
+      converted(
+          "# T\n\n| a | b |\n|:--|--:|\n| 1 < 2 | `x` |\n\n```console\n$ run\n\n$ stop\n```\n")
+          .html;
+  EXPECT_THAT(html, HasSubstr("<div class=\"scroll\" role=\"region\" aria-label=\"table: T\""));
+  EXPECT_THAT(html, HasSubstr("<td class=\"right\"><code>x</code></td>"));
+  EXPECT_THAT(html, HasSubstr("1 &lt; 2"));
+  EXPECT_THAT(html, HasSubstr("<pre tabindex=\"0\">"));
+  EXPECT_THAT(html, HasSubstr("$ run\n\n$ stop"));
+}
+
+TEST(Markdown, DropsComments) {
+  EXPECT_THAT(converted("<!-- not run: long -->\n\nText.\n").html, Not(HasSubstr("not run")));
+}
+
+}  // namespace
+}  // namespace ricochet::site

@@ -1,0 +1,18 @@
+#include "src/report/site/script_text.h"
+
+#include <gtest/gtest.h>
+
+#include "src/report/json.h"
+
+namespace ricochet::site {
+namespace {
+
+TEST(ScriptText, HasTheSameDataAndEndsNoScript) {
+  const report::Json data = {"</script><b>", "a < b"};
+  const std::string text = json_in_script(data.dump());
+  EXPECT_EQ(text.find('<'), std::string::npos);
+  EXPECT_EQ(report::Json::parse(text), data);
+}
+
+}  // namespace
+}  // namespace ricochet::site

@@ -202,7 +202,7 @@ const drawChoice = () => {
       if (i === 0) {
         const link = document.createElement("a");
         link.href = `${one.folder}/index.html`;
-        link.textContent = one.title || one.family;
+        link.textContent = one.title ? `${one.title} (${one.family})` : one.family;
         kind.append(link);
       }
       const runs = one.runs === null ? "" : `, ${one.runs} runs`;

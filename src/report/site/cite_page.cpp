@@ -7,7 +7,6 @@
 #include <string>
 
 #include "embedded/citation.h"
-#include "src/report/site/entries.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -15,7 +14,7 @@ namespace {
 
 /// What a comparison says about its runs.
 struct Repeated {
-  std::string campaign;
+  std::optional<std::string> campaign;
   std::int64_t runs;
   std::optional<std::string> digest;
   std::optional<std::int64_t> suite;
@@ -71,7 +70,7 @@ report::Section repeat_section(const FoundReport* comparison) {
           "names of problem, formulation, solver, budget, instance and seed, so that each run can "
           "be "
           "repeated alone, bit by bit, on any number of threads.",
-          all.runs, all.campaign,
+          all.runs, all.campaign.value_or("unknown"),
           all.suite ? fmt::format(", version {} of the suite of problems", *all.suite) : ""),
       fmt::format("Digest of all runs, times left out: {}. The archive of the repository, "
                   "reports/archive/reference.archive, has the runs of every solver on every "
@@ -82,7 +81,7 @@ report::Section repeat_section(const FoundReport* comparison) {
                   "./ricochet digest mine             # {}\n"
                   "./ricochet replay reports/archive/reference.archive 1000\n"
                   "./ricochet site --out pages        # these pages, from their data",
-                  all.campaign, all.digest.value_or("its digest"))};
+                  all.campaign.value_or("plan.toml"), all.digest.value_or("its digest"))};
   return section;
 }
 
@@ -107,7 +106,8 @@ report::Table reports_table(const std::vector<FoundReport>& reports) {
 }
 
 struct Versioned {
-  std::string name, version;
+  std::string name;
+  std::optional<std::string> version;
 };
 RICOCHET_READ_FROM_JSON(Versioned, name, version);
 
@@ -117,10 +117,11 @@ report::Table solvers_table(const FoundReport& comparison) {
                       {}};
   for (const Json& one : comparison.data.at("solvers")) {
     const auto solver = one.get<Versioned>();
-    const auto same = std::ranges::find_if(
-        table.rows, [&](const auto& row) { return row[0].text == solver.version; });
+    const std::string version = solver.version.value_or("–");
+    const auto same =
+        std::ranges::find_if(table.rows, [&](const auto& row) { return row[0].text == version; });
     if (same == table.rows.end()) {
-      table.rows.push_back({{solver.version}, {solver.name}});
+      table.rows.push_back({{version}, {solver.name}});
     } else {
       (*same)[1].text += ", " + solver.name;
     }
@@ -130,9 +131,8 @@ report::Table solvers_table(const FoundReport& comparison) {
 
 }  // namespace
 
-OwnPage cite_page(const std::vector<FoundReport>& reports) {
+OwnPage cite_page(const std::vector<FoundReport>& reports, const FoundReport* comparison) {
   OwnPage own{{"Data", "Cite and repeat", "cite"}, {}};
-  const FoundReport* comparison = largest_comparison(reports);
   own.page.title = "Cite and repeat";
   own.page.intro = {
       "Cite the software with its version, and the paper whose machine it simulates. Every report "

@@ -7,7 +7,7 @@
 namespace ricochet::site {
 
 /// The page that says how to cite ricochet and how to repeat its reports: BibTeX, versions, seeds,
-/// plan, digest, archive and commands.
-OwnPage cite_page(const std::vector<FoundReport>& reports);
+/// plan, digest, archive and commands. `comparison`: the one whose runs are described, or null.
+OwnPage cite_page(const std::vector<FoundReport>& reports, const FoundReport* comparison);
 
 }  // namespace ricochet::site

@@ -15,7 +15,10 @@ std::optional<MachineGrid> machine_grid(const std::vector<FoundReport>& reports)
       const auto machines = page.data.find("machines");
       if (machines == page.data.end() || !machines->is_array()) continue;
       for (const Json& one : *machines) {
-        if (one.at("family") == grid_family) return one.get<MachineGrid>();
+        try {
+          if (one.at("family") == grid_family) return one.get<MachineGrid>();
+        } catch (const Json::exception&) {  // of another version
+        }
       }
     }
   }

@@ -29,8 +29,7 @@ RICOCHET_READ_FROM_JSON(GridLevel, level);
 RICOCHET_READ_FROM_JSON(GridRow, machine, cells);
 RICOCHET_READ_FROM_JSON(MachineGrid, column, columns, known);
 
-/// Returns the grid of a comparison; nothing if no report has one. Throws Json::exception for data
-/// of another version.
+/// Returns the grid of a comparison; nothing if no report has one that can be read.
 std::optional<MachineGrid> machine_grid(const std::vector<FoundReport>& reports);
 
 /// Label of a row of the grid.

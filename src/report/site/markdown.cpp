@@ -48,16 +48,24 @@ std::string anchor_of(const std::string& heading) {
   return anchor;
 }
 
+/// What has been passed of a document.
+struct Passed {
+  std::string heading;
+  int tables = 0;
+};
+
 /// A table or a listing that is too wide can be scrolled, with the keyboard, too.
-void make_scrollable(pugi::xml_node node, const std::string& heading) {
+void make_scrollable(pugi::xml_node node, Passed& passed) {
   if (std::string(node.name()) == "pre") {
     node.append_attribute("tabindex") = "0";
     return;
   }
+  const std::string label =
+      "table " + std::to_string(++passed.tables) + ": " + passed.heading;  // unique on the page
   pugi::xml_node frame = node.parent().insert_child_before("div", node);
   frame.append_attribute("class") = "scroll";
   frame.append_attribute("role") = "region";
-  frame.append_attribute("aria-label") = ("table: " + heading).c_str();
+  frame.append_attribute("aria-label") = label.c_str();
   frame.append_attribute("tabindex") = "0";
   frame.append_move(node);
 }
@@ -67,6 +75,7 @@ void align(pugi::xml_node cell) {
   const bool right = std::string(cell.attribute("align").value()) == "right";
   cell.remove_attribute("align");
   cell.append_attribute("class") = right ? "right" : "left";
+  if (text_of(cell).empty()) cell.set_name("td");  // an empty cell heads nothing
 }
 
 void lead(pugi::xml_node link, const char* attribute, const LinkTarget& target) {
@@ -79,20 +88,20 @@ void lead(pugi::xml_node link, const char* attribute, const LinkTarget& target) 
 }
 
 /// Changes all below a node, whose children may move.
-void refine(pugi::xml_node node, const LinkTarget& target, std::string& heading) {
+void refine(pugi::xml_node node, const LinkTarget& target, Passed& passed) {
   std::vector<pugi::xml_node> children;
   for (const pugi::xml_node& child : node.children()) children.push_back(child);
   for (pugi::xml_node child : children) {
     const std::string name = child.name();
     if (is_heading(child)) {
-      heading = text_of(child);
-      child.append_attribute("id") = anchor_of(heading).c_str();
+      passed.heading = text_of(child);
+      child.append_attribute("id") = anchor_of(passed.heading).c_str();
     }
-    refine(child, target, heading);
+    refine(child, target, passed);
     if (name == "a") lead(child, "href", target);
     if (name == "img") lead(child, "src", target);
     if (name == "th" || name == "td") align(child);
-    if (name == "table" || name == "pre") make_scrollable(child, heading);
+    if (name == "table" || name == "pre") make_scrollable(child, passed);
   }
 }
 
@@ -117,8 +126,8 @@ Document document_of(const std::string& markdown, const LinkTarget& target) {
       tree.load_buffer(html.data(), html.size(), pugi::parse_default | pugi::parse_ws_pcdata);
   if (!parsed) throw std::runtime_error(std::string("a document: ") + parsed.description());
   const pugi::xml_node main = tree.child("main");
-  std::string heading;
-  refine(main, target, heading);
+  Passed passed;
+  refine(main, target, passed);
   Document document;
   document.parts = parts_of(main);
   if (!document.parts.empty()) document.title = document.parts.front().heading;

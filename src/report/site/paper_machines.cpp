@@ -102,6 +102,7 @@ std::string done_by(const ThresholdEffect& effect) {
 std::optional<PaperMachines> paper_machines(const std::vector<FoundReport>& reports) {
   for (const FoundReport& report : reports) {
     if (report.kind.name != "reproduction" || !report.headline) continue;
+    if (!report.data.contains("cases") || !report.data.contains("interpretation")) continue;
     const auto agreement = report.data.at("agreement").get<Agreement>();
     PaperMachines all{report.folder,
                       {},

@@ -52,7 +52,7 @@ std::vector<Place> written_places(const fs::path& folder, const std::vector<Foun
                                   const Front& front, std::vector<std::string>& failures) {
   std::vector<OwnPage> pages;
   if (front.machines) pages.push_back(machine_page(*front.machines, reports));
-  pages.push_back(cite_page(reports));
+  pages.push_back(cite_page(reports, front.comparison ? largest_comparison(reports) : nullptr));
   std::vector<Place> own = write_own_pages(folder, pages, failures);
   if (front.live) own.push_back({"Machine", "Live machine", "live"});
   own.push_back(write_docs_pages(folder, reports));

@@ -17,7 +17,8 @@ TEST(CitePage, HasVersionDigestCommandsAndBibTeX) {
   data["solvers"] = {{{"name", "scan"}, {"version", "ricochet 9"}, {"outside", false}},
                      {{"name", "a"}, {"version", "Lib 1"}, {"outside", false}},
                      {{"name", "b"}, {"version", "Lib 1"}, {"outside", false}}};
-  const OwnPage own = cite_page({found_comparison(data)});
+  const FoundReport comparison = found_comparison(data);
+  const OwnPage own = cite_page({comparison}, &comparison);
   EXPECT_THAT(own.page.sections.at(0).code.at(0), HasSubstr("year    = {2031}"));
   EXPECT_THAT(own.page.sections[0].code[0], HasSubstr("Yao, Lingling"));
   EXPECT_THAT(own.page.sections.at(1).paragraphs.at(1), HasSubstr("0123abcd"));
@@ -30,7 +31,7 @@ TEST(CitePage, HasVersionDigestCommandsAndBibTeX) {
 }
 
 TEST(CitePage, WithoutAComparisonLeavesItsRunsOut) {
-  EXPECT_TRUE(cite_page({}).page.sections.at(1).code.empty());
+  EXPECT_TRUE(cite_page({}, nullptr).page.sections.at(1).code.empty());
 }
 
 }  // namespace

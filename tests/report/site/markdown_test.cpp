@@ -36,7 +36,7 @@ TEST(Markdown, HasTablesAndListingsThatScroll) {
       converted(
           "# T\n\n| a | b |\n|:--|--:|\n| 1 < 2 | `x` |\n\n```console\n$ run\n\n$ stop\n```\n")
           .html;
-  EXPECT_THAT(html, HasSubstr("<div class=\"scroll\" role=\"region\" aria-label=\"table: T\""));
+  EXPECT_THAT(html, HasSubstr("<div class=\"scroll\" role=\"region\" aria-label=\"table 1: T\""));
   EXPECT_THAT(html, HasSubstr("<td class=\"right\"><code>x</code></td>"));
   EXPECT_THAT(html, HasSubstr("1 &lt; 2"));
   EXPECT_THAT(html, HasSubstr("<pre tabindex=\"0\">"));

@@ -14,8 +14,8 @@ TEST_F(OwnPages, AreWrittenWhereNoReportHasTheirFolder) {
   std::vector<std::string> failures;
   const std::vector<Place> places =
       write_own_pages(folder_,
-                      {{{"Machine", "Speeds", "machine"}, {.title = "One"}},
-                       {{"Data", "Cite", "cite"}, {.title = "Two"}}},
+                      {{{"Machine", "Speeds", "machine"}, {"One", {}, {}}},
+                       {{"Data", "Cite", "cite"}, {"Two", {}, {}}}},
                       failures);
   ASSERT_EQ(places.size(), 1U);
   EXPECT_EQ(places[0].folder, "cite");

@@ -613,11 +613,7 @@ class Program : public CommandLine {
     command->add_option("--out", site_out_, "Folder for the site: new, empty or an earlier site")
         ->type_name("FOLDER")
         ->required();
-    command
-        ->add_option("--live", site_live_,
-                     "Folder of the machine that runs in a browser; default: live in FOLDER")
-        ->type_name("FOLDER");
-    on_call(command, [this] { return write_site(site_from_, site_live_, site_out_); });
+    on_call(command, [this] { return write_site(site_from_, site_out_); });
   }
 
   /// All arguments after the command are passed to the other program, including --help.
@@ -701,7 +697,7 @@ class Program : public CommandLine {
   ListOptions list_;
   std::string description_;
   std::string report_from_, report_out_;
-  std::string site_from_ = "reports/reference", site_live_, site_out_;
+  std::string site_from_ = "reports/reference", site_out_;
 };
 
 }  // namespace

@@ -11,10 +11,8 @@
 
 namespace ricochet::cli {
 
-int write_site(const std::string& from, const std::string& live, const std::string& out) {
-  const std::filesystem::path reports = from;
-  const site::Publication written = site::publish_site(
-      reports, live.empty() ? reports / "live" : std::filesystem::path(live), out);
+int write_site(const std::string& from, const std::string& out) {
+  const site::Publication written = site::publish_site(from, out);
   const auto page = (std::filesystem::absolute(out) / "index.html").lexically_normal();
   fmt::print("The site: {}\n{} pages, {:.1f} MB\n", one_line(page.string()), written.pages,
              static_cast<double>(written.bytes) / 1e6);

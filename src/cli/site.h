@@ -5,9 +5,8 @@
 namespace ricochet::cli {
 
 /// Writes the site of a folder of reports into `out`, ready for a static host, and prints its size.
-/// `live`: folder of the machine that runs in a browser; empty: `live` in the folder of reports.
 /// Throws InputError as publish_site does, and for data of which something cannot be drawn; then
 /// everything else has been drawn.
-int write_site(const std::string& from, const std::string& live, const std::string& out);
+int write_site(const std::string& from, const std::string& out);
 
 }  // namespace ricochet::cli

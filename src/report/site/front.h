@@ -66,7 +66,6 @@ struct Front {
   std::optional<PaperMachines> machines = {};                       ///< not written
   std::optional<Chooser> chooser = {};
   std::int64_t runs = 0, problems = 0, solvers = 0;  ///< of the comparison
-  bool live = false;  ///< true if the site has the machine that runs in a browser
   std::optional<Comparison> comparison;
   std::optional<FrontCharts> motion;
   std::optional<Pairs> pairs;

@@ -135,7 +135,6 @@ Json told(const Front& front, std::string (*write)(std::string_view)) {
                {"runs", fmt::format("{}", front.runs)},
                {"problems", front.problems},
                {"solvers", front.solvers},
-               {"live", front.live},
                {"has_comparison", front.comparison.has_value()},
                {"has_motion", front.motion.has_value()},
                {"has_pairs", front.pairs.has_value()},

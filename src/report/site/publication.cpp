@@ -25,21 +25,10 @@ void require_own(const fs::path& from, const fs::path& folder) {
   }
 }
 
-void copy_live(const fs::path& live, const fs::path& folder) {
-  std::error_code none;
-  if (!fs::exists(live / "index.html", none)) return;
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  fs::copy(live, folder / "live",
-           fs::copy_options::recursive | fs::copy_options::overwrite_existing, failed);
-  if (failed) throw OutputError((folder / "live").string() + ": " + failed.message());
-}
-
 }  // namespace
 
-Publication publish_site(const fs::path& from, const fs::path& live, const fs::path& folder) {
+Publication publish_site(const fs::path& from, const fs::path& folder) {
   require_own(from, folder);
-  copy_live(live, folder);
   auto failures = redraw_site(from, folder);
   if (!failures) {
     throw InputError(from.string() + ": must be a folder of reports; it has none");

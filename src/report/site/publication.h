@@ -17,9 +17,8 @@ struct Publication {
 
 /// Writes the whole site of a folder of reports into another folder, which must be new, empty or an
 /// earlier such site: the reports with their data, the front page, the documents, and the machine
-/// that runs in a browser, if the folder `live` has its index.html. Throws InputError for a folder
-/// without reports or one that holds something else; OutputError.
-Publication publish_site(const std::filesystem::path& from, const std::filesystem::path& live,
-                         const std::filesystem::path& folder);
+/// that runs in a browser. Throws InputError for a folder without reports or one that holds
+/// something else; OutputError.
+Publication publish_site(const std::filesystem::path& from, const std::filesystem::path& folder);
 
 }  // namespace ricochet::site

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* data_file = "data.json";
-constexpr const char* live_page = "live/index.html";  ///< the machine that runs in a browser
+constexpr const char* live_folder = "live";  ///< of the machine that runs in a browser
 
 /// Removes dots and a trailing slash, so that the path has a name and a parent.
 fs::path plain(const fs::path& folder) {
@@ -54,7 +54,7 @@ std::vector<Place> written_places(const fs::path& folder, const std::vector<Foun
   if (front.machines) pages.push_back(machine_page(*front.machines, reports));
   pages.push_back(cite_page(reports, front.comparison ? largest_comparison(reports) : nullptr));
   std::vector<Place> own = write_own_pages(folder, pages, failures);
-  if (front.live) own.push_back({"Machine", "Live machine", "live"});
+  own.push_back({"Machine", "Live machine", live_folder});
   own.push_back(write_docs_pages(folder, reports));
   return places_of(reports, own);
 }
@@ -67,11 +67,12 @@ struct WrittenSite {
 WrittenSite written_site(const fs::path& folder) {
   const std::vector<FoundReport> reports = found_reports(folder);
   Front front = front_of(reports);
-  front.live = fs::exists(folder / live_page);
   std::vector<std::string> failures;
   const std::vector<Place> places = written_places(folder, reports, front, failures);
   FrontPage page = front_page(front, navigation(places, ""));
   report::replace_files(folder, page.files);
+  report::add_files(folder / live_folder,
+                    {{"index.html", live_page(navigation(places, live_folder))}});
   link_pages(folder, places, reports);
   tell_of_paper_algorithm(folder, reports, front);
   failures.insert(failures.end(), page.failures.begin(), page.failures.end());

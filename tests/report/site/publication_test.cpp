@@ -23,9 +23,7 @@ class PublishedSite : public TemporaryFolder {
 };
 
 TEST_F(PublishedSite, IsCompleteAndHasNoLinkOutside) {
-  fs::create_directories(folder_ / "live");
-  std::ofstream(folder_ / "live" / "index.html") << "<!-- navigation --><!-- /navigation -->";
-  const Publication written = publish_site(folder_ / "from", folder_ / "live", folder_ / "to");
+  const Publication written = publish_site(folder_ / "from", folder_ / "to");
   EXPECT_TRUE(written.failures.empty());
   for (const char* file : {"index.html", "verification/index.html", "cite/index.html",
                            "docs/index.html", "live/index.html", ".nojekyll"}) {
@@ -53,18 +51,16 @@ TEST_F(PublishedSite, IsCompleteAndHasNoLinkOutside) {
 }
 
 TEST_F(PublishedSite, IsWrittenAgainOverItself) {
-  static_cast<void>(publish_site(folder_ / "from", "none", folder_ / "to"));
-  const Publication again = publish_site(folder_ / "from", "none", folder_ / "to");
+  static_cast<void>(publish_site(folder_ / "from", folder_ / "to"));
+  const Publication again = publish_site(folder_ / "from", folder_ / "to");
   EXPECT_TRUE(again.failures.empty());
 }
 
 TEST_F(PublishedSite, OverwritesNothingElse) {
   fs::create_directories(folder_ / "mine");
   std::ofstream(folder_ / "mine" / "letter") << "dear";
-  EXPECT_THROW(static_cast<void>(publish_site(folder_ / "from", "none", folder_ / "mine")),
-               InputError);
-  EXPECT_THROW(static_cast<void>(publish_site(folder_ / "from", "none", folder_ / "from")),
-               InputError);
+  EXPECT_THROW(static_cast<void>(publish_site(folder_ / "from", folder_ / "mine")), InputError);
+  EXPECT_THROW(static_cast<void>(publish_site(folder_ / "from", folder_ / "from")), InputError);
   EXPECT_THROW(static_cast<void>(publish_site(folder_ / "mine", "none", folder_ / "new")),
                InputError);
   EXPECT_FALSE(fs::exists(folder_ / "mine/index.html"));

@@ -81,7 +81,6 @@ TEST_F(PageFiles, HoldEverythingInOneHtmlFile) {
                           Not(HasSubstr("<img")), Not(HasSubstr("@import"))));
 }
 
-<<<<<<< HEAD
 TEST_F(PageFiles, BeginWithTheAnswerThenTheChartAndFoldTheRest) {
   Page page = page_with({"one"});
   page.background = {"Why we ask."};
@@ -115,7 +114,8 @@ TEST_F(PageFiles, ShowTenRowsOfALongTableUntilTheReaderAsksForAll) {
     EXPECT_EQ(folded, rows == 12 ? 0 : 3);
     EXPECT_EQ(html.find("Show all 13 rows") != std::string::npos, rows == 13);
   }
-=======
+}
+
 TEST_F(PageFiles, ShowCommandsAsTheyAreLineByLine) {
   Page page = page_with({});
   page.sections[0].code = {"first <x>\n  second"};
@@ -123,7 +123,6 @@ TEST_F(PageFiles, ShowCommandsAsTheyAreLineByLine) {
   EXPECT_THAT(read(root_ / "index.html"),
               HasSubstr("<pre tabindex=\"0\">first &lt;x&gt;\n  second</pre>"));
   EXPECT_THAT(read(root_ / "summary.md"), HasSubstr("```text\nfirst <x>\n  second\n```"));
->>>>>>> ef7e7b44 (Site: tests of the navigation, chooser, machine's page, cite page, documents and publication)
 }
 
 /// The colours that the style replaces in the dark are those that charts are drawn in.

@@ -29,6 +29,7 @@ std::string completed_by_bash(const std::string& words, int last) {
 
 TEST(Description, IsCompletedByBash) {
   EXPECT_EQ(completed_by_bash("ricochet thr", 1), "threshold,");
+  EXPECT_EQ(completed_by_bash("ricochet sit", 1), "site,");
   EXPECT_EQ(completed_by_bash("ricochet simulate --fo", 2), "--format,");
   EXPECT_EQ(completed_by_bash("ricochet threshold --pl", 2), "--plot,");
   EXPECT_EQ(completed_by_bash("ricochet threshold --plot m", 3), "machine one.toml,");

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "problems/carrier_track/check/oracle/push.h"
+#include "problems/carrier_track/check/oracle/term_push.h"
 #include "problems/carrier_track/counting/recording.h"
 #include "ricochet/recording.h"
 #include "ricochet/scene.h"
@@ -36,5 +38,9 @@ inline constexpr std::size_t oracle_impact_cap = 2000;
 /// `counting_limit`, and, if maxima count, before the window ends. Throws std::invalid_argument for
 /// a scene with a speed profile.
 OracleRun oracle_run(const Scene& scene);
+
+/// The same under other applied forces, which may be those of a speed profile, in place of the
+/// scene's own. Its window must be in seconds.
+OracleRun oracle_run(const Scene& scene, const TermPush& push);
 
 }  // namespace ricochet::carrier_track::inline oracle

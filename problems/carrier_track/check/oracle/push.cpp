@@ -80,6 +80,21 @@ long double Push::bound(int power, long double until) const {
   return std::min(size(power), at_start + std::abs(second) * turn);
 }
 
+long double Push::noise(int power, long double until) const {
+  constexpr long double last_bit = std::numeric_limits<long double>::epsilon();
+  const long double operations = 16;
+  const long double own = power == 0 ? strength() : size(power);
+  return last_bit * (operations * own + 2 * until * size(power + 1));
+}
+
+long double Push::piece() const {
+  long double piece = std::numeric_limits<long double>::infinity();
+  for (const Wave& wave : waves) {
+    if (wave.amplitude != 0) piece = std::min(piece, 0.25L / wave.frequency);
+  }
+  return piece;
+}
+
 PushFrom::PushFrom(const Push& push, long double start) : push_(push), angle_{} {
   for (std::size_t i = 0; i < angle_.size(); ++i) {
     const Push::Wave& wave = push.waves[i];

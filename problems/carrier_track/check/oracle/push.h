@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "ricochet/scene.h"
 
@@ -10,6 +12,8 @@ namespace ricochet::carrier_track::inline oracle {
 /// acceleration and two waves, amplitude cos(frequency t + phase), of the driver plate and the
 /// disturbance.
 struct Push {
+  using From = class PushFrom;
+
   struct Wave {
     long double amplitude = 0;  ///< [m/s^2]
     long double frequency = 1;  ///< [rad/s], > 0
@@ -25,6 +29,22 @@ struct Push {
   /// Bound on that derivative of the waves [m/s^(2 + power)] up to a time [s]. It never exceeds
   /// size(power) and is far smaller for two waves that almost cancel.
   long double bound(int power, long double until) const;
+
+  /// Bound on the acceleration [m/s^2].
+  long double strength() const { return std::abs(steady) + size(0); }
+
+  /// Rounding error of the acceleration (power 0) or the jerk (1) up to a time [s]. That of an
+  /// angle grows with the angle.
+  long double noise(int power, long double until) const;
+
+  /// [s], a quarter of a radian of the fastest wave; infinite without waves.
+  long double piece() const;
+
+  /// Until when PushFrom tells the motion from a time on, and until when the force is smooth.
+  static constexpr long double known_until(long double /*time*/) {
+    return std::numeric_limits<long double>::infinity();
+  }
+  static constexpr long double smooth_until(long double time) { return known_until(time); }
 
   long double steady = 0;  ///< [m/s^2]
   std::array<Wave, 2> waves;

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "src/research/impact_test/test_scene.h"
+#include "src/research/impact_test/truth.h"
+
+namespace ricochet::studies::impact_test {
+
+/// A scene of the test, with what it is scored by.
+struct ScoredScene {
+  TestScene scene;
+  Scene machine;  ///< the same for ricochet; its counting limit is the scene's `slowest`
+  Truth truth;
+};
+
+/// Scene `index` >= 0 of a seed; each can be drawn alone. Kinds alternate, and then difficulties.
+/// A scene is drawn again until it has a truth and at least one scored impact. Its window ends in a
+/// gap between impacts, before it is badly conditioned.
+ScoredScene drawn_scene(int seed, int index);
+
+/// The scene of a machine, with its truth; `slowest_share` as in DrawnScene. Nothing if there is
+/// none.
+std::optional<ScoredScene> scored_scene(Scene machine, double slowest_share, Random& random);
+
+/// No scored impact is slower [m/s]: tools may set a body to rest at 1e-6 m/s.
+inline constexpr double least_slowest = 1e-5;
+
+/// A window ends after so many scored impacts.
+inline constexpr int most_impacts = 200;
+
+/// A line of scenes.jsonl: the scene as a tool reads it, then `impacts`, the truth, and `machine`,
+/// the scene as a machine file.
+report::Json json_of(const ScoredScene& scored);
+/// Throws Json::exception or InputError for another.
+ScoredScene scored_scene_of(const report::Json& line);
+
+}  // namespace ricochet::studies::impact_test

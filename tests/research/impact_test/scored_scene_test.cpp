@@ -1,0 +1,45 @@
+#include "src/research/impact_test/scored_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "problems/carrier_track/scene/scene_check.h"
+#include "src/research/impact_test/scene_kind.h"
+
+namespace ricochet::studies::impact_test {
+namespace {
+
+TEST(ScoredScene, IsDrawnAgainToTheLastBit) {
+  for (const int index : {0, 8, 21}) {
+    EXPECT_EQ(json_of(drawn_scene(1, index)).dump(), json_of(drawn_scene(1, index)).dump());
+    EXPECT_NE(json_of(drawn_scene(2, index)).dump(), json_of(drawn_scene(1, index)).dump());
+  }
+}
+
+TEST(ScoredScene, IsWrittenAndReadBack) {
+  for (int index = 0; index < 22; ++index) {
+    const report::Json line = json_of(drawn_scene(1, index));
+    EXPECT_EQ(json_of(scored_scene_of(report::Json::parse(line.dump()))), line);
+  }
+}
+
+TEST(ScoredScene, IsOfEachKindAndDifficultyInTurn) {
+  std::set<std::pair<std::string, int>> seen;
+  for (int index = 0; index < 44; ++index) {
+    const ScoredScene drawn = drawn_scene(4, index);
+    seen.insert({drawn.scene.kind, drawn.scene.difficulty});
+    carrier_track::check(drawn.machine, drawn.scene.scene);
+    EXPECT_GE(scored_impacts(drawn.scene, drawn.truth), 1);
+    EXPECT_LE(scored_impacts(drawn.scene, drawn.truth), most_impacts);
+    EXPECT_GE(drawn.scene.slowest, least_slowest);
+    for (const TrueImpact& i : drawn.truth) {
+      EXPECT_LE(i.time_sensitivity, 2 * most_growth * mean_time_between(drawn.scene, drawn.truth));
+      EXPECT_LT(i.time, drawn.scene.duration);
+    }
+  }
+  EXPECT_EQ(seen.size(), scene_kinds().size() * difficulties);
+}
+
+}  // namespace
+}  // namespace ricochet::studies::impact_test

@@ -67,7 +67,7 @@ std::optional<ScoredScene> scored_scene(Scene machine, double slowest_share, Ran
   const auto end = good_end(test_scene(machine), *known);
   if (!end) return std::nullopt;
   machine.window = Seconds{*end};
-  ScoredScene scored{test_scene(machine), machine, known->impacts};
+  ScoredScene scored{0, test_scene(machine), machine, known->impacts};
   std::erase_if(scored.truth, [&](const TrueImpact& i) { return i.time > *end; });
   return scored;
 }
@@ -82,6 +82,7 @@ ScoredScene drawn_scene(int seed, int index) {
     const DrawnScene drawn = kind.draw(draw, difficulty);
     auto scored = scored_scene(drawn.machine, drawn.slowest_share, random);
     if (!scored) continue;
+    scored->seed = seed;
     scored->scene.scene = fmt::format("{}-{:05}", kind.name, index);
     scored->scene.kind = kind.name;
     scored->scene.difficulty = difficulty;
@@ -94,13 +95,16 @@ Json json_of(const ScoredScene& scored) {
   line["impacts"] = report::list_of(scored.truth, [](const TrueImpact& i) -> Json {
     return {i.time, name_of(i.wall), i.speed, i.time_sensitivity, i.speed_sensitivity};
   });
+  line["seed"] = scored.seed;
   line["machine"] = write_scene(scored.machine);
   return line;
 }
 
 ScoredScene scored_scene_of(const Json& line) {
-  ScoredScene scored{
-      line.get<TestScene>(), parse_scene(line.at("machine").get<std::string>(), "machine"), {}};
+  ScoredScene scored;
+  scored.seed = line.at("seed").get<int>();
+  scored.scene = line.get<TestScene>();
+  scored.machine = parse_scene(line.at("machine").get<std::string>(), "machine");
   for (const Json& i : line.at("impacts")) {
     const Wall wall = i.at(1) == "upper" ? Wall::upper : Wall::lower;
     scored.truth.push_back({i.at(0), wall, i.at(2), i.at(3), i.at(4)});

@@ -7,6 +7,7 @@ namespace ricochet::studies::impact_test {
 
 /// A scene of the test, with what it is scored by.
 struct ScoredScene {
+  int seed = 0;  ///< of the draw
   TestScene scene;
   Scene machine;  ///< the same for ricochet; its counting limit is the scene's `slowest`
   Truth truth;

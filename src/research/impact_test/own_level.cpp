@@ -1,0 +1,163 @@
+#include "src/research/impact_test/own_level.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+#include "problems/carrier_track/models/observer.h"
+#include "problems/carrier_track/models/simulate.h"
+#include "problems/carrier_track/scene/scene_check.h"
+#include "ricochet/error.h"
+
+namespace ricochet::studies::impact_test {
+namespace {
+
+using namespace carrier_track;
+
+/// Keeps the impacts of hard walls.
+struct ImpactList : Observer {
+  static constexpr bool hears_impacts_alone = true;
+  static constexpr bool hears_stretches() { return false; }
+
+  void impact(double time, Wall wall, double speed) { impacts.push_back({time, wall, speed}); }
+
+  std::vector<Impact> impacts;
+};
+
+/// Keeps the impacts of compliant walls, and the deepest point in one.
+struct ContactList : Observer {
+  explicit ContactList(const Scene& scene) : lower(scene.wall_lower), upper(scene.wall_upper) {}
+
+  static constexpr bool hears_stretches() { return false; }
+  void impact(double time, Wall wall, double speed) { impacts.push_back({time, wall, speed}); }
+  void contact(double /*time*/, double position, double /*velocity*/) {
+    deepest = std::max({deepest, lower - position, position - upper});
+  }
+
+  double lower, upper;
+  std::vector<Impact> impacts;
+  double deepest = 0;
+};
+
+double since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Simulates a machine with an observer, and returns what it has heard.
+template <class List>
+Answer simulated(const ScoredScene& scored, const Scene& machine, List list) {
+  Answer answer{scored.scene.scene};
+  try {
+    check(machine, scored.scene.scene);
+    const auto start = std::chrono::steady_clock::now();
+    simulate(machine, list);
+    answer.seconds = since(start);
+    answer.impacts = std::move(list.impacts);
+    if constexpr (std::same_as<List, ContactList>) answer.deepest = list.deepest;
+  } catch (const InputError& error) {
+    answer.ending = Ending::cannot;
+    answer.reason = error.what();
+  } catch (const std::exception& error) {
+    answer.ending = Ending::error;
+    answer.reason = error.what();
+  }
+  return answer;
+}
+
+Answer by_hard_walls(const ScoredScene& scored, Level /*level*/) {
+  return simulated(scored, scored.machine, ImpactList());
+}
+
+Answer by_planar(const ScoredScene& scored, Level /*level*/) {
+  return simulated(scored, planar_machine(scored.machine), ImpactList());
+}
+
+template <ContactLaw law>
+Answer by_compliant(const ScoredScene& scored, Level level) {
+  Scene machine = scored.machine;
+  machine.fidelity = Fidelity::compliant;
+  machine.contact_law = law;
+  machine.stiffness = stiffness_of(level);
+  return simulated(scored, machine, ContactList(machine));
+}
+
+Tool compliant(const char* name, const char* title, const char* sets) {
+  return {name,
+          title,
+          "ricochet, compliant walls",
+          {},
+          {},
+          {},
+          "",
+          {},
+          {},
+          {"1e8 N/m^1.5", "1e11 N/m^1.5", "1e14 N/m^1.5"},
+          sets,
+          "a stiffness so high that a contact is over before the forces change"};
+}
+
+}  // namespace
+
+double stiffness_of(Level level) {
+  constexpr std::array stiffness = {1e8, 1e11, 1e14};
+  return stiffness[static_cast<std::size_t>(level)];
+}
+
+Scene planar_machine(const Scene& machine) {
+  Scene planar = machine;
+  planar.fidelity = Fidelity::planar;
+  Across<double>& y = planar.across.emplace();
+  const bool free = machine.slider_mass_radius == 0 && !machine.pull_rotates;
+  if (free && machine.friction > 0) {
+    planar.normal_force = machine.normal_force / 2;
+    y.pull = -machine.normal_force / 2;
+    y.start_position = y.wall_lower;
+  } else {
+    y.wall_lower = -1e9;
+    y.wall_upper = 1e9;
+  }
+  return planar;
+}
+
+const std::vector<OwnLevel>& own_levels() {
+  static const std::vector<OwnLevel> levels = {
+      {{"ricochet",
+        "ricochet, hard walls in closed form",
+        "ricochet",
+        {},
+        {},
+        {},
+        "",
+        {},
+        {},
+        {"no tolerance", "no tolerance", "no tolerance"},
+        "Newton's restitution and Coulomb's friction, exactly",
+        "nothing to set"},
+       by_hard_walls},
+      {{"planar",
+        "ricochet, hard walls in two directions",
+        "ricochet, planar",
+        {},
+        {},
+        {},
+        "",
+        {},
+        {},
+        {"no tolerance", "no tolerance", "no tolerance"},
+        "half of the friction by a press on a wall across, where no other force acts there",
+        "nothing to set"},
+       by_planar},
+      {compliant("exact-restitution", "ricochet, compliant walls with the exact damping",
+                 "the damping that returns the restitution; not 0"),
+       by_compliant<ContactLaw::exact_restitution>},
+      {compliant("hunt-crossley", "ricochet, compliant walls by Hunt and Crossley",
+                 "the damping D = 3 (1 - e) / 2, which returns e for e near 1"),
+       by_compliant<ContactLaw::hunt_crossley>},
+      {compliant("flores", "ricochet, compliant walls by Flores",
+                 "the damping D = 8 (1 - e) / (5 e), which returns nearly e"),
+       by_compliant<ContactLaw::flores>},
+  };
+  return levels;
+}
+
+}  // namespace ricochet::studies::impact_test

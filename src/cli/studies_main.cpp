@@ -6,12 +6,14 @@
 #include "src/benchmark/stress/study.h"
 #include "src/cli/best_values.h"
 #include "src/cli/command_line.h"
+#include "src/cli/impact_test.h"
 #include "src/cli/other_program.h"
 #include "src/cli/tell.h"
 #include "src/cli/verify.h"
 #include "src/research/calibration/study.h"
 #include "src/research/dynamics/study.h"
 #include "src/research/fireworks/study.h"
+#include "src/research/impact_test/study.h"
 #include "src/research/limits/study.h"
 #include "src/research/long_run/study.h"
 #include "src/research/suite/families.h"
@@ -36,6 +38,7 @@ class Studies : public CommandLine {
     add_study(
         "stress", summary_of("stress"), [] { return studies::stress_study(all_solvers()); },
         "  ricochet stress");
+    add_impact_test();
     add_problems();
     add_best_values();
     add_description();
@@ -115,6 +118,40 @@ class Studies : public CommandLine {
     });
   }
 
+  void add_impact_test() {
+    CLI::App* command =
+        add("impact-test", summary_of("impact-test"),
+            "  ricochet impact-test --quick\n"
+            "  ricochet impact-test --tools none --tool mine=./my-simulator --levels usual\n"
+            "  ricochet impact-test --tools 'odeint*,scipy*' --install-tools");
+    command->add_option("--scenes", impact_test_.scenes, "Number of scenes")->capture_default_str();
+    command->add_option("--seed", impact_test_.seed, "Seed of the scenes")->capture_default_str();
+    command
+        ->add_option("--tools", impact_test_.tools,
+                     "Names or patterns such as 'odeint*', all that are installed, or none")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--tool", impact_test_.own_tools,
+            "A program of your own, too; docs/impact-test.md says what it reads and writes")
+        ->type_name("NAME=COMMAND");
+    command->add_option("--levels", impact_test_.levels, "How exactly tools are asked to simulate")
+        ->capture_default_str();
+    command->add_flag("--list-tools", list_tools_, "Instead: list the tools");
+    command->add_flag(
+        "--install-tools", install_tools_,
+        "Instead: install the tools from Debian and Python's registry, and list them");
+    add_format(command, impact_test_json_);
+    StudyOptions& options = add_study_options(command, studies::impact_test_study({}));
+    on_call(command, [this, &options] {
+      impact_test_.quick = options.quick;
+      impact_test_.out = options.out;
+      if (install_tools_) return install_tools(impact_test_, impact_test_json_);
+      if (list_tools_) return list_tools(impact_test_, impact_test_json_);
+      return impact_test(impact_test_, impact_test_json_);
+    });
+  }
+
   void add_problems() {
     CLI::App* command = add_study(
         "problems", summary_of("problems"),
@@ -170,6 +207,10 @@ class Studies : public CommandLine {
   studies::VerificationOptions verification_;
   std::optional<int> scene_index_;
   bool verification_json_ = false;
+  ImpactTestOptions impact_test_;
+  bool list_tools_ = false;
+  bool install_tools_ = false;
+  bool impact_test_json_ = false;
   std::string problems_scene_;
   std::vector<std::string> problems_settings_;
   BestValuesOptions best_values_;

@@ -18,6 +18,7 @@
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
+#include "embedded/template_impact_test.h"
 #include "embedded/template_limits.h"
 #include "embedded/template_long_run.h"
 #include "embedded/template_problems.h"
@@ -54,6 +55,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"limits", embedded::template_limits},
     {"long-run", embedded::template_long_run},
     {"verification", embedded::template_verification},
+    {"impact-test", embedded::template_impact_test},
     {"stress", embedded::template_stress},
     {"fireworks", embedded::template_fireworks},
 };

@@ -15,9 +15,6 @@ namespace {
 using namespace carrier_track;
 using report::Json;
 
-/// A window ends at least so far from an impact, in mean times between impacts.
-constexpr double clear_of_the_end = 0.1;
-
 /// The latest time up to `good_until` [s] in a wide enough gap between impacts; nothing if there is
 /// none after a scored impact.
 std::optional<double> good_end(const TestScene& scene, const Conditioned& known) {

@@ -25,6 +25,9 @@ std::optional<ScoredScene> scored_scene(Scene machine, double slowest_share, Ran
 /// No scored impact is slower [m/s]: tools may set a body to rest at 1e-6 m/s.
 inline constexpr double least_slowest = 1e-5;
 
+/// A window ends at least so far from an impact, in mean times between impacts.
+inline constexpr double clear_of_the_end = 0.1;
+
 /// A window ends after so many scored impacts.
 inline constexpr int most_impacts = 200;
 

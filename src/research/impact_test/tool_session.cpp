@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <stdexcept>
 
 #include "src/core/one_line.h"
 #include "src/report/json.h"
@@ -44,7 +43,7 @@ Answer ToolSession::ask(const TestScene& scene) {
   if (answer.ending == Ending::never || !process_) {
     process_.reset();
     if (!has_ever_answered_ && ++failed_starts_ == most_failed_starts) {
-      throw std::runtime_error(answer.reason);
+      throw ToolFailure(answer.reason);
     }
   } else {
     has_answered_ = has_ever_answered_ = true;

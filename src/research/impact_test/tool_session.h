@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "solvers/outside/line_program.h"
@@ -10,6 +11,12 @@
 #include "src/research/impact_test/tool_program.h"
 
 namespace ricochet::studies::impact_test {
+
+/// A tool that cannot be used at all. The message says why.
+class ToolFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// How long a tool is waited for.
 struct TimeLimits {
@@ -25,8 +32,8 @@ class ToolSession {
   ToolSession(const ToolProgram& program, Level level, const std::filesystem::path& log,
               TimeLimits limits = {});
 
-  /// The tool's answer to a scene, whatever happens to the tool. Throws std::runtime_error, with
-  /// the reason, if it has failed `most_failed_starts` times without ever answering.
+  /// The tool's answer to a scene, whatever happens to the tool. Throws ToolFailure if it has
+  /// failed `most_failed_starts` times without ever answering.
   Answer ask(const TestScene& scene);
 
   static constexpr int most_failed_starts = 3;

@@ -1,0 +1,170 @@
+#include "src/research/impact_test/results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+
+#include "ricochet/error.h"
+#include "src/core/interruption.h"
+#include "src/core/progress.h"
+#include "src/core/text_file.h"
+#include "src/research/impact_test/kept_answers.h"
+#include "src/research/impact_test/scene_set.h"
+#include "src/research/impact_test/smallest_scene.h"
+#include "src/research/impact_test/tool_session.h"
+
+namespace ricochet::studies::impact_test {
+namespace {
+
+constexpr int most_asks = 200;  // of a tool, to shrink a scene
+constexpr std::chrono::seconds longest_shrinking{60};
+
+/// The tools that can be started, behind ricochet's own levels. The others are noted.
+std::vector<Simulator> simulators_of(const Plan& plan, std::vector<MissingTool>& missing) {
+  std::vector<Simulator> simulators = own_simulators();
+  for (const Tool& tool : plan.tools) {
+    const FoundTool found = found_tool(tool, plan.folder / "drivers");
+    if (found.program) {
+      simulators.push_back(simulator_of(*found.program, plan.folder / "logs"));
+    } else if (plan.needs_all) {
+      throw InputError(
+          fmt::format("{}: {}; --install-tools installs tools", tool.name, found.reason));
+    } else {
+      missing.push_back({tool.name, found.reason});
+    }
+  }
+  return simulators;
+}
+
+/// The first line of a file of answers.
+std::string origin_of(const Plan& plan, const Simulator& simulator, Level level) {
+  return report::Json{{"version", suite_version},          {"seed", plan.seed},
+                      {"tool", simulator.tool.name},       {"command", simulator.tool.run},
+                      {"tool_version", simulator.version}, {"level", name_of(level)}}
+      .dump();
+}
+
+std::vector<Answer> answers_of(const Results& results, const Simulator& simulator, Level level) {
+  const Plan& plan = results.plan;
+  Progress progress(fmt::format("{}, {}", simulator.tool.name, name_of(level)), plan.scenes);
+  const Ask ask = simulator.open(level);
+  std::vector<Answer> answers;
+  if (simulator.own) {
+    for (const ScoredScene& scored : results.scenes) {
+      answers.push_back(ask(scored));
+      progress.advance(1);
+    }
+    return answers;
+  }
+  const auto file = plan.folder / "answers" / name_of(level) / (simulator.tool.name + ".jsonl");
+  return kept_answers(file, origin_of(plan, simulator, level), results.scenes,
+                      [&](const ScoredScene& scored) {
+                        Answer answer = ask(scored);
+                        progress.advance(1);
+                        return answer;
+                      });
+}
+
+Measured measured_by(const Results& results, const Simulator& simulator, Level level) {
+  Measured measured{simulator.tool, simulator.version, simulator.own, level, {}, "", ""};
+  const std::vector<Answer> answers = answers_of(results, simulator, level);
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    measured.scores.push_back(score_of(answers[k], results.scenes[k]));
+    const Ending ending = answers[k].ending;
+    if (ending == Ending::answered) continue;
+    std::string& reason = ending == Ending::cannot ? measured.cannot : measured.failure;
+    if (reason.empty()) reason = answers[k].reason;
+  }
+  return measured;
+}
+
+/// The scene to begin with: of the kind that breaks the simulator most, relative to its impacts,
+/// the one with the fewest impacts. Answered ones come before those without an answer, which take
+/// the whole time limit.
+std::optional<std::size_t> scene_to_shrink(const Results& results, const Measured& measured) {
+  std::map<std::string, std::pair<int, int>> kinds;  // wrong, impacts
+  for (std::size_t k = 0; k < measured.scores.size(); ++k) {
+    auto& [wrong, impacts] = kinds[results.scenes[k].scene.kind];
+    wrong += measured.scores[k].wrong();
+    impacts += measured.scores[k].impacts;
+  }
+  const auto share = [&](std::size_t k) {
+    const auto [wrong, impacts] = kinds[results.scenes[k].scene.kind];
+    return impacts == 0 ? 0.0 : 1.0 * wrong / impacts;
+  };
+  const auto rank = [&](std::size_t k) {
+    const Score& score = measured.scores[k];
+    return std::tuple(score.ending != Ending::answered, -share(k), score.impacts);
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < measured.scores.size(); ++k) {
+    if (measured.scores[k].wrong() == 0) continue;
+    if (!best || rank(k) < rank(*best)) best = k;
+  }
+  return best;
+}
+
+std::optional<Broken> broken_by(const Results& results, const Measured& measured,
+                                const Simulator& simulator) {
+  const auto index = scene_to_shrink(results, measured);
+  if (!index) return std::nullopt;
+  Progress::announce(fmt::format("shrinking a scene that breaks {}", simulator.tool.name));
+  const ScoredScene& from = results.scenes[*index];
+  Broken broken{simulator.tool.name,    from.scene.kind, measured.level, from, from,
+                measured.scores[*index]};
+  const Ask ask = simulator.open(measured.level);
+  const auto end = std::chrono::steady_clock::now() + longest_shrinking;
+  const auto breaks = [&](const ScoredScene& scored) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    const Score score = score_of(ask(scored), scored);
+    if (score.wrong() == 0 || score.ending != broken.score.ending) return false;
+    broken.score = score;
+    return true;
+  };
+  broken.smallest = smallest_scene(from, breaks, most_asks);
+  return broken;
+}
+
+/// Keeps the scene for who wants to try it.
+void keep(const Broken& broken, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  write_text_file(folder / (broken.tool + ".jsonl"), json_of(broken.smallest).dump() + "\n");
+}
+
+}  // namespace
+
+Level shown_level(const Plan& plan) {
+  const bool usual = std::ranges::find(plan.levels, Level::usual) != plan.levels.end();
+  return usual ? Level::usual : plan.levels.front();
+}
+
+Results impact_test(const Plan& plan) {
+  Results results{plan, {}, {}, {}, {}};
+  const std::vector<Simulator> simulators = simulators_of(plan, results.missing);
+  results.scenes = scene_set(plan.seed, plan.scenes, plan.folder / "scenes.jsonl");
+  const AtInterruption kept([] {}, fmt::format("answers are kept in {}: the same command goes on",
+                                               (plan.folder / "answers").string()));
+  for (const Simulator& simulator : simulators) {
+    for (const Level level : plan.levels) {
+      try {
+        Measured measured = measured_by(results, simulator, level);
+        if (level == shown_level(plan)) {
+          if (auto broken = broken_by(results, measured, simulator)) {
+            keep(*broken, plan.folder / "smallest");
+            results.broken.push_back(std::move(*broken));
+          }
+        }
+        results.measured.push_back(std::move(measured));
+      } catch (const ToolFailure& error) {
+        results.missing.push_back({simulator.tool.name, error.what()});
+        break;
+      }
+    }
+  }
+  return results;
+}
+
+}  // namespace ricochet::studies::impact_test

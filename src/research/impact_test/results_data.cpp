@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "src/research/impact_test/results.h"
+#include "src/research/impact_test/scene_kind.h"
+#include "src/research/impact_test/smallest_scene.h"
+#include "src/research/impact_test/tally.h"
+
+namespace ricochet::studies::impact_test {
+namespace {
+
+using report::Json;
+using report::list_of;
+
+bool any_scene(const TestScene& /*scene*/) {
+  return true;
+}
+
+std::function<bool(const TestScene&)> of_kind(const std::string& kind) {
+  return [kind](const TestScene& scene) { return scene.kind == kind; };
+}
+
+std::function<bool(const TestScene&)> of_difficulty(int difficulty) {
+  return [difficulty](const TestScene& scene) { return scene.difficulty == difficulty; };
+}
+
+/// What is lost of a group of scenes, per 1,000 impacts.
+Json losses(const Tally& tally) {
+  return {{"impacts", tally.impacts},
+          {"missed", tally.per_thousand(tally.missed)},
+          {"invented", tally.per_thousand(tally.invented)},
+          {"wrong", tally.per_thousand(tally.missed + tally.invented)}};
+}
+
+/// A number that is drawn on a logarithmic axis: at least `least`.
+Json drawn(const std::optional<double>& value, double least) {
+  return value ? Json(std::max(*value, least)) : Json();
+}
+
+/// Least numbers that are drawn.
+constexpr double least_time_error = 1e-16;
+
+/// Half an impact of all, per 1,000.
+double least_wrong(const Results& results) {
+  int impacts = 0;
+  for (const ScoredScene& s : results.scenes) impacts += scored_impacts(s.scene, s.truth);
+  return 500.0 / std::max(impacts, 1);
+}
+
+/// The scores of ricochet itself at the same level: its times are the unit.
+const std::vector<Score>& unit_of(const Results& results, Level level) {
+  const auto own = std::ranges::find(results.measured, level, &Measured::level);
+  return own->scores;  // it is the first simulator
+}
+
+Json row_of(const Results& results, const Measured& measured) {
+  const Tally tally = tally_of(measured.scores, results.scenes, any_scene);
+  const auto& seconds = tally.seconds_per_impact;
+  Json row = {{"tool", measured.tool.name},
+              {"level", name_of(measured.level)},
+              {"setting", measured.tool.levels[static_cast<std::size_t>(measured.level)]},
+              {"own", measured.own},
+              {"reference", measured.tool.name == results.measured.front().tool.name},
+              {"scenes", tally.scenes},
+              {"answered", tally.answered},
+              {"cannot", tally.cannot},
+              {"errors", tally.errors},
+              {"never", tally.never},
+              {"late", tally.per_thousand(tally.late)},
+              {"wrong_speed", tally.per_thousand(tally.wrong_speed)},
+              {"time_error", tally.time_error},
+              {"penetration", tally.penetration},
+              {"energy", tally.energy_gained},
+              {"most_energy", tally.most_energy_gained},
+              {"seconds", seconds},
+              {"microseconds", seconds ? Json(1e6 * *seconds) : Json()},
+              {"ratio", time_ratio(measured.scores, unit_of(results, measured.level))}};
+  row.update(losses(tally));
+  row["drawn_wrong"] =
+      drawn(tally.per_thousand(tally.missed + tally.invented), least_wrong(results));
+  row["drawn_error"] = drawn(tally.time_error, least_time_error);
+  row["reasons"] = measured.cannot.empty() || measured.failure.empty()
+                       ? measured.cannot + measured.failure
+                       : measured.cannot + "; " + measured.failure;
+  return row;
+}
+
+/// A simulator at the shown level: by difficulty and by kind.
+Json standing_of(const Results& results, const Measured& measured) {
+  Json row = row_of(results, measured);
+  row["title"] = measured.tool.title;
+  row["kind"] = measured.tool.kind;
+  row["version"] = measured.version;
+  row["sets"] = measured.tool.sets;
+  row["advice"] = measured.tool.advice;
+  row["difficulties"] = Json::array();
+  for (int d = 1; d <= difficulties; ++d) {
+    row["difficulties"].push_back(
+        losses(tally_of(measured.scores, results.scenes, of_difficulty(d))));
+  }
+  row["kinds"] = Json::array();
+  Json worst;
+  for (const SceneKind& kind : scene_kinds()) {
+    const Json cell = losses(tally_of(measured.scores, results.scenes, of_kind(kind.name)));
+    row["kinds"].push_back(
+        cell["wrong"].is_null() ? Json() : Json(std::min(cell["wrong"].get<double>(), 1000.0)));
+    if (cell["wrong"].is_null()) continue;
+    if (worst.is_null() || cell["wrong"] > worst["wrong"]) {
+      worst = {{"kind", kind.name}, {"wrong", cell["wrong"]}};
+    }
+  }
+  row["worst"] = !worst.is_null() && worst["wrong"] > 0 ? worst : Json();
+  return row;
+}
+
+/// Whom nothing is lost by, then the others in the order of their losses; ricochet first.
+Json standings_of(const Results& results) {
+  std::vector<Json> rows;
+  for (const Measured& m : results.measured) {
+    if (m.level == shown_level(results.plan)) rows.push_back(standing_of(results, m));
+  }
+  const auto loss = [](const Json& row) {
+    return std::tuple(row["reference"] != true,
+                      row["wrong"].is_null() ? 1e9 : row["wrong"].get<double>(),
+                      row["seconds"].is_null() ? 1e9 : row["seconds"].get<double>());
+  };
+  std::ranges::stable_sort(rows, {}, loss);
+  return rows;
+}
+
+/// The levels of each simulator: what a tighter setting buys.
+Json series_of(const Results& results) {
+  Json series = Json::array();
+  for (const Measured& m : results.measured) {
+    if (series.empty() || series.back()["tool"] != m.tool.name) {
+      series.push_back({{"tool", m.tool.name}, {"own", m.own}, {"rows", Json::array()}});
+    }
+    series.back()["rows"].push_back(row_of(results, m));
+  }
+  return series;
+}
+
+Json json_of_broken(const Broken& broken) {
+  return {{"tool", broken.tool},
+          {"level", name_of(broken.level)},
+          {"kind", broken.kind},
+          {"scene", words_of(broken.smallest.machine)},
+          {"from", broken.from.scene.scene},
+          {"from_impacts", scored_impacts(broken.from.scene, broken.from.truth)},
+          {"impacts", broken.score.impacts},
+          {"missed", broken.score.missed},
+          {"invented", broken.score.invented},
+          {"answered", broken.score.ending == Ending::answered}};
+}
+
+Json kinds_data(const Results& results) {
+  Json kinds = Json::array();
+  for (const SceneKind& kind : scene_kinds()) {
+    int scenes = 0, impacts = 0;
+    for (const ScoredScene& s : results.scenes) {
+      if (s.scene.kind != kind.name) continue;
+      ++scenes;
+      impacts += scored_impacts(s.scene, s.truth);
+    }
+    kinds.push_back({{"name", kind.name},
+                     {"what", kind.what},
+                     {"harder", kind.harder},
+                     {"scenes", scenes},
+                     {"impacts", impacts}});
+  }
+  return kinds;
+}
+
+/// The scores of the tools, in a few numbers for the headline.
+Json finding_data(const Json& standings) {
+  int others = 0, clean = 0;
+  Json best, worst;
+  for (const Json& row : standings) {
+    if (row["own"] == true || row["wrong"].is_null()) continue;
+    ++others;
+    clean += row["wrong"] == 0 ? 1 : 0;
+    const Json one = {{"tool", row["tool"]}, {"wrong", row["wrong"]}, {"ratio", row["ratio"]}};
+    if (best.is_null()) best = one;
+    worst = one;
+  }
+  return {{"tools", others}, {"clean", clean}, {"best", best}, {"worst", worst}};
+}
+
+}  // namespace
+
+Json data_of(const Results& results) {
+  const Json standings = standings_of(results);
+  Json rows = Json::array();
+  for (const Measured& m : results.measured) rows.push_back(row_of(results, m));
+  int impacts = 0;
+  double sensitivity = 0;
+  for (const ScoredScene& s : results.scenes) {
+    impacts += scored_impacts(s.scene, s.truth);
+    for (const TrueImpact& i : s.truth) sensitivity = std::max(sensitivity, i.time_sensitivity);
+  }
+  Json own = Json::array();
+  for (const Json& row : rows) {
+    if (row["own"] == true) own.push_back(row);
+  }
+  return {{"suite",
+           {{"version", suite_version},
+            {"seed", results.plan.seed},
+            {"scenes", results.scenes.size()},
+            {"impacts", impacts},
+            {"kinds", scene_kinds().size()},
+            {"sensitivity", sensitivity}}},
+          {"shown", name_of(shown_level(results.plan))},
+          {"kinds", kinds_data(results)},
+          {"difficulties", {"1", "2", "3", "4"}},
+          {"standings", standings},
+          {"ours", standings.front()},
+          {"found", finding_data(standings)},
+          {"rows", rows},
+          {"own_rows", own},
+          {"series", series_of(results)},
+          {"broken", list_of(results.broken, json_of_broken)},
+          {"missing", list_of(results.missing,
+                              [](const MissingTool& m) -> Json {
+                                return {{"tool", m.tool}, {"reason", m.reason}};
+                              })},
+          {"least_wrong", least_wrong(results)}};
+}
+
+}  // namespace ricochet::studies::impact_test

@@ -143,6 +143,7 @@ Level shown_level(const Plan& plan) {
 
 Results impact_test(const Plan& plan) {
   Results results{plan, {}, {}, {}, {}};
+  std::filesystem::create_directories(plan.folder);
   const std::vector<Simulator> simulators = simulators_of(plan, results.missing);
   results.scenes = scene_set(plan.seed, plan.scenes, plan.folder / "scenes.jsonl");
   const AtInterruption kept([] {}, fmt::format("answers are kept in {}: the same command goes on",

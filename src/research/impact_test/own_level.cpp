@@ -8,6 +8,7 @@
 #include "problems/carrier_track/models/simulate.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
+#include "ricochet/simulate.h"
 
 namespace ricochet::studies::impact_test {
 namespace {
@@ -66,6 +67,27 @@ Answer simulated(const ScoredScene& scored, const Scene& machine, List list) {
 
 Answer by_hard_walls(const ScoredScene& scored, Level /*level*/) {
   return simulated(scored, scored.machine, ImpactList());
+}
+
+/// The impacts are those of the scene itself; the time is that of many speeds next to its own, over
+/// their number.
+Answer by_scan(const ScoredScene& scored, Level level) {
+  constexpr int speeds = 64;
+  constexpr double around = 0.005;  // relative
+  Answer answer = by_hard_walls(scored, level);
+  if (!scored.machine.profile.empty()) {
+    answer.ending = Ending::cannot;
+    answer.reason = "a scan is over constant speeds";
+    return answer;
+  }
+  std::vector<double> omegas;
+  for (int k = 0; k < speeds; ++k) {
+    omegas.push_back(scored.machine.omega * (1 + around * (2 * k - speeds + 1) / speeds));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  counts(scored.machine, omegas);
+  answer.seconds = since(start) / speeds;
+  return answer;
 }
 
 Answer by_planar(const ScoredScene& scored, Level /*level*/) {
@@ -134,6 +156,19 @@ const std::vector<OwnLevel>& own_levels() {
         "Newton's restitution and Coulomb's friction, exactly",
         "nothing to set"},
        by_hard_walls},
+      {{"ricochet-scan",
+        "ricochet, hard walls, each scene at 64 speeds within 1 % at once",
+        "ricochet, scan",
+        {},
+        {},
+        {},
+        "",
+        {},
+        {},
+        {"no tolerance", "no tolerance", "no tolerance"},
+        "as ricochet; the time is that of all speeds over their number",
+        "nothing to set"},
+       by_scan},
       {{"planar",
         "ricochet, hard walls in two directions",
         "ricochet, planar",

@@ -16,8 +16,8 @@ struct OwnLevel {
   Answer (*answer)(const ScoredScene& scored, Level level);
 };
 
-/// Hard walls, by which the others are measured, first; then hard walls in two directions, and
-/// compliant walls by some laws.
+/// Hard walls, by which the others are measured, first; then the same in a scan over speeds, hard
+/// walls in two directions, and compliant walls by some laws.
 const std::vector<OwnLevel>& own_levels();
 
 /// The stiffness [N/m^1.5] of compliant walls at a level.

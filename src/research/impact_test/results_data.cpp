@@ -49,10 +49,11 @@ double least_wrong(const Results& results) {
   return 500.0 / std::max(impacts, 1);
 }
 
-/// The scores of ricochet itself at the same level: its times are the unit.
-const std::vector<Score>& unit_of(const Results& results, Level level) {
-  const auto own = std::ranges::find(results.measured, level, &Measured::level);
-  return own->scores;  // it is the first simulator
+/// The scores of one of ricochet's own levels at a level of accuracy: its times are a unit.
+const std::vector<Score>& unit_of(const Results& results, const std::string& own, Level level) {
+  const auto found = std::ranges::find_if(
+      results.measured, [&](const Measured& m) { return m.tool.name == own && m.level == level; });
+  return found->scores;
 }
 
 Json row_of(const Results& results, const Measured& measured) {
@@ -62,7 +63,7 @@ Json row_of(const Results& results, const Measured& measured) {
               {"level", name_of(measured.level)},
               {"setting", measured.tool.levels[static_cast<std::size_t>(measured.level)]},
               {"own", measured.own},
-              {"reference", measured.tool.name == results.measured.front().tool.name},
+              {"reference", measured.tool.name == "ricochet"},
               {"scenes", tally.scenes},
               {"answered", tally.answered},
               {"cannot", tally.cannot},
@@ -76,7 +77,9 @@ Json row_of(const Results& results, const Measured& measured) {
               {"most_energy", tally.most_energy_gained},
               {"seconds", seconds},
               {"microseconds", seconds ? Json(1e6 * *seconds) : Json()},
-              {"ratio", time_ratio(measured.scores, unit_of(results, measured.level))}};
+              {"ratio", time_ratio(measured.scores, unit_of(results, "ricochet", measured.level))},
+              {"scan_ratio",
+               time_ratio(measured.scores, unit_of(results, "ricochet-scan", measured.level))}};
   row.update(losses(tally));
   row["drawn_wrong"] =
       drawn(tally.per_thousand(tally.missed + tally.invented), least_wrong(results));

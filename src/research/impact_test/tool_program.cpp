@@ -73,7 +73,8 @@ Places places_of(const Tool& tool, const fs::path& folder) {
                 fs::absolute(tool.source).string(), "",
                 fs::exists(python) ? fs::absolute(python).string() : "python3"};
   if (!tool.compile.empty()) {
-    places.out = fs::absolute(folder / (tool.name + "-" + hash_of(tool))).string();
+    places.out =
+        fs::absolute(folder / (tool.source.stem().string() + "-" + hash_of(tool))).string();
   }
   return places;
 }
@@ -92,7 +93,7 @@ Ran ran(const std::vector<std::string>& command) {
   Ran result{false, "", ""};
   std::string code;
   for (;;) {
-    const auto line = program.line({patience, "it was started"});
+    const auto line = program.line({patience, "it was started", patience});
     if (!line) break;
     if (!code.empty()) result.last = code;
     if (result.output.empty()) result.output = code;

@@ -36,8 +36,8 @@ struct Conditioned {
 };
 std::optional<Conditioned> conditioned_truth(const TestScene& scene, Random& random);
 
-/// A relative change of 1e-6 then moves an impact by 1 % of the mean time between impacts at most.
-inline constexpr double most_growth = 1e4;
+/// A relative change of 1e-5 then moves an impact by 1 % of the mean time between impacts at most.
+inline constexpr double most_growth = 1e3;
 
 /// The mean time between the scored impacts [s].
 double mean_time_between(const TestScene& scene, const Truth& truth);

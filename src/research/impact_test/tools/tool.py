@@ -1,0 +1,220 @@
+"""What the drivers in Python of the impact test share: the loop over scenes, and the motion between
+events. The same as tool.h and motion.h, in Python.
+
+A driver ends with `tool.run(simulate)`; simulate(scene, call) returns a Result.
+"""
+
+import bisect
+import json
+import math
+import sys
+import time
+
+LEVELS = ("loose", "usual", "tight")
+
+
+class Cannot(Exception):
+    """The tool cannot express a scene; the text says why."""
+
+
+class Result:
+    def __init__(self):
+        self.impacts = []  # [time s, "lower" or "upper", speed of approach m/s]
+        self.deepest = 0.0  # m, deepest penetration of a wall
+        self.end = [0.0, 0.0]  # m, m/s
+
+
+class Call:
+    """How the driver was called: METHOD LEVEL, or LEVEL."""
+
+    def __init__(self, words):
+        self.method = words[0] if len(words) > 1 else ""
+        self.level = LEVELS.index(words[-1])
+
+    def pick(self, loose, usual, tight):
+        return (loose, usual, tight)[self.level]
+
+
+class Scene:
+    """mass x'' = force - friction sign(x') between the walls; x' -> -restitution x' at a wall."""
+
+    def __init__(self, text):
+        self.__dict__.update({key: text[key] for key in text if key != "force"})
+        self.upper = math.inf if text["upper"] is None else text["upper"]
+        self.starts = [part["from"] for part in text["force"]]
+        self.segments = [
+            [term["amplitude"] + term["phase"] for term in part["terms"]] for part in text["force"]
+        ]
+
+    def segment_at(self, t):
+        return max(0, bisect.bisect_right(self.starts, t) - 1)
+
+    def end_of(self, segment):
+        return min(self.starts[segment + 1 : segment + 2] + [self.duration])
+
+    def force(self, t, segment=None):
+        """[N]; of a given segment, or of the one at time t [s]."""
+        if segment is None:
+            segment = self.segment_at(t)
+        u = t - self.starts[segment]
+        return sum(
+            (a + u * (b + u * c)) * math.cos(p + u * (q + u * r))
+            for a, b, c, p, q, r in self.segments[segment]
+        )
+
+    def _largest(self, measure):
+        spans = [self.end_of(k) - start for k, start in enumerate(self.starts)]
+        return max(
+            measure(terms, u)
+            for terms, span in zip(self.segments, spans)
+            for u in (0.0, span / 2, span)
+        )
+
+    def largest_force(self):
+        """No force is larger [N]."""
+        return self._largest(
+            lambda terms, u: sum(abs(a + u * (b + u * c)) for a, b, c, *_ in terms)
+        )
+
+    def longest_step(self):
+        """Twenty steps a period of the fastest force, and fifty in the duration [s]."""
+        fastest = self._largest(
+            lambda terms, u: max([abs(q + 2 * u * r) for *_, q, r in terms], default=0)
+        )
+        return min(self.duration / 50, 2 * math.pi / 20 / max(fastest, 1e-9))
+
+    def length(self):
+        """The clearance; a millimetre, or the start's height, without an upper wall [m]."""
+        if self.upper < math.inf:
+            return self.upper - self.lower
+        return max(1e-3, self.position - self.lower)
+
+    def speed(self):
+        """The speed that the force gives over that length [m/s]."""
+        reached = math.sqrt(2 * self.largest_force() / self.mass * self.length())
+        return max(abs(self.velocity), reached)
+
+
+class Motion:
+    """Between events the body flies, with friction against its direction, or it rests.
+
+    A driver integrates rates() from time and state, at most until end(), while all of values() stay
+    positive: one that falls through zero is an event. It then calls proceed() with the state there.
+    """
+
+    AT_ONCE = 1e-10  # s
+    MOST_AT_ONCE = 100
+
+    def __init__(self, scene, tolerance):
+        """A body that leaves a wall while a force holds it there rests below a speed that the
+        tool's relative tolerance still resolves, but that is not scored; nor is the height of such
+        a flight lost in rounding."""
+        self.scene, self.result = scene, Result()
+        self.time, self.state = 0.0, [scene.position, scene.velocity]
+        farthest = max(abs(scene.lower), abs(scene.lower + scene.length()))
+        height = 1e3 * sys.float_info.epsilon * farthest
+        self.rest_speed = max(
+            min(max(10 * tolerance * scene.speed(), 1e-8), 5e-6),
+            math.sqrt(2 * height * scene.largest_force() / scene.mass),
+        )
+        self.segment, self.at_once = 0, 0
+        self._settle(False)
+
+    def over(self):
+        return self.time >= self.scene.duration
+
+    def end(self):
+        return self.scene.end_of(self.segment)
+
+    def rates(self, t, y):
+        if not self.moves:
+            return [0.0, 0.0]
+        force = self.scene.force(t, self.segment)
+        return [y[1], (force - self.direction * self.scene.friction) / self.scene.mass]
+
+    def values(self, t, y):
+        """In flight: distances from the walls, and the speed if there is friction. At rest: what is
+        missing to a force that moves the body. 1 for what does not exist."""
+        scene = self.scene
+        if not self.moves:
+            return [self._hold(t), 1.0, 1.0]
+        above = scene.upper - y[0] if scene.upper < math.inf else 1.0
+        return [y[0] - scene.lower, above, self.direction * y[1] if scene.friction > 0 else 1.0]
+
+    def proceed(self, t, y, which):
+        """To the event `which` at time t and state y; -1: to end(), without an event."""
+        t = self.end() if which < 0 else t
+        self.at_once = self.at_once + 1 if t - self.time < self.AT_ONCE else 0
+        if self.at_once > self.MOST_AT_ONCE:
+            raise RuntimeError("the tool finds one event for ever")
+        self.time, self.state = t, [float(y[0]), float(y[1])]
+        if which < 0 and not self.over():
+            self.segment += 1
+        released = not self.moves and which >= 0
+        if self.moves and which >= 0:
+            self._arrive(which)
+        if not self.moves or which >= 0:
+            self._settle(released)
+        self.result.end = self.state
+
+    def first_step(self):
+        """Ends before the body can be back at the wall [s]: functions that start at zero are then
+        positive at its end."""
+        force = abs(self.scene.force(self.time, self.segment)) + self.scene.friction
+        flight = abs(self.state[1]) * self.scene.mass / (force + 1e-300)
+        return min(flight / 5 if flight > 0 else math.inf, self.scene.longest_step() / 10)
+
+    def _hold(self, t):
+        """At rest: how much force is missing to one that moves the body [N]."""
+        force = self.scene.force(t, self.segment)
+        if self.state[0] <= self.scene.lower:
+            return self.scene.friction - force
+        if self.state[0] >= self.scene.upper:
+            return self.scene.friction + force
+        return self.scene.friction - abs(force)
+
+    def _arrive(self, which):
+        if which == 2:
+            self.state[1] = 0.0
+            return
+        wall = ("lower", "upper")[which]
+        speed = self.state[1] if wall == "upper" else -self.state[1]
+        self.state[0] = getattr(self.scene, wall)
+        if speed > 0:
+            self.result.impacts.append([self.time, wall, speed])
+            self.state[1] *= -getattr(self.scene, "restitution_" + wall)
+        # Where a tool sees a body cross a wall on its way back, it cannot resolve a speed as slow.
+        is_slow = speed <= 0 or abs(self.state[1]) < self.rest_speed
+        if is_slow and self._hold(self.time) >= 0:
+            self.state[1] = 0.0
+
+    def _settle(self, released):
+        """Whether the body moves now, and in which direction. It does where a root of _hold() is
+        found."""
+        self.moves = released or self.state[1] != 0 or self._hold(self.time) < 0
+        if self.moves:
+            heading = self.state[1] or self.scene.force(self.time, self.segment)
+            self.direction = 1 if heading > 0 else -1
+
+
+def run(simulate):
+    """Answers all scenes of the standard input by simulate(scene, call)."""
+    if len(sys.argv) < 2 or sys.argv[-1] not in LEVELS:
+        sys.exit(f"usage: {sys.argv[0]} [METHOD] loose|usual|tight")
+    call = Call(sys.argv[1:])
+    for line in sys.stdin:
+        text = json.loads(line)
+        answer = {"scene": text["scene"]}
+        try:
+            scene = Scene(text)
+            start = time.perf_counter()
+            result = simulate(scene, call)
+            answer["seconds"] = time.perf_counter() - start
+            answer["impacts"] = result.impacts
+            answer["deepest"] = result.deepest
+            answer["end"] = result.end
+        except Cannot as reason:
+            answer["cannot"] = str(reason)
+        except Exception as error:  # whatever a tool throws is its answer
+            answer["error"] = f"{type(error).__name__}: {error}"
+        print(json.dumps(answer), flush=True)

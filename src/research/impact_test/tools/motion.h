@@ -17,15 +17,15 @@ class Motion {
   static constexpr int values_count = 3;
   using Values = std::array<double, values_count>;
 
-  /// A body that leaves a wall while a force holds it there rests below a speed that the tool's
-  /// relative tolerance still resolves, but that is not scored; nor is the height of such a flight
-  /// lost in rounding.
+  /// A body that leaves a wall while a force holds it there rests, if the height of its flight is
+  /// lost in the tool's tolerance, relative to the clearance, and if its impacts are not scored; or
+  /// if the height is lost in rounding.
   Motion(const Scene& scene, double tolerance)
       : state{scene.position, scene.velocity}, scene_(scene) {
     const double farthest = std::max(std::abs(scene.lower), std::abs(scene.lower + scene.length()));
-    const double height = 1e3 * std::numeric_limits<double>::epsilon() * farthest;
-    rest_speed_ = std::max(std::clamp(10 * tolerance * scene.speed(), 1e-8, 5e-6),
-                           std::sqrt(2 * height * scene.largest_force() / scene.mass));
+    const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * farthest;
+    rest_speed_ = std::max(std::min(std::sqrt(tolerance) * scene.speed(), scene.slowest / 4),
+                           std::sqrt(2 * rounding * scene.largest_force() / scene.mass));
     settle(false);
   }
 

@@ -49,6 +49,7 @@ struct Scene {
   double friction;                              ///< [N], set-valued at rest
   double position, velocity;                    ///< [m], [m/s], at the start
   double duration;                              ///< [s]
+  double slowest;                               ///< [m/s]; slower impacts are not scored
   std::vector<Segment> segments;
 
   double end_of(std::size_t segment) const {
@@ -144,6 +145,7 @@ inline Scene scene_of(const nlohmann::json& json) {
               number("position"),
               number("velocity"),
               number("duration"),
+              number("slowest"),
               {}};
   for (const auto& part : json.at("force")) {
     Segment segment{part.at("from").get<double>(), {}};

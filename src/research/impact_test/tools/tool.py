@@ -106,16 +106,16 @@ class Motion:
     MOST_AT_ONCE = 100
 
     def __init__(self, scene, tolerance):
-        """A body that leaves a wall while a force holds it there rests below a speed that the
-        tool's relative tolerance still resolves, but that is not scored; nor is the height of such
-        a flight lost in rounding."""
+        """A body that leaves a wall while a force holds it there rests, if the height of its flight
+        is lost in the tool's tolerance, relative to the clearance, and if its impacts are not
+        scored; or if the height is lost in rounding."""
         self.scene, self.result = scene, Result()
         self.time, self.state = 0.0, [scene.position, scene.velocity]
         farthest = max(abs(scene.lower), abs(scene.lower + scene.length()))
-        height = 1e3 * sys.float_info.epsilon * farthest
+        rounding = 1e3 * sys.float_info.epsilon * farthest
         self.rest_speed = max(
-            min(max(10 * tolerance * scene.speed(), 1e-8), 5e-6),
-            math.sqrt(2 * height * scene.largest_force() / scene.mass),
+            min(math.sqrt(tolerance) * scene.speed(), scene.slowest / 4),
+            math.sqrt(2 * rounding * scene.largest_force() / scene.mass),
         )
         self.segment, self.at_once = 0, 0
         self._settle(False)

@@ -8,6 +8,7 @@
 #include "embedded/doc_benchmark_method.h"
 #include "embedded/doc_command_line.h"
 #include "embedded/doc_identify.h"
+#include "embedded/doc_impact_test.h"
 #include "embedded/doc_machine_files.h"
 #include "embedded/doc_other_languages.h"
 #include "embedded/doc_own_solver.h"
@@ -38,11 +39,13 @@ constexpr std::pair<const char*, const char*> documents[] = {
     {"machine-files", embedded::doc_machine_files},
     {"threshold-and-regimes", embedded::doc_threshold_and_regimes},
     {"identify", embedded::doc_identify},
+
     {"own-solver", embedded::doc_own_solver},
     {"other-languages", embedded::doc_other_languages},
     {"benchmark-method", embedded::doc_benchmark_method},
     {"plans-and-clusters", embedded::doc_plans_and_clusters},
     {"reports", embedded::doc_reports},
+    {"impact-test", embedded::doc_impact_test},
     {"paper", embedded::doc_paper},
     {"architecture", embedded::doc_architecture},
     {"security", embedded::doc_security},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
 
 #include "problems/carrier_track/scene/scene_check.h"
@@ -22,6 +23,18 @@ TEST(ScoredScene, IsWrittenAndReadBack) {
     const report::Json line = json_of(drawn_scene(1, index));
     EXPECT_EQ(json_of(scored_scene_of(report::Json::parse(line.dump()))), line);
   }
+}
+
+TEST(ScoredScene, HasTheKeysOfTheSchema) {
+  std::ifstream file(RICOCHET_SOURCE "/docs/impact-test.schema.json");
+  const report::Json schema = report::Json::parse(file)["$defs"]["scene"];
+  const report::Json line = json_of(drawn_scene(1, 0));
+  std::set<std::string> described, written;
+  for (const auto& [key, value] : schema["properties"].items()) described.insert(key);
+  for (const auto& [key, value] : line.items()) written.insert(key);
+  EXPECT_EQ(described, written);
+  EXPECT_EQ(schema["properties"]["version"]["const"], suite_version);
+  for (const auto& key : schema["required"]) EXPECT_TRUE(line.contains(key.get<std::string>()));
 }
 
 TEST(ScoredScene, IsOfEachKindAndDifficultyInTurn) {

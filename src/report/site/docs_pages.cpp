@@ -39,7 +39,6 @@ constexpr std::pair<const char*, const char*> documents[] = {
     {"machine-files", embedded::doc_machine_files},
     {"threshold-and-regimes", embedded::doc_threshold_and_regimes},
     {"identify", embedded::doc_identify},
-
     {"own-solver", embedded::doc_own_solver},
     {"other-languages", embedded::doc_other_languages},
     {"benchmark-method", embedded::doc_benchmark_method},

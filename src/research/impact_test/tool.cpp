@@ -8,7 +8,7 @@
 #include "ricochet/error.h"
 #include "src/core/name.h"
 #include "src/core/near_names.h"
-#include "src/core/toml_text.h"
+#include "src/core/toml_file.h"
 
 namespace ricochet::studies::impact_test {
 namespace {

@@ -64,7 +64,6 @@ Json row_of(const Results& results, const Measured& measured) {
               {"setting", measured.tool.levels[static_cast<std::size_t>(measured.level)]},
               {"own", measured.own},
               {"reference", measured.tool.name == "ricochet"},
-              {"scenes", tally.scenes},
               {"answered", tally.answered},
               {"cannot", tally.cannot},
               {"errors", tally.errors},
@@ -81,9 +80,6 @@ Json row_of(const Results& results, const Measured& measured) {
               {"scan_ratio",
                time_ratio(measured.scores, unit_of(results, "ricochet-scan", measured.level))}};
   row.update(losses(tally));
-  row["drawn_wrong"] =
-      drawn(tally.per_thousand(tally.missed + tally.invented), least_wrong(results));
-  row["drawn_error"] = drawn(tally.time_error, least_time_error);
   row["reasons"] = measured.cannot.empty() || measured.failure.empty()
                        ? measured.cannot + measured.failure
                        : measured.cannot + "; " + measured.failure;
@@ -96,6 +92,11 @@ Json standing_of(const Results& results, const Measured& measured) {
   row["title"] = measured.tool.title;
   row["kind"] = measured.tool.kind;
   row["version"] = measured.version;
+  row["settings"] = Json::array();
+  for (const Level level : results.plan.levels) {
+    const std::string& words = measured.tool.levels[static_cast<std::size_t>(level)];
+    if (!words.empty()) row["settings"].push_back(name_of(level) + ": " + words);
+  }
   row["sets"] = measured.tool.sets;
   row["advice"] = measured.tool.advice;
   row["difficulties"] = Json::array();
@@ -138,9 +139,13 @@ Json series_of(const Results& results) {
   Json series = Json::array();
   for (const Measured& m : results.measured) {
     if (series.empty() || series.back()["tool"] != m.tool.name) {
-      series.push_back({{"tool", m.tool.name}, {"own", m.own}, {"rows", Json::array()}});
+      series.push_back({{"tool", m.tool.name}, {"rows", Json::array()}});
     }
-    series.back()["rows"].push_back(row_of(results, m));
+    const Tally tally = tally_of(m.scores, results.scenes, any_scene);
+    const auto wrong = tally.per_thousand(tally.missed + tally.invented);
+    series.back()["rows"].push_back({{"seconds", tally.seconds_per_impact},
+                                     {"wrong", drawn(wrong, least_wrong(results))},
+                                     {"error", drawn(tally.time_error, least_time_error)}});
   }
   return series;
 }
@@ -205,7 +210,12 @@ Json data_of(const Results& results) {
   }
   Json own = Json::array();
   for (const Json& row : rows) {
-    if (row["own"] == true) own.push_back(row);
+    if (row["own"] != true) continue;
+    own.push_back(Json::object());
+    for (const char* key : {"tool", "level", "setting", "missed", "invented", "late", "wrong_speed",
+                            "penetration", "microseconds", "ratio"}) {
+      own.back()[key] = row[key];
+    }
   }
   return {{"suite",
            {{"version", suite_version},

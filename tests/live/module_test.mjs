@@ -1,6 +1,6 @@
 // The module against the native program: node module_test.mjs SCENES MODULE FOLDER, where SCENES is
-// the program of scenes.cpp and MODULE the module, compressed or not. Ends with 0, or with 1 where
-// they differ, which is printed.
+// the program of scenes.cpp and MODULE the module, compressed or not. Ends with 0; 1 where they
+// differ, which is printed; 77 where there is no such module and CI is not set.
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
@@ -9,6 +9,10 @@ import zlib from "node:zlib";
 import {fileURLToPath} from "node:url";
 
 const [program, file, folder] = process.argv.slice(2);
+if (!fs.existsSync(file)) {
+  console.log(`${file} is missing: Debian's Clang for WebAssembly is not there; .ci/run installs it`);
+  process.exit(process.env.CI ? 1 : 77);
+}
 const here = path.dirname(fileURLToPath(import.meta.url));
 const number = 100_000;
 

@@ -10,7 +10,11 @@ const draw = (parent, name, attributes = {}, text) => {
   return part;
 };
 
-const shown = (x, digits = 3) => Number(x.toPrecision(digits)).toString();
+// A number with so many digits, as short as it can be.
+const shown = (x, digits = 3) => {
+  const rounded = Number(x.toPrecision(digits));
+  return Math.abs(rounded) >= 1e6 && Number.isFinite(rounded) ? rounded.toExponential().replace("e+", "e") : String(rounded);
+};
 
 // Round numbers from a to b, about `many`.
 const ticks = (a, b, many) => {
@@ -33,9 +37,9 @@ class Chart {
   }
 
   // Begins anew: an empty plot with these axes. `said`: the chart in a sentence.
-  begin({x, y, said, rows = 0}) {
+  begin({x, y, said, rows = 0, left = 46}) {
     this.width = Math.max(280, this.svg.clientWidth);
-    Object.assign(this, {left: 46, right: this.width - 12, top: 8 + 16 * rows, bottom: this.height - 40, xAxis: x, yAxis: y});
+    Object.assign(this, {left, right: this.width - 12, top: 8 + 16 * rows, bottom: this.height - 40, xAxis: x, yAxis: y});
     this.svg.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
     this.svg.setAttribute("height", this.height);
     this.svg.replaceChildren(this.title);

@@ -51,11 +51,11 @@ class MapChart {
     this.front = draw(chart.svg, "g");
     for (const {id, restitution: at, threshold} of cases) {
       if (Number.isNaN(threshold) || threshold > fastest) continue;
-      const dot = draw(this.front, "circle", {class: "paper-dot", cx: chart.x(at), cy: chart.y(threshold), r: 6});
+      const dot = draw(this.front, "circle", {class: "paper-dot", cx: chart.x(at), cy: chart.y(threshold), r: 8});
       draw(dot, "title", {}, `the paper's threshold of ${id}: ${shown(threshold)} rad/s`);
-      draw(this.front, "text", {class: "paper-label", x: chart.x(at) + (at > 0.5 ? -10 : 10), y: chart.y(threshold) + 4, "text-anchor": at > 0.5 ? "end" : "start"}, `${id}, paper`);
+      draw(this.front, "text", {class: "paper-label", x: chart.x(at) + (at > 0.5 ? -14 : 14), y: chart.y(threshold) + 4, "text-anchor": at > 0.5 ? "end" : "start"}, `${id}, paper`);
     }
-    this.own = draw(this.front, "circle", {class: "own-dot", r: 6});
+    this.own = draw(this.front, "circle", {class: "own-dot", r: 5});
     this.point(restitution, omega);
   }
 

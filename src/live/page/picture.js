@@ -41,7 +41,10 @@ class Picture {
   }
 
   // Seconds of the machine in one of the page.
-  slow() { return Number(this.pace.value); }
+  slow() {
+    const seconds = Number(this.pace.value);
+    return seconds ? this.motion.end / seconds : 1;
+  }
 
   run(runs) {
     this.runs = runs;
@@ -54,6 +57,7 @@ class Picture {
     Object.assign(this, {motion, omega, phase, lower});
     this.upper = Number.isFinite(upper) ? upper : Math.max(...motion.path.map(([, x]) => x));
     this.time = Math.min(1, share) * motion.end;
+    this.parts.gap.textContent = `clearance ${shown(1000 * (upper - lower))} mm`;
     this.show();
   }
 

@@ -28,6 +28,14 @@ class Race {
       this.draw();
     });
     root.querySelector("#race-again").addEventListener("click", again);
+    // It begins by itself when it is first seen, unless motion is unwanted.
+    this.still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const seen = new IntersectionObserver(([{isIntersecting}]) => {
+      if (!isIntersecting || !this.steps) return;
+      seen.disconnect();
+      if (!this.still) this.run(true);
+    }, {threshold: 0.6});
+    seen.observe(this.lanes.svg);
     setInterval(() => {
       if (!this.runs) return;
       this.shown = Math.min(this.length, this.shown + 1);
@@ -38,17 +46,16 @@ class Race {
 
   run(runs) {
     this.runs = runs;
-    this.play.textContent = runs ? "Pause" : this.shown > 0 && this.shown < this.length ? "Go on" : "Race";
+    this.play.textContent = runs ? "Pause" : this.shown > 1 && this.shown < this.length ? "Go on" : "Race";
   }
 
   // `steps`: of each racer; `limit`: the most collisions that are quiet; `best`: the fastest quiet
   // speed that is known [rad/s], or undefined.
   set({steps, limit, fastest, best, seed}) {
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     Object.assign(this, {steps, limit, fastest, seed, length: steps[0].length});
     const all = steps.flat().filter(({count}) => count <= limit).map(({omega}) => omega);
     this.best = Math.max(best ?? 0, ...all);
-    this.shown = still ? this.length : Math.min(this.length, Math.max(this.shown, 1));
+    this.shown = this.still ? this.length : Math.min(this.length, Math.max(this.shown, 1));
     this.run(this.runs);
     this.draw();
   }
@@ -81,7 +88,7 @@ class Race {
   drawLanes() {
     const {lanes, fastest, shown: until} = this, names = Machine.racers;
     const marks = lanes.begin({
-      x: {from: 0, to: fastest, label: "speed evaluated, rad/s"},
+      left: 12, x: {from: 0, to: fastest, label: "speed evaluated, rad/s"},
       y: {from: 0, to: names.length, ticks: [], label: ""},
       said: `Where ${names.join(", ")} have evaluated the count: the first ${until} evaluations of each`,
     });
@@ -103,7 +110,7 @@ class Race {
     const {gaps, length, shown: until, best} = this, least = 0.001, write = (x) => x === least ? "≤ 0.001" : String(x);
     const marks = gaps.begin({
       x: {from: 1, to: length, label: "evaluations"}, y: {from: least, to: 20, log: true, ticks: [least, 0.01, 0.1, 1, 10], write, label: "short of the best, rad/s"},
-      said: `How far the best quiet speed of each solver is short of ${best.toFixed(3)} rad/s, over the first ${until} evaluations`,
+      left: 62, said: `How far the best quiet speed of each solver is short of ${best.toFixed(3)} rad/s, over the first ${until} evaluations`,
     });
     Machine.racers.forEach((name, racer) => {
       let line = "", best = -Infinity, many = 0;

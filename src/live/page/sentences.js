@@ -18,7 +18,7 @@ const windowAnswerOf = ({rule, fine, claimed}, state) => {
   const of = Number.isNaN(turns) ? `${shown(state.get("seconds"))} s` : `${shown(turns)} turns`;
   const found = Number.isNaN(threshold) ? "there is no threshold" : `the threshold is ${threshold.toFixed(fine ? 3 : 2)} rad/s`;
   const told = Number.isNaN(claimed) ? state.theCase() ? " The paper gives no threshold for this case." : "" : ` The paper says ${shown(claimed)} for this case, ${state.theCase().id}.`;
-  return `By the paper's rule, which counts in a window of ${of} after the start, ${found}: there ${limit} collisions are quiet, and more are loud.${told}`;
+  return `By the paper's rule, which counts in a window of ${of} after the start, ${found}: a count of at most ${limit} is quiet there.${told}`;
 };
 
 const motionAnswerOf = ({count, impacts, certain, doubt}, state) => {

@@ -61,6 +61,17 @@ TEST_F(Site, IsDrawnAgainWithAllItsReportsAndTheirLinks) {
   EXPECT_EQ(page_text(folder_ / "again/index.html"), first);
 }
 
+TEST_F(Site, HasTheLivePageWithLinksToItsReports) {
+  keep(folder_ / "from", "verification", verification_data());
+  ASSERT_TRUE(redraw_site(folder_ / "from", folder_ / "to"));
+  const std::string page = page_text(folder_ / "to/live/index.html");
+  EXPECT_THAT(page, HasSubstr("<a href=\"../verification/index.html\">"));
+  EXPECT_THAT(page, HasSubstr("<a href=\"../live/index.html\" aria-current=\"page\">"));
+  EXPECT_THAT(page, HasSubstr("<h1>A live machine</h1>"));
+  EXPECT_LT(page.size(), 400'000U);
+  EXPECT_THAT(page_text(folder_ / "to/index.html"), HasSubstr("<a href=\"live/index.html\">"));
+}
+
 TEST_F(Site, IsNotWhatIsOneReportOrNone) {
   keep(folder_, "verification", verification_data());
   EXPECT_FALSE(redraw_site(folder_ / "verification", folder_ / "to"));

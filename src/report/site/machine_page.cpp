@@ -56,7 +56,7 @@ report::Table machines_table(const PaperMachines& all) {
   for (const PaperMachine& one : all.machines) {
     const bool both = one.quiet_up_to && one.paper_threshold;
     table.rows.push_back(
-        {{.text = one.id, .link = "../" + all.folder + "#long-run"},
+        {{.text = one.id, .link = "../" + all.folder},
          {fmt::format("{}", one.restitution)},
          {fmt::format("{}", one.friction)},
          {fmt::format("{}", one.disturbance)},

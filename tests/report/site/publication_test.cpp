@@ -61,8 +61,7 @@ TEST_F(PublishedSite, OverwritesNothingElse) {
   std::ofstream(folder_ / "mine" / "letter") << "dear";
   EXPECT_THROW(static_cast<void>(publish_site(folder_ / "from", folder_ / "mine")), InputError);
   EXPECT_THROW(static_cast<void>(publish_site(folder_ / "from", folder_ / "from")), InputError);
-  EXPECT_THROW(static_cast<void>(publish_site(folder_ / "mine", folder_ / "new")),
-               InputError);
+  EXPECT_THROW(static_cast<void>(publish_site(folder_ / "mine", folder_ / "new")), InputError);
   EXPECT_FALSE(fs::exists(folder_ / "mine/index.html"));
 }
 

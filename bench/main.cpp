@@ -13,6 +13,7 @@
 #include "bench/overhead_bench.h"
 #include "bench/regimes_bench.h"
 #include "bench/roofline_bench.h"
+#include "bench/shape_bench.h"
 #include "bench/simulation_bench.h"
 #include "src/core/one_line.h"
 
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
   ricochet::bench::add_overhead_benchmarks();
   ricochet::bench::add_regime_benchmarks();
   ricochet::bench::add_roofline_benchmarks();
+  ricochet::bench::add_shape_benchmarks();
   benchmark::Initialize(&flag_count, flags.data());
   if (flag_count > 1) {
     std::fprintf(stderr,

@@ -85,6 +85,9 @@ class Features : public Observer {
     use_(Scalar((scene_.peak_low - position) / scene_.peak_low), left_after(time));
   }
 
+ protected:
+  const Use& use() const { return use_; }
+
  private:
   Scalar left_after(const Scalar& time) const { return constant<Scalar>(1.0) - time / duration_; }
 
@@ -93,16 +96,34 @@ class Features : public Observer {
   Use use_;
 };
 
+/// Adds the weights of features.
+template <class Scalar>
+struct AddWeight {
+  double smoothing;
+  Scalar sum = constant<Scalar>(0.0);
+
+  void operator()(const Scalar& z, const Scalar& left) { sum += weight(z, left, smoothing); }
+};
+
+/// The sum of the weights of the features of a motion: objective_s of a scene, which must outlive
+/// it.
+template <class Scalar>
+class WeightSum : public Features<Scalar, AddWeight<Scalar>> {
+ public:
+  WeightSum(const BasicScene<Scalar>& scene, double smoothing)
+      : Features<Scalar, AddWeight<Scalar>>(scene, {smoothing}) {}
+
+  const Scalar& total() const { return this->use().sum; }
+};
+
 /// objective_s of a valid scene: the collision count for smoothing parameter s = 0, its surrogate
 /// for s > 0. `also` observes the simulation too.
 template <class Scalar, class Also>
 Scalar objective(const BasicScene<Scalar>& scene, double smoothing, Also& also) {
-  Scalar sum = constant<Scalar>(0.0);
-  auto add = [&](const Scalar& z, const Scalar& left) { sum += weight(z, left, smoothing); };
-  Features<Scalar, decltype(add)> features(scene, add);
-  ObserverPair both(features, also);
+  WeightSum<Scalar> sum(scene, smoothing);
+  ObserverPair both(sum, also);
   simulate_at_needed_fidelity(scene, both);
-  return sum;
+  return sum.total();
 }
 
 template <class Scalar>

@@ -20,7 +20,7 @@ Scalar impact_loss(const BasicScene<Scalar>& scene, Wall wall) {
   return half * scene.mass * (constant<Scalar>(1.0) - restitution * restitution);
 }
 
-/// Sums the kinetic energy [J] that impacts dissipate.
+/// Sums the kinetic energy that impacts dissipate.
 template <class Scalar>
 class EnergyLost : public Observer {
  public:
@@ -34,12 +34,12 @@ class EnergyLost : public Observer {
     sum_ += fading(left, wear_smoothing) * (wall == Wall::lower ? lower_ : upper_) * speed * speed;
   }
 
-  const Scalar& sum() const { return sum_; }
+  Scalar total() const { return constant<Scalar>(1e3) * sum_; }  ///< [mJ]
 
  private:
   Scalar lower_, upper_;
   Scalar duration_;
-  Scalar sum_ = constant<Scalar>(0.0);
+  Scalar sum_ = constant<Scalar>(0.0);  // [J]
 };
 
 /// The wear of a valid scene [mJ]: the energy that all impacts of the window dissipate in track and
@@ -52,7 +52,7 @@ Scalar wear(const BasicScene<Scalar>& scene, Also& also) {
   EnergyLost<Scalar> lost(scene);
   ObserverPair both(lost, also);
   simulate_at_needed_fidelity(scene, both);
-  return constant<Scalar>(1e3) * lost.sum();
+  return lost.total();
 }
 
 template <class Scalar>

@@ -7,6 +7,7 @@
 #include "problems/carrier_track/flight/flight.h"
 #include "problems/carrier_track/flight/ramp_flight.h"
 #include "problems/carrier_track/flight/ramp_forces.h"
+#include "problems/carrier_track/flight/ramp_partials.h"
 #include "problems/carrier_track/flight/rotation_taylor.h"
 
 namespace ricochet::carrier_track::inline flight {
@@ -142,8 +143,8 @@ class DualRampFlight {
         alpha_(forces.alpha.v),
         omega_(forces.omega.v),
         slope_(forces.slope.v),
-        flight_(start_position.a, start_velocity.a, inner(forces), turning) {
-    differentiate(forces, turning);
+        flight_(start_position.a, start_velocity.a, inner(forces), turning),
+        partials_(inner(forces).plate, forces.omega.a, forces.slope.a, turning) {
     if (varies(forces.plate)) plate_.emplace(forces, turning);
     const auto& disturbance = forces.disturbance;
     if (!vanishes(disturbance.cosine) || !vanishes(disturbance.sine)) disturbance_ = disturbance;
@@ -168,48 +169,13 @@ class DualRampFlight {
     return false;
   }
 
-  /// The partial derivatives. With t the time from the start, f(alpha, omega, slope) the plate's
-  /// force at any time and F(t) that of this flight:
-  ///   dF/d alpha = df/d alpha,  dF/d omega = t df/d alpha + df/d omega,
-  ///   dF/d slope = t^2 / 2 df/d alpha + t df/d omega + df/d slope.
-  void differentiate(const RampForces<Scalar>& forces, const Turning& turning) {
-    const RampForces<Real> real = inner(forces);
-    const auto& plate = real.plate;
-    const Real cosine = plate.cosine + plate.slope_cosine * real.slope;
-    const Real sine = plate.sine + plate.slope_sine * real.slope;
-    Real by_omega_before = constant<Real>(0.0);
-    Real growth_before = by_omega_before;
-    for (std::size_t k = 0; k < series_terms; ++k) {
-      const Real by_alpha = sine * turning.cosine[k] +
-                            plate.square_sine * turning.square_cosine[k] -
-                            cosine * turning.sine[k] - plate.square_cosine * turning.square_sine[k];
-      // df/d omega is 2 omega times this.
-      Real growth = plate.square_cosine * turning.cosine[k] + plate.square_sine * turning.sine[k];
-      if (k == 0) growth += plate.square;
-      Real by_omega = real.omega * growth;
-      if (k > 0) by_omega += real.slope * growth_before;
-      by_omega = scaled(by_omega, 2);
-      Real by_slope = plate.slope_cosine * turning.cosine[k] + plate.slope_sine * turning.sine[k];
-      by_alpha_[k] = by_alpha;
-      by_omega_[k] = by_omega;
-      by_slope_[k] = by_slope;
-      if (k > 0) {
-        by_omega_[k] += by_alpha_[k - 1];
-        by_slope_[k] += by_omega_before;
-      }
-      if (k > 1) by_slope_[k] += scaled(by_alpha_[k - 2], 0.5);
-      by_omega_before = by_omega;
-      growth_before = growth;
-    }
-  }
-
   /// Calls `use` with the derivatives of every quantity and the series of the acceleration's
   /// partial derivative with respect to it.
   template <class Use>
   void for_each_partial(Use use) const {
-    use(by_alpha_, alpha_);
-    use(by_omega_, omega_);
-    use(by_slope_, slope_);
+    use(partials_.by_alpha, alpha_);
+    use(partials_.by_omega, omega_);
+    use(partials_.by_slope, slope_);
     if (!plate_) return;
     Series<Real> one;
     Series<Real> square;
@@ -229,7 +195,7 @@ class DualRampFlight {
   Tangent steady_ = constant<Scalar>(0.0).v;  // what was pushed
   Tangent alpha_, omega_, slope_;
   RampFlight<Real> flight_;
-  Series<Real> by_alpha_, by_omega_, by_slope_;  // partial derivatives of the acceleration
+  RampPartials<Real> partials_;
   std::optional<Plate> plate_;
   std::optional<Harmonic<Scalar>> disturbance_;
   Scalar elapsed_ = constant<Scalar>(0.0);

@@ -17,8 +17,8 @@ using Series = std::array<Scalar, series_terms>;
 /// An acceleration as a series, and its integrals over time t [s]: the position is t^2 times, and
 /// the velocity t times, the returned value, so that the start can be added without loss of
 /// accuracy.
-template <class Scalar>
-Motion<Scalar> integrals(const Series<Scalar>& series, const Scalar& t) {
+template <class Scalar, class Time>
+Motion<Scalar> integrals(const Series<Scalar>& series, const Time& t) {
   Scalar a = constant<Scalar>(0.0);
   Scalar v = a;
   Scalar x = a;

@@ -23,6 +23,20 @@ inline constexpr double flat_change = 1e-3;
 /// A motion is sensitive if an impact's time changes by more than this many windows across the box.
 inline constexpr double sensitive_growth = 1e3;
 
+/// The tightest limits on the derivatives of a motion, from lengths of gradients in the unit box.
+struct TrustLimits {
+  double steepest = 0;  ///< 1 / reach, to first order: the largest |gradient of g| / g of a margin g
+  double growth = 0;    ///< the largest |gradient| of an impact's time divided by the window
+
+  /// Adds a margin > 0 with its |gradient|: the event vanishes where the margin becomes 0.
+  void margin(double margin, double slope) {
+    if (slope > steepest * margin) steepest = slope / margin;
+  }
+
+  /// Adds an impact with the |gradient| of its time.
+  void impact(double slope, double window) { growth = std::max(growth, slope / window); }
+};
+
 /// Collects the limits on the derivatives of one or several simulations with respect to some
 /// variables, in a box of the given widths.
 template <class Jet>
@@ -34,18 +48,11 @@ class TrustGauge {
   /// An observer of a simulation of this scene, which must outlive it.
   auto of(const BasicScene<Jet>& scene);
 
-  /// 1 / reach, to first order: the largest |gradient of g| / g of all margins g.
-  double steepest() const { return steepest_; }
-  /// The largest |gradient| of an impact's time divided by the window.
-  double growth() const { return growth_; }
+  double steepest() const { return limits_.steepest; }
+  double growth() const { return limits_.growth; }
 
-  /// Adds a margin > 0: the event vanishes where it becomes 0.
-  void limit(const Jet& margin) {
-    const double slope = norm(margin);
-    if (slope > steepest_ * margin.a) steepest_ = slope / margin.a;
-  }
-
-  void impact(const Jet& time, double window) { growth_ = std::max(growth_, norm(time) / window); }
+  void limit(const Jet& margin) { limits_.margin(margin.a, norm(margin)); }
+  void impact(const Jet& time, double window) { limits_.impact(norm(time), window); }
 
  private:
   double norm(const Jet& x) const {
@@ -57,8 +64,7 @@ class TrustGauge {
 
   const Vector& widths_;
   Eigen::Index first_;
-  double steepest_ = 0;
-  double growth_ = 0;
+  TrustLimits limits_;
 };
 
 /// Reports the margins of a motion between hard walls to a gauge. An impact vanishes where its

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "problems/carrier_track/gradients/shaped_knots.h"
 #include "problems/carrier_track/problems/machine.h"
 #include "ricochet/problem.h"
 
@@ -48,6 +49,9 @@ BasicScene<Scalar> with_profile(BasicScene<Scalar> scene, const ProfileFrame& fr
   scene.window = Seconds{frame.seconds};
   return scene;
 }
+
+/// The knots of a scene whose profile has this shape, for derivatives.
+ShapedKnots shaped_knots(const Scene& scene, const Vector& shape);
 
 /// Minimise the collision count over the shape of n >= 2 knots, without derivatives. The surrogate
 /// has them.

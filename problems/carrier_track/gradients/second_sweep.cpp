@@ -1,0 +1,143 @@
+#include "problems/carrier_track/gradients/second_sweep.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "problems/carrier_track/gradients/adjoint_sweep.h"
+#include "problems/carrier_track/gradients/tangent_sweep.h"
+
+namespace ricochet::carrier_track::inline gradients {
+namespace {
+
+/// Rows along given directions of the knots' speeds.
+template <int size>
+class DirectionRows : public TangentRows<size> {
+ public:
+  using Directions = Eigen::Matrix<double, Eigen::Dynamic, size>;
+
+  /// The arguments must outlive the rows.
+  DirectionRows(const ProfileMotion& motion, const Directions& speeds)
+      : motion_(motion), speeds_(speeds) {}
+
+  void enter(std::size_t knot) {
+    auto& [angle, speed, slope] = this->ramp;
+    const auto of = [&](std::size_t k) { return speeds_.row(static_cast<Eigen::Index>(k)); };
+    for (; knot_ < knot; ++knot_) angle += 0.5 * motion_.span(knot_) * (of(knot_) + of(knot_ + 1));
+    speed = of(knot);
+    slope = (of(knot + 1) - of(knot)) / motion_.span(knot);
+  }
+
+ private:
+  const ProfileMotion& motion_;
+  const Directions& speeds_;
+  std::size_t knot_ = 0;
+};
+
+/// What a sweep forward says of every leg: the derivatives of its start, its duration, and the time
+/// and state at its end.
+template <int size>
+class MovedLegs {
+ public:
+  using Dual = ceres::Jet<double, size>;
+
+  MovedLegs(const ProfileMotion& motion, const std::vector<LinearLeg<double>>& legs,
+            const std::vector<EventTerm>& terms)
+      : motion_(motion), legs_(legs), terms_(terms), moved_(motion.size()) {}
+
+  void ended(std::size_t i, const Row<size>& start, const Row<size>& later,
+             const Row<size>& state) {
+    const LinearLeg<double>& leg = legs_[i];
+    const auto& curvature = terms_[i].curvature;
+    const Row<size> time = start + later;
+    const LegEnd end = motion_.leg(i).end;
+    const double velocity = end == LegEnd::impact ? motion_.leg(i).direction : end == LegEnd::cut;
+    moved_[i] = {dual(leg.start, start),
+                 dual(leg.duration, later),
+                 dual(leg.velocity, velocity * state),
+                 dual(leg.by_time, curvature(0, 0) * time + curvature(0, 1) * state),
+                 dual(leg.by_state, curvature(1, 0) * time + curvature(1, 1) * state),
+                 leg.release};
+  }
+
+  /// The flights, but for what complete() adds.
+  std::vector<LinearLeg<Dual>> legs() && { return std::move(moved_); }
+
+ private:
+  template <class Tangent>
+  static Dual dual(double value, const Tangent& tangent) {
+    return {value, tangent.transpose()};
+  }
+
+  const ProfileMotion& motion_;
+  const std::vector<LinearLeg<double>>& legs_;
+  const std::vector<EventTerm>& terms_;
+  std::vector<LinearLeg<Dual>> moved_;
+};
+
+/// The response of a leg, as duals along the directions of its start and duration.
+template <class Local, class Dual>
+LegResponse<Dual> chained(const LegResponse<Local>& response, const LinearLeg<Dual>& leg) {
+  const auto dual = [&](const Local& of, double rate) {
+    return Dual(of.a, of.v[0] * leg.ramp.angle.v + of.v[1] * leg.ramp.speed.v +
+                          of.v[2] * leg.ramp.slope.v + of.v[3] * leg.start.v +
+                          rate * leg.duration.v);
+  };
+  const auto each = [&](const Motion<Local>& by) {
+    return Motion<Dual>{dual(by.position, by.velocity.a), dual(by.velocity, by.acceleration.a), {}};
+  };
+  return {each(response.by_angle), each(response.by_speed), each(response.by_slope),
+          each(response.by_start)};
+}
+
+}  // namespace
+
+SecondSweep::SecondSweep(const ProfileMotion& motion, const std::vector<LinearLeg<double>>& legs,
+                         const std::vector<EventTerm>& terms)
+    : motion_(motion), legs_(legs), terms_(terms), responses_(motion.size()) {
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (motion.leg(i).rests) continue;
+    const auto& [angle, speed, slope] = legs[i].ramp;
+    responses_[i] =
+        motion.response(i, Local(legs[i].start, 3),
+                        Ramp<Local>{Local(angle, 0), Local(speed, 1), Local(slope, 2)});
+  }
+}
+
+template <int size>
+Eigen::Matrix<double, Eigen::Dynamic, size> SecondSweep::sweep(
+    const Eigen::Matrix<double, Eigen::Dynamic, size>& directions) const {
+  using Dual = ceres::Jet<double, size>;
+  DirectionRows<size> rows(motion_, directions);
+  MovedLegs<size> moved(motion_, legs_, terms_);
+  sweep_forward(motion_, legs_, rows, moved);
+  std::vector<LinearLeg<Dual>> legs = std::move(moved).legs();
+  std::vector<Dual> speeds;
+  for (Eigen::Index k = 0; k < directions.rows(); ++k) {
+    const double speed = motion_.speed(static_cast<std::size_t>(k));
+    speeds.emplace_back(speed, directions.row(k).transpose());
+  }
+  complete(motion_, motion_.ramps<Dual>(speeds), legs,
+           [&](std::size_t i) { return chained(responses_[i], legs[i]); });
+  Eigen::Matrix<double, Eigen::Dynamic, size> result(directions.rows(), size);
+  const std::vector<Dual> gradient = swept_back(motion_, legs);
+  for (Eigen::Index k = 0; k < directions.rows(); ++k) {
+    result.row(k) = gradient[static_cast<std::size_t>(k)].v.transpose();
+  }
+  return result;
+}
+
+Matrix SecondSweep::along(const Matrix& directions) const {
+  if (directions.cols() == 1) return sweep<1>(directions);
+  constexpr int block = 8;
+  Matrix result(directions.rows(), directions.cols());
+  for (Eigen::Index first = 0; first < directions.cols(); first += block) {
+    const Eigen::Index size = std::min<Eigen::Index>(block, directions.cols() - first);
+    Eigen::Matrix<double, Eigen::Dynamic, block> some(directions.rows(), block);
+    some << directions.middleCols(first, size), Matrix::Zero(directions.rows(), block - size);
+    result.middleCols(first, size) = sweep<block>(some).leftCols(size);
+  }
+  return result;
+}
+
+}  // namespace ricochet::carrier_track::inline gradients

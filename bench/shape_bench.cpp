@@ -41,29 +41,27 @@ struct SurrogateOfShape {
 };
 
 /// Measures the time of `work(x)` at some points x, and over_value, its ratio to the time of a
-/// value. Both are the fastest of several rounds, measured alternately, because other work slows the
-/// machine at times.
+/// value. Both are the fastest of several rounds, measured alternately, because other work slows
+/// the machine at times.
 template <class Work>
 void add(const std::string& name, std::size_t n, double allowed, const Work& work) {
-  benchmark::RegisterBenchmark(
-      (name + std::to_string(n)).c_str(), [=](benchmark::State& state) {
-        const Problem problem =
-            profile_count_problem(shaped_machine(), n).formulated({default_smoothing});
-        Random random(1);
-        std::vector<Vector> points;
-        for (int k = 0; k < 5; ++k) points.push_back(uniform_point(problem, random));
-        const auto all = [&](const auto& each) {
-          return [&] {
-            for (const Vector& x : points) benchmark::DoNotOptimize(each(x));
-          };
-        };
-        const auto worked = all([&](const Vector& x) { return work(problem, x); });
-        const auto [value, whole] =
-            fastest_of(all(problem.evaluate), worked, 10, 5e-3);
-        for (auto _ : state) worked();
-        state.counters["over_value"] = whole / value;
-        state.counters["allowed"] = allowed;
-      })->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark((name + std::to_string(n)).c_str(), [=](benchmark::State& state) {
+    const Problem problem =
+        profile_count_problem(shaped_machine(), n).formulated({default_smoothing});
+    Random random(1);
+    std::vector<Vector> points;
+    for (int k = 0; k < 5; ++k) points.push_back(uniform_point(problem, random));
+    const auto all = [&](const auto& each) {
+      return [&points, each] {
+        for (const Vector& x : points) benchmark::DoNotOptimize(each(x));
+      };
+    };
+    const auto worked = all([&](const Vector& x) { return work(problem, x); });
+    const auto [value, whole] = fastest_of(all(problem.evaluate), worked, 10, 5e-3);
+    for (auto _ : state) worked();
+    state.counters["over_value"] = whole / value;
+    state.counters["allowed"] = allowed;
+  })->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace
@@ -88,8 +86,10 @@ void add_shape_benchmarks() {
     add("gradient-of-shape/", n, 4, gradient);
     add("hessian-times-vector-of-shape/", n, 10, times_vector);
   }
-  for (const std::size_t n : {2U, 16U, 64U}) add("hessian-of-shape/", n, 4.0 + static_cast<double>(n), hessian);
-  for (const std::size_t n : {16U, 64U}) add("gradient-of-shape-by-duals/", n, 1 + 0.5 * static_cast<double>(n), by_duals);
+  for (const std::size_t n : {2U, 16U, 64U})
+    add("hessian-of-shape/", n, 4.0 + static_cast<double>(n), hessian);
+  for (const std::size_t n : {16U, 64U})
+    add("gradient-of-shape-by-duals/", n, 1 + 0.5 * static_cast<double>(n), by_duals);
 }
 
 }  // namespace ricochet::bench

@@ -17,9 +17,9 @@ struct BodyAdjoint {
   Scalar position{};
   Scalar velocity{};
 
-  /// From after the end of leg i, a flight, to before it, where the duration of the leg is given: by
-  /// the implicit function theorem an impact is later by -position / velocity, a turning point by
-  /// -velocity / acceleration, and the end at a cut by -time.
+  /// From after the end of leg i, a flight, to before it, where the duration of the leg is given:
+  /// by the implicit function theorem an impact is later by -position / velocity, a turning point
+  /// by -velocity / acceleration, and the end at a cut by -time.
   void pass_end(const ProfileMotion& motion, std::size_t i, const LinearLeg<Scalar>& leg) {
     const Scalar zero(0.0);
     if (motion.leg(i).end == LegEnd::cut) {
@@ -51,7 +51,7 @@ struct BodyAdjoint {
 template <class Scalar>
 std::vector<Scalar> swept_back(const ProfileMotion& motion,
                                const std::vector<LinearLeg<Scalar>>& legs) {
-  std::vector<Ramp<Scalar>> ramps(motion.knots() - 1);  // adjoints
+  std::vector<PlateRamp<Scalar>> ramps(motion.knots() - 1);  // adjoints
   detail::BodyAdjoint<Scalar> body;
   for (std::size_t i = motion.size(); i-- > 0;) {
     if (motion.leg(i).rests) continue;

@@ -17,8 +17,9 @@
 ///   Scalar operator()(std::span<const Scalar> x, Watch& watch) const;
 ///
 /// It passes `watch.of(scene)` as an observer to every simulation that the value depends on. A
-/// Function of a problem defines `static constexpr int jet_size`, the number of directions that it
-/// is best to differentiate at a time: the number of variables, but at most 16.
+/// Function of a problem defines `static constexpr int jet_size`, the number of directions to
+/// differentiate at a time: the number of variables. For the shape of a speed profile, which may
+/// have any number of variables, see shape_derivatives.h.
 namespace ricochet::carrier_track::inline gradients {
 
 /// Watches nothing.
@@ -66,7 +67,7 @@ std::vector<Jet> seeded(const Vector& x, Eigen::Index first) {
 
 /// Value and gradient at x, and their trust in a box of these `widths` (length n). Differentiates
 /// `Room` directions at a time.
-template <int Room = 16, class Function>
+template <int Room = 5, class Function>
 Gradient gradient_of(const Function& f, const Vector& x, const Vector& widths) {
   using Jet = ceres::Jet<double, Room>;
   Gradient result{0, Vector(x.size()), {}};
@@ -115,8 +116,8 @@ void hessian_block(const Function& f, const Vector& x, Eigen::Index row, Eigen::
 }  // namespace detail
 
 /// Value, gradient and second derivatives at x, in blocks of `Room` by `Room` directions. Measured:
-/// Room = 1 is the fastest for one variable, 2 for up to six, 4 for more.
-template <int Room = 4, class Function>
+/// Room = 1 is the fastest for one variable, 2 for up to six.
+template <int Room = 2, class Function>
 Hessian hessian_of(const Function& f, const Vector& x) {
   Hessian result{0, Vector(x.size()), Matrix(x.size(), x.size())};
   for (Eigen::Index row = 0; row < x.size(); row += Room) {

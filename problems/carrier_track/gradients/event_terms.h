@@ -26,7 +26,7 @@ struct EventTerm {
 /// A sum over a motion, and the motion.
 struct SummedMotion {
   double value;
-  std::vector<Leg> legs;
+  std::vector<MotionLeg> legs;
 };
 
 /// Simulates a valid scene of fidelity impact with a speed profile.
@@ -43,7 +43,7 @@ namespace detail {
 
 /// What the event at the end of a leg adds to an empty sum.
 template <class Scalar, class Sum>
-Scalar term_of(Sum sum, const Leg& leg, const Scalar& time, const Scalar& state) {
+Scalar term_of(Sum sum, const MotionLeg& leg, const Scalar& time, const Scalar& state) {
   if (leg.end == LegEnd::impact) {
     sum.impact(time, leg.direction > 0 ? Wall::upper : Wall::lower, state);
     if (leg.peak) sum.peak(time, constant<Scalar>(leg.position));
@@ -78,14 +78,15 @@ auto input(double value, int direction) {
 
 /// The derivatives of the terms up to an order, 1 or 2, one for each leg of a motion of `scene`.
 template <int order, class EventSum>
-std::vector<EventTerm> event_terms(const EventSum& of, Scene scene, const std::vector<Leg>& legs) {
+std::vector<EventTerm> event_terms(const EventSum& of, Scene scene,
+                                   const std::vector<MotionLeg>& legs) {
   using Dual = decltype(detail::input<order>(0, 0));
   scene.profile.clear();
   const BasicScene<Dual> constants = lifted<Dual>(scene);
   const auto nothing = of.over(constants);
   std::vector<EventTerm> terms(legs.size());
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Leg& leg = legs[i];
+    const MotionLeg& leg = legs[i];
     if (leg.end == LegEnd::cut) continue;
     const double state = leg.end == LegEnd::impact ? leg.speed : leg.position;
     const Dual term =

@@ -6,10 +6,7 @@
 namespace ricochet::carrier_track::inline gradients {
 
 GaugeRows::GaugeRows(const ProfileMotion& motion, const ShapedKnots& knots, const Vector& widths)
-    : motion_(motion),
-      knots_(knots),
-      widths_(widths),
-      later_(Vector::Zero(widths.size() + 1)) {
+    : motion_(motion), knots_(knots), widths_(widths), later_(Vector::Zero(widths.size() + 1)) {
   for (Eigen::Index k = widths.size(); k-- > 0;) {
     later_[k] = std::hypot(later_[k + 1], knots.share[k] * widths[k]);
   }
@@ -29,13 +26,13 @@ void GaugeRows::enter(std::size_t knot) {
 }
 
 void GaugeRows::append(Eigen::Index knot) {
-  Row<8>* const rows[] = {&time, &position, &velocity, &ramp.angle, &ramp.speed, &share_};
+  TangentRow<8>* const rows[] = {&time, &position, &velocity, &ramp.angle, &ramp.speed, &share_};
   // The last direction, that of the share of later knots, splits into this knot and the rest.
   const double here = knots_.share[knot] * widths_[knot] / later_[knot];
   const double rest = later_[knot + 1] / later_[knot];
   Eigen::Matrix<double, 8, 7> columns;
   for (int i = 0; i < 6; ++i) {
-    Row<8>& row = *rows[i];
+    TangentRow<8>& row = *rows[i];
     columns.col(i) << row.head<7>().transpose(), here * row[7];
     row[7] *= rest;
   }

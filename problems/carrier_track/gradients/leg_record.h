@@ -18,7 +18,7 @@ enum class LegEnd {
 };
 
 /// A part of a motion, a flight or a rest, in which the forces are one power series.
-struct Leg {
+struct MotionLeg {
   double start;     ///< [s]
   double duration;  ///< [s]
   double velocity;  ///< [m/s] at its start
@@ -40,9 +40,7 @@ class LegRecord : public Observer {
     legs_.push_back({time, duration, path.velocity, std::is_same_v<Path, Flight<double>>});
   }
 
-  void impact(double /*time*/, Wall wall, double speed) {
-    end(LegEnd::impact, wall).speed = speed;
-  }
+  void impact(double /*time*/, Wall wall, double speed) { end(LegEnd::impact, wall).speed = speed; }
 
   void turn(double /*time*/, double position, Wall ahead) {
     end(LegEnd::turn, ahead).position = position;
@@ -50,26 +48,26 @@ class LegRecord : public Observer {
 
   /// A maximum is reported when the body leaves it, before any other event.
   void peak(double /*time*/, double position) {
-    Leg& summit = legs_[ended_ - 1];
+    MotionLeg& summit = legs_[ended_ - 1];
     summit.position = position;
     summit.peak = true;
   }
 
-  std::vector<Leg> legs() && {
+  std::vector<MotionLeg> legs() && {
     legs_.resize(ended_);
     return std::move(legs_);
   }
 
  private:
   /// Ends the last leg at an event.
-  Leg& end(LegEnd by, Wall ahead) {
+  MotionLeg& end(LegEnd by, Wall ahead) {
     const int direction = ahead == Wall::upper ? +1 : -1;
     for (; ended_ < legs_.size(); ++ended_) legs_[ended_].direction = direction;
     legs_.back().end = by;
     return legs_.back();
   }
 
-  std::vector<Leg> legs_;
+  std::vector<MotionLeg> legs_;
   std::size_t ended_ = 0;  // legs up to the last event
 };
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "problems/carrier_track/flight/ramp.h"
+#include "problems/carrier_track/flight/plate_ramp.h"
 #include "problems/carrier_track/gradients/event_terms.h"
 #include "problems/carrier_track/gradients/leg_record.h"
 #include "problems/carrier_track/gradients/linear_leg.h"
@@ -16,10 +16,10 @@ class ProfileMotion {
  public:
   /// `scene` must be valid, of fidelity impact, its window in seconds, with at least two knots, the
   /// first at time 0 and the last at the window's end.
-  ProfileMotion(const Scene& scene, std::vector<Leg> legs);
+  ProfileMotion(const Scene& scene, std::vector<MotionLeg> legs);
 
   std::size_t size() const { return legs_.size(); }
-  const Leg& leg(std::size_t i) const { return legs_[i]; }
+  const MotionLeg& leg(std::size_t i) const { return legs_[i]; }
   /// Returns true if a flight follows leg i.
   bool flies_on(std::size_t i) const { return i + 1 < legs_.size() && !legs_[i + 1].rests; }
   /// Returns true if leg i begins a flight after a rest.
@@ -40,9 +40,9 @@ class ProfileMotion {
 
   /// The plate at every knot but the last, if the knots have these speeds [rad/s].
   template <class Scalar>
-  std::vector<Ramp<Scalar>> ramps(std::span<const Scalar> speeds) const {
-    std::vector<Ramp<Scalar>> ramps;
-    Ramp<Scalar> ramp{Scalar(phase_)};
+  std::vector<PlateRamp<Scalar>> ramps(std::span<const Scalar> speeds) const {
+    std::vector<PlateRamp<Scalar>> ramps;
+    PlateRamp<Scalar> ramp{Scalar(phase_)};
     for (std::size_t k = 0; k + 1 < knots(); ++k) {
       ramp.speed = speeds[k];
       ramp.slope = (speeds[k + 1] - speeds[k]) * (1 / span(k));
@@ -51,16 +51,16 @@ class ProfileMotion {
     }
     return ramps;
   }
-  const std::vector<Ramp<double>>& ramps() const { return ramps_; }
+  const std::vector<PlateRamp<double>>& ramps() const { return ramps_; }
   /// The plate at the start of leg i.
-  Ramp<double> ramp(std::size_t i) const {
+  PlateRamp<double> ramp(std::size_t i) const {
     return ramps_[before_[i]].after(legs_[i].start - times_[before_[i]]);
   }
   double speed(std::size_t knot) const { return speeds_[knot]; }  ///< [rad/s]
 
   /// The acceleration [m/s^2] of leg i, a flight, at a time [s].
   template <class Scalar>
-  Scalar acceleration(std::size_t i, const Scalar& time, const Ramp<Scalar>& ramp) const {
+  Scalar acceleration(std::size_t i, const Scalar& time, const PlateRamp<Scalar>& ramp) const {
     Scalar sum = acceleration_of(plate_, ramp) - legs_[i].direction * friction_;
     if (disturbance_.cosine != 0 || disturbance_.sine != 0) sum += after(disturbance_, time).cosine;
     return sum;
@@ -68,13 +68,14 @@ class ProfileMotion {
 
   /// The response of leg i, a flight that starts at `ramp`.
   template <class Scalar>
-  LegResponse<Scalar> response(std::size_t i, const Scalar& start, const Ramp<Scalar>& ramp) const {
+  LegResponse<Scalar> response(std::size_t i, const Scalar& start,
+                               const PlateRamp<Scalar>& ramp) const {
     return response_of(plate_, disturbance_, start, ramp, legs_[i].duration);
   }
 
   /// The derivatives of the start of leg i, the release of a body at rest, with respect to the ramp
   /// there. A force that jumps out of the band of friction, at a knot, does so at a fixed time.
-  Ramp<double> release(std::size_t i) const;
+  PlateRamp<double> release(std::size_t i) const;
 
  private:
   PlateForces<double> plate_;
@@ -83,15 +84,15 @@ class ProfileMotion {
   double restitution_[2];
   double phase_;
   std::vector<double> times_, speeds_;  // of the knots
-  std::vector<Ramp<double>> ramps_;
-  std::vector<Leg> legs_;
+  std::vector<PlateRamp<double>> ramps_;
+  std::vector<MotionLeg> legs_;
   std::vector<std::size_t> before_;
 };
 
 /// Completes legs of which all is known but ramp, acceleration and response. `ramps` has the plate
 /// at the knots; `respond(i)` returns the response of leg i, with its ramp. Rests stay empty.
 template <class Scalar, class Respond>
-void complete(const ProfileMotion& motion, const std::vector<Ramp<Scalar>>& ramps,
+void complete(const ProfileMotion& motion, const std::vector<PlateRamp<Scalar>>& ramps,
               std::vector<LinearLeg<Scalar>>& legs, const Respond& respond) {
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (motion.leg(i).rests) continue;

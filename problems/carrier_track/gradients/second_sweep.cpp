@@ -45,11 +45,11 @@ class MovedLegs {
             const std::vector<EventTerm>& terms)
       : motion_(motion), legs_(legs), terms_(terms), moved_(motion.size()) {}
 
-  void ended(std::size_t i, const Row<size>& start, const Row<size>& later,
-             const Row<size>& state) {
+  void ended(std::size_t i, const TangentRow<size>& start, const TangentRow<size>& later,
+             const TangentRow<size>& state) {
     const LinearLeg<double>& leg = legs_[i];
     const auto& curvature = terms_[i].curvature;
-    const Row<size> time = start + later;
+    const TangentRow<size> time = start + later;
     const LegEnd end = motion_.leg(i).end;
     const double velocity = end == LegEnd::impact ? motion_.leg(i).direction : end == LegEnd::cut;
     moved_[i] = {dual(leg.start, start),
@@ -100,7 +100,7 @@ SecondSweep::SecondSweep(const ProfileMotion& motion, const std::vector<LinearLe
     const auto& [angle, speed, slope] = legs[i].ramp;
     responses_[i] =
         motion.response(i, Local(legs[i].start, 3),
-                        Ramp<Local>{Local(angle, 0), Local(speed, 1), Local(slope, 2)});
+                        PlateRamp<Local>{Local(angle, 0), Local(speed, 1), Local(slope, 2)});
   }
 }
 

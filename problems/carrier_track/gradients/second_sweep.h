@@ -10,8 +10,8 @@ namespace ricochet::carrier_track::inline gradients {
 
 /// Second derivatives of a sum over the events of a motion with respect to the speeds of the knots.
 /// The response of every leg is differentiated once, with respect to the few quantities that it
-/// depends on. Along a direction, a sweep forward then gives the derivatives of all legs, and a sweep
-/// back in dual numbers that of the gradient.
+/// depends on. Along a direction, a sweep forward then gives the derivatives of all legs, and a
+/// sweep back in dual numbers that of the gradient.
 class SecondSweep {
  public:
   /// `motion` and the other arguments, with second derivatives of the terms, must outlive it.

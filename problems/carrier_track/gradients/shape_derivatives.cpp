@@ -19,14 +19,15 @@ class SweepGauge {
   SweepGauge(const ProfileMotion& motion, const Scene& scene)
       : motion_(motion), scene_(scene), window_(duration_of(scene)) {}
 
-  void ended(std::size_t i, const Row<8>& start, const Row<8>& later, const Row<8>& state) {
-    const Leg& leg = motion_.leg(i);
+  void ended(std::size_t i, const TangentRow<8>& start, const TangentRow<8>& later,
+             const TangentRow<8>& state) {
+    const MotionLeg& leg = motion_.leg(i);
     if (leg.end == LegEnd::impact) {
       if (leg.speed > 0) limits_.margin(leg.speed, 2 * state.norm());  // that of its square
       limits_.impact((start + later).norm(), window_);
     } else if (leg.end == LegEnd::turn) {
-      const double missed = leg.direction > 0 ? scene_.wall_upper - leg.position
-                                              : leg.position - scene_.wall_lower;
+      const double missed =
+          leg.direction > 0 ? scene_.wall_upper - leg.position : leg.position - scene_.wall_lower;
       if (missed > 0 && std::isfinite(missed)) limits_.margin(missed, state.norm());
     }
   }
@@ -56,8 +57,8 @@ Gradient detail::shape_gradient(const Scene& scene, SummedMotion summed,
   SweepGauge gauge(motion, scene);
   sweep_forward(motion, legs, rows, gauge);
   const auto& [steepest, growth] = gauge.limits();
-  result.trust = trust_of(steepest * steepest, growth * growth,
-                          result.gradient.cwiseProduct(widths).norm());
+  result.trust =
+      trust_of(steepest * steepest, growth * growth, result.gradient.cwiseProduct(widths).norm());
   return result;
 }
 

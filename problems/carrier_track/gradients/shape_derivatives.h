@@ -9,9 +9,9 @@
 #include "problems/carrier_track/gradients/shaped_knots.h"
 
 /// Exact derivatives of a sum over the events of a motion with respect to the shape of its speed
-/// profile, by the adjoint method: one simulation, one sweep back over its legs, whatever the number
-/// of knots. Second derivatives along a direction take one sweep forward and one back in dual
-/// numbers, leg by leg.
+/// profile, by the adjoint method: one simulation, one sweep back over its legs, whatever the
+/// number of knots. Second derivatives along a direction take one sweep forward and one back in
+/// dual numbers, leg by leg.
 ///
 /// `scene` has the shaped profile and is as ProfileMotion needs it.
 namespace ricochet::carrier_track::inline gradients {
@@ -22,9 +22,8 @@ Gradient shape_gradient(const Scene& scene, SummedMotion motion,
                         const std::vector<EventTerm>& terms, const ShapedKnots& knots,
                         const Vector& widths);
 
-Matrix shape_curvature(const Scene& scene, SummedMotion motion,
-                       const std::vector<EventTerm>& terms, const ShapedKnots& knots,
-                       const Matrix& directions);
+Matrix shape_curvature(const Scene& scene, SummedMotion motion, const std::vector<EventTerm>& terms,
+                       const ShapedKnots& knots, const Matrix& directions);
 
 }  // namespace detail
 

@@ -10,24 +10,25 @@ namespace ricochet::carrier_track::inline gradients {
 
 /// The derivatives of one quantity along some directions of the variables.
 template <int directions>
-using Row = Eigen::Matrix<double, 1, directions>;
+using TangentRow = Eigen::Matrix<double, 1, directions>;
 
 /// What a sweep forward carries: the derivatives of the time at which the body is somewhere, of its
 /// position and its velocity there, and of the plate at a knot.
 template <int directions>
 struct TangentRows {
-  Row<directions> time = Row<directions>::Zero();
-  Row<directions> position = Row<directions>::Zero();
-  Row<directions> velocity = Row<directions>::Zero();
-  Ramp<Row<directions>> ramp{Row<directions>::Zero(), Row<directions>::Zero(),
-                             Row<directions>::Zero()};
+  TangentRow<directions> time = TangentRow<directions>::Zero();
+  TangentRow<directions> position = TangentRow<directions>::Zero();
+  TangentRow<directions> velocity = TangentRow<directions>::Zero();
+  PlateRamp<TangentRow<directions>> ramp{TangentRow<directions>::Zero(),
+                                         TangentRow<directions>::Zero(),
+                                         TangentRow<directions>::Zero()};
 
   /// From before the end of leg i, where the duration of the leg is given, to after it; see
   /// BodyAdjoint.
   template <class Use>
   void pass_end(const ProfileMotion& motion, std::size_t i, const LinearLeg<double>& leg,
                 Use& use) {
-    using Change = Row<directions>;
+    using Change = TangentRow<directions>;
     const Change start = time;
     if (motion.leg(i).end == LegEnd::cut) {
       position -= leg.velocity * start;
@@ -54,8 +55,8 @@ struct TangentRows {
 /// Carries derivatives forward through a motion. `rows` are TangentRows; rows.enter(knot) sets the
 /// ramp to that at a knot, none of which comes before the last one. Calls
 ///   use.ended(i, start, later, state)
-/// at the end of leg i, a flight, with the derivatives of its start, its duration and its state: the
-/// approach speed of an impact, the position of a turning point, the velocity at a cut.
+/// at the end of leg i, a flight, with the derivatives of its start, its duration and its state:
+/// the approach speed of an impact, the position of a turning point, the velocity at a cut.
 template <class Rows, class Use>
 void sweep_forward(const ProfileMotion& motion, const std::vector<LinearLeg<double>>& legs,
                    Rows& rows, Use& use) {

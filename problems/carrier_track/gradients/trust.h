@@ -25,8 +25,9 @@ inline constexpr double sensitive_growth = 1e3;
 
 /// The tightest limits on the derivatives of a motion, from lengths of gradients in the unit box.
 struct TrustLimits {
-  double steepest = 0;  ///< 1 / reach, to first order: the largest |gradient of g| / g of a margin g
-  double growth = 0;    ///< the largest |gradient| of an impact's time divided by the window
+  double steepest =
+      0;              ///< 1 / reach, to first order: the largest |gradient of g| / g of a margin g
+  double growth = 0;  ///< the largest |gradient| of an impact's time divided by the window
 
   /// Adds a margin > 0 with its |gradient|: the event vanishes where the margin becomes 0.
   void margin(double margin, double slope) {

@@ -5,6 +5,7 @@
 #include "problems/carrier_track/gradients/event_sums.h"
 #include "problems/carrier_track/gradients/shape_derivatives.h"
 #include "problems/carrier_track/problems/best_known.h"
+#include "problems/carrier_track/problems/gradient_cost.h"
 #include "problems/carrier_track/problems/problem_from_function.h"
 
 namespace ricochet::carrier_track::inline problems {
@@ -58,6 +59,7 @@ Problem shape_problem(const std::string& family, const Machine& machine, std::si
   problem.upper = Vector::Constant(size, greatest_factor);
   problem.start = Vector::Ones(size);
   problem.machine = machine.id;
+  problem.gradient_cost = profile_gradient_cost;
   know_best(problem, machine.default_hash);
   return problem;
 }
@@ -78,7 +80,8 @@ ShapedKnots shaped_knots(const Scene& scene, const Vector& shape) {
 Problem profile_count_problem(const Machine& machine, std::size_t n) {
   const auto define_at = [scene = machine.scene, frame = profile_frame(machine)](Problem& problem,
                                                                                  double smoothing) {
-    define(problem, scene, frame, SurrogateSum{smoothing}, smoothing > 0 && carries_derivatives(scene));
+    define(problem, scene, frame, SurrogateSum{smoothing},
+           smoothing > 0 && carries_derivatives(scene));
   };
   Problem frame = shape_problem("profile-count", machine, n, "collision count of a profile");
   frame.smoothing = default_smoothing;
@@ -89,7 +92,8 @@ Problem profile_count_problem(const Machine& machine, std::size_t n) {
 Problem profile_wear_problem(const Machine& machine, std::size_t n) {
   Problem problem =
       shape_problem("profile-wear", machine, n, "energy that the impacts of a profile lose, mJ");
-  define(problem, machine.scene, profile_frame(machine), WearSum(), carries_derivatives(machine.scene));
+  define(problem, machine.scene, profile_frame(machine), WearSum(),
+         carries_derivatives(machine.scene));
   problem.tolerance = 0.01;
   return problem;
 }

@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <initializer_list>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/gradients/derivatives.h"
+#include "problems/carrier_track/gradients/event_sums.h"
 #include "problems/carrier_track/problems/profile.h"
 #include "problems/carrier_track/scene/lifted.h"
 #include "tests/carrier_track/problems/exploratory_scene.h"
@@ -20,24 +21,7 @@
 namespace ricochet::carrier_track {
 namespace {
 
-/// The sums that the problems minimise.
-struct WeightsOfEvents {
-  double smoothing;
-
-  template <class Scalar>
-  WeightSum<Scalar> over(const BasicScene<Scalar>& scene) const {
-    return {scene, smoothing};
-  }
-};
-
-struct LossesOfEvents {
-  template <class Scalar>
-  EnergyLost<Scalar> over(const BasicScene<Scalar>& scene) const {
-    return EnergyLost<Scalar>(scene);
-  }
-};
-
-/// The same sum of a shape by dual numbers.
+/// A sum over the motion of a shape: by the adjoint method, and as a function for dual numbers.
 template <class EventSum>
 struct SumOfShape {
   EventSum of;
@@ -58,108 +42,232 @@ struct SumOfShape {
     return with_profile(scene, frame, std::span(x.data(), static_cast<std::size_t>(x.size())));
   }
 
-  Gradient adjoint(const Vector& x, const Vector& widths) const {
+  Gradient gradient(const Vector& x) const {
     const Scene shaped = at(x);
-    return shape_gradient(of, shaped, shaped_knots(shaped, x), widths);
+    return shape_gradient(of, shaped, shaped_knots(shaped, x), widths(x));
   }
+
   Matrix curvature(const Vector& x, const Matrix& directions) const {
     const Scene shaped = at(x);
     return shape_curvature(of, shaped, shaped_knots(shaped, x), directions);
   }
+
+  static Vector widths(const Vector& x) { return Vector::Constant(x.size(), 1.5); }
 };
 
-TEST(ShapeDerivatives, Explore) {
-  RandomScenes draws(3);
-  int looked = 0, off = 0, trust_off = 0;
-  const auto look = [&](const auto& f, const Vector& x, const std::string& name) {
-    const Vector widths = Vector::Constant(x.size(), 1.5);
-    const Gradient exact = gradient_of<16>(f, x, widths);
-    const Gradient adjoint = f.adjoint(x, widths);
-    const double error = (exact.gradient - adjoint.gradient).norm();
-    ++looked;
-    if (!(error <= 1e-12 * exact.gradient.norm())) {
-      ++off;
-      Vector y = x;
-      for (auto& e : y) e = std::nextafter(e, 3);
-      const double bit = (gradient_of<16>(f, y, widths).gradient - exact.gradient).norm();
-      std::printf("%s: relative %g, last bit %g, value %g, growth ...\n", name.c_str(),
-                  error / exact.gradient.norm(), bit / exact.gradient.norm(),
-                  exact.value - adjoint.value);
-      if (x.size() <= 4) {
-        using Long = ceres::Jet<long double, 4>;
-        std::vector<Long> duals;
-        for (int i = 0; i < x.size(); ++i) duals.push_back(Long(x[i], i));
-        Unwatched nobody;
-        const Long y = f(std::span<const Long>(duals), nobody);
-        double a = 0, b = 0;
-        for (int i = 0; i < x.size(); ++i) {
-          a += std::pow(double(y.v[i] - exact.gradient[i]), 2);
-          b += std::pow(double(y.v[i] - adjoint.gradient[i]), 2);
-        }
-        std::printf("     duals %g adjoint %g off long double; |g| %g\n", std::sqrt(a)/ exact.gradient.norm(), std::sqrt(b)/ exact.gradient.norm(), exact.gradient.norm());
-      }
-    }
-    if (x.size() <= 16 && !(std::abs(exact.trust.reach - adjoint.trust.reach) <= 1e-9 * exact.trust.reach)) {
-      ++trust_off;
-      std::printf("%s: reach %.16g, %.16g\n", name.c_str(), exact.trust.reach, adjoint.trust.reach);
-    }
-    if (x.size() == 64) {
-      if (trust_off < 100 && !(adjoint.trust.reach >= exact.trust.reach * (1 - 1e-9) && adjoint.trust.reach <= 2.0001 * exact.trust.reach)) {
-        ++trust_off;
-      std::printf("%s: reach64 %.16g, %.16g\n", name.c_str(), exact.trust.reach, adjoint.trust.reach);
-      }
-    }
-  };
-  for (const Case& a_case : all_cases()) {
-    const Machine m{a_case.id, scene_of(a_case, exploratory_scene()), 0, draws.within(4, 12), {}};
-    for (const int n : {2, 4, 16, 64}) {
-      for (int draw = 0; draw < 5; ++draw) {
-        Vector x(n);
-        for (double& e : x) e = draws.within(0.5, 2);
-        const std::string name = a_case.id + " " + std::to_string(n) + " ";
-        const ProfileFrame frame = profile_frame(m);
-        look(SumOfShape<WeightsOfEvents>{{0.25}, m.scene, frame}, x, name + "0.25");
-        look(SumOfShape<WeightsOfEvents>{{0.05}, m.scene, frame}, x, name + "0.05");
-        look(SumOfShape<LossesOfEvents>{{}, m.scene, frame}, x, name + "wear");
-      }
-    }
-  }
-  std::printf("%d looked, %d off, %d trust\n", looked, off, trust_off);
+template <class EventSum>
+Gradient by_duals(const SumOfShape<EventSum>& f, const Vector& x) {
+  return gradient_of<16>(f, x, f.widths(x));
 }
 
-TEST(ShapeDerivatives, ExploreSecond) {
-  RandomScenes draws(3);
-  int looked = 0, off = 0;
-  const auto look = [&](const auto& f, const Vector& x, const std::string& name) {
-    const Hessian exact = hessian_of<4>(f, x);
-    const Matrix adjoint = f.curvature(x, Matrix::Identity(x.size(), x.size()));
-    const Vector one = f.curvature(x, Vector(x));
-    const double error = (exact.hessian - adjoint).norm();
-    const double single = (exact.hessian*x - one).norm();
-    ++looked;
-    if (!(error <= 1e-12 * exact.hessian.norm()) || !(single <= 1e-12 * exact.hessian.norm())) {
-      ++off;
-      Vector y = x;
-      for (auto& e : y) e = std::nextafter(e, 3);
-      const double bit = (hessian_of<4>(f, y).hessian - exact.hessian).norm();
-      std::printf("%s: relative %g %g, last bit %g\n", name.c_str(),
-                  error / exact.hessian.norm(), single/exact.hessian.norm(), bit / exact.hessian.norm());
+Vector random_shape(Eigen::Index n, RandomScenes& draws) {
+  Vector x(n);
+  for (double& factor : x) factor = draws.within(0.5, 2);
+  return x;
+}
+
+/// What the last bits of x do to a result of f, at most, in a few trials.
+template <class Result>
+double unrest(const Result& f, const Vector& x, RandomScenes& draws) {
+  const auto here = f(x);
+  double most = 0;
+  for (int trial = 0; trial < 4; ++trial) {
+    Vector near = x;
+    for (double& factor : near) factor = std::nextafter(factor, draws.chance(0.5) ? 0 : 3);
+    most = std::max(most, (f(near) - here).norm());
+  }
+  return most;
+}
+
+/// Compares results with those of dual numbers. Some motions are so sensitive that the last bits of
+/// x change the result by more than 1e-12; and a release, where forces cancel, has an angle of 16
+/// digits.
+class Agreement {
+ public:
+  explicit Agreement(std::uint64_t seed) : draws_(seed) {}
+
+  template <class Result, class Duals>
+  void expect(const Result& result, const Duals& duals, const Vector& x) {
+    const auto exact = duals(x);
+    const double error = (result - exact).norm();
+    ++compared_;
+    if (error <= 1e-12 * exact.norm()) {
+      ++equal_;
+    } else {
+      EXPECT_LT(error, std::max(5e-12 * exact.norm(), 10 * unrest(duals, x, draws_)));
     }
-  };
+  }
+
+  int compared() const { return compared_; }
+  double equal_share() const { return static_cast<double>(equal_) / compared_; }
+
+ private:
+  RandomScenes draws_;
+  int compared_ = 0;
+  int equal_ = 0;  // to 12 digits
+};
+
+template <class EventSum>
+void expect_gradient_of_duals(const SumOfShape<EventSum>& f, const Vector& x,
+                              Agreement& agreement) {
+  const Gradient gradient = f.gradient(x);
+  EXPECT_EQ(gradient.value, value_of(f, x));
+  agreement.expect(
+      gradient.gradient, [&](const Vector& at) { return by_duals(f, at).gradient; }, x);
+  const Trust trust = by_duals(f, x).trust;
+  EXPECT_EQ(gradient.trust.doubt, trust.doubt);
+  if (std::isinf(trust.reach)) {
+    EXPECT_EQ(gradient.trust.reach, trust.reach);
+  } else if (x.size() <= 16) {
+    EXPECT_NEAR(gradient.trust.reach / trust.reach, 1, 1e-7);
+  } else {  // a lower bound, from several blocks
+    EXPECT_GE(gradient.trust.reach / trust.reach, 1 - 1e-7);
+    EXPECT_LE(gradient.trust.reach / trust.reach, 2);
+  }
+}
+
+template <class EventSum>
+void expect_curvature_of_duals(const SumOfShape<EventSum>& f, const Vector& x, RandomScenes& draws,
+                               Agreement& agreement) {
+  const Matrix curvature = f.curvature(x, Matrix::Identity(x.size(), x.size()));
+  agreement.expect(
+      curvature, [&](const Vector& at) { return hessian_of(f, at).hessian; }, x);
+  const Vector along = random_shape(x.size(), draws);
+  EXPECT_LE((f.curvature(x, along) - curvature * along).norm(), 1e-10 * curvature.norm());
+}
+
+/// Calls `look(sum, shape)` for the surrogate and the wear of all cases.
+template <class Look>
+void for_each_case(std::initializer_list<Eigen::Index> sizes, int shapes, RandomScenes& draws,
+                   const Look& look) {
   for (const Case& a_case : all_cases()) {
-    const Machine m{a_case.id, scene_of(a_case, exploratory_scene()), 0, draws.within(4, 12), {}};
-    for (const int n : {2, 4, 16}) {
-      for (int draw = 0; draw < 3; ++draw) {
-        Vector x(n);
-        for (double& e : x) e = draws.within(0.5, 2);
-        const std::string name = a_case.id + " " + std::to_string(n) + " ";
-        const ProfileFrame frame = profile_frame(m);
-        look(SumOfShape<WeightsOfEvents>{{0.25}, m.scene, frame}, x, name + "0.25");
-        look(SumOfShape<LossesOfEvents>{{}, m.scene, frame}, x, name + "wear");
+    SCOPED_TRACE(a_case.id);
+    const Scene scene = scene_of(a_case, exploratory_scene());
+    const ProfileFrame frame = profile_frame({a_case.id, scene, 0, a_case.claim.threshold, {}});
+    for (const Eigen::Index n : sizes) {
+      for (int k = 0; k < shapes; ++k) {
+        const Vector x = random_shape(n, draws);
+        look(SumOfShape<SurrogateSum>{{0.25}, scene, frame}, x);
+        look(SumOfShape<WearSum>{{}, scene, frame}, x);
       }
     }
   }
-  std::printf("%d looked, %d off\n", looked, off);
+}
+
+/// A scene with every term of equation (31), either rule, and a mean speed.
+SumOfShape<SurrogateSum> random_sum(RandomScenes& draws) {
+  Scene scene = draws.next();
+  scene.fidelity = Fidelity::impact;
+  if (draws.chance(0.3)) {
+    const double gap = std::min(scene.wall_upper - scene.wall_lower, 1e-2);
+    scene.rule = CountRule::peaks;
+    scene.peak_high = 0.7 * gap;
+    scene.peak_low = 0.3 * gap;
+  }
+  return {{0.25}, scene, {scene.omega + 0.1, duration_of(scene)}};
+}
+
+TEST(ShapeDerivatives, AreThoseOfDualNumbers) {
+  RandomScenes draws(5);
+  Agreement agreement(1);
+  for_each_case({2, 4, 16, 64}, 8, draws,
+                [&](const auto& f, const Vector& x) { expect_gradient_of_duals(f, x, agreement); });
+  EXPECT_EQ(agreement.compared(), 768);
+  EXPECT_GT(agreement.equal_share(), 0.98);
+  RecordProperty("equal_share", std::to_string(agreement.equal_share()));
+}
+
+TEST(ShapeDerivatives, AreThoseOfDualNumbersInAnyScene) {
+  RandomScenes draws(6);
+  Agreement agreement(2);
+  int peaks = 0;
+  int disturbed = 0;
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const auto f = random_sum(draws);
+    peaks += f.scene.rule == CountRule::peaks;
+    disturbed += f.scene.disturbance != 0;
+    expect_gradient_of_duals(f, random_shape(i % 2 == 0 ? 3 : 12, draws), agreement);
+  }
+  EXPECT_GT(agreement.equal_share(), 0.97);
+  EXPECT_GT(peaks, 50);
+  EXPECT_GT(disturbed, 50);
+}
+
+TEST(ShapeDerivatives, OfSecondOrderAreThoseOfDualNumbers) {
+  RandomScenes draws(7);
+  Agreement agreement(3);
+  for_each_case({2, 4, 16}, 2, draws, [&](const auto& f, const Vector& x) {
+    expect_curvature_of_duals(f, x, draws, agreement);
+  });
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    const auto f = random_sum(draws);
+    expect_curvature_of_duals(f, random_shape(i % 2 == 0 ? 3 : 12, draws), draws, agreement);
+  }
+  EXPECT_EQ(agreement.compared(), 204);
+  EXPECT_GT(agreement.equal_share(), 0.9);
+}
+
+/// What the motions of the cases are made of: what the comparisons above have seen.
+TEST(ShapeDerivatives, AreTestedOnBodiesThatStickAndChatter) {
+  RandomScenes draws(5);
+  int releases = 0;
+  int slow = 0;
+  int turns = 0;
+  for_each_case({16}, 8, draws, [&](const auto& f, const Vector& x) {
+    const Scene scene = f.at(x);
+    const ProfileMotion motion(scene, summed_motion(f.of, scene).legs);
+    for (std::size_t i = 0; i < motion.size(); ++i) {
+      releases += motion.released(i);
+      turns += motion.leg(i).end == LegEnd::turn;
+      slow += motion.leg(i).end == LegEnd::impact && motion.leg(i).speed < 1e-6;
+    }
+  });
+  EXPECT_GT(releases, 200);
+  EXPECT_GT(turns, 200);
+  EXPECT_GT(slow, 200);
+}
+
+/// Times of impacts that are not slow.
+std::vector<double> impact_times(const Scene& scene) {
+  std::vector<double> times;
+  for (const MotionLeg& leg : summed_motion(WearSum(), scene).legs) {
+    if (leg.end == LegEnd::impact && leg.speed > 1e-3) times.push_back(leg.start + leg.duration);
+  }
+  return times;
+}
+
+/// Where an impact is on a knot but for the last bit, the force jumps at the impact: on either side
+/// the derivatives are those of that side.
+TEST(ShapeDerivatives, AreOneSidedAtAnImpactOnAKnot) {
+  RandomScenes draws(8);
+  Agreement agreement(4);
+  for (int trial = 0; trial < 20; ++trial) {
+    SCOPED_TRACE(trial);
+    Scene scene = scene_of(find_case("C4"), exploratory_scene());
+    scene.slider_mass_radius = 0.05;
+    const Vector x = random_shape(5, draws);
+    const auto number = static_cast<std::size_t>(trial) / 2;
+    const auto with_window = [&](double seconds) {
+      return SumOfShape<WearSum>{{}, scene, {8.0, seconds}};
+    };
+    const auto late = [&](double seconds) {  // by which the impact is later than the middle knot
+      const auto times = impact_times(with_window(seconds).at(x));
+      return times.size() > number ? times[number] - seconds / 2 : 1.0;
+    };
+    double after = 2e-3;
+    while (late(after) > 0) after *= 1.05;
+    double before = after / 1.05;
+    for (double middle = before;
+         (middle = std::midpoint(before, after)) > before && middle < after;) {
+      (late(middle) > 0 ? before : after) = middle;
+    }
+    EXPECT_LT(std::abs(late(after)), 1e-15);
+    expect_gradient_of_duals(with_window(before), x, agreement);
+    expect_gradient_of_duals(with_window(after), x, agreement);
+  }
+  EXPECT_GT(agreement.equal_share(), 0.95);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(Trust, IsTheSameInBlocksOfDirections) {
   const double whole = gradient_of<4>(SharedThrow(), x, widths).trust.reach;
   EXPECT_NEAR(whole, trust_of_throw(3.9).reach / 2, 1e-9);
   EXPECT_NEAR(gradient_of<1>(SharedThrow(), x, widths).trust.reach, whole, 1e-9);
-  EXPECT_NEAR(gradient_of<16>(SharedThrow(), x, widths).trust.reach, whole, 1e-9);
+  EXPECT_NEAR(gradient_of<5>(SharedThrow(), x, widths).trust.reach, whole, 1e-9);
 }
 
 /// How the motion is made: which walls are hit, in order, but for the tails of bounces [m/s] whose

@@ -10,14 +10,14 @@ namespace ricochet::carrier_track::inline flight {
 /// The driver plate at one moment while its speed changes linearly. Scalar may also be a vector of
 /// derivatives.
 template <class Scalar>
-struct Ramp {
+struct PlateRamp {
   Scalar angle{};  ///< [rad]
   Scalar speed{};  ///< [rad/s]
   Scalar slope{};  ///< of the speed [rad/s^2]
 
   /// After a time [s].
   template <class Time>
-  Ramp after(const Time& t) const {
+  PlateRamp after(const Time& t) const {
     const Scalar gain = slope * t;
     return {angle + (speed + 0.5 * gain) * t, speed + gain, slope};
   }
@@ -25,7 +25,7 @@ struct Ramp {
 
 /// The acceleration [m/s^2] by the plate.
 template <class Scalar>
-Scalar acceleration_of(const PlateForces<double>& plate, const Ramp<Scalar>& ramp) {
+Scalar acceleration_of(const PlateForces<double>& plate, const PlateRamp<Scalar>& ramp) {
   using std::cos;
   using std::sin;
   const Scalar square = ramp.speed * ramp.speed;

@@ -57,7 +57,7 @@ class Picture {
     Object.assign(this, {motion, omega, phase, lower});
     this.upper = Number.isFinite(upper) ? upper : Math.max(...motion.path.map(([, x]) => x));
     this.time = Math.min(1, share) * motion.end;
-    this.parts.gap.textContent = `clearance ${shown(1000 * (upper - lower))} mm`;
+    this.parts.gap.textContent = `${shown(1000 * (upper - lower))} mm`;
     this.show();
   }
 

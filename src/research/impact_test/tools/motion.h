@@ -51,12 +51,12 @@ class Motion {
 
   /// To the event `which` at time t and state y; -1: to end(), without an event.
   void proceed(double t, const double* y, int which) {
-    if (which < 0) t = end();
+    if (which < 0 || end() - t < shortest_span) t = end();
     at_once_ = t - time < at_once ? at_once_ + 1 : 0;
     if (at_once_ > most_at_once) throw std::runtime_error("the tool finds one event for ever");
     time = t;
     state = {y[0], y[1]};
-    if (which < 0 && !over()) ++segment_;
+    if (time == end() && !over()) ++segment_;
     const bool released = !moves_ && which >= 0;
     if (moves_ && which >= 0) arrive(which);
     if (!moves_ || which >= 0) settle(released);
@@ -73,6 +73,7 @@ class Motion {
   }
 
  private:
+  static constexpr double shortest_span = 1e-12;  // [s], that tools integrate
   static constexpr double at_once = 1e-10;  // [s]
   static constexpr int most_at_once = 100;
 

@@ -102,6 +102,7 @@ class Motion:
     positive: one that falls through zero is an event. It then calls proceed() with the state there.
     """
 
+    SHORTEST_SPAN = 1e-12  # s, that tools integrate
     AT_ONCE = 1e-10  # s
     MOST_AT_ONCE = 100
 
@@ -143,12 +144,12 @@ class Motion:
 
     def proceed(self, t, y, which):
         """To the event `which` at time t and state y; -1: to end(), without an event."""
-        t = self.end() if which < 0 else t
+        t = self.end() if which < 0 or self.end() - t < self.SHORTEST_SPAN else t
         self.at_once = self.at_once + 1 if t - self.time < self.AT_ONCE else 0
         if self.at_once > self.MOST_AT_ONCE:
             raise RuntimeError("the tool finds one event for ever")
         self.time, self.state = t, [float(y[0]), float(y[1])]
-        if which < 0 and not self.over():
+        if t == self.end() and not self.over():
             self.segment += 1
         released = not self.moves and which >= 0
         if self.moves and which >= 0:

@@ -82,9 +82,9 @@ double unrest(const Result& f, const Vector& x, RandomScenes& draws) {
 /// Compares results with those of dual numbers. Some motions are so sensitive that the last bits of
 /// x change the result by more than 1e-12; and a release, where forces cancel, has an angle of 16
 /// digits.
-class Agreement {
+class DualAgreement {
  public:
-  explicit Agreement(std::uint64_t seed) : draws_(seed) {}
+  explicit DualAgreement(std::uint64_t seed) : draws_(seed) {}
 
   template <class Result, class Duals>
   void expect(const Result& result, const Duals& duals, const Vector& x) {
@@ -109,7 +109,7 @@ class Agreement {
 
 template <class EventSum>
 void expect_gradient_of_duals(const SumOfShape<EventSum>& f, const Vector& x,
-                              Agreement& agreement) {
+                              DualAgreement& agreement) {
   const Gradient gradient = f.gradient(x);
   EXPECT_EQ(gradient.value, value_of(f, x));
   agreement.expect(
@@ -128,7 +128,7 @@ void expect_gradient_of_duals(const SumOfShape<EventSum>& f, const Vector& x,
 
 template <class EventSum>
 void expect_curvature_of_duals(const SumOfShape<EventSum>& f, const Vector& x, RandomScenes& draws,
-                               Agreement& agreement) {
+                               DualAgreement& agreement) {
   const Matrix curvature = f.curvature(x, Matrix::Identity(x.size(), x.size()));
   agreement.expect(
       curvature, [&](const Vector& at) { return hessian_of(f, at).hessian; }, x);
@@ -169,7 +169,7 @@ SumOfShape<SurrogateSum> random_sum(RandomScenes& draws) {
 
 TEST(ShapeDerivatives, AreThoseOfDualNumbers) {
   RandomScenes draws(5);
-  Agreement agreement(1);
+  DualAgreement agreement(1);
   for_each_case({2, 4, 16, 64}, 8, draws,
                 [&](const auto& f, const Vector& x) { expect_gradient_of_duals(f, x, agreement); });
   EXPECT_EQ(agreement.compared(), 768);
@@ -179,7 +179,7 @@ TEST(ShapeDerivatives, AreThoseOfDualNumbers) {
 
 TEST(ShapeDerivatives, AreThoseOfDualNumbersInAnyScene) {
   RandomScenes draws(6);
-  Agreement agreement(2);
+  DualAgreement agreement(2);
   int peaks = 0;
   int disturbed = 0;
   for (int i = 0; i < 400; ++i) {
@@ -196,7 +196,7 @@ TEST(ShapeDerivatives, AreThoseOfDualNumbersInAnyScene) {
 
 TEST(ShapeDerivatives, OfSecondOrderAreThoseOfDualNumbers) {
   RandomScenes draws(7);
-  Agreement agreement(3);
+  DualAgreement agreement(3);
   for_each_case({2, 4, 16}, 2, draws, [&](const auto& f, const Vector& x) {
     expect_curvature_of_duals(f, x, draws, agreement);
   });
@@ -242,7 +242,7 @@ std::vector<double> impact_times(const Scene& scene) {
 /// the derivatives are those of that side.
 TEST(ShapeDerivatives, AreOneSidedAtAnImpactOnAKnot) {
   RandomScenes draws(8);
-  Agreement agreement(4);
+  DualAgreement agreement(4);
   for (int trial = 0; trial < 20; ++trial) {
     SCOPED_TRACE(trial);
     Scene scene = scene_of(find_case("C4"), exploratory_scene());

@@ -1,5 +1,5 @@
 // SUNDIALS CVODE, Adams or BDF, with its rootfinding. As its manual advises: roots have a
-// direction, the stop time is the next jump of the force, and every impact is followed by
+// direction, the stop time is the next jump of the force, and every event is followed by
 // CVodeReInit.
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
@@ -7,78 +7,60 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include <memory>
-
 #include "motion.h"
-
-namespace {
 
 using namespace impact_test;
 
-int rates(double t, N_Vector y, N_Vector dy, void* motion) {
+static int rates(double t, N_Vector y, N_Vector dy, void* motion) {
   static_cast<Motion*>(motion)->rates(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dy));
   return 0;
 }
 
-int values(double t, N_Vector y, double* values, void* motion) {
+static int values(double t, N_Vector y, double* values, void* motion) {
   const auto all = static_cast<Motion*>(motion)->values(t, N_VGetArrayPointer(y));
   std::copy(all.begin(), all.end(), values);
   return 0;
 }
 
-void check(int flag) {
-  const auto name = std::unique_ptr<char, void (*)(void*)>(CVodeGetReturnFlagName(flag), free);
-  if (flag < 0) throw std::runtime_error(name.get());
-}
+// One for all scenes.
+struct Solver {
+  explicit Solver(bool adams) : cvode(CVodeCreate(adams ? CV_ADAMS : CV_BDF, context)) {
+    const SUNMatrix matrix = SUNDenseMatrix(2, 2, context);
+    CVodeInit(cvode, rates, 0, y);
+    if (adams) CVodeSetNonlinearSolver(cvode, SUNNonlinSol_FixedPoint(y, 0, context));
+    if (!adams) CVodeSetLinearSolver(cvode, SUNLinSol_Dense(y, matrix, context), matrix);
+    CVodeRootInit(cvode, Motion::values_count, values);
+    CVodeSetRootDirection(cvode, std::array{-1, -1, -1}.data());
+    CVodeSetNoInactiveRootWarn(cvode);
+    CVodeSetMaxNumSteps(cvode, 1000000);
+  }
+  sundials::Context context;
+  N_Vector y = N_VNew_Serial(2, context);
+  void* cvode;
+};
 
-Result simulate(const Scene& scene, const Call& call) {
-  static const sundials::Context context;
-  const bool adams = call.method == "adams";
+static Result simulate(const Scene& scene, const Call& call) {
+  static const Solver solver(call.method == "adams");
   const double tolerance = call.pick(1e-4, 1e-6, 1e-12);
   Motion motion(scene, tolerance);
-  void* cvode = CVodeCreate(adams ? CV_ADAMS : CV_BDF, context);
-  const N_Vector y = N_VMake_Serial(2, motion.state.data(), context);
-  const N_Vector absolute = N_VNew_Serial(2, context);
-  N_VGetArrayPointer(absolute)[0] = tolerance * scene.length();
-  N_VGetArrayPointer(absolute)[1] = tolerance * scene.speed();
-  const SUNMatrix matrix = SUNDenseMatrix(2, 2, context);
-  const SUNLinearSolver linear = SUNLinSol_Dense(y, matrix, context);
-  const SUNNonlinearSolver fixed_point = SUNNonlinSol_FixedPoint(y, 0, context);
-  std::unique_ptr<void, std::function<void(void*)>> release(cvode, [&](void* memory) {
-    CVodeFree(&memory);
-    SUNNonlinSolFree(fixed_point);
-    SUNLinSolFree(linear);
-    SUNMatDestroy(matrix);
-    N_VDestroy(absolute);
-    N_VDestroy(y);
-  });
-  std::array<int, Motion::values_count> falling = {-1, -1, -1}, found = {};
-  CVodeInit(cvode, rates, 0, y);
-  CVodeSVtolerances(cvode, tolerance, absolute);
-  CVodeSetUserData(cvode, &motion);
-  if (adams) CVodeSetNonlinearSolver(cvode, fixed_point);
-  if (!adams) CVodeSetLinearSolver(cvode, linear, matrix);
-  CVodeSetMaxNumSteps(cvode, 1000000);
-  CVodeSetMaxStep(cvode, scene.longest_step());
-  CVodeRootInit(cvode, Motion::values_count, values);
-  CVodeSetRootDirection(cvode, falling.data());
-  CVodeSetNoInactiveRootWarn(cvode);
-  while (!motion.over()) {
-    double t = motion.time;
-    check(CVodeReInit(cvode, t, y));
-    check(CVodeSetStopTime(cvode, motion.end()));
-    const int flag = CVode(cvode, motion.end(), y, &t, CV_NORMAL);
-    check(flag);
-    int event = -1;
-    if (flag == CV_ROOT_RETURN) CVodeGetRootInfo(cvode, found.data());
-    if (flag == CV_ROOT_RETURN) event = std::find(found.begin(), found.end(), -1) - found.begin();
-    motion.proceed(t, N_VGetArrayPointer(y), event);
+  CVodeSStolerances(solver.cvode, tolerance, tolerance * scene.length());
+  CVodeSetUserData(solver.cvode, &motion);
+  CVodeSetMaxStep(solver.cvode, scene.longest_step());
+  double* const y = N_VGetArrayPointer(solver.y);
+  for (double t = 0; !motion.over();) {
+    std::copy(motion.state.begin(), motion.state.end(), y);
+    CVodeReInit(solver.cvode, motion.time, solver.y);
+    CVodeSetStopTime(solver.cvode, motion.end());
+    const int flag = CVode(solver.cvode, motion.end(), solver.y, &t, CV_NORMAL);
+    if (flag < 0) throw std::runtime_error(CVodeGetReturnFlagName(flag));
+    std::array<int, Motion::values_count> found = {};
+    if (flag == CV_ROOT_RETURN) CVodeGetRootInfo(solver.cvode, found.data());
+    const auto event = std::find(found.begin(), found.end(), -1) - found.begin();
+    motion.proceed(t, y, flag == CV_ROOT_RETURN ? static_cast<int>(event) : -1);
   }
   return motion.result;
 }
 
-}  // namespace
-
 int main(int argc, char** argv) {
-  return impact_test::run(argc, argv, simulate);
+  return run(argc, argv, simulate);
 }

@@ -60,8 +60,7 @@ class Motion {
     const bool released = !moves_ && which >= 0;
     if (moves_ && which >= 0) arrive(which);
     if (!moves_ || which >= 0) settle(released);
-    result.position = state[0];
-    result.velocity = state[1];
+    result.end = state;
   }
 
   /// A first step that ends before the body can be back at the wall [s]: functions that start at
@@ -74,7 +73,7 @@ class Motion {
 
  private:
   static constexpr double shortest_span = 1e-12;  // [s], that tools integrate
-  static constexpr double at_once = 1e-10;  // [s]
+  static constexpr double at_once = 1e-10;        // [s]
   static constexpr int most_at_once = 100;
 
   double force(double t) const { return scene_.segments[segment_].force(t); }

@@ -4,8 +4,6 @@
 
 #include "motion.h"
 
-namespace {
-
 using namespace impact_test;
 namespace odeint = boost::numeric::odeint;
 
@@ -13,7 +11,7 @@ using State = Motion::State;
 
 /// Bisects value k, which is negative at the end of the stepper's last step.
 template <typename Stepper>
-double root(const Motion& motion, Stepper& stepper, int k) {
+static double root(const Motion& motion, Stepper& stepper, int k) {
   auto [a, b] = std::pair(stepper.previous_time(), stepper.current_time());
   State y;
   for (double middle = (a + b) / 2; middle > a && middle < b; middle = (a + b) / 2) {
@@ -23,7 +21,7 @@ double root(const Motion& motion, Stepper& stepper, int k) {
   return b;
 }
 
-Result simulate(const Scene& scene, const Call& call) {
+static Result simulate(const Scene& scene, const Call& call) {
   const double tolerance = call.pick(1e-4, 1e-6, 1e-12);
   Motion motion(scene, tolerance);
   const auto rates = [&](const State& y, State& dy, double t) {
@@ -54,8 +52,6 @@ Result simulate(const Scene& scene, const Call& call) {
   return motion.result;
 }
 
-}  // namespace
-
 int main(int argc, char** argv) {
-  return impact_test::run(argc, argv, simulate);
+  return run(argc, argv, simulate);
 }

@@ -1,7 +1,7 @@
 // What the drivers in C++ of the impact test share: they read scenes, a JSON object a line, and
-// write impacts, as docs/impact-test.md says. A driver is one source file that includes this header
-// and ends with `int main(int argc, char** argv) { return impact_test::run(argc, argv, simulate);
-// }`.
+// write impacts, as docs/impact-test.md says. A driver is one source file that includes this header,
+// defines `Result simulate(const Scene&, const Call&)`, and ends with
+// `int main(int argc, char** argv) { return impact_test::run(argc, argv, simulate); }`.
 #pragma once
 
 #include <algorithm>
@@ -114,8 +114,8 @@ struct Impact {
 
 struct Result {
   std::vector<Impact> impacts;
-  double deepest = 0;  ///< [m], deepest penetration of a wall
-  double position = 0, velocity = 0;
+  double deepest = 0;              ///< [m], deepest penetration of a wall
+  std::array<double, 2> end = {};  ///< position [m] and velocity [m/s]
 };
 
 /// The tool cannot express a scene; the text says why.
@@ -183,7 +183,7 @@ int run(int argc, char** argv, const Simulate& simulate) {
       }
       answer["seconds"] = seconds.count();
       answer["deepest"] = result.deepest;
-      answer["end"] = {result.position, result.velocity};
+      answer["end"] = result.end;
     } catch (const Cannot& reason) {
       answer["cannot"] = reason.what();
     } catch (const std::exception& error) {

@@ -1,0 +1,58 @@
+// Scilab's ode("root", ...), which is LSODAR of ODEPACK. As its manual says, %ODEOPTIONS bounds the
+// step and keeps it from passing the next jump of the force. m: scene, phase and state.
+function f = force(m, t)  // N
+    u = (t - m.from(m.k)) .^ [0; 1; 2];
+    f = sum((m.segments(m.k)(:, 1:3) * u) .* cos(m.segments(m.k)(:, 4:6) * u));
+endfunction
+
+function h = hold(m, t)  // N; at rest: what is missing to a force that moves the body
+    f = force(m, t);
+    h = m.friction - max([f(m.y(1) < m.upper), -f(m.y(1) > m.lower)]);
+endfunction
+
+function dy = rates(t, y, m)
+    dy = [y(2); (force(m, t) - m.way * m.friction) / m.mass] * m.moves;
+endfunction
+
+function v = values(t, y, m)
+    v = [y(1) - m.lower; min(m.upper - y(1), 1); m.way * y(2) + bool2s(m.friction == 0)];
+    if ~m.moves then v = [hold(m, t); 1; 1]; end
+endfunction
+
+function m = settle(m, t, released)  // whether it moves, and in which direction
+    m.moves = bool2s(released | m.y(2) <> 0 | hold(m, t) < 0);
+    m.way = sign(m.y(2) + bool2s(m.y(2) == 0) * force(m, t));
+endfunction
+
+function [impacts, last] = simulate(m, level)
+    tolerance = [1e-4, 1e-6, 1e-10](level); rest = m.slowest / 4;
+    m.k = 1; m.y = [m.position; m.velocity]; t = 0; impacts = [];
+    walls = [m.lower, m.upper]; bounce = -[m.restitution_lower, m.restitution_upper];
+    m = settle(m, t, %f);
+    while t < m.duration
+        stop = min([m.from(m.k + 1:$); m.duration]);
+        %ODEOPTIONS = [4, stop, 0, m.longest_step, 0, 2, 1e6, 12, 5, 0, -1, -1];
+        // LSODAR refuses a function that stays zero at the start: hence a body just off the wall.
+        off = 1e-9 * m.span * m.moves * (bool2s(m.y(1) <= m.lower) - bool2s(m.y(1) >= m.upper));
+        [y, found] = ode("root", m.y + [off; 0], t, stop, tolerance, ..
+                         tolerance * [m.span; m.speed], list(rates, m), 3, list(values, m));
+        moved = m.moves; m.y = y(:, $); t = stop;
+        if found <> [] then t = found(1); end
+        if stop - t < 1e-12 & stop < m.duration then m.k = m.k + 1; end
+        if found <> [] & moved & found(2) == 3 then
+            m.y(2) = 0;
+        elseif found <> [] & moved then
+            w = found(2); approach = m.y(2) * (2 * w - 3); m.y(1) = walls(w);
+            if approach > 0 then impacts($ + 1, 1:3) = [t, w, approach]; end
+            if approach > 0 then m.y(2) = m.y(2) * bounce(w); end
+            if (approach <= 0 | abs(m.y(2)) < rest) & hold(m, t) >= 0 then m.y(2) = 0; end
+        end
+        if found <> [] | ~moved then m = settle(m, t, found <> [] & ~moved); end
+    end
+    last = m.y;
+endfunction
+
+warning("off");
+exec(get_absolute_file_path("scilab.sce") + "tool.sci", -1);
+tool();
+exit

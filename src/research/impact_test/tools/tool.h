@@ -1,7 +1,7 @@
 // What the drivers in C++ of the impact test share: they read scenes, a JSON object a line, and
-// write impacts, as docs/impact-test.md says. A driver is one source file that includes this header,
-// defines `Result simulate(const Scene&, const Call&)`, and ends with
-// `int main(int argc, char** argv) { return impact_test::run(argc, argv, simulate); }`.
+// write impacts, as docs/impact-test.md says. A driver is one source file that includes this
+// header, defines `Result simulate(const Scene&, const Call&)`, and ends with `int main(int argc,
+// char** argv) { return impact_test::run(argc, argv, simulate); }`.
 #pragma once
 
 #include <algorithm>

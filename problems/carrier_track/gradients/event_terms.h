@@ -53,6 +53,7 @@ Scalar term_of(Sum sum, const MotionLeg& leg, const Scalar& time, const Scalar& 
   return sum.total();
 }
 
+/// Copies the derivatives of a term.
 inline void keep(const ceres::Jet<double, 2>& term, EventTerm& result) {
   result.slope = term.v;
 }
@@ -64,6 +65,7 @@ inline void keep(const ceres::Jet<ceres::Jet<double, 2>, 2>& term, EventTerm& re
   }
 }
 
+/// A dual with derivatives up to an order along a direction, 0 or 1.
 template <int order>
 auto input(double value, int direction) {
   using Dual = ceres::Jet<double, 2>;

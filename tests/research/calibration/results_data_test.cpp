@@ -187,7 +187,7 @@ TEST(ResultsData, SayWithWhatOtherCommandsCompute) {
   Results results = some_results();
   const auto paragraph = [&] {
     for (const report::Section& section : drawing_of(results).page.sections) {
-      if (section.id == "frontier") return section.paragraphs.at(1);
+      if (section.id == "frontier") return section.notes.at(0);
     }
     return std::string();
   };

@@ -26,9 +26,11 @@ inline Scene in_units(Scene scene, double units) {
 
 /// What an engine likes.
 struct Likes {
-  double clearance;        ///< in its units of length
-  double threshold;        ///< of the speed that the largest force gives in a step; see below
-  double least_speed = 0;  ///< in its units; below it has no restitution whatever is set
+  double clearance;  ///< in its units of length
+  double threshold;  ///< of the speed that the largest force gives in a step; see below
+  /// The threshold in its units if it cannot be set; the unit of length then makes it the one
+  /// wanted.
+  double fixed_threshold = 0;
 };
 
 /// Simulates with the steps that engines are run with. A world is made by World(scene, step,
@@ -36,11 +38,12 @@ struct Likes {
 /// is to be one without restitution; a body there rests.
 template <typename World>
 Result step_through(const Scene& in_metres, const Call& call, const Likes& likes) {
-  const double units = likes.clearance / in_metres.length();
-  const Scene scene = in_units(in_metres, units);
   const double step = call.pick(1.0 / 240, 1e-3, 1e-4);
-  const double threshold =
-      std::max(likes.threshold * scene.largest_force() * step, likes.least_speed);
+  const double slow = likes.threshold * in_metres.largest_force() / in_metres.mass * step;
+  const double units = likes.fixed_threshold > 0 ? likes.fixed_threshold / slow
+                                                 : likes.clearance / in_metres.length();
+  const Scene scene = in_units(in_metres, units);
+  const double threshold = slow * units;
   World world(scene, step, threshold);
   Result result;
   int touched = 0;  // the wall in the last step: -1 lower, 1 upper

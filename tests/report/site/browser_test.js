@@ -367,7 +367,7 @@ for (const cell of new Set(cells)) {
 
 // Hover tells numbers, a click leads to the report.
 const hoverAndClick = async (id, report) => {
-  const canvas = await page.$(`#${id}`);
+  const canvas = await page.waitForSelector(`#${id}`);  // the way back may take its time
   await canvas.scrollIntoView();
   await new Promise((resolve) => setTimeout(resolve, 300));  // until charts above have their height
   const box = await canvas.boundingBox(), [dot] = await points(id);

@@ -53,6 +53,8 @@ TEST(Score, DoesNotCountImpactsNextToTheLimit) {
   EXPECT_EQ(score.wrong(), 0);
   answer.impacts.erase(answer.impacts.begin() + 2);
   EXPECT_EQ(score_of(answer, scored).wrong(), 0) << "a slow one is not missed";
+  answer.impacts[1].speed = 0.049;
+  EXPECT_EQ(score_of(answer, scored).missed, 1) << "one of less than half the limit is no partner";
 }
 
 TEST(Score, TakesAllImpactsFromWhoGivesNoAnswer) {

@@ -45,12 +45,12 @@ static Result simulate(const Scene& scene, const Call& call) {
   Motion motion(scene, tolerance);
   CVodeSStolerances(solver.cvode, tolerance, tolerance * scene.length());
   CVodeSetUserData(solver.cvode, &motion);
-  CVodeSetMaxStep(solver.cvode, scene.longest_step());
   double* const y = N_VGetArrayPointer(solver.y);
   for (double t = 0; !motion.over();) {
     std::copy(motion.state.begin(), motion.state.end(), y);
     CVodeReInit(solver.cvode, motion.time, solver.y);
     CVodeSetStopTime(solver.cvode, motion.end());
+    CVodeSetMaxStep(solver.cvode, motion.longest_step());
     const int flag = CVode(solver.cvode, motion.end(), solver.y, &t, CV_NORMAL);
     if (flag < 0) throw std::runtime_error(CVodeGetReturnFlagName(flag));
     std::array<int, Motion::values_count> found = {};

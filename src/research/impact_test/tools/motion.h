@@ -63,12 +63,19 @@ class Motion {
     result.end = state;
   }
 
+  /// At rest that of the scene; in flight no longer than the clearance takes at full speed [s].
+  double longest_step() const {
+    const double longest = scene_.longest_step();
+    return moves_ ? std::min(longest, scene_.length() / scene_.speed()) : longest;
+  }
+
   /// A first step that ends before the body can be back at the wall [s]: functions that start at
-  /// zero are then positive at its end.
+  /// zero are then positive at its end. After an event at the start it is shorter each time.
   double first_step() const {
     const double flight =
         std::abs(state[1]) * scene_.mass / (std::abs(force(time)) + scene_.friction + 1e-300);
-    return std::min(flight > 0 ? flight / 5 : infinity, scene_.longest_step() / 10);
+    const double step = std::min(flight > 0 ? flight / 5 : infinity, longest_step() / 10);
+    return step * std::pow(0.1, std::min(at_once_, 8));
   }
 
  private:

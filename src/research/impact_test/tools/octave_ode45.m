@@ -32,13 +32,13 @@ function [impacts, last] = simulate(m, level)
   [walls, bounce] = deal([m.lower m.upper], -[m.restitution_lower m.restitution_upper]);
   options = odeset("RelTol", tolerance, "AbsTol", tolerance * [m.length; m.speed], "Refine", 1);
   m = settle(m, t, false);
-  while (t < m.duration)
+  for event = 1:20000
+    if (t >= m.duration) last = m.y; return; end
     last = min([[m.force(m.k + 1:end).from], m.duration]);
     longest = min(last - t, m.longest_step);
     if (m.moves) longest = min(longest, m.length / m.speed / per_crossing); end
     [options.MaxStep, first] = deal(longest, rest * m.mass / m.strength);
-    options.InitialStep = min(longest, first);
-    options.Events = @(t, y) events(t, y, m);
+    options.InitialStep = min(longest, first); options.Events = @(t, y) events(t, y, m);
     [ts, ys, ~, ~, w] = ode45(@(t, y) rates(t, y, m), [t last], m.y, options);
     [t, m.y, found, moved] = deal(ts(end), ys(end, :), ! isempty(w), m.moves);
     if (! found || last - t < 1e-12) m.k += last < m.duration; t = last; end
@@ -51,7 +51,7 @@ function [impacts, last] = simulate(m, level)
     end
     if (found || ! moved) m = settle(m, t, found && ! moved); end
   end
-  last = m.y;
+  error("too many events");
 end
 
 warning("off", "all");

@@ -27,10 +27,10 @@ static Result simulate(const Scene& scene, const Call& call) {
   const auto rates = [&](const State& y, State& dy, double t) {
     motion.rates(t, y.data(), dy.data());
   };
-  auto stepper =
-      odeint::make_dense_output(tolerance * scene.length(), tolerance, scene.longest_step(),
-                                odeint::runge_kutta_dopri5<State>());
   while (!motion.over()) {
+    auto stepper =
+        odeint::make_dense_output(tolerance * scene.length(), tolerance, motion.longest_step(),
+                                  odeint::runge_kutta_dopri5<State>());
     stepper.initialize(motion.state, motion.time, motion.first_step());
     const double end = motion.end();
     int event = -1;

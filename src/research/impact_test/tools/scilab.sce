@@ -1,10 +1,5 @@
 // Scilab's ode("root", ...), which is LSODAR of ODEPACK. As its manual says, %ODEOPTIONS bounds the
 // step and keeps it from passing the next jump of the force. m: scene, phase and state.
-function f = force(m, t)  // N
-    u = (t - m.from(m.k)) .^ [0; 1; 2];
-    f = sum((m.segments(m.k)(:, 1:3) * u) .* cos(m.segments(m.k)(:, 4:6) * u));
-endfunction
-
 function h = hold(m, t)  // N; at rest: what is missing to a force that moves the body
     f = force(m, t);
     h = m.friction - max([f(m.y(1) < m.upper), -f(m.y(1) > m.lower)]);
@@ -29,12 +24,15 @@ function [impacts, last] = simulate(m, level)
     m.k = 1; m.y = [m.position; m.velocity]; t = 0; impacts = [];
     walls = [m.lower, m.upper]; bounce = -[m.restitution_lower, m.restitution_upper];
     m = settle(m, t, %f);
-    while t < m.duration
+    for event = 1:20000
+        if t >= m.duration then last = m.y; return; end
         stop = min([m.from(m.k + 1:$); m.duration]);
-        %ODEOPTIONS = [4, stop, 0, m.longest_step, 0, 2, 1e6, 12, 5, 0, -1, -1];
-        // LSODAR refuses a function that stays zero at the start: hence a body just off the wall.
-        off = 1e-9 * m.span * m.moves * (bool2s(m.y(1) <= m.lower) - bool2s(m.y(1) >= m.upper));
-        [y, found] = ode("root", m.y + [off; 0], t, stop, tolerance, ..
+        longest = min([m.longest_step; ones(m.moves, 1) * m.span / m.speed]);
+        %ODEOPTIONS = [4, stop, 0, longest, 0, 2, 1e6, 12, 5, 0, -1, -1];
+        // LSODAR refuses a function that stays zero at the start: hence a little off it.
+        off = 1e-9 * m.moves * [m.span; m.speed] .* [bool2s(m.y(1) <= m.lower) - ..
+            bool2s(m.y(1) >= m.upper); m.way * bool2s(m.y(2) == 0)];
+        [y, found] = ode("root", m.y + off, t, stop, tolerance, ..
                          tolerance * [m.span; m.speed], list(rates, m), 3, list(values, m));
         moved = m.moves; m.y = y(:, $); t = stop;
         if found <> [] then t = found(1); end
@@ -49,7 +47,7 @@ function [impacts, last] = simulate(m, level)
         end
         if found <> [] | ~moved then m = settle(m, t, found <> [] & ~moved); end
     end
-    last = m.y;
+    error("too many events");
 endfunction
 
 warning("off");

@@ -28,7 +28,7 @@ def simulate(scene, call):
             rtol=tolerance,
             atol=absolute,
             first_step=min(motion.first_step(), motion.end() - motion.time),
-            max_step=scene.longest_step(),
+            max_step=motion.longest_step(),
         )
         if solution.status < 0:
             raise RuntimeError(solution.message)

@@ -5,8 +5,10 @@ A driver ends with `tool.run(simulate)`; simulate(scene, call) returns a Result.
 """
 
 import bisect
+import copy
 import json
 import math
+import os
 import sys
 import time
 
@@ -22,6 +24,13 @@ class Result:
         self.impacts = []  # [time s, "lower" or "upper", speed of approach m/s]
         self.deepest = 0.0  # m, deepest penetration of a wall
         self.end = [0.0, 0.0]  # m, m/s
+
+    def from_units(self, metre, second):
+        """The result of a scene that was simulated in_units() of these."""
+        self.impacts = [[t / second, wall, v / metre * second] for t, wall, v in self.impacts]
+        self.deepest /= metre
+        self.end = [self.end[0] / metre, self.end[1] / metre * second]
+        return self
 
 
 class Call:
@@ -45,6 +54,24 @@ class Scene:
         self.segments = [
             [term["amplitude"] + term["phase"] for term in part["terms"]] for part in text["force"]
         ]
+
+    def in_units(self, metre, second):
+        """The scene with so many units of length in a metre and of time in a second, and with the
+        body's mass as the unit of mass."""
+        scene = copy.copy(self)
+        for key in ("position", "lower", "upper"):
+            setattr(scene, key, getattr(self, key) * metre)
+        for key in ("velocity", "slowest"):
+            setattr(scene, key, getattr(self, key) * metre / second)
+        scene.mass, scene.duration = 1.0, self.duration * second
+        scene.starts = [start * second for start in self.starts]
+        force = metre / second**2 / self.mass
+        scene.friction = self.friction * force
+        scale = [force / second**k for k in range(3)] + [1 / second**k for k in range(3)]
+        scene.segments = [
+            [[x * y for x, y in zip(term, scale)] for term in terms] for terms in self.segments
+        ]
+        return scene
 
     def segment_at(self, t):
         return max(0, bisect.bisect_right(self.starts, t) - 1)
@@ -158,12 +185,19 @@ class Motion:
             self._settle(released)
         self.result.end = self.state
 
+    def longest_step(self):
+        """At rest that of the scene; in flight no longer than the clearance takes at full speed
+        [s]."""
+        longest = self.scene.longest_step()
+        return min(longest, self.scene.length() / self.scene.speed()) if self.moves else longest
+
     def first_step(self):
         """Ends before the body can be back at the wall [s]: functions that start at zero are then
-        positive at its end."""
+        positive at its end. After an event at the start it is shorter each time."""
         force = abs(self.scene.force(self.time, self.segment)) + self.scene.friction
         flight = abs(self.state[1]) * self.scene.mass / (force + 1e-300)
-        return min(flight / 5 if flight > 0 else math.inf, self.scene.longest_step() / 10)
+        step = min(flight / 5 if flight > 0 else math.inf, self.longest_step() / 10)
+        return step * 0.1 ** min(self.at_once, 8)
 
     def _hold(self, t):
         """At rest: how much force is missing to one that moves the body [N]."""
@@ -203,6 +237,8 @@ def run(simulate):
     if len(sys.argv) < 2 or sys.argv[-1] not in LEVELS:
         sys.exit(f"usage: {sys.argv[0]} [METHOD] loose|usual|tight")
     call = Call(sys.argv[1:])
+    answers = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # what a library prints is no answer
     for line in sys.stdin:
         text = json.loads(line)
         answer = {"scene": text["scene"]}
@@ -218,4 +254,4 @@ def run(simulate):
             answer["cannot"] = str(reason)
         except Exception as error:  # whatever a tool throws is its answer
             answer["error"] = f"{type(error).__name__}: {error}"
-        print(json.dumps(answer), flush=True)
+        print(json.dumps(answer), file=answers, flush=True)

@@ -1,6 +1,12 @@
 // What drivers in Scilab of the impact test share: tool() answers all scenes of the standard input
-// by [impacts, last] = simulate(scene, level), with a row [time s, wall 1 or 2, speed m/s] an impact,
-// the last position and velocity, and level 1 (loose), 2 or 3 (tight). No upper wall: it is at %inf.
+// by [impacts, last] = simulate(scene, level), with a row [time s, wall 1 or 2, speed m/s] for each
+// impact, the last [m, m/s], and level 1 (loose), 2 or 3 (tight). A missing upper wall is at %inf.
+
+// The force [N] at time t [s] in the scene's segment m.k.
+function f = force(m, t)  // N
+    u = (t - m.from(m.k)) .^ [0; 1; 2];
+    f = sum((m.segments(m.k)(:, 1:3) * u) .* cos(m.segments(m.k)(:, 4:6) * u));
+endfunction
 
 // Adds to a scene its segments, each with a row [amplitude, phase] a term, its largest force [N], a
 // length [m], a speed [m/s], and a step [s]: twenty in a period of the fastest force, and fifty in
@@ -38,11 +44,12 @@ function tool()
                 texts(k) = msprintf("[%.17g,""%s"",%.17g]", impacts(k, 1), names(impacts(k, 2)), ..
                                     impacts(k, 3));
             end
+            if texts == [] then texts = ""; end
             mprintf("{""scene"":""%s"",""seconds"":%g,""end"":[%.17g,%.17g],""impacts"":[%s]}\n", ..
-                    scene.scene, toc(), last(1), last(2), strcat(texts, ","));
+                scene.scene, toc(), last(1), last(2), strcat(texts, ","));
         catch
             mprintf("{""scene"":""%s"",""error"":""%s""}\n", scene.scene, ..
-                    strsubst(strsubst(strcat(lasterror(), " "), """", "''"), "\", "/"));
+                strsubst(strsubst(strcat(lasterror(), " "), """", "''"), "\", "/"));
         end
         line = mgetl(%io(1), 1);
     end

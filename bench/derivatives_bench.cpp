@@ -41,34 +41,6 @@ struct OfConstants {
   }
 };
 
-/// The surrogate as a function of the knots of a speed profile over the same window.
-struct OfKnots {
-  Scene scene;
-
-  explicit OfKnots(int knots) : scene(OfConstants{.size = 1}.scene) {
-    const double duration = duration_of(scene);
-    scene.window = Seconds{duration};
-    for (int k = 0; k < knots; ++k) {
-      scene.profile.push_back({duration * k / knots, scene.omega * (1 + 0.3 * std::sin(k + 1))});
-    }
-  }
-
-  Vector start() const {
-    Vector x(static_cast<Eigen::Index>(scene.profile.size()));
-    std::transform(scene.profile.begin(), scene.profile.end(), x.begin(),
-                   [](const SpeedKnot<double>& knot) { return knot.omega; });
-    return x;
-  }
-
-  template <class Scalar, class Watch>
-  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
-    auto near = lifted<Scalar>(scene);
-    for (std::size_t k = 0; k < x.size(); ++k) near.profile[k].omega = x[k];
-    auto watching = watch.of(near);
-    return objective(near, default_smoothing, watching);
-  }
-};
-
 /// Measures the time of one call and over_value, its ratio to the time of one value. Both are the
 /// fastest of several rounds, measured alternately, because other work slows the machine at times.
 template <class Function, class Work>
@@ -90,7 +62,7 @@ void add(const std::string& name, const Function& f) {
     return gradient_of<Room>(g, x, Vector::Ones(x.size())).value;
   };
   const auto hessian = [](const Function& g, const Vector& x) {
-    return hessian_of<(Room == 1 ? 1 : Room == 5 ? 2 : 4)>(g, x).value;
+    return hessian_of<(Room == 1 ? 1 : 2)>(g, x).value;
   };
   const auto of = [&](const char* what, double allowed, const auto& work) {
     benchmark::RegisterBenchmark((what + name).c_str(), [=](benchmark::State& state) {
@@ -107,9 +79,6 @@ void add(const std::string& name, const Function& f) {
 void add_derivative_benchmarks() {
   add<1>("constants/1", OfConstants{.size = 1});
   add<5>("constants/5", OfConstants{.size = 5});
-  add<4>("knots/4", OfKnots(4));
-  add<16>("knots/16", OfKnots(16));
-  add<16>("knots/64", OfKnots(64));
 }
 
 }  // namespace ricochet::bench

@@ -67,28 +67,20 @@ void add(const std::string& name, std::size_t n, double allowed, const Work& wor
 }  // namespace
 
 void add_shape_benchmarks() {
-  const auto shaped = [](const Vector& x) {
-    const Machine machine = shaped_machine();
-    return with_profile(machine.scene, profile_frame(machine),
-                        std::span(x.data(), static_cast<std::size_t>(x.size())));
-  };
-  const auto gradient = [shaped](const Problem& problem, const Vector& x) {
-    const Scene scene = shaped(x);
-    return shape_gradient(SurrogateSum{default_smoothing}, scene, shaped_knots(scene, x),
-                          problem.upper - problem.lower)
-        .gradient;
+  const auto gradient = [](const Problem& problem, const Vector& x) {
+    return problem.differentiate(x).gradient;
   };
   const auto by_duals = [](const Problem& problem, const Vector& x) {
     return gradient_of<16>(SurrogateOfShape(), x, problem.upper - problem.lower).gradient;
   };
-  const auto times_vector = [shaped](const Problem& /*problem*/, const Vector& x) {
-    const Scene scene = shaped(x);
+  const auto times_vector = [](const Problem& /*problem*/, const Vector& x) {
+    const Machine machine = shaped_machine();
+    const Scene scene = with_profile(machine.scene, profile_frame(machine),
+                                     std::span(x.data(), static_cast<std::size_t>(x.size())));
     return shape_curvature(SurrogateSum{default_smoothing}, scene, shaped_knots(scene, x), x);
   };
-  const auto hessian = [shaped](const Problem& /*problem*/, const Vector& x) {
-    const Scene scene = shaped(x);
-    return shape_curvature(SurrogateSum{default_smoothing}, scene, shaped_knots(scene, x),
-                           Matrix::Identity(x.size(), x.size()));
+  const auto hessian = [](const Problem& problem, const Vector& x) {
+    return problem.lagrangian_hessian(x, 1, {});
   };
   for (const std::size_t n : {2U, 16U, 64U, 128U, 256U}) {
     add("gradient-of-shape/", n, 4, gradient);

@@ -14,9 +14,6 @@
 /// dual numbers, leg by leg.
 ///
 /// `scene` has the shaped profile and is as ProfileMotion needs it.
-///
-/// NOTE: the profile problems still differentiate by dual numbers: with these, whose last digits
-/// differ, the archived runs of solvers with gradients would no longer repeat to the bit.
 namespace ricochet::carrier_track::inline gradients {
 
 namespace detail {

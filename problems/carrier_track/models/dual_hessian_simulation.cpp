@@ -4,6 +4,5 @@ namespace ricochet::carrier_track::inline models {
 
 RICOCHET_DUAL_SIMULATION(, SecondSpeedDual)
 RICOCHET_DUAL_SIMULATION(, SecondDesignDual)
-RICOCHET_DUAL_SIMULATION(, SecondProfileDual)
 
 }  // namespace ricochet::carrier_track::inline models

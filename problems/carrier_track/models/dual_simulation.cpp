@@ -4,6 +4,5 @@ namespace ricochet::carrier_track::inline models {
 
 RICOCHET_DUAL_SIMULATION(, SpeedDual)
 RICOCHET_DUAL_SIMULATION(, DesignDual)
-RICOCHET_DUAL_SIMULATION(, ProfileDual)
 
 }  // namespace ricochet::carrier_track::inline models

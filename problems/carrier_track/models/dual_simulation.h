@@ -78,14 +78,12 @@ End<Scalar> simulate_dual(const BasicScene<Scalar>& scene, DualObserver<Scalar>&
   return ImpactModel<Scalar, Forces>(scene).run(told);
 }
 
-// The types that the problems use: for a speed, for a design and a calibration, for a profile; and
-// the types for their second derivatives (gradients/derivatives.h).
+// The types that the problems use: for a speed, for a design and a calibration; and the types for
+// their second derivatives (gradients/derivatives.h).
 using SpeedDual = ceres::Jet<double, 1>;
 using DesignDual = ceres::Jet<double, 5>;
-using ProfileDual = ceres::Jet<double, 16>;
 using SecondSpeedDual = ceres::Jet<ceres::Jet<double, 1>, 1>;
 using SecondDesignDual = ceres::Jet<ceres::Jet<double, 2>, 2>;
-using SecondProfileDual = ceres::Jet<ceres::Jet<double, 4>, 4>;
 
 #define RICOCHET_DUAL_SIMULATION(keyword, Scalar)                                              \
   keyword template End<Scalar> simulate_dual<AppliedForces<Scalar>>(const BasicScene<Scalar>&, \
@@ -95,9 +93,7 @@ using SecondProfileDual = ceres::Jet<ceres::Jet<double, 4>, 4>;
 
 RICOCHET_DUAL_SIMULATION(extern, SpeedDual)
 RICOCHET_DUAL_SIMULATION(extern, DesignDual)
-RICOCHET_DUAL_SIMULATION(extern, ProfileDual)
 RICOCHET_DUAL_SIMULATION(extern, SecondSpeedDual)
 RICOCHET_DUAL_SIMULATION(extern, SecondDesignDual)
-RICOCHET_DUAL_SIMULATION(extern, SecondProfileDual)
 
 }  // namespace ricochet::carrier_track::inline models

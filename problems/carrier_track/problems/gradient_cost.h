@@ -1,19 +1,19 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 namespace ricochet::carrier_track::inline problems {
 
-/// The cost of a gradient of a simulated function beside its value [evaluations], rounded up:
-/// Problem::gradient_cost. A pass with up to 16 derivatives takes as long as 3.7 values, a pass
-/// with one as long as 1.7. Measured, for 1, 2 to 16, 32 and 64 variables: 0.6 to 0.7, 2.5 to 2.8,
-/// 6.3 and 13.5, for every family: `ricochet bench --benchmark_filter=gradient-cost`.
+/// The cost of a gradient by dual numbers beside the value [evaluations], rounded up:
+/// Problem::gradient_cost. Measured, for 1 and 5 variables: 0.6 to 0.7 and 2.5 to 2.8, for every
+/// family: `ricochet bench --benchmark_filter=gradient-cost`.
 inline std::int64_t gradient_cost(std::int64_t variables) {
-  if (variables == 1) return 1;
-  const std::int64_t passes = (variables + 15) / 16;
-  return static_cast<std::int64_t>(std::ceil(3.7 * static_cast<double>(passes) - 1));
+  return variables == 1 ? 1 : 3;
 }
+
+/// The same for the shape of a speed profile, by the adjoint method; measured, for 2 to 256 knots:
+/// 0.8 to 1.3.
+inline constexpr std::int64_t profile_gradient_cost = 2;
 
 /// The same for a risk, whose samples are simulated in lanes if no derivative is needed; measured:
 /// 3.2.

@@ -14,7 +14,7 @@ namespace detail {
 template <class Function>
 Matrix curvature(const Function& f, const Vector& x, double factor) {
   if (factor == 0) return Matrix::Zero(x.size(), x.size());
-  constexpr int room = Function::jet_size == 1 ? 1 : Function::jet_size <= 6 ? 2 : 4;
+  constexpr int room = Function::jet_size == 1 ? 1 : 2;
   return factor * hessian_of<room>(f, x).hessian;
 }
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "problems/carrier_track/counting/collisions.h"
-#include "problems/carrier_track/counting/wear.h"
-#include "problems/carrier_track/gradients/surrogate.h"
+#include "problems/carrier_track/gradients/event_sums.h"
+#include "problems/carrier_track/gradients/shape_derivatives.h"
 #include "problems/carrier_track/problems/best_known.h"
+#include "problems/carrier_track/problems/gradient_cost.h"
 #include "problems/carrier_track/problems/problem_from_function.h"
-#include "problems/carrier_track/scene/lifted.h"
 
 namespace ricochet::carrier_track::inline problems {
 namespace {
@@ -16,34 +15,37 @@ namespace {
 constexpr double least_factor = 0.5;
 constexpr double greatest_factor = 2.0;
 
-struct ObjectiveOfShape {
-  static constexpr int jet_size = 16;
+Scene shaped(const Scene& scene, const ProfileFrame& frame, const Vector& x) {
+  return with_profile(scene, frame, std::span(x.data(), static_cast<std::size_t>(x.size())));
+}
 
-  Scene scene;
-  ProfileFrame frame;
-  double smoothing;
-
-  template <class Scalar, class Watch>
-  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
-    const BasicScene<Scalar> shaped = with_profile(lifted<Scalar>(scene), frame, x);
-    auto watching = watch.of(shaped);
-    return objective(shaped, smoothing, watching);
-  }
-};
-
-struct WearOfShape {
-  static constexpr int jet_size = 16;
-
-  Scene scene;
-  ProfileFrame frame;
-
-  template <class Scalar, class Watch>
-  Scalar operator()(std::span<const Scalar> x, Watch& watch) const {
-    const BasicScene<Scalar> shaped = with_profile(lifted<Scalar>(scene), frame, x);
-    auto watching = watch.of(shaped);
-    return wear(shaped, watching);
-  }
-};
+/// Sets the sum over the motion of the machine as objective, with derivatives if `derivatives`.
+template <class EventSum>
+void define(Problem& problem, const Scene& scene, const ProfileFrame& frame, const EventSum& of,
+            bool derivatives) {
+  problem.evaluate = [=](const Vector& x) {
+    const Scene at = shaped(scene, frame, x);
+    auto sum = of.over(at);
+    simulate_at_needed_fidelity(at, sum);
+    return Values{sum.total(), {}};
+  };
+  if (!derivatives) return;
+  const Vector widths = problem.upper - problem.lower;
+  problem.differentiate = [=](const Vector& x) {
+    const Scene at = shaped(scene, frame, x);
+    Gradient g = shape_gradient(of, at, shaped_knots(at, x), widths);
+    return Derivatives{{g.value, {}}, std::move(g.gradient), Matrix(0, x.size()), g.trust};
+  };
+  problem.lagrangian_hessian = [=](const Vector& x, double objective_factor,
+                                   const Vector& /*multipliers*/) -> Matrix {
+    if (objective_factor == 0) return Matrix::Zero(x.size(), x.size());
+    const Scene at = shaped(scene, frame, x);
+    const Matrix curvature =
+        shape_curvature(of, at, shaped_knots(at, x), Matrix::Identity(x.size(), x.size()));
+    // Both halves have the same digits.
+    return 0.5 * objective_factor * (curvature + curvature.transpose());
+  };
+}
 
 /// The problem over the shape, without an objective yet. It starts from the steady speed.
 Problem shape_problem(const std::string& family, const Machine& machine, std::size_t n,
@@ -57,6 +59,7 @@ Problem shape_problem(const std::string& family, const Machine& machine, std::si
   problem.upper = Vector::Constant(size, greatest_factor);
   problem.start = Vector::Ones(size);
   problem.machine = machine.id;
+  problem.gradient_cost = profile_gradient_cost;
   know_best(problem, machine.default_hash);
   return problem;
 }
@@ -77,7 +80,7 @@ ShapedKnots shaped_knots(const Scene& scene, const Vector& shape) {
 Problem profile_count_problem(const Machine& machine, std::size_t n) {
   const auto define_at = [scene = machine.scene, frame = profile_frame(machine)](Problem& problem,
                                                                                  double smoothing) {
-    define(problem, ObjectiveOfShape{scene, frame, smoothing},
+    define(problem, scene, frame, SurrogateSum{smoothing},
            smoothing > 0 && carries_derivatives(scene));
   };
   Problem frame = shape_problem("profile-count", machine, n, "collision count of a profile");
@@ -89,7 +92,7 @@ Problem profile_count_problem(const Machine& machine, std::size_t n) {
 Problem profile_wear_problem(const Machine& machine, std::size_t n) {
   Problem problem =
       shape_problem("profile-wear", machine, n, "energy that the impacts of a profile lose, mJ");
-  define(problem, WearOfShape{machine.scene, profile_frame(machine)},
+  define(problem, machine.scene, profile_frame(machine), WearSum(),
          carries_derivatives(machine.scene));
   problem.tolerance = 0.01;
   return problem;

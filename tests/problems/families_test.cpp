@@ -71,9 +71,9 @@ TEST(Families, KnowWhatAGradientTakes) {
   EXPECT_EQ(costs.at("robust-worst-C4"), 4);
   EXPECT_EQ(costs.at("calibration-default"), 3);
   EXPECT_EQ(costs.at("design-count-C9"), 3);
-  EXPECT_EQ(costs.at("profile-count-16-C4"), 3);
-  EXPECT_EQ(costs.at("profile-wear-32-C4"), 7);
-  EXPECT_EQ(costs.at("profile-count-64-C1"), 14);
+  EXPECT_EQ(costs.at("profile-count-16-C4"), 2);
+  EXPECT_EQ(costs.at("profile-wear-32-C4"), 2);
+  EXPECT_EQ(costs.at("profile-count-64-C1"), 2);
   EXPECT_EQ(costs.at("hs-1"), 1);
   EXPECT_EQ(costs.at("hs-110"), 5);
 }

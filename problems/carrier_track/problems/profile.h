@@ -13,8 +13,9 @@
 /// Problems over a speed that varies in time with a given mean; any number of variables.
 namespace ricochet::carrier_track::inline problems {
 
-/// The numbers of knots of the problems.
+/// The numbers of knots of the problems, and of some machines' beside them.
 inline constexpr std::size_t profile_sizes[] = {2, 4, 8, 16, 32, 64};
+inline constexpr std::size_t large_profile_sizes[] = {128, 256};
 
 /// What all profiles of a machine have in common.
 struct ProfileFrame {

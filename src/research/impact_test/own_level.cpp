@@ -1,7 +1,6 @@
 #include "src/research/impact_test/own_level.h"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 
 #include "problems/carrier_track/models/observer.h"
@@ -9,6 +8,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
 #include "ricochet/simulate.h"
+#include "src/core/processor_time.h"
 
 namespace ricochet::studies::impact_test {
 namespace {
@@ -40,19 +40,15 @@ struct ContactList : Observer {
   double deepest = 0;
 };
 
-double since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// Simulates a machine with an observer, and returns what it has heard.
 template <class List>
 Answer simulated(const ScoredScene& scored, const Scene& machine, List list) {
   Answer answer{scored.scene.scene};
   try {
     check(machine, scored.scene.scene);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     simulate(machine, list);
-    answer.seconds = since(start);
+    answer.seconds = processor_seconds() - start;
     answer.impacts = std::move(list.impacts);
     if constexpr (std::same_as<List, ContactList>) answer.deepest = list.deepest;
   } catch (const InputError& error) {
@@ -84,9 +80,9 @@ Answer by_scan(const ScoredScene& scored, Level level) {
   for (int k = 0; k < speeds; ++k) {
     omegas.push_back(scored.machine.omega * (1 + around * (2 * k - speeds + 1) / speeds));
   }
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   counts(scored.machine, omegas);
-  answer.seconds = since(start) / speeds;
+  answer.seconds = (processor_seconds() - start) / speeds;
   return answer;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <optional>
 
 #include "ricochet/error.h"
 #include "src/core/interruption.h"
@@ -19,8 +18,9 @@
 namespace ricochet::studies::impact_test {
 namespace {
 
-constexpr int most_asks = 200;  // of a tool, to shrink a scene
-constexpr std::chrono::seconds longest_shrinking{60};
+constexpr std::size_t most_shrunk = 3;  // scenes of a tool
+constexpr int most_asks = 200;          // of a tool, to shrink a scene
+constexpr std::chrono::seconds longest_shrinking{30};
 
 /// The tools that can be started, behind ricochet's own levels. The others are noted.
 std::vector<Simulator> simulators_of(const Plan& plan, std::vector<MissingTool>& missing) {
@@ -81,10 +81,10 @@ Measured measured_by(const Results& results, const Simulator& simulator, Level l
   return measured;
 }
 
-/// The scene to begin with: of the kind that breaks the simulator most, relative to its impacts,
-/// the one with the fewest impacts. Answered ones come before those without an answer, which take
-/// the whole time limit.
-std::optional<std::size_t> scene_to_shrink(const Results& results, const Measured& measured) {
+/// The scenes to begin with, one of each of the kinds that break the simulator most, relative to
+/// their impacts: the one with the fewest impacts. Answered ones come before those without an
+/// answer, which take the whole time limit.
+std::vector<std::size_t> scenes_to_shrink(const Results& results, const Measured& measured) {
   std::map<std::string, std::pair<int, int>> kinds;  // wrong, impacts
   for (std::size_t k = 0; k < measured.scores.size(); ++k) {
     auto& [wrong, impacts] = kinds[results.scenes[k].scene.kind];
@@ -99,39 +99,48 @@ std::optional<std::size_t> scene_to_shrink(const Results& results, const Measure
     const Score& score = measured.scores[k];
     return std::tuple(score.ending != Ending::answered, -share(k), score.impacts);
   };
-  std::optional<std::size_t> best;
+  std::map<std::string, std::size_t> firsts;  // by kind
   for (std::size_t k = 0; k < measured.scores.size(); ++k) {
     if (measured.scores[k].wrong() == 0) continue;
-    if (!best || rank(k) < rank(*best)) best = k;
+    const auto [first, is_new] = firsts.try_emplace(results.scenes[k].scene.kind, k);
+    if (!is_new && rank(k) < rank(first->second)) first->second = k;
   }
-  return best;
+  std::vector<std::size_t> chosen;
+  for (const auto& [kind, k] : firsts) chosen.push_back(k);
+  std::ranges::sort(chosen, {}, rank);
+  if (chosen.size() > most_shrunk) chosen.resize(most_shrunk);
+  return chosen;
 }
 
-std::optional<Broken> broken_by(const Results& results, const Measured& measured,
-                                const Simulator& simulator) {
-  const auto index = scene_to_shrink(results, measured);
-  if (!index) return std::nullopt;
-  Progress::announce(fmt::format("shrinking a scene that breaks {}", simulator.tool.name));
-  const ScoredScene& from = results.scenes[*index];
-  Broken broken{simulator.tool.name,    from.scene.kind, measured.level, from, from,
-                measured.scores[*index]};
-  const Ask ask = simulator.open(measured.level);
+Broken shrunk(const ScoredScene& from, const Score& score, const Measured& measured,
+              const Ask& ask) {
+  Broken broken{measured.tool.name, from.scene.kind, measured.level, from, from, score};
   const auto end = std::chrono::steady_clock::now() + longest_shrinking;
   const auto breaks = [&](const ScoredScene& scored) {
     if (std::chrono::steady_clock::now() > end) return false;
-    const Score score = score_of(ask(scored), scored);
-    if (score.wrong() == 0 || score.ending != broken.score.ending) return false;
-    broken.score = score;
+    const Score now = score_of(ask(scored), scored);
+    if (now.wrong() == 0 || now.ending != broken.score.ending) return false;
+    broken.score = now;
     return true;
   };
   broken.smallest = smallest_scene(from, breaks, most_asks);
   return broken;
 }
 
-/// Keeps the scene for who wants to try it.
-void keep(const Broken& broken, const std::filesystem::path& folder) {
+/// Shrinks scenes that break the simulator, and keeps them for who wants to try them.
+void add_broken(Results& results, const Measured& measured, const Simulator& simulator) {
+  const auto chosen = scenes_to_shrink(results, measured);
+  if (chosen.empty()) return;
+  Progress::announce(fmt::format("shrinking scenes that break {}", simulator.tool.name));
+  const Ask ask = simulator.open(measured.level);
+  std::string lines;
+  for (const std::size_t k : chosen) {
+    results.broken.push_back(shrunk(results.scenes[k], measured.scores[k], measured, ask));
+    lines += json_of(results.broken.back().smallest).dump() + "\n";
+  }
+  const auto folder = results.plan.folder / "smallest";
   std::filesystem::create_directories(folder);
-  write_text_file(folder / (broken.tool + ".jsonl"), json_of(broken.smallest).dump() + "\n");
+  write_text_file(folder / (simulator.tool.name + ".jsonl"), lines);
 }
 
 }  // namespace
@@ -152,12 +161,7 @@ Results impact_test(const Plan& plan) {
     for (const Level level : plan.levels) {
       try {
         Measured measured = measured_by(results, simulator, level);
-        if (level == shown_level(plan)) {
-          if (auto broken = broken_by(results, measured, simulator)) {
-            keep(*broken, plan.folder / "smallest");
-            results.broken.push_back(std::move(*broken));
-          }
-        }
+        if (level == shown_level(plan)) add_broken(results, measured, simulator);
         results.measured.push_back(std::move(measured));
       } catch (const ToolFailure& error) {
         results.missing.push_back({simulator.tool.name, error.what()});

@@ -33,7 +33,7 @@ struct Measured {
   std::string failure;        ///< the same for an error or for never
 };
 
-/// The smallest scene that was found to break a tool.
+/// The smallest scene of a kind that was found to break a tool.
 struct Broken {
   std::string tool, kind;
   Level level;
@@ -51,7 +51,7 @@ struct Results {
   std::vector<ScoredScene> scenes;
   std::vector<Measured> measured;  ///< simulator by simulator, ricochet first
   std::vector<MissingTool> missing;
-  std::vector<Broken> broken;  ///< at most one for each simulator
+  std::vector<Broken> broken;  ///< at most three for each simulator, of different kinds
 };
 
 /// Draws the scenes, asks everybody, and shrinks scenes that break somebody. Scenes and answers are

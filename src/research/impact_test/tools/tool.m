@@ -10,9 +10,9 @@ function tool(simulate)
     scene = jsondecode(line);
     answer = struct("scene", scene.scene);
     try
-      start = tic;
+      start = cputime();
       [impacts, last] = simulate(with_scales(scene), level);
-      [answer.seconds, answer.impacts, answer.end] = deal(toc(start), impacts, last);
+      [answer.seconds, answer.impacts, answer.end] = deal(cputime() - start, impacts, last);
     catch failure
       answer.error = failure.message;
     end

@@ -36,7 +36,7 @@ function tool()
     while line <> [] & line <> ""
         scene = fromJSON(line);
         try
-            tic();
+            timer();
             [impacts, last] = simulate(with_scales(scene), level);
             texts = [];
             names = ["lower", "upper"];
@@ -46,7 +46,7 @@ function tool()
             end
             if texts == [] then texts = ""; end
             mprintf("{""scene"":""%s"",""seconds"":%g,""end"":[%.17g,%.17g],""impacts"":[%s]}\n", ..
-                scene.scene, toc(), last(1), last(2), strcat(texts, ","));
+                scene.scene, timer(), last(1), last(2), strcat(texts, ","));
         catch
             mprintf("{""scene"":""%s"",""error"":""%s""}\n", scene.scene, ..
                 strsubst(strsubst(strcat(lasterror(), " "), """", "''"), "\", "/"));

@@ -1,5 +1,6 @@
-// The module against the native program: node module_test.mjs SCENES MODULE FOLDER, where SCENES is
-// the program of scenes.cpp and MODULE the module, compressed or not. Ends with 0; 1 where they
+// The module against the native program: node module_test.mjs SCENES MODULE FOLDER [COMPARED], where
+// SCENES is the program of scenes.cpp and MODULE the module, compressed or not. A module with the
+// bytes of COMPARED, which another test compares, is not compared again. Ends with 0; 1 where they
 // differ, which is printed; 77 where there is no such module and CI is not set.
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
@@ -8,10 +9,18 @@ import vm from "node:vm";
 import zlib from "node:zlib";
 import {fileURLToPath} from "node:url";
 
-const [program, file, folder] = process.argv.slice(2);
+const [program, file, folder, compared] = process.argv.slice(2);
 if (!fs.existsSync(file)) {
   console.log(`${file} is missing: Debian's Clang for WebAssembly is not there; .ci/run installs it`);
   process.exit(process.env.CI ? 1 : 77);
+}
+const moduleOf = (name) => {
+  const bytes = fs.readFileSync(name);
+  return bytes[0] === 0x1f ? zlib.gunzipSync(bytes) : bytes;
+};
+if (compared && moduleOf(file).equals(moduleOf(compared))) {
+  console.log(`the same ${moduleOf(file).length} bytes as ${compared}`);
+  process.exit(0);
 }
 const here = path.dirname(fileURLToPath(import.meta.url));
 const number = 100_000;
@@ -25,9 +34,8 @@ fs.rmSync(answers);
 const source = fs.readFileSync(path.join(here, "../../src/live/page/machine.js"), "utf8");
 const context = vm.createContext({WebAssembly, TextDecoder, TextEncoder});
 const Machine = vm.runInContext(`${source}; Machine`, context);
-const packed = fs.readFileSync(file);
 const started = performance.now();
-const machine = new Machine(new WebAssembly.Module(packed[0] === 0x1f ? zlib.gunzipSync(packed) : packed));
+const machine = new Machine(new WebAssembly.Module(moduleOf(file)));
 const ready = performance.now();
 
 const wrong = [];

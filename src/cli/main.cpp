@@ -482,9 +482,20 @@ class Program : public CommandLine {
   /// Adds the commands for a campaign's store.
   void add_stores() {
     CLI::App* again = add("replay", "Repeat a stored run and compare it bit by bit",
-                          "  ricochet replay mine/runs.sqlite 17");
-    again->add_option("store", store_, "A store, runs.sqlite")->type_name("FILE")->required();
-    again->add_option("run", replayed_, "Number of the run")->required();
+                          "  ricochet replay mine/runs.sqlite 17\n"
+                          "  ricochet replay archive "
+                          "top-speed-C1/count/plain/bisection/100/n/1/0");
+    again
+        ->add_option("store", store_,
+                     "A store, runs.sqlite; archive: that of the reference, which is included")
+        ->type_name("FILE")
+        ->required();
+    again
+        ->add_option("run", replayed_,
+                     "Number of the run, or problem/formulation/perturbation/solver/budget/price/"
+                     "instance/seed, as a comparison's own view writes it")
+        ->type_name("RUN")
+        ->required();
     add_allowance(again, run_.allow_programs);
     add_format(again, replay_json_);
     on_call(again, [this] { return replay(store_, replayed_, run_.allow_programs, replay_json_); });
@@ -681,7 +692,7 @@ class Program : public CommandLine {
   int slurm_jobs_ = 8;
   std::string store_;
   std::vector<std::string> store_parts_;
-  std::int64_t replayed_ = 0;
+  std::string replayed_;
   bool replay_json_ = false;
   ExportOptions export_;
   EvaluateOptions evaluate_;

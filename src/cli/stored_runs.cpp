@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "src/benchmark/experiment/store/archive.h"
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
+#include "src/cli/archive.h"
 #include "src/cli/programs.h"
 #include "src/core/one_line.h"
 #include "src/core/warning.h"
@@ -62,17 +64,33 @@ std::optional<RunRecord> made_again(const CampaignDescription& description, cons
 
 /// A run made again, and in what it differs from the stored one; empty if in nothing.
 struct Repetition {
+  std::int64_t number;
   RunKey key;
   RunRecord record;
   std::string differs;
 };
 
-Repetition repetition_of(const Store& store, const std::string& file, std::int64_t number,
+/// The run with this number, or with this key as address_of() writes it; nothing if there is none.
+std::optional<StoredRun> stored_run(const Store& store, const std::string& run) {
+  if (const auto key = key_at(run)) return store.find(*key);
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(run.data(), run.data() + run.size(), number);
+  if (error != std::errc() || end != run.data() + run.size()) {
+    throw InputError(fmt::format(
+        "run {}: must be a number, or "
+        "PROBLEM/FORMULATION/PERTURBATION/SOLVER/BUDGET/PRICE/INSTANCE/SEED, as in 17 or "
+        "top-speed-C1/count/plain/bisection/100/n/1/0",
+        run));
+  }
+  return store.find(number);
+}
+
+Repetition repetition_of(const Store& store, const std::string& file, const std::string& run,
                          bool allow_programs) {
-  const auto stored = store.find(number);
+  const auto stored = stored_run(store, run);
   if (!stored) {
-    throw InputError(fmt::format("{}: there is no run {}: {} has runs 1 to {}", number, number,
-                                 file, store.size()));
+    throw InputError(
+        fmt::format("{}: there is no run {}: {} has runs 1 to {}", run, run, file, store.size()));
   }
   const CampaignDescription& description = store.description();
   const Plan plan = plan_from(description.plan, file);
@@ -80,7 +98,7 @@ Repetition repetition_of(const Store& store, const std::string& file, std::int64
       programs_for(stored->key.cell.solver, description, plan);
   announce_programs(programs, allow_programs, file);
   const auto again = made_again(description, plan, stored->key, programs);
-  if (!again) throw InputError(fmt::format("{}: run {} is none of its plan's", file, number));
+  if (!again) throw InputError(fmt::format("{}: run {} is none of its plan's", file, run));
   std::string differs = difference(parts_of(*again), parts_of(stored->record));
   if (!differs.empty() && is_archived(description)) {
     const std::vector<StoredProblem>& problems = description.problems;
@@ -88,7 +106,7 @@ Repetition repetition_of(const Store& store, const std::string& file, std::int64
         std::ranges::find(problems, stored->key.cell.problem, &StoredProblem::name);
     differs = difference(parts_of(thinned(*again, *problem)), parts_of(stored->record));
   }
-  return {stored->key, *again, differs};
+  return {stored->number, stored->key, *again, differs};
 }
 
 }  // namespace
@@ -115,13 +133,14 @@ int print_digest(const std::string& store) {
 
 std::string repeated(const Store& store, const std::string& file, std::int64_t number,
                      bool allow_programs) {
-  return repetition_of(store, file, number, allow_programs).differs;
+  return repetition_of(store, file, std::to_string(number), allow_programs).differs;
 }
 
-int replay(const std::string& file, std::int64_t number, bool allow_programs, bool json) {
+int replay(const std::string& name, const std::string& run, bool allow_programs, bool json) {
+  const std::string file = archive_named(name);
   const Store store = Store::open(file, Store::For::reading);
   warn_of_missing_runs(file);
-  const auto [key, again, differs] = repetition_of(store, file, number, allow_programs);
+  const auto [number, key, again, differs] = repetition_of(store, file, run, allow_programs);
   const Cell& cell = key.cell;
   const Json data = {
       {"run", number},

@@ -24,6 +24,8 @@ std::string repeated(const Store& store, const std::string& file, std::int64_t n
 
 /// Repeats a stored run and says whether the results are identical to the bit: exit code 0, or 1.
 /// Starts only the run's own solver, and that only if it is of the suite or programs are allowed.
-int replay(const std::string& store, std::int64_t number, bool allow_programs, bool json);
+/// `store`: a file, or archive, see archive_named(). `run`: its number, or its key as address_of()
+/// writes it.
+int replay(const std::string& store, const std::string& run, bool allow_programs, bool json);
 
 }  // namespace ricochet::cli

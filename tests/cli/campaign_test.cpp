@@ -295,7 +295,17 @@ TEST_F(CampaignCommands, MakeARunAgainToTheLastBit) {
         Json::parse(out_of(fmt::format("replay {} {} --format json", store("one"), number)));
     EXPECT_EQ(again["same"], true) << again;
     EXPECT_EQ(again["run"], number);
+    const std::string key =
+        fmt::format("{}/{}/{}/{}/{}/{}/{}/{}", again["problem"].get<std::string>(),
+                    again["formulation"].get<std::string>(),
+                    again["perturbation"].get<std::string>(), again["solver"].get<std::string>(),
+                    again["budget"].get<int>(), again["gradient_price"].get<std::string>(),
+                    again["instance"].get<int>(), again["seed"].get<int>());
+    EXPECT_EQ(Json::parse(out_of(fmt::format("replay {} {} --format json", store("one"), key))),
+              again);
   }
+  expect_refusal("replay " + store("one") + " a/b/c/d/10/n/1/0", "there is no run a/b/c/d");
+  expect_refusal("replay " + store("one") + " first", "run first: must be a number, or PROBLEM/");
   EXPECT_THAT(out_of("replay " + store("one") + " 3"), EndsWith("The same, to the last bit.\n"));
   expect_refusal("replay " + store("one") + " 0", "there is no run 0");
   expect_refusal("replay " + store("one") + " 100000", "there is no run 100000");

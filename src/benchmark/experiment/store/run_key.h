@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace ricochet {
@@ -30,5 +31,12 @@ struct RunKey {
 
 /// The key in words, for messages.
 std::string name_of(const RunKey& key);
+
+/// The key as one word, for command lines:
+/// problem/formulation/perturbation/solver/budget/price/instance/run.
+std::string address_of(const RunKey& key);
+
+/// The key of such a word; nothing if it is none.
+std::optional<RunKey> key_at(const std::string& address);
 
 }  // namespace ricochet

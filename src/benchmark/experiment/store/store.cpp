@@ -159,6 +159,10 @@ std::optional<StoredRun> Store::find(std::int64_t number) const {
   return database_->reading([&] { return database_->rows->find(number); });
 }
 
+std::optional<StoredRun> Store::find(const RunKey& key) const {
+  return database_->reading([&] { return database_->rows->find(key); });
+}
+
 std::string Store::digest() const {
   Digest digest(description());
   each([&digest](const StoredRun& run) { digest.add(run.key, run.record); });

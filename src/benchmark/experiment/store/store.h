@@ -113,6 +113,9 @@ class Store {
   /// The run with this number; nothing if there is none.
   std::optional<StoredRun> find(std::int64_t number) const;
 
+  /// The run with this key; nothing if there is none.
+  std::optional<StoredRun> find(const RunKey& key) const;
+
   /// 16 hexadecimal digits that depend on every bit of description and runs, except times and other
   /// data that a repetition may change (`made`, numbers of runs, order of their arrival).
   std::string digest() const;

@@ -13,5 +13,15 @@ TEST(RunKey, IsNamedWithAllOfIt) {
       "gradient price n)");
 }
 
+TEST(RunKey, IsFoundAgainByItsAddress) {
+  const RunKey key = {{"valley", "count", "plain", "fast", 20, "measured"}, 3, 4};
+  EXPECT_EQ(address_of(key), "valley/count/plain/fast/20/measured/3/4");
+  EXPECT_EQ(key_at(address_of(key)), key);
+  for (const char* none : {"", "17", "valley/count/plain/fast/20/n/3", "a/b/c/d/20/n/3/4/5",
+                           "a/b/c/d/x/n/3/4", "a/b/c/d/20/n/-3/4", "a/b/c/d/20/n/3/4 "}) {
+    EXPECT_FALSE(key_at(none)) << none;
+  }
+}
+
 }  // namespace
 }  // namespace ricochet

@@ -12,8 +12,15 @@
 #include "embedded/page_script.h"
 #include "embedded/page_template.h"
 #include "embedded/summary_template.h"
+#include "embedded/view_chart_script.h"
+#include "embedded/view_choice_script.h"
+#include "embedded/view_look.h"
+#include "embedded/view_runs_script.h"
+#include "embedded/view_script.h"
+#include "embedded/view_template.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
+#include "src/report/record_table.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
@@ -74,6 +81,7 @@ struct TextWriters {
   std::string (*linked)(std::string_view);
   std::string (*code)(std::string_view);
   const char* file;  ///< of a page in its folder
+  bool script;       ///< a page may have one, which reads what a link chooses: #family=hs
 };
 
 /// Escapes text line by line: what stands in <pre> keeps its lines.
@@ -95,6 +103,9 @@ std::string unchanged(std::string_view text) {
 std::string address_of(const std::string& place, const TextWriters& writing) {
   const std::size_t hash = std::min(place.find('#'), place.size());
   if (hash == 0) return writing.plain(place);
+  if (!writing.script && place.find('=', hash) != std::string::npos) {
+    return writing.plain(place.substr(0, hash)) + "/" + writing.file;
+  }
   return writing.plain(place.substr(0, hash)) + "/" + writing.file +
          writing.plain(place.substr(hash));
 }
@@ -196,6 +207,13 @@ Json data_of(const Explorer& explorer, const TextWriters& writing) {
           {"data", inside_a_script({{"values", values}, {"answers", explorer.answers}})}};
 }
 
+/// The form of a view of runs, with its data.
+Json view_html(const Json& view) {
+  if (view.is_null()) return nullptr;
+  const Json data = {{"data", inside_a_script(packed(view))}};
+  return filled(embedded::view_template, {&data});
+}
+
 /// The charts of a page, by their names.
 using DrawnCharts = std::map<std::string, DrawnChart>;
 
@@ -230,16 +248,33 @@ Json data_of(const Section& section, const DrawnCharts& charts, const TextWriter
   data["choices"] = list_under("choice", std::move(choices));
   data["folds"] = list_under("fold", std::move(folds));
   data["explorer"] = section.explorer ? data_of(*section.explorer, writing) : Json();
+  data["view"] = view_html(section.view);
   return data;
+}
+
+bool has_view(const Page& page) {
+  return std::ranges::any_of(page.sections, [](const Section& one) { return !one.view.is_null(); });
 }
 
 /// Returns true if something on the page moves and so needs a script.
 bool needs_script(const Page& page) {
-  return std::ranges::any_of(page.sections, [](const Section& section) {
-    return section.explorer.has_value() ||
-           std::ranges::any_of(section.figures,
-                               [](const Figure& figure) { return !figure.frame.empty(); });
-  });
+  return has_view(page) || std::ranges::any_of(page.sections, [](const Section& section) {
+           return section.explorer.has_value() ||
+                  std::ranges::any_of(section.figures,
+                                      [](const Figure& figure) { return !figure.frame.empty(); });
+         });
+}
+
+/// The scripts of a page; null if it needs none.
+Json script_of(const Page& page) {
+  if (!needs_script(page)) return nullptr;
+  std::string script = embedded::page_script;
+  if (!has_view(page)) return script;
+  for (const char* part : {embedded::view_runs_script, embedded::view_choice_script,
+                           embedded::view_chart_script, embedded::view_script}) {
+    script += part;
+  }
+  return script;
 }
 
 Json data_of(const Page& page, const DrawnCharts& charts, const TextWriters& writing) {
@@ -250,7 +285,7 @@ Json data_of(const Page& page, const DrawnCharts& charts, const TextWriters& wri
           {"intro", list_of(page.intro, writing.linked)},
           {"has_background", !page.background.empty()},
           {"background", list_of(page.background, writing.linked)},
-          {"script", needs_script(page) ? Json(embedded::page_script) : Json()},
+          {"script", script_of(page)},
           {"above", writing.plain(page.above)},
           {"has_further", !page.further.empty()},
           {"further", page.further},
@@ -282,10 +317,11 @@ std::vector<std::string> write_page(const Page& page, const std::filesystem::pat
     if (chart.is_drawn()) files[name + ".svg"] = chart.svg;
     if (!chart.is_drawn()) failures.push_back(failure_of(chart));
   }
-  Json html = data_of(page, charts, {escape_html, html_with_links, escape_lines, "index.html"});
-  html["look"] = embedded::look;
+  Json html =
+      data_of(page, charts, {escape_html, html_with_links, escape_lines, "index.html", true});
+  html["look"] = std::string(embedded::look) + (has_view(page) ? embedded::view_look : "");
   const Json summary =
-      data_of(page, charts, {escape_markdown, escape_markdown, unchanged, "summary.md"});
+      data_of(page, charts, {escape_markdown, escape_markdown, unchanged, "summary.md", false});
   files["index.html"] = filled(embedded::page_template, {&html});
   files["summary.md"] = filled(embedded::summary_template, {&summary});
   replace_files(folder, files);

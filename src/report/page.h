@@ -7,6 +7,7 @@
 
 #include "src/report/chart.h"
 #include "src/report/file_set.h"
+#include "src/report/json.h"
 #include "src/report/table.h"
 
 namespace ricochet::report {
@@ -54,6 +55,8 @@ struct Section {
   std::optional<Explorer> explorer = {};
   std::vector<std::string> code = {};   ///< shown as it is, after the paragraphs: commands
   std::vector<std::string> notes = {};  ///< paragraphs on how it was computed, folded on a screen
+  /// Data of runs that a script filters, see reports/templates/view.js. Null: there is no view.
+  Json view = {};
 };
 
 struct Page {

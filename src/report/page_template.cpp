@@ -101,6 +101,7 @@ Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, Dr
   section.paragraphs = paragraphs_of(part, "text", scopes);
   section.notes = paragraphs_of(part, "notes", scopes);
   if (part.has("explorer")) section.explorer = explorer_of(part.part("explorer"), scopes);
+  if (part.has("view")) section.view = found_in(scopes, part.text("view"));
   for (const Part& table : part.parts("table")) {
     for (const Scopes& place : places_of(table, scopes)) {
       section.tables.push_back(table_of(table, place));

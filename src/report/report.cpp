@@ -15,6 +15,7 @@
 #include "embedded/template_comparison_machines.h"
 #include "embedded/template_comparison_solver.h"
 #include "embedded/template_comparison_solvers.h"
+#include "embedded/template_comparison_view.h"
 #include "embedded/template_dynamics.h"
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
@@ -46,6 +47,7 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"comparison_failures", embedded::template_comparison_failures},
     {"comparison_solvers", embedded::template_comparison_solvers},
     {"comparison_solver", embedded::template_comparison_solver},
+    {"comparison_view", embedded::template_comparison_view},
     {"advice", embedded::template_advice},
     {"dynamics", embedded::template_dynamics},
     {"surrogate", embedded::template_surrogate},

@@ -103,12 +103,16 @@ std::vector<EntrySet> entry_sets_of(const Campaign& campaign,
   return sets;
 }
 
+bool is_joined(const Campaign& campaign, const EntrySet& set) {
+  return set.largest && 2 * set.entries.size() >= campaign.solvers().size();
+}
+
 EntrySet joint_entry_set(const Campaign& campaign, const std::vector<EntrySet>& sets) {
   EntrySet joint{"all", 0, 0, true, {}, {}, {}};
   std::size_t joined = 0;
   std::map<std::string, Entry> entries;
   for (const EntrySet& set : sets) {
-    if (!set.largest || 2 * set.entries.size() < campaign.solvers().size()) continue;
+    if (!is_joined(campaign, set)) continue;
     ++joined;
     joint.problems.insert(joint.problems.end(), set.problems.begin(), set.problems.end());
     for (const Entry& entry : set.entries) {

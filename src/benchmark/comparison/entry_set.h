@@ -41,6 +41,10 @@ std::vector<EntrySet> entry_sets_of(const Campaign& campaign,
                                     const std::vector<CellResult>& results,
                                     const std::vector<ReportedPart>& parts);
 
+/// Whether joint_entry_set joins it: it has the largest budget, and at least half of all solvers
+/// take all of its problems.
+bool is_joined(const Campaign& campaign, const EntrySet& set);
+
 /// Joins the sets with the largest budgets whose problems at least half of all solvers take. The
 /// family of the joint set is "all", its budget is 0. With fewer than two such sets it has no
 /// problems.

@@ -1,5 +1,7 @@
 #include "src/benchmark/comparison/study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -33,6 +35,7 @@
 #include "src/benchmark/comparison/share_data.h"
 #include "src/benchmark/comparison/solver_pages.h"
 #include "src/benchmark/comparison/speed_accuracy_data.h"
+#include "src/benchmark/comparison/view_data.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/core/suite_version.h"
 
@@ -148,9 +151,18 @@ Json compute(const Campaign& campaign, const Store& store) {
   add_hashes(store.description().problems, data["groups"]);
   add_notes(campaign.solvers(), data["groups"]);
   Json solvers_data = solvers_page(campaign, results, sets, data["speed_accuracy"]);
+  Json view = {{"report", "comparison_view"},
+               {"campaign", data["campaign"]},
+               {"compared", data["compared"]},
+               {"runs", data["runs"]}};
+  view.update(view_data(campaign, results, parts, sets, known));
+  view["view"]["command"] = data["compared"].get<bool>()
+                                ? "./ricochet compare"
+                                : fmt::format("./ricochet run {} --out mine", campaign.plan().name);
   data = in_pages(std::move(data));
   data["answers"] = answers_data(data);
   data["pages"].push_back({{"folder", "solvers"}, {"data", std::move(solvers_data)}});
+  data["pages"].push_back({{"folder", "view"}, {"data", std::move(view)}});
   return data;
 }
 

@@ -1,0 +1,128 @@
+// What a reader has chosen to see of the runs; the link keeps it.
+
+class Choice {
+  constructor(table) {
+    this.table = table;
+    this.names = {family: table.families.map((one) => one.family), perturbation: table.perturbations, price: table.prices};
+    const joint = table.families.filter((one) => one.joint !== null);
+    this.families = [...(joint.length > 1 ? ["all"] : []), ...this.names.family];
+    this.usual = {family: this.families[0], variables: "all", budget: "", perturbation: "plain", price: "n", formulation: "best",
+                  target: "2", order: "budget", most: "", reference: "", shown: "", entry: "", problem: "", words: ""};
+    Object.assign(this, this.usual);
+    this.fit();
+    this.begun = {...this.usual, perturbation: this.perturbation, price: this.price, budget: this.budget};
+  }
+
+  // The entries of the chosen families, whatever their conditions.
+  entriesOf(family) {
+    const {families, entries, perturbations, prices} = this.table;
+    return entries.filter((entry) => family === "all"
+      ? families[entry.family].joint === entry.budget && perturbations[entry.perturbation] === "plain" && prices[entry.price] === "n"
+      : families[entry.family].family === family);
+  }
+
+  // The entries under the chosen conditions.
+  entries() {
+    return this.entriesOf(this.family).filter((entry) => this.table.perturbations[entry.perturbation] === this.perturbation &&
+      this.table.prices[entry.price] === this.price && (this.family === "all" || String(entry.budget) === this.budget));
+  }
+
+  options() {
+    const {table} = this, all = this.entriesOf(this.family), values = (list) => [...new Set(list)];
+    const named = all.filter((one) => table.perturbations[one.perturbation] === this.perturbation);
+    const priced = named.filter((one) => table.prices[one.price] === this.price), now = this.entries();
+    return {
+      prices: values(named.map((one) => table.prices[one.price])),
+      budgets: this.family === "all" ? [""] : values(priced.map((one) => String(one.budget))).sort((a, b) => b - a),
+      formulations: ["best", "all", ...values(now.map((one) => table.formulations[one.formulation])).sort()],
+      variables: ["all", ...values(now.flatMap((one) => one.taken.map((problem) => table.problems[problem].variables))).sort((a, b) => a - b).map(String)],
+    };
+  }
+
+  // Makes the choices fit each other. `kept`: the one that a reader has just made.
+  fit(kept) {
+    const {table} = this, perturbed = (family) => [...new Set(this.entriesOf(family).map((one) => table.perturbations[one.perturbation]))];
+    if (!perturbed(this.family).includes(this.perturbation)) {
+      const other = this.families.find((family) => perturbed(family).includes(this.perturbation));
+      if (kept === "perturbation" && other) this.family = other;
+      else this.perturbation = perturbed(this.family).includes("plain") ? "plain" : perturbed(this.family)[0];
+    }
+    const first = (key, list, usual) => { if (!list.includes(this[key])) this[key] = list.includes(usual) ? usual : list[0]; };
+    first("price", this.options().prices, "n");
+    first("budget", this.options().budgets);
+    first("formulation", this.options().formulations, "best");
+    first("variables", this.options().variables, "all");
+  }
+
+  link() {
+    const link = new URLSearchParams();
+    for (const [key, usual] of Object.entries(this.begun)) if (this[key] !== usual) link.set(key, this[key]);
+    if (this.budget === this.options().budgets[0]) link.delete("budget");  // the largest, which is taken without it
+    return String(link);
+  }
+
+  // Takes what a link says; returns what is wrong with it, or "".
+  follow(text) {
+    const link = new URLSearchParams(text), wrong = [];
+    Object.assign(this, this.begun);
+    for (const [key, value] of link) {
+      if (key in this.begun) this[key] = value;
+      else wrong.push(`the link has ${key}, which this page does not know`);
+    }
+    const known = {family: this.families, perturbation: this.names.perturbation, price: this.names.price, target: Object.keys(levels), order: ["budget", "target"]};
+    for (const [key, list] of Object.entries(known)) {
+      if (list.includes(this[key])) continue;
+      wrong.push(`the link has ${key} = ${this[key]}, which these runs do not have`);
+      this[key] = this.begun[key];
+    }
+    if (this.most !== "" && !(Number(this.most) > 0)) {
+      wrong.push(`the link has most = ${this.most}, which is no number of evaluations`);
+      this.most = "";
+    }
+    const asked = {...this};
+    this.fit();
+    for (const key of ["perturbation", "price", "budget", "formulation", "variables"]) {
+      if (link.has(key) && asked[key] !== this[key]) wrong.push(`${this.family} has no ${key} ${asked[key]}`);
+    }
+    return wrong.join("; ");
+  }
+}
+
+// The contestants of a choice: solvers in their best formulations, or solver-formulation pairs. Each has the
+// results of its cells by problem.
+const contestantsOf = (table, choice) => {
+  const cap = choice.most === "" ? Infinity : Number(choice.most), level = Number(choice.target);
+  const byFamily = new Map();
+  for (const entry of choice.entries()) {
+    const formulation = table.formulations[entry.formulation];
+    if (!["best", "all"].includes(choice.formulation) && formulation !== choice.formulation) continue;
+    const results = table.cellsOf(entry).filter(({variables}) => choice.variables === "all" || String(variables) === choice.variables)
+      .map((cell) => resultOf(cell, level, cap));
+    if (results.length === 0) continue;
+    const solver = table.solvers[entry.solver].solver, place = `${entry.family} ${solver}`;
+    if (!byFamily.has(place)) byFamily.set(place, []);
+    byFamily.get(place).push({solver, formulation, family: table.families[entry.family].family, results});
+  }
+  // A formulation is the better, the more problems it accepts, then by success rate, then by evaluations.
+  const merit = ({results}) => [results.length, sum(results.map((one) => one.share)), -geometricMean(results.map((one) => one.evaluations))];
+  const better = (a, b) => { const i = a.findIndex((x, k) => x !== b[k]); return i >= 0 && a[i] > b[i]; };
+  const contestants = new Map();
+  for (const all of byFamily.values()) {
+    all.sort((a, b) => a.formulation < b.formulation ? -1 : 1);
+    const taken = choice.formulation === "best" ? [all.reduce((best, one) => better(merit(one), merit(best)) ? one : best)] : all;
+    for (const {solver, formulation, family, results} of taken) {
+      const name = choice.formulation === "best" && choice.family === "all" ? solver : `${solver}, ${formulation}`;
+      if (!contestants.has(name)) contestants.set(name, {name, solver, results: new Map()});
+      for (const result of results) contestants.get(name).results.set(`${family}/${table.problems[result.cell.problem].problem}`, result);
+    }
+  }
+  const problems = new Set([...contestants.values()].flatMap((one) => [...one.results.keys()]));
+  for (const one of contestants.values()) {
+    Object.assign(one, summaryOf([...one.results.values()]), {complete: one.results.size === problems.size});
+  }
+  return {contestants: [...contestants.values()], problems: problems.size};
+};
+
+// The order: those that take all problems first; by success rate, then evaluations, or by PAR10.
+const inOrder = (contestants, order) => [...contestants].sort((a, b) => b.complete - a.complete ||
+  (order === "target" ? a.par10 - b.par10 : b.share - a.share || a.evaluations - b.evaluations) || (a.name < b.name ? -1 : 1));

@@ -1,0 +1,154 @@
+// The runs of a comparison, as src/benchmark/comparison/view_run.h writes them, and what is computed of
+// them: success rates, expected running times, ratios. Nothing here knows the page.
+
+const base64Digits = new Map([..."ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"].map((digit, value) => [digit, value]));
+
+// Reads a text of such digits from its beginning.
+class DigitReader {
+  constructor(text) { this.text = text; this.at = 0; }
+  get ended() { return this.at >= this.text.length; }
+  digit() { return base64Digits.get(this.text[this.at++]); }
+  // A number >= 0, five bits a digit, the lowest first.
+  number() {
+    let number = 0;
+    for (let scale = 1; ; scale *= 32) {
+      const digit = this.digit();
+      number += digit % 32 * scale;
+      if (digit < 32) return number;
+    }
+  }
+}
+
+// Lists of records are tables, see src/report/record_table.h.
+const unpacked = (data) => {
+  if (Array.isArray(data)) return data.map(unpacked);
+  if (data === null || typeof data !== "object") return data;
+  const {columns, rows} = data;
+  if (columns && rows && Object.keys(data).length === 2) {
+    return rows.map((row) => Object.fromEntries(row.map((value, i) => [columns[i], unpacked(value)])));
+  }
+  return Object.fromEntries(Object.entries(data).map(([name, value]) => [name, unpacked(value)]));
+};
+
+const levels = ["a third of the targets", "two thirds of the targets", "the problem solved"];
+const targetsAt = (level, targets) => Math.ceil(targets * (level + 1) / levels.length);
+
+class RunTable {
+  constructor(packed) {
+    Object.assign(this, unpacked(packed));
+    for (const entry of this.entries) {
+      entry.taken = this.families[entry.family].problems.filter((problem, i) => entry.problems === "" || entry.problems[i] === "1");
+    }
+  }
+
+  // The cells of an entry, one for each problem that it takes: {entry, problem, variables, targets, runs}.
+  cellsOf(entry) {
+    if (entry.cells) return entry.cells;
+    const missing = new DigitReader(entry.missing), times = new DigitReader(entry.times), spent = new DigitReader(entry.spent);
+    let whole = spent.ended ? Infinity : spent.number();  // runs before the next one that `spent` has
+    entry.cells = entry.taken.map((problem) => {
+      const {variables, targets} = this.problems[problem], budget = entry.budget * variables, runs = [];
+      for (let i = 0; i < entry.instances * entry.seeds; ++i) {
+        const run = {instance: this.first_instance + Math.floor(i / entry.seeds), seed: i % entry.seeds, missing: missing.digit(), times: [], evaluations: null};
+        if (run.missing === 63) run.missing += missing.number();
+        for (let level = 0, time = 0; level < levels.length && targets - run.missing >= targetsAt(level, targets); ++level) {
+          time += times.number();
+          run.times.push(time);
+        }
+        if (run.missing > 0) {
+          run.evaluations = budget;
+          if (whole === 0) {
+            const code = spent.number();
+            run.evaluations += code % 2 ? (code + 1) / 2 : -code / 2;
+            whole = spent.ended ? Infinity : spent.number();
+          } else --whole;
+        }
+        runs.push(run);
+      }
+      return {entry, problem, variables, targets, runs};
+    });
+    return entry.cells;
+  }
+}
+
+// What became of a run at a level within so many evaluations: {reached, evaluations until then, or in all}.
+const outcomeOf = (run, level, most) => {
+  const time = run.times[level], reached = time !== undefined && time <= most;
+  return {reached, evaluations: reached ? time : Math.min(run.evaluations ?? most, most)};
+};
+
+const sum = (values) => values.reduce((a, b) => a + b, 0);
+// Geometric mean of costs >= 0; one below 1e-6 counts as 1e-6.
+const geometricMean = (values) => values.length ? Math.exp(sum(values.map((x) => Math.log(Math.max(x, 1e-6)))) / values.length) : NaN;
+
+// Results of a cell at a level, with at most `cap` evaluations for each variable. Costs are for each variable.
+const resultOf = (cell, level, cap) => {
+  const {variables, runs} = cell, most = Math.min(cap, cell.entry.budget) * variables;
+  const outcomes = runs.map((run) => outcomeOf(run, level, most));
+  const solved = outcomes.filter(({reached}) => reached).length, spent = sum(outcomes.map(({evaluations}) => evaluations));
+  return {
+    cell, outcomes, solved, share: solved / runs.length,
+    evaluations: Math.max(spent / runs.length, 1) / variables,
+    ert: solved ? spent / solved / variables : Infinity,
+    par10: sum(outcomes.map(({reached, evaluations}) => reached ? Math.max(evaluations, 1) : 10 * most)) / runs.length / variables,
+  };
+};
+
+// Wilson's interval of 95 %.
+const wilson = (successes, trials) => {
+  const z = 1.959963984540054, p = successes / trials, scale = 1 + z * z / trials, middle = p + z * z / (2 * trials);
+  const half = z * Math.sqrt(Math.max(0, p * (1 - p) / trials + z * z / (4 * trials * trials)));
+  return [Math.max(0, (middle - half) / scale), Math.min(1, (middle + half) / scale)];
+};
+
+// The mean of shares with its interval over problems, as src/benchmark/statistics/mean_share.cpp has it.
+const meanShare = (shares) => {
+  const imagined = 0.1, size = shares.length, mean = Math.min(1, sum(shares) / size);
+  const squares = imagined * (mean * mean + (1 - mean) * (1 - mean)) + sum(shares.map((x) => (x - mean) ** 2));
+  const trials = Math.max(size, size * mean * (1 - mean) / (squares / (size - 1 + imagined)));
+  return [mean, ...wilson(mean * trials, trials)];
+};
+
+// Results of a contestant over problems; `results`: one for each problem that it takes.
+const summaryOf = (results) => {
+  const runs = results[0].cell.runs.length;
+  const [share, lower, upper] = results.length > 1 ? meanShare(results.map((one) => one.share))
+                                                   : [results[0].share, ...wilson(results[0].solved, runs)];
+  return {
+    share, lower, upper,
+    evaluations: geometricMean(results.map((one) => one.evaluations)),
+    ert: geometricMean(results.filter((one) => one.solved).map((one) => one.ert)),
+    never: results.filter((one) => !one.solved).length,
+    par10: geometricMean(results.map((one) => one.par10)),
+  };
+};
+
+// A contestant beside the reference, on the problems that both take.
+const ratioTo = (own, reference) => {
+  const pairs = [...own].filter(([key]) => reference.has(key)).map(([key, result]) => [result, reference.get(key)]);
+  return {
+    problems: pairs.length,
+    ratio: geometricMean(pairs.map(([a, b]) => a.par10 / b.par10)),
+    fewer: pairs.filter(([a, b]) => a.par10 < b.par10).length,
+    more: pairs.filter(([a, b]) => a.par10 > b.par10).length,
+    // Of expected running times; 0 where the reference never solves it, infinite where only the reference does.
+    ratios: pairs.filter(([a, b]) => a.solved || b.solved).map(([a, b]) => a.solved ? (b.solved ? a.ert / b.ert : 0) : Infinity),
+  };
+};
+
+// Steps of a distribution: [value, share of the weight up to it], rising.
+const distribution = (values) => {
+  const steps = [], all = sum(values.map(([, weight]) => weight));
+  let reached = 0;
+  for (const [value, weight] of [...values].sort(([a], [b]) => a - b)) {
+    if (!Number.isFinite(value)) break;
+    reached += weight;
+    if (steps.length && steps.at(-1)[0] === value) steps.at(-1)[1] = reached / all;
+    else steps.push([value, reached / all]);
+  }
+  return steps;
+};
+
+// Evaluations for each variable until the level, over runs; every problem has the same weight.
+const runtimes = (results) => distribution(results.flatMap(({cell, outcomes}) => outcomes.map(({reached, evaluations}) =>
+  [reached ? Math.max(evaluations, 1) / cell.variables : Infinity, 1 / outcomes.length])));

@@ -1,0 +1,249 @@
+#include "src/benchmark/comparison/view_data.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "src/benchmark/comparison/view_run.h"
+
+namespace ricochet::studies::comparison {
+namespace {
+
+using report::Json;
+
+/// Names in the order in which they are first asked for.
+class Names {
+ public:
+  std::size_t place_of(const std::string& name) {
+    const auto [known, fresh] = places_.try_emplace(name, names_.size());
+    if (fresh) names_.push_back(name);
+    return known->second;
+  }
+  const std::vector<std::string>& all() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::size_t> places_;
+};
+
+struct ViewFamily {
+  std::string family;                 ///< as the report names it
+  std::string part;                   ///< of the plan, by name or number
+  std::optional<std::int64_t> joint;  ///< budget with which it is among "all"
+  bool suite;                         ///< `ricochet solve` knows its problems
+  std::vector<std::size_t> problems = {};
+};
+RICOCHET_WRITTEN_AS_JSON(ViewFamily, family, part, joint, suite, problems);
+
+struct ViewProblem {
+  std::string problem;
+  std::int64_t variables, constraints;
+  std::size_t targets;
+};
+RICOCHET_WRITTEN_AS_JSON(ViewProblem, problem, variables, constraints, targets);
+
+struct ViewSolver {
+  std::string solver;
+  bool outside;  ///< none of the suite: `ricochet solve` does not know it by this name
+};
+RICOCHET_WRITTEN_AS_JSON(ViewSolver, solver, outside);
+
+struct ViewEntry {
+  std::size_t family, perturbation, price;
+  std::int64_t budget;
+  std::size_t solver, formulation;
+  int instances, seeds;
+  std::string problems, missing, times, spent;
+};
+RICOCHET_WRITTEN_AS_JSON(ViewEntry, family, perturbation, price, budget, solver, formulation,
+                         instances, seeds, problems, missing, times, spent);
+
+/// A row of the table for readers.
+struct ViewContents {
+  std::string family, part, variables;
+  std::size_t problems, entries;
+  std::string budgets, perturbations, prices;
+  std::size_t runs;
+};
+RICOCHET_WRITTEN_AS_JSON(ViewContents, family, part, variables, problems, entries, budgets,
+                         perturbations, prices, runs);
+
+/// A part of the plan, and a family by its own name.
+using Asked = std::pair<std::size_t, std::string>;
+
+/// What the runs of an entry have in common: family, perturbation, price, budget, solver,
+/// formulation, instances, seeds.
+using Common = std::tuple<std::size_t, std::size_t, std::size_t, std::int64_t, std::size_t,
+                          std::size_t, int, int>;
+
+std::string name_of_part(const PlanPart& part, std::size_t number) {
+  return part.name.empty() ? fmt::format("part-{}", number + 1) : part.name;
+}
+
+/// The budget with which each family is joined with others, by the names of the report.
+std::map<std::string, std::int64_t> joint_budgets(const Campaign& campaign,
+                                                  const std::vector<EntrySet>& sets) {
+  std::map<std::string, std::int64_t> budgets;
+  if (joint_entry_set(campaign, sets).problems.empty()) return budgets;
+  for (const EntrySet& set : sets) {
+    if (is_joined(campaign, set)) budgets[set.family] = set.budget;
+  }
+  return budgets;
+}
+
+class ViewTable {
+ public:
+  ViewTable(const Campaign& campaign, const std::vector<ReportedPart>& parts,
+            const std::vector<EntrySet>& sets)
+      : campaign_(campaign), parts_(parts), joint_(joint_budgets(campaign, sets)) {}
+
+  void add(const CellResult& result) {
+    const PlannedCell& planned = *result.cell;
+    const std::size_t family =
+        family_of({planned.parts.front(), campaign_.family_of(planned.problem)});
+    auto& problems = families_[family].problems;
+    const std::size_t problem = problem_of(result);
+    if (std::ranges::find(problems, problem) == problems.end()) problems.push_back(problem);
+    const Cell& cell = planned.cell;
+    cells_[{family, perturbations_.place_of(cell.perturbation),
+            prices_.place_of(cell.gradient_price), cell.budget, solvers_.place_of(cell.solver),
+            formulations_.place_of(cell.formulation), planned.instances, planned.seeds}][problem] =
+        &result;
+  }
+
+  Json view(const std::vector<Solver>& known) const {
+    std::vector<ViewEntry> entries;
+    for (const auto& [common, taken] : cells_) entries.push_back(entry_of(common, taken));
+    const Json solvers = report::list_of(solvers_.all(), [&](const std::string& name) {
+      return Json(ViewSolver{name, std::ranges::find(known, name, &Solver::name) == known.end()});
+    });
+    return {{"first_instance", campaign_.plan().first_instance},
+            {"families", families_},
+            {"problems", problems_},
+            {"solvers", solvers},
+            {"formulations", formulations_.all()},
+            {"perturbations", perturbations_.all()},
+            {"prices", prices_.all()},
+            {"entries", entries}};
+  }
+
+  Json contents() const {
+    Json rows = Json::array();
+    for (std::size_t family = 0; family < families_.size(); ++family) {
+      rows.push_back(contents_of(family));
+    }
+    return rows;
+  }
+
+ private:
+  using Taken = std::map<std::size_t, const CellResult*>;  ///< by problem
+
+  std::size_t family_of(const Asked& asked) {
+    const auto [known, fresh] = places_.try_emplace(asked, families_.size());
+    if (!fresh) return known->second;
+    const auto& [number, family] = asked;
+    const PlanPart& part = campaign_.plan().parts[number];
+    const std::string own = name_of_part(part, number);
+    const auto reported = std::ranges::find(parts_, number, &ReportedPart::part);
+    const std::string name = reported == parts_.end() ? fmt::format("{}-{}", family, own)
+                                                      : reported->families.at(family);
+    const auto joint = joint_.find(name);
+    const bool suite =
+        part.machines.around.empty() && part.drawn_machines == 0 && !part.relocated_optimum;
+    families_.push_back(
+        {name, own, joint == joint_.end() ? std::nullopt : std::optional(joint->second), suite});
+    return known->second;
+  }
+
+  std::size_t problem_of(const CellResult& result) {
+    const Problem& problem = campaign_.problems()[result.cell->problem];
+    const std::size_t place = problem_names_.place_of(problem.name);
+    if (place == problems_.size()) {
+      problems_.push_back(
+          {problem.name, problem.dimension(), problem.constraints, result.targets->size()});
+    }
+    return place;
+  }
+
+  ViewEntry entry_of(const Common& common, const Taken& taken) const {
+    const auto& [family, perturbation, price, budget, solver, formulation, instances, seeds] =
+        common;
+    ViewEntry entry{family,    perturbation, price, budget, solver, formulation,
+                    instances, seeds,        "",    "",     "",     ""};
+    ViewRunsWriter runs;
+    const std::vector<std::size_t>& problems = families_[family].problems;
+    for (const std::size_t problem : problems) {
+      const auto cell = taken.find(problem);
+      entry.problems += cell == taken.end() ? '0' : '1';
+      if (cell == taken.end()) continue;
+      for (const Outcome& outcome : cell->second->outcomes) {
+        runs.add(view_run(outcome, *cell->second->targets), cell->second->cell->budget.evaluations);
+      }
+    }
+    if (taken.size() == problems.size()) entry.problems.clear();
+    entry.missing = runs.text().missing;
+    entry.times = runs.text().times;
+    entry.spent = runs.text().spent;
+    return entry;
+  }
+
+  ViewContents contents_of(std::size_t family) const {
+    std::set<std::int64_t> budgets, variables;
+    std::set<std::string> perturbations, prices;
+    std::set<std::pair<std::size_t, std::size_t>> entries;
+    std::size_t runs = 0;
+    for (const auto& [common, taken] : cells_) {
+      if (std::get<0>(common) != family) continue;
+      perturbations.insert(perturbations_.all()[std::get<1>(common)]);
+      prices.insert(prices_.all()[std::get<2>(common)]);
+      budgets.insert(std::get<3>(common));
+      entries.insert({std::get<4>(common), std::get<5>(common)});
+      for (const auto& [problem, result] : taken) runs += result->outcomes.size();
+    }
+    for (const std::size_t problem : families_[family].problems) {
+      variables.insert(problems_[problem].variables);
+    }
+    const ViewFamily& own = families_[family];
+    return {own.family,
+            own.part,
+            variables.size() == 1
+                ? fmt::format("{}", *variables.begin())
+                : fmt::format("{} to {}", *variables.begin(), *variables.rbegin()),
+            own.problems.size(),
+            entries.size(),
+            fmt::format("{}", fmt::join(budgets, ", ")),
+            fmt::format("{}", fmt::join(perturbations, ", ")),
+            fmt::format("{}", fmt::join(prices, ", ")),
+            runs};
+  }
+
+  const Campaign& campaign_;
+  const std::vector<ReportedPart>& parts_;
+  std::map<std::string, std::int64_t> joint_;
+  std::map<Asked, std::size_t> places_;
+  std::vector<ViewFamily> families_;
+  std::vector<ViewProblem> problems_;
+  Names problem_names_, solvers_, formulations_, perturbations_, prices_;
+  std::map<Common, Taken> cells_;
+};
+
+}  // namespace
+
+Json view_data(const Campaign& campaign, const std::vector<CellResult>& results,
+               const std::vector<ReportedPart>& parts, const std::vector<EntrySet>& sets,
+               const std::vector<Solver>& known) {
+  ViewTable table(campaign, parts, sets);
+  for (const CellResult& result : results) {
+    if (!result.outcomes.empty()) table.add(result);
+  }
+  return {{"families", table.contents()}, {"view", table.view(known)}};
+}
+
+}  // namespace ricochet::studies::comparison

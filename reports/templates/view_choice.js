@@ -80,7 +80,7 @@ class Choice {
       this.most = "";
     }
     const asked = {...this};
-    this.fit();
+    this.fit(link.has("family") ? undefined : "perturbation");
     for (const key of ["perturbation", "price", "budget", "formulation", "variables"]) {
       if (link.has(key) && asked[key] !== this[key]) wrong.push(`${this.family} has no ${key} ${asked[key]}`);
     }

@@ -87,6 +87,16 @@ id = "never"
 heading = "Never"
 )";
 
+TEST(PageTemplate, TakesTheDataOfAViewAsTheyAre) {
+  const Json data = {{"table", {{"runs", {1, 2}}}}};
+  const auto drawing = drawn(
+      "title = \"T\"\n[[section]]\nid = \"a\"\nheading = \"A\"\nview = \"table\"\n"
+      "[[section]]\nid = \"b\"\nheading = \"B\"\n",
+      data, Mismatch::throws);
+  EXPECT_EQ(drawing.page.sections.at(0).view, data["table"]);
+  EXPECT_TRUE(drawing.page.sections.at(1).view.is_null());
+}
+
 TEST(PageTemplate, MakesAPageOfData) {
   const DrawnPage drawing = drawn(sheet, sample());
   EXPECT_EQ(drawing.page.title, "2 cases");

@@ -301,6 +301,31 @@ TEST_F(PageFiles, LinkCellsToPagesAndPlaces) {
   EXPECT_THAT(read(root_ / "summary.md"), HasSubstr("[c](c/summary.md#there)"));
 }
 
+TEST_F(PageFiles, KeepAChoiceInALinkOfTheHtmlAlone) {
+  Page page = page_with({});
+  page.sections[0].tables[0].rows = {{{.text = "a", .link = "../view#family=hs&entry=b,+c"}}};
+  write_page(page, root_);
+  EXPECT_THAT(read(root_ / "index.html"),
+              HasSubstr("<a href=\"../view/index.html#family=hs&amp;entry=b,+c\">a</a>"));
+  EXPECT_THAT(read(root_ / "summary.md"), HasSubstr("[a](../view/summary.md)"));
+}
+
+TEST_F(PageFiles, HaveTheDataOfAViewOfRunsWithItsScripts) {
+  Page page = page_with({});
+  write_page(page, root_);
+  EXPECT_THAT(read(root_ / "index.html"), Not(HasSubstr("view-form")));
+  page.sections[0].view = {{"runs", {{{"a", "</script>"}, {"b", 1}}, {{"a", "x"}, {"b", 2}}}}};
+  write_page(page, root_);
+  const std::string html = read(root_ / "index.html");
+  EXPECT_THAT(html,
+              HasSubstr(R"({"runs":{"columns":["a","b"],"rows":[["\u003c/script>",1],["x",2]]}})"));
+  for (const char* part : {"id=\"view-form\"", ".view-form {", "class RunTable", "class Choice",
+                           "class StepChart", "new RunTable("}) {
+    EXPECT_THAT(html, HasSubstr(part));
+  }
+  EXPECT_THAT(read(root_ / "summary.md"), Not(HasSubstr("runs")));
+}
+
 TEST_F(PageFiles, ShowStatesByColourAndByText) {
   write_page(page_of(thresholds), root_);
   EXPECT_THAT(read(root_ / "index.html"),

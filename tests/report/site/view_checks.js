@@ -1,0 +1,116 @@
+// The reader's own view of a comparison in a browser: its numbers are those of the report's tables, its link
+// keeps what was chosen, and a keyboard is enough.
+import {execFileSync} from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+
+const near = (a, b, share = 2e-3) => Math.abs(a - b) <= share * Math.max(Math.abs(a), Math.abs(b)) + 1e-9;
+
+// Numbers of contestants as the page's script has them, under what a link chooses.
+const computed = (page, link) => page.evaluate((text) => {
+  const complaint = choice.follow(text), {contestants, problems} = contestantsOf(table, choice);
+  return {complaint, problems, contestants: contestants.map(({results, ...one}) => ({...one, taken: results.size}))};
+}, String(new URLSearchParams(link)));
+
+export const checkView = async ({open, check, unpacked, folder, program}) => {
+  const name = "comparison/view/index.html", file = path.join(folder, name);
+  check(fs.existsSync(file), "the comparison has no view of the reader's own");
+  if (!fs.existsSync(file)) return;
+  check(fs.statSync(file).size <= 1_000_000, "the view has more than 1 MB");
+  const dataOf = (page) => unpacked(JSON.parse(fs.readFileSync(path.join(folder, "comparison", page, "data.json"), "utf8")));
+  const comparison = dataOf("."), {view} = dataOf("view");
+  const page = await open(name);
+  const read = (selector) => page.$eval(selector, (one) => one.textContent);
+
+  // At first: all families, each solver in its best formulations, as the table of speed and accuracy.
+  const first = await computed(page, {});
+  const joint = comparison.speed_accuracy.filter((row) => row.family === "all");
+  check(joint.length > 10 && first.contestants.filter((one) => one.complete).length === joint.length, "not as many entries take all problems as the tables say");
+  const families = view.families.map((one) => one.family);
+  let compared = 0;
+  const compare = (rows, {contestants}, where) => {
+    for (const row of rows) {
+      const one = contestants.find(({name: own, solver}) => own === `${row.solver}, ${row.formulation}` || (where === "all" && solver === row.solver));
+      check(one, `view of ${where}: ${row.solver}, ${row.formulation} is not there`);
+      if (!one) continue;
+      const fits = near(one.share, row.share) && near(one.evaluations, row.evaluations) && one.taken === row.problems &&
+        (row.problems === 1 || (near(one.lower, row.share_lower, 5e-3) && near(one.upper, row.share_upper, 5e-3)));
+      check(fits, `view of ${where}: ${one.name} has ${one.share} [${one.lower}, ${one.upper}], ${one.evaluations} on ${one.taken}; the table ${row.share} [${row.share_lower}, ${row.share_upper}], ${row.evaluations} on ${row.problems}`);
+      ++compared;
+    }
+  };
+  compare(joint, first, "all");
+  const best = joint.reduce((a, b) => b.share > a.share || (b.share === a.share && b.evaluations < a.evaluations) ? b : a);
+  check((await read("#view-answer")).startsWith(`${best.solver} is first on ${best.problems} problems, success rate ${Math.round(100 * best.share)} %`), `the view says ${await read("#view-answer")}`);
+
+  // Every family with its budgets, and PAR10 as the performance profiles have it.
+  for (const family of families) {
+    const rows = comparison.speed_accuracy.filter((row) => row.family === family);
+    for (const budget of new Set(rows.map((row) => row.budget))) {
+      const found = await computed(page, {family, budget});
+      check(found.complaint === "", `view of ${family}: ${found.complaint}`);
+      const own = rows.filter((row) => row.budget === budget);
+      compare(own, found, family);
+      if (!fs.existsSync(path.join(folder, "comparison", family, "data.json"))) continue;
+      for (const row of dataOf(family).profile_families.flatMap((one) => one.budget === budget ? one.rows : [])) {
+        const one = found.contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`);
+        check(one && near(one.par10, row.cost), `view of ${family}: PAR10 of ${row.solver} is ${one?.par10}, in the table ${row.cost}`);
+      }
+    }
+  }
+  check(compared > 300, `only ${compared} entries compared`);
+  // Expected running times, as the pages of three solvers have them.
+  for (const solver of ["mads", "nlopt-cobyla", "bisection"]) {
+    for (const row of dataOf(`solvers/${solver}`).families.filter((one) => families.includes(one.family))) {
+      const one = (await computed(page, {family: row.family})).contestants.find((other) => other.solver === solver);
+      check(row.running_time === null ? Number.isNaN(one.ert) || one.ert === null : near(one.ert, row.running_time, 6e-3), `view of ${row.family}: ERT of ${solver} is ${one.ert}, on its page ${row.running_time}`);
+    }
+  }
+
+  // With fewer evaluations and an easier target there are fewer and more successes; of a size, its problems.
+  const family = "hs", whole = await computed(page, {family}), less = await computed(page, {family, most: 10});
+  const easier = await computed(page, {family, target: 0}), small = await computed(page, {family, variables: 2});
+  const hs = view.families.find((one) => one.family === family);
+  check(small.problems === hs.problems.filter((problem) => view.problems[problem].variables === 2).length, "problems of two variables are not those of the data");
+  for (const one of whole.contestants) {
+    const share = ({contestants}) => contestants.find((other) => other.name === one.name)?.share;
+    if (share(less) !== undefined) check(share(less) <= one.share, `${one.name} solves more with fewer evaluations`);
+    if (share(easier) !== undefined) check(share(easier) >= one.share, `${one.name} reaches an easier target less often`);
+  }
+
+  // By the keyboard: choose a family, open an entry and a problem, and follow the link that this leaves.
+  await page.goto(`file://${file}`);
+  await page.focus("[name=family]");
+  for (const key of "top-speed") await page.keyboard.press(key);
+  check(await page.$eval("[name=family]", (select) => select.value) === "top-speed", "a keyboard does not choose a family");
+  await page.focus("#view-entries tbody button");
+  await page.keyboard.press("Enter");
+  check(await page.evaluate(() => document.activeElement.textContent.startsWith("Problems of ")), "an entry does not open by Enter");
+  await page.focus("#view-problems tbody button");
+  await page.keyboard.press("Enter");
+  check(await page.evaluate(() => document.activeElement.textContent.startsWith("Runs of ")), "a problem does not open by Enter");
+  const seen = await page.$eval("#page-content", (main) => main.innerText), link = await page.evaluate(() => location.hash);
+  check(/family=top-speed/.test(link) && /entry=/.test(link) && /problem=/.test(link), `the link keeps ${link}`);
+  await page.goto("about:blank");
+  await page.goto(`file://${file}${link}`);
+  check(await page.$eval("#page-content", (main) => main.innerText) === seen, "the link does not lead to the same view");
+  await page.goto("about:blank");
+  await page.goto(`file://${file}#family=nowhere`);
+  check(/family = nowhere/.test(await read("#view-complaint")), "a wrong link is not said to be wrong");
+
+  // The commands of runs make these runs.
+  await page.goto("about:blank");
+  await page.goto(`file://${file}#${new URLSearchParams({family: "top-speed", formulation: "all", entry: "bisection, count", problem: "top-speed/top-speed-C1"})}`);
+  const commands = (await read("#view-runs pre")).split("\n").filter((one) => one.startsWith("./ricochet solve "));
+  const cells = await page.$$eval("#view-runs tbody tr", (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
+  check(commands.length === cells.length && cells.length >= 3, `${commands.length} commands for ${cells.length} runs`);
+  for (const [i, command] of commands.entries()) {
+    const made = JSON.parse(execFileSync(program, [...command.split(" ").slice(1), "--format", "json"]));
+    check((made.returned_solved ? "yes" : "no") === cells[i][2] && made.evaluations_to_solve === Number(cells[i][3]), `${command}: ${made.evaluations_to_solve}, in the view ${cells[i]}`);
+  }
+  await page.close();
+
+  const still = await open(name, {script: false});
+  check(!(await still.$eval("#view-form", (form) => form.checkVisibility())) && /needs a script/.test(await still.$eval("noscript", (one) => one.textContent)), "without a script the view says nothing");
+  await still.close();
+};

@@ -44,12 +44,14 @@ class RunTable {
   // The cells of an entry, one for each problem that it takes: {entry, problem, variables, targets, runs}.
   cellsOf(entry) {
     if (entry.cells) return entry.cells;
-    const missing = new DigitReader(entry.missing), times = new DigitReader(entry.times), spent = new DigitReader(entry.spent);
+    const missing = new DigitReader(entry.missing), times = new DigitReader(entry.times), spent = new DigitReader(entry.spent), repeats = new DigitReader(entry.repeats);
+    let single = repeats.ended ? Infinity : repeats.number();  // runs before the next one that repeats another
     let whole = spent.ended ? Infinity : spent.number();  // runs before the next one that `spent` has
     entry.cells = entry.taken.map((problem) => {
       const {variables, targets} = this.problems[problem], budget = entry.budget * variables, runs = [];
       for (let i = 0; i < entry.instances * entry.seeds; ++i) {
-        const run = {instance: this.first_instance + Math.floor(i / entry.seeds), seed: i % entry.seeds, missing: missing.digit(), times: [], evaluations: null};
+        const run = {instance: this.first_instance + Math.floor(i / entry.seeds), seed: i % entry.seeds, missing: missing.digit(), times: [], evaluations: null, repeats: single === 0};
+        single = single === 0 ? (repeats.ended ? Infinity : repeats.number()) : single - 1;
         if (run.missing === 63) run.missing += missing.number();
         for (let level = 0, time = 0; level < levels.length && targets - run.missing >= targetsAt(level, targets); ++level) {
           time += times.number();
@@ -85,11 +87,12 @@ const geometricMean = (values) => values.length ? Math.exp(sum(values.map((x) =>
 const resultOf = (cell, level, cap) => {
   const {variables, runs} = cell, most = Math.min(cap, cell.entry.budget) * variables;
   const outcomes = runs.map((run) => outcomeOf(run, level, most));
+  const once = outcomes.filter((_, i) => !runs[i].repeats), reachedOnce = once.filter(({reached}) => reached).length;
   const solved = outcomes.filter(({reached}) => reached).length, spent = sum(outcomes.map(({evaluations}) => evaluations));
   return {
-    cell, outcomes, solved, share: solved / runs.length,
+    cell, outcomes, solved, share: solved / runs.length, distinct: once.length,
     evaluations: Math.max(spent / runs.length, 1) / variables,
-    ert: solved ? spent / solved / variables : Infinity,
+    ert: solved ? sum(once.map(({evaluations}) => evaluations)) / reachedOnce / variables : Infinity,  // a run that repeats another counts once
     par10: sum(outcomes.map(({reached, evaluations}) => reached ? Math.max(evaluations, 1) : 10 * most)) / runs.length / variables,
   };
 };
@@ -111,9 +114,8 @@ const meanShare = (shares) => {
 
 // Results of a contestant over problems; `results`: one for each problem that it takes.
 const summaryOf = (results) => {
-  const runs = results[0].cell.runs.length;
-  const [share, lower, upper] = results.length > 1 ? meanShare(results.map((one) => one.share))
-                                                   : [results[0].share, ...wilson(results[0].solved, runs)];
+  const {share: only, distinct} = results[0];
+  const [share, lower, upper] = results.length > 1 ? meanShare(results.map((one) => one.share)) : [only, ...wilson(only * distinct, distinct)];
   return {
     share, lower, upper,
     evaluations: geometricMean(results.map((one) => one.evaluations)),

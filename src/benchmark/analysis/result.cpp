@@ -14,9 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns true if both runs made as many evaluations, had the same improvements at the same
-/// evaluations and returned points of one value: the solver draws no random numbers, or the
-/// instances look alike to it.
 bool same(const Outcome& a, const Outcome& b) {
   return a.evaluations == b.evaluations && a.optimality_gap() == b.optimality_gap() &&
          std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(),
@@ -27,11 +24,10 @@ bool same(const Outcome& a, const Outcome& b) {
 
 /// One of each group of equal outcomes.
 std::vector<const Outcome*> distinct(const Outcomes& outcomes) {
+  const std::vector<bool> repeated = repeats(outcomes);
   std::vector<const Outcome*> kept;
-  for (const Outcome& outcome : outcomes) {
-    const bool seen = std::any_of(kept.begin(), kept.end(),
-                                  [&](const Outcome* other) { return same(*other, outcome); });
-    if (!seen) kept.push_back(&outcome);
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    if (!repeated[k]) kept.push_back(&outcomes[k]);
   }
   return kept;
 }
@@ -57,6 +53,18 @@ std::optional<Estimate> running_time_of(const std::vector<const Outcome*>& outco
 }
 
 }  // namespace
+
+std::vector<bool> repeats(const Outcomes& outcomes) {
+  std::vector<bool> repeated;
+  std::vector<const Outcome*> kept;
+  for (const Outcome& outcome : outcomes) {
+    const bool seen = std::any_of(kept.begin(), kept.end(),
+                                  [&](const Outcome* other) { return same(*other, outcome); });
+    if (!seen) kept.push_back(&outcome);
+    repeated.push_back(seen);
+  }
+  return repeated;
+}
 
 Result result_of(const Outcomes& outcomes) {
   Result result;

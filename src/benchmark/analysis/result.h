@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "src/benchmark/analysis/outcomes.h"
 #include "src/benchmark/statistics/interval.h"
@@ -34,6 +35,11 @@ struct Result {
   int failed = 0;  ///< runs that ended in an exception
   std::map<std::string, int> terminations;  ///< number of starts by termination reason
 };
+
+/// For each run of a cell, whether it repeats an earlier one: as many evaluations, the same
+/// improvements at the same evaluations, and a returned point of the same value. Then the solver
+/// draws no random numbers, or the instances look alike to it.
+std::vector<bool> repeats(const Outcomes& outcomes);
 
 /// The summary of `outcomes` of one cell; there must be at least one.
 Result result_of(const Outcomes& outcomes);

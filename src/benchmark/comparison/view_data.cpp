@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "src/benchmark/analysis/result.h"
 #include "src/benchmark/comparison/view_run.h"
 
 namespace ricochet::studies::comparison {
@@ -60,10 +61,10 @@ struct ViewEntry {
   std::int64_t budget;
   std::size_t solver, formulation;
   int instances, seeds;
-  std::string problems, missing, times, spent;
+  std::string problems = {}, missing = {}, times = {}, spent = {}, repeats = {};
 };
 RICOCHET_WRITTEN_AS_JSON(ViewEntry, family, perturbation, price, budget, solver, formulation,
-                         instances, seeds, problems, missing, times, spent);
+                         instances, seeds, problems, missing, times, spent, repeats);
 
 /// A row of the table for readers.
 struct ViewContents {
@@ -175,22 +176,33 @@ class ViewTable {
   ViewEntry entry_of(const Common& common, const Taken& taken) const {
     const auto& [family, perturbation, price, budget, solver, formulation, instances, seeds] =
         common;
-    ViewEntry entry{family,    perturbation, price, budget, solver, formulation,
-                    instances, seeds,        "",    "",     "",     ""};
+    ViewEntry entry{.family = family,
+                    .perturbation = perturbation,
+                    .price = price,
+                    .budget = budget,
+                    .solver = solver,
+                    .formulation = formulation,
+                    .instances = instances,
+                    .seeds = seeds};
     ViewRunsWriter runs;
     const std::vector<std::size_t>& problems = families_[family].problems;
     for (const std::size_t problem : problems) {
       const auto cell = taken.find(problem);
       entry.problems += cell == taken.end() ? '0' : '1';
       if (cell == taken.end()) continue;
-      for (const Outcome& outcome : cell->second->outcomes) {
-        runs.add(view_run(outcome, *cell->second->targets), cell->second->cell->budget.evaluations);
+      const CellResult& result = *cell->second;
+      const std::vector<bool> repeated = repeats(result.outcomes);
+      for (std::size_t k = 0; k < repeated.size(); ++k) {
+        ViewRun run = view_run(result.outcomes[k], *result.targets);
+        run.repeats = repeated[k];
+        runs.add(run, result.cell->budget.evaluations);
       }
     }
     if (taken.size() == problems.size()) entry.problems.clear();
     entry.missing = runs.text().missing;
     entry.times = runs.text().times;
     entry.spent = runs.text().spent;
+    entry.repeats = runs.text().repeats;
     return entry;
   }
 

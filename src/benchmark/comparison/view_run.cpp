@@ -32,7 +32,8 @@ std::int64_t targets_at(int level, std::size_t targets) {
 ViewRun view_run(const ricochet::comparison::Outcome& outcome,
                  const ricochet::comparison::Targets& targets) {
   const double gap = outcome.optimality_gap();
-  ViewRun run{std::lower_bound(targets.begin(), targets.end(), gap) - targets.begin(), {}, 0};
+  ViewRun run{
+      std::lower_bound(targets.begin(), targets.end(), gap) - targets.begin(), {}, 0, false};
   run.evaluations = outcome.evaluations;
   run.missing = outcome.solved() ? 0 : std::max<std::int64_t>(run.missing, 1);
   const std::int64_t reached = static_cast<std::int64_t>(targets.size()) - run.missing;
@@ -59,6 +60,12 @@ void ViewRunsWriter::add(const ViewRun& run, std::int64_t budget) {
   for (const std::int64_t time : run.times) {
     append(text_.times, time - before);
     before = time;
+  }
+  if (run.repeats) {
+    append(text_.repeats, single_);
+    single_ = 0;
+  } else {
+    ++single_;
   }
   if (run.missing == 0) return;
   if (run.evaluations == budget) {

@@ -16,6 +16,7 @@ struct ViewRun {
   /// only, if the returned point does not reach the others. They do not fall.
   std::vector<std::int64_t> times;
   std::int64_t evaluations = 0;  ///< charged in all
+  bool repeats = false;          ///< an earlier run of its cell: see repeats()
 };
 
 /// The levels of the view: thirds of a problem's targets, from the easiest on. A level is reached
@@ -40,6 +41,8 @@ struct ViewRunsText {
   /// how many before it were, and the evaluations that were left, twice; of those charged more, the
   /// evaluations beyond, twice, less 1.
   std::string spent;
+  /// Of the runs that repeat an earlier one, how many before it do not, since the last one.
+  std::string repeats;
 };
 
 /// Collects the runs of an entry.
@@ -52,7 +55,8 @@ class ViewRunsWriter {
 
  private:
   ViewRunsText text_;
-  std::int64_t whole_ = 0;  ///< runs since the last one in `spent`
+  std::int64_t whole_ = 0;   ///< runs since the last one in `spent`
+  std::int64_t single_ = 0;  ///< runs since the last one in `repeats`
 };
 
 }  // namespace ricochet::studies::comparison

@@ -60,6 +60,7 @@ TEST(ViewData, HasEveryRunOfAnEntryAndItsNames) {
   EXPECT_EQ(entry["missing"].get<std::string>().substr(0, 2), "AA");
   EXPECT_EQ(entry["times"], "BAACAA");
   EXPECT_EQ(entry["spent"].get<std::string>().front(), 'A');
+  EXPECT_EQ(entry["repeats"], "D") << "the last run is the one before it again";
 }
 
 TEST(ViewData, SaysWhichProblemsAnEntryTakesIfNotAll) {

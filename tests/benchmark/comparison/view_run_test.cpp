@@ -67,6 +67,10 @@ TEST(ViewRunsText, IsThisOfTheseRuns) {
   EXPECT_EQ(runs.text().missing, "A/ACB");
   EXPECT_EQ(runs.text().times, "BeBhBggBAA");
   EXPECT_EQ(runs.text().spent, "BUAF");
+  EXPECT_EQ(runs.text().repeats, "");
+  runs.add({0, {1, 1, 1}, 100, true}, 100);
+  runs.add({0, {1, 1, 1}, 100, true}, 100);
+  EXPECT_EQ(runs.text().repeats, "EA");
 }
 
 /// Reads digits by arithmetic on the characters, in place of a table.
@@ -114,15 +118,20 @@ TEST(ViewRunsText, GivesEveryRunBack) {
       run.times.push_back((run.times.empty() ? 0 : run.times.back()) + below(1500));
     }
     if (below(4) == 0) run.evaluations += below(300) - 200;
+    run.repeats = below(3) == 0;
     writer.add(run, budget);
     runs.push_back(run);
   }
-  Reader missing(writer.text().missing), times(writer.text().times), spent(writer.text().spent);
+  Reader missing(writer.text().missing), times(writer.text().times);
+  Reader spent(writer.text().spent), repeats(writer.text().repeats);
+  std::int64_t single = repeats.number();
   std::int64_t whole = spent.number();
   for (const ViewRun& run : runs) {
     std::int64_t left_out = missing.digit();
     if (left_out == 63) left_out += missing.number();
     EXPECT_EQ(left_out, run.missing);
+    EXPECT_EQ(single == 0, run.repeats);
+    single = single != 0 ? single - 1 : repeats.ended() ? -1 : repeats.number();
     std::int64_t time = 0;
     for (const std::int64_t own : run.times) EXPECT_EQ(time += times.number(), own);
     if (run.missing == 0) continue;
@@ -137,6 +146,7 @@ TEST(ViewRunsText, GivesEveryRunBack) {
   EXPECT_TRUE(missing.ended());
   EXPECT_TRUE(times.ended());
   EXPECT_TRUE(spent.ended());
+  EXPECT_TRUE(repeats.ended());
 }
 
 }  // namespace

@@ -4,7 +4,8 @@ import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 
-const near = (a, b, share = 2e-3) => Math.abs(a - b) <= share * Math.max(Math.abs(a), Math.abs(b)) + 1e-9;
+// Whether a number is what the data round to so many digits.
+const near = (a, rounded, digits) => Math.abs(a - rounded) <= 0.51 * 10 ** (Math.floor(Math.log10(Math.abs(rounded) || 1)) + 1 - digits);
 
 // Numbers of contestants as the page's script has them, under what a link chooses.
 const computed = (page, link) => page.evaluate((text) => {
@@ -33,8 +34,8 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
       const one = contestants.find(({name: own, solver}) => own === `${row.solver}, ${row.formulation}` || (where === "all" && solver === row.solver));
       check(one, `view of ${where}: ${row.solver}, ${row.formulation} is not there`);
       if (!one) continue;
-      const fits = near(one.share, row.share) && near(one.evaluations, row.evaluations) && one.taken === row.problems &&
-        (row.problems === 1 || (near(one.lower, row.share_lower, 5e-3) && near(one.upper, row.share_upper, 5e-3)));
+      const fits = near(one.share, row.share, 3) && near(one.evaluations, row.evaluations, 4) && one.taken === row.problems &&
+        near(one.lower, row.share_lower, 3) && near(one.upper, row.share_upper, 3);
       check(fits, `view of ${where}: ${one.name} has ${one.share} [${one.lower}, ${one.upper}], ${one.evaluations} on ${one.taken}; the table ${row.share} [${row.share_lower}, ${row.share_upper}], ${row.evaluations} on ${row.problems}`);
       ++compared;
     }
@@ -54,7 +55,7 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
       if (!fs.existsSync(path.join(folder, "comparison", family, "data.json"))) continue;
       for (const row of dataOf(family).profile_families.flatMap((one) => one.budget === budget ? one.rows : [])) {
         const one = found.contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`);
-        check(one && near(one.par10, row.cost), `view of ${family}: PAR10 of ${row.solver} is ${one?.par10}, in the table ${row.cost}`);
+        check(one && near(one.par10, row.cost, 6), `view of ${family}: PAR10 of ${row.solver} is ${one?.par10}, in the table ${row.cost}`);
       }
     }
   }
@@ -63,7 +64,7 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
   for (const solver of ["mads", "nlopt-cobyla", "bisection"]) {
     for (const row of dataOf(`solvers/${solver}`).families.filter((one) => families.includes(one.family))) {
       const one = (await computed(page, {family: row.family})).contestants.find((other) => other.solver === solver);
-      check(row.running_time === null ? Number.isNaN(one.ert) || one.ert === null : near(one.ert, row.running_time, 6e-3), `view of ${row.family}: ERT of ${solver} is ${one.ert}, on its page ${row.running_time}`);
+      check(row.running_time === null ? Number.isNaN(one.ert) || one.ert === null : near(one.ert, row.running_time, 3), `view of ${row.family}: ERT of ${solver} is ${one.ert}, on its page ${row.running_time}`);
     }
   }
 

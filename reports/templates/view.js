@@ -92,15 +92,14 @@ const drawEntries = (ordered, drawn, problems) => {
     {title: "problems", value: (one) => `${one.results.size} of ${problems}`},
     {title: "success rate [%]", sorted: choice.order === "budget" ? "descending" : undefined, value: (one) => `${percent(one.share)} [${percent(one.lower)}, ${percent(one.upper)}]`},
     {title: "evaluations a variable", value: (one) => short(one.evaluations)},
-    {title: "ERT a variable", value: (one) => short(one.ert)},
-    {title: "solved in none of its runs", value: (one) => `${one.never} of ${one.results.size}`},
+    {title: "ERT a variable", value: (one) => one.never < one.results.size ? `${short(one.ert)} on ${one.results.size - one.never}` : "–"},
     {title: "PAR10 a variable", sorted: choice.order === "target" ? "ascending" : undefined, value: (one) => short(one.par10)},
     {title: "PAR10 over the reference's", value: (one) => one.beside.problems ? short(one.beside.ratio) : "–"},
     {title: "PAR10 lower, higher on", value: (one) => `${one.beside.fewer}, ${one.beside.more} of ${one.beside.problems}`},
   ];
   drawTable(byId("view-entries"),
     `${listed.length} entries. Success rate: mean over the problems that the entry takes, with its 95 % interval. Evaluations until the target, or in all: geometric mean. ERT: expected evaluations until the target, ` +
-    "with restarts, over the problems with a run that reached it. PAR10 charges a run that does not ten times its budget. An entry's name opens its problems.", columns, listed);
+    "with restarts, on so many problems with a run that reached it. PAR10 charges a run that does not ten times its budget. An entry's name opens its problems.", columns, listed);
 };
 
 const drawProblems = (one, reference) => {

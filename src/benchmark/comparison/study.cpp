@@ -23,6 +23,7 @@
 #include "src/benchmark/comparison/leader_data.h"
 #include "src/benchmark/comparison/log_ratio_data.h"
 #include "src/benchmark/comparison/machine_data.h"
+#include "src/benchmark/comparison/opening.h"
 #include "src/benchmark/comparison/order_data.h"
 #include "src/benchmark/comparison/own_solver_data.h"
 #include "src/benchmark/comparison/pages.h"
@@ -161,6 +162,7 @@ Json compute(const Campaign& campaign, const Store& store) {
                                 : fmt::format("./ricochet run {} --out mine", campaign.plan().name);
   data = in_pages(std::move(data));
   data["answers"] = answers_data(data);
+  data["opening"] = opening_of(data["leaders"]);
   data["pages"].push_back({{"folder", "solvers"}, {"data", std::move(solvers_data)}});
   data["pages"].push_back({{"folder", "view"}, {"data", std::move(view)}});
   return data;

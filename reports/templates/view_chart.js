@@ -64,8 +64,10 @@ class StepChart {
     keys.className = "view-keys";
     series.forEach(({name, look}) => {
       const item = document.createElement("li"), mark = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-      mark.setAttribute("aria-hidden", "true");
+      mark.setAttribute("aria-hidden", "true");  // its name stands beside it
+      mark.setAttribute("role", "img");
       mark.setAttribute("viewBox", "0 0 28 10");
+      addSvg(mark, "title", {}, `line of ${name}`);
       addSvg(mark, "path", {d: "M0,5H28", "stroke-width": 2.4, ...lookOf(look)});
       item.append(mark, name);
       keys.append(item);

@@ -50,6 +50,7 @@ inline Json small_comparison() {
       {"beaten", Json::array()},
       {"leaders", Json::array()},
       {"answers", Json::array()},
+      {"opening", ""},
       {"families", Json::array()},
       {"map", Json::array()},
       {"speed_accuracy", Json::array()},

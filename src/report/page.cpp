@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "embedded/chart_data_script.h"
 #include "embedded/look.h"
 #include "embedded/page_script.h"
 #include "embedded/page_template.h"
@@ -18,6 +19,7 @@
 #include "embedded/view_runs_script.h"
 #include "embedded/view_script.h"
 #include "embedded/view_template.h"
+#include "src/report/chart_csv.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
 #include "src/report/record_table.h"
@@ -145,9 +147,23 @@ Json data_of(const Table& table, const std::string& id, const TextWriters& writi
           {"rows", std::move(rows)}};
 }
 
+/// JSON in which "</script>" cannot occur.
+std::string inside_a_script(const Json& data) {
+  std::string text;
+  for (const char c : data.dump()) text += c == '<' ? "\\u003c" : std::string(1, c);
+  return text;
+}
+
+/// The picture with its numbers, for the buttons of reports/templates/chart_data.js.
+std::string with_numbers(const Chart& chart, const DrawnChart& drawn) {
+  if (!drawn.is_drawn()) return html_of(drawn);
+  return fmt::format("{}<script type=\"application/json\" class=\"chart-csv\">{}</script>",
+                     html_of(drawn), inside_a_script(csv_of(chart)));
+}
+
 Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& writing) {
   const Chart& chart = figure.chart;
-  return {{"html", html_of(drawn)},
+  return {{"html", with_numbers(chart, drawn)},
           {"markdown", markdown_of(drawn)},
           {"caption", writing.linked(figure.caption)},
           {"frame", writing.plain(figure.frame)},
@@ -184,13 +200,6 @@ Json list_under(const char* key, Named named) {
     list.back()["number"] = list.size() - 1;
   }
   return list;
-}
-
-/// JSON in which "</script>" cannot occur.
-std::string inside_a_script(const Json& data) {
-  std::string text;
-  for (const char c : data.dump()) text += c == '<' ? "\\u003c" : std::string(1, c);
-  return text;
 }
 
 Json data_of(const Explorer& explorer, const TextWriters& writing) {
@@ -265,16 +274,20 @@ bool needs_script(const Page& page) {
          });
 }
 
-/// The scripts of a page; null if it needs none.
-Json script_of(const Page& page) {
-  if (!needs_script(page)) return nullptr;
-  std::string script = embedded::page_script;
-  if (!has_view(page)) return script;
-  for (const char* part : {embedded::view_runs_script, embedded::view_choice_script,
-                           embedded::view_chart_script, embedded::view_script}) {
-    script += part;
+/// The scripts that the page needs.
+Json scripts_of(const Page& page) {
+  Json scripts = Json::array();
+  const bool has_charts = std::ranges::any_of(
+      page.sections, [](const Section& section) { return !section.figures.empty(); });
+  if (needs_script(page)) scripts.push_back(embedded::page_script);
+  if (has_view(page)) {
+    for (const char* part : {embedded::view_runs_script, embedded::view_choice_script,
+                             embedded::view_chart_script, embedded::view_script}) {
+      scripts.push_back(part);
+    }
   }
-  return script;
+  if (has_charts) scripts.push_back(embedded::chart_data_script);
+  return scripts;
 }
 
 Json data_of(const Page& page, const DrawnCharts& charts, const TextWriters& writing) {
@@ -285,7 +298,7 @@ Json data_of(const Page& page, const DrawnCharts& charts, const TextWriters& wri
           {"intro", list_of(page.intro, writing.linked)},
           {"has_background", !page.background.empty()},
           {"background", list_of(page.background, writing.linked)},
-          {"script", script_of(page)},
+          {"scripts", scripts_of(page)},
           {"above", writing.plain(page.above)},
           {"has_further", !page.further.empty()},
           {"further", page.further},

@@ -175,7 +175,8 @@ Front front_of(const std::vector<FoundReport>& reports) {
     for (const FoundPage& page : report.pages) {
       if (page.headline) add_excerpts(*page.headline, report.folder + "/" + page.folder, front);
     }
-    if (!front.motion && !report.headline->charts.empty()) {
+    if (!front.motion && holds(report.headline, "simulations") &&
+        !report.headline->charts.empty()) {
       front.motion = FrontCharts{report.folder, report.headline->charts};
     }
   }

@@ -90,6 +90,10 @@ OwnPage machine_page(const PaperMachines& machines, const std::vector<FoundRepor
   report::Section moves{.id = "what-if",
                         .heading = "What moves the threshold?",
                         .paragraphs = {effects_sentence(machines)}};
+  for (const FoundReport& report : reports) {
+    if (report.folder != machines.folder || !report.headline) continue;
+    for (const report::Chart& chart : report.headline->charts) moves.figures.push_back({chart, ""});
+  }
   if (const auto grid = machine_grid(reports)) {
     moves.tables.push_back(grid_table(*grid, machines.machines));
   }

@@ -33,6 +33,13 @@ Json line_of(const Scene& scene, const Recording& recording) {
   });
 }
 
+/// The impacts that count, as points of x(t).
+Json marks_of(const Scene& scene, const Recording& recording) {
+  return report::list_of(counted_samples(scene, recording), [](const report::Sample& s) {
+    return Json{{"at", short_number(s.position)}, {"x", short_number(*s.value)}};
+  });
+}
+
 /// The common parts of all charts of a case's paths.
 Json frame_of(const CaseStudy& c, double omega) {
   const double lower = c.scene.wall_lower / millimetre;
@@ -57,6 +64,7 @@ Json path_of(const CaseStudy& c, double omega, const char* side, const Recording
   path["count"] = recording.count;
   path["doubt"] = recording.certainty.certain ? "" : recording.certainty.reason;
   path["path"] = line_of(scene, recording);
+  path["marks"] = marks_of(scene, recording);
   return path;
 }
 
@@ -83,7 +91,8 @@ Json overlaid(const std::vector<CaseStudy>& cases, const CaseStudy& c, double om
     lines.push_back({{"id", other.the_case.id},
                      {"disturbance", other.the_case.disturbance},
                      {"count", recording.count},
-                     {"path", line_of(scene, recording)}});
+                     {"path", line_of(scene, recording)},
+                     {"marks", marks_of(scene, recording)}});
   }
   overlay["lines"] = std::move(lines);
   return overlay;

@@ -102,6 +102,8 @@ Results results_of(const StudyPlan& plan, const Catalogue& catalogue,
   results.grid = count_grid(results.interpretation.scene, plan.grid_step, plan.coarse_grid);
   results.trends = trends(results.grid);
   results.maps = restitution_maps(results.cases);
+  results.curves = threshold_curves(all_cases(), results.interpretation.scene,
+                                    plan.coarse_grid ? 9 : 36, plan.scan.highest);
   make_runs(results.comparison->campaign, {}, results.comparison->store);
   return results;
 }
@@ -134,6 +136,7 @@ Json data_of(const Results& results) {
           {"sharpness", sharpness_data(results.cases)},
           {"steps", step_data(results.cases)},
           {"regime_maps", regime_map_data(results.maps)},
+          {"restitution_curves", threshold_curve_data(results.curves)},
           {"conclusions", conclusion_data(results.grid, results.trends)},
           {"paths", path_data(results.cases)},
           {"crossing", crossing_data()},

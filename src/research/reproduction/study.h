@@ -21,6 +21,7 @@
 #include "src/report/site/study.h"
 #include "src/research/paper/fitted_interpretation.h"
 #include "src/research/reproduction/conclusions.h"
+#include "src/research/reproduction/threshold_curves.h"
 
 namespace ricochet::studies::reproduction {
 
@@ -83,6 +84,7 @@ struct Results {
   CountGrid grid;
   std::vector<Trend> trends;
   std::vector<RestitutionMap> maps;
+  std::vector<ThresholdCurve> curves;
   std::optional<StoredCampaign> comparison;  ///< of solvers, if it has been run
 };
 

@@ -61,11 +61,10 @@ const namesAndIntervals = {
         if (!point.name) continue;
         const width = ctx.measureText(point.name).width, height = 14;
         const at = {x: x.getPixelForValue(point.x), y: y.getPixelForValue(point.y)};
-        const places = [[7, 0], [-width - 7, 0], [7, 14], [-width - 7, 14], [7, -14], [-width - 7, -14],
-                        [7, 28], [-width - 7, 28], [7, -28], [-width - 7, -28],
-                        [7, 42], [-width - 7, 42], [20, 0], [20, -14], [20, 14], [-width - 20, 28], [20, -42]];
+        const places = [[7, 0], [-width - 7, 0], [7, -12], [7, 12], [-width - 7, -12], [-width - 7, 12], [-width / 2, -14], [-width / 2, 14],
+                        [14, -26], [14, 26], [-width - 14, -26], [-width - 14, 26], [14, -42], [14, 42], [-width - 14, -42], [-width - 14, 42]];
         const box = places
-          .map(([dx, dy]) => ({left: at.x + dx, top: at.y + dy - height / 2, right: at.x + dx + width, bottom: at.y + dy + height / 2}))
+          .map(([dx, dy]) => ({left: at.x + dx, top: at.y + dy - height / 2, right: at.x + dx + width, bottom: at.y + dy + height / 2, far: Math.abs(dy) > 20}))
           .find((b) => b.left >= area.left && b.right <= area.right && b.top >= area.top && b.bottom <= area.bottom &&
             !taken.some((t) => b.left < t.right && b.right > t.left && b.top < t.bottom && b.bottom > t.top));
         if (!box) continue;
@@ -112,7 +111,7 @@ const around = (values) => values.length ? {min: Math.min(...values) / 1.3, max:
 
 const charts = {};
 
-// Redraws a chart; `click` gets the point under the pointer.
+// Redraws a chart; `click` gets the point under the pointer. A legend shows the datasets that have a `kind`.
 const draw = (id, datasets, x, y, describe, click) => {
   charts[id]?.destroy();
   Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
@@ -125,7 +124,8 @@ const draw = (id, datasets, x, y, describe, click) => {
       interaction: {mode: "nearest", intersect: true},
       scales: {x, y},
       plugins: {
-        legend: {display: false},
+        legend: {display: datasets.some((set) => set.kind), position: "bottom", onClick: () => {},
+                 labels: {color: colour("--ink"), boxWidth: 8, boxHeight: 8, usePointStyle: true, filter: ({datasetIndex}) => datasets[datasetIndex].kind}},
         tooltip: {callbacks: {label: (item) => describe(item.raw, item.dataset)}, displayColors: false},
       },
       onClick: (event, hits, chart) => {
@@ -251,6 +251,9 @@ const chosen = () => {
   return rows.filter((row) => row.family === family && row.budget === budget && shows(row));
 };
 
+// Solvers that are named wherever they lie.
+const alwaysNamed = ["fireworks", "random-search"];
+
 // The Pareto front.
 const frontOf = (points, better) => {
   const front = [];
@@ -275,20 +278,23 @@ const drawAccuracy = () => {
   const better = accuracy === "solved" ? (a, b) => a > b : (a, b) => a < b;
   const front = frontOf(points.filter((point) => point.row.complete), better);
   const onFront = new Set(front);
-  const named = (point) => ({...point, name: full(point.row)});
-  const outside = points.filter((point) => point.row.outside && !onFront.has(point));
-  const others = points.filter((point) => !onFront.has(point) && !point.row.outside);
-  const [blue, orange] = palette(), grey = colour("--quiet");
+  const named = (point) => ({...point, name: full(point.row) + (point.row.solver === "fireworks" ? " (the paper's)" : "")});
+  const told = new Set(front.slice(-5));  // the best few; the paper's and random search are always named
+  const nameOf = (point) => told.has(point) || alwaysNamed.includes(point.row.solver) || point.row.outside ? named(point) : point;
+  const bare = (point) => told.has(point) ? point : {...point, low: null};
+  const colours = palette(), kinds = [...new Set(Object.values(comparison.kinds))].sort(), ink = colour("--ink");
+  const kindOf = (point) => point.row.outside ? "yours" : comparison.kinds[point.row.solver] ?? "solvers";
+  const colourOf = (kind) => kind === "yours" ? ink : kind === "solvers" ? colour("--quiet") : colours[kinds.indexOf(kind) % colours.length];
   const dot = {showLine: false, pointRadius: 4, pointHoverRadius: 7, pointHitRadius: 6};
+  const byKind = [...new Set(points.map(kindOf))].sort();
   const words = {evaluations: "evaluations for each variable", seconds: "processor time [s]", solved: "success rate [%]",
                  error: "error of the answer (median optimality gap)"};
   element("accuracy-chart").parentElement.hidden = points.length === 0;
   draw("accuracy-chart", [
-    {...dot, label: "front", data: front.map(named), borderColor: blue, backgroundColor: blue, nameColour: colour("--ink"),
-     showLine: true, stepped: "before", borderWidth: 1.5, pointRadius: 5},
-    {...dot, label: "yours", data: outside.map(named), borderColor: orange, backgroundColor: orange, pointRadius: 5},
-    {...dot, label: "dominated", data: others.map(named), borderColor: grey, backgroundColor: grey + "99",
-     intervalColour: colour("--rule"), pointRadius: 3},
+    {...dot, label: "front", data: front.map(nameOf), borderColor: ink, backgroundColor: ink, nameColour: ink, showLine: true,
+     stepped: "before", borderWidth: 1, pointRadius: 5, pointBackgroundColor: front.map((point) => colourOf(kindOf(point))), intervalColour: colour("--quiet")},
+    ...byKind.map((kind) => ({...dot, label: kind, kind: kinds.length > 0, data: points.filter((point) => !onFront.has(point) && kindOf(point) === kind).map((point) => nameOf(bare(point))),
+                              borderColor: colourOf(kind), backgroundColor: colourOf(kind), nameColour: ink, pointRadius: 3.5})),
   ], axis(words[speed], true, around(points.map(({x}) => x))),
   axis(words[accuracy], accuracy === "error", accuracy === "error" ? around(points.map(({y}) => y)) : shareAxis),
   (point) => [full(point.row), `${number(point.row.evaluations)} evaluations for each variable, ${number(point.row.seconds)} s`,
@@ -404,6 +410,7 @@ const drawCurves = () => {
   element("curves-of").textContent = curves.length
     ? `Of ${comparison.families[curves[0].family].name}, with ${curves[0].budget} evaluations for each variable.` : "";
   const colours = palette();
+  const curveColour = (curve, i) => curve.solver === "fireworks" ? colour("--ink") : colours[i % colours.length];
   element("curve-picks").replaceChildren(...curves.map((curve, i) => {
     const item = document.createElement("li"), label = document.createElement("label");
     const box = document.createElement("input"), swatch = document.createElement("span");
@@ -415,7 +422,7 @@ const drawCurves = () => {
       element("curve-picks").querySelectorAll("input")[i].focus();
     });
     swatch.className = "swatch";
-    swatch.style.background = colours[i % colours.length];
+    swatch.style.background = curveColour(curve, i);
     label.append(box, " ", swatch, full(curve));
     item.append(label);
     return item;
@@ -425,7 +432,7 @@ const drawCurves = () => {
   const datasets = curves.map((curve, i) => {
     const data = curve.points.map(([x, share]) => ({x, y: 100 * share, curve}));
     if (data.length) data.at(-1).name = full(curve);
-    const own = colours[i % colours.length];
+    const own = curveColour(curve, i);
     return {label: full(curve), data, hidden: unpicked.has(full(curve)), showLine: true, stepped: "before", borderColor: own,
             backgroundColor: own, borderWidth: 2, pointRadius: 0, pointHitRadius: 8, borderDash: i % 2 ? [6, 3] : []};
   });
@@ -450,8 +457,9 @@ const drawMotion = () => {
   const logarithmic = view.y.scale === "logarithmic", colours = palette();
   const datasets = view.series.map((series, i) => {
     const own = series.pale ? colour("--ink") : colours[i % colours.length];
-    const data = series.samples.map(({position, value}) => ({x: position, y: value, series}));
-    data.at(-1).name = series.label;
+    const data = series.samples.map(({position, value, name}) => ({x: position, y: value, series, control: name}));
+    data.at(-1).name = [series.label, data.at(-1).control].filter(Boolean).join(" ");
+    if (data.length > 1) data[0].name = data[0].control;
     return {label: series.label, data, showLine: data.length > 1, borderColor: own, backgroundColor: own, borderWidth: 1.5,
             pointRadius: series.pale ? 6 : 3, pointStyle: series.pale ? "rectRot" : "circle", pointHitRadius: 6};
   });
@@ -459,7 +467,7 @@ const drawMotion = () => {
   const points = datasets.flatMap(({data}) => data), lowest = Math.min(...points.map(({y}) => y));
   draw("motion-chart", datasets, axis(view.x.label, true, around(points.map(({x}) => x))),
     axis(view.y.label, logarithmic, {min: logarithmic ? lowest / 10 : -5}),
-    (point) => [point.series.label, `time ${number(point.x)}`,
+    (point) => [[point.series.label, point.control].filter(Boolean).join(", tolerance or step "), `time ${number(point.x)}`,
                 point.series.pale ? "exact: it is the reference" : `error ${number(point.y)}`],
     () => { location.href = `${site.motion.folder}/index.html#${view.name}`; });
   element("motion-chart").setAttribute("aria-label",
@@ -486,7 +494,7 @@ const lookOf = (name) => {
 // What a solver spends with a simulation until it has the threshold, and the error of that threshold.
 const pairOf = (solver, simulation, alone) => {
   const spent = solver.own + solver.evaluations * simulation.seconds;
-  const error = (own) => alone ? Math.max(own, resolution) : own + pairs.tolerance;
+  const error = (own) => Math.min(alone ? Math.max(own, resolution) : own + pairs.tolerance, pairs.range);
   return {solver, simulation, x: spent / solver.solved, from: spent / solver.solved_upper, to: spent / solver.solved_lower,
           y: error(simulation.error), low: error(simulation.error_least), high: error(simulation.error)};
 };
@@ -514,15 +522,20 @@ const offerPairs = (points) => {
 
 const drawPairs = () => {
   const alone = element("pair-error").value === "simulation", wanted = element("pair-solver").value;
-  const points = pairs.solvers.filter((solver) => !wanted || solver.solver === wanted).flatMap((solver) =>
+  const solvers = pairs.solvers.filter((solver) => !wanted || solver.solver === wanted);
+  const all = solvers.flatMap((solver) =>
     pairs.simulations.filter((one) => !unpickedSimulations.has(one.simulation)).map((simulation) => pairOf(solver, simulation, alone)));
-  const front = frontOf(points, (a, b) => a < b), onFront = new Set(front);
+  // The solver changes the time alone: of each simulation the pair with the fastest stands for all.
+  const points = [...new Set(all.map(({simulation}) => simulation))].map((simulation) =>
+    all.filter((pair) => pair.simulation === simulation).reduce((a, b) => b.x < a.x ? b : a));
+  const within = points.filter(({y}) => y < pairs.range);
+  const front = frontOf(within.length ? within : points, (a, b) => a < b), onFront = new Set(front);
   const bare = ({solver, simulation, x, y}) => ({solver, simulation, x, y});
   const ink = colour("--ink");
   const dots = simulationNames.map((name) => {
     const {own, shape} = lookOf(name);
     return {label: name, data: points.filter((point) => point.simulation.simulation === name && !onFront.has(point)).map(bare), showLine: false,
-            borderColor: own, backgroundColor: own + (own.length === 7 ? "99" : ""), pointStyle: shape, pointRadius: 2.5, pointHoverRadius: 6, crowd: true};
+            borderColor: own, backgroundColor: own + (own.length === 7 ? "99" : ""), pointStyle: shape, pointRadius: 3.5, pointHoverRadius: 6};
   });
   const leading = {label: "front", data: front.map((point) => ({...point, name: pairName(point)})), showLine: true, stepped: "before",
                    borderColor: ink, borderWidth: 1.5, nameColour: ink, pointRadius: 5, pointHoverRadius: 7,
@@ -530,17 +543,17 @@ const drawPairs = () => {
                    pointStyle: front.map((point) => lookOf(point.simulation.simulation).shape)};
   const {min, max} = around(points.map(({y}) => y));
   draw("pairs-chart", [leading, ...dots], axis("processor time to the threshold [s]", true, around(points.map(({x}) => x))),
-    axis(alone ? "error of the simulation [rad/s]" : "error of the threshold, at most [rad/s]", true, {min: min / 1.5, max}),
+    axis(alone ? "simulation's error [rad/s]" : "error, at most [rad/s]", true, {min: min / 1.5, max}),
     ({solver, simulation, x, y}) => [pairName({solver, simulation}),
       `${timeText(x)}: ${number(solver.evaluations)} evaluations of ${number(1e6 * simulation.seconds, 2)} µs, ${timeText(solver.own)} of its own`,
       `solved ${percent(solver.solved)} [${percent(solver.solved_lower)}, ${percent(solver.solved_upper)}]`,
       `error at most ${errorText(y)} rad/s; the simulation's: ${simulation.reference ? "none, it is the reference" : `${errorText(simulation.error_least)} to ${errorText(simulation.error)}`}`],
     () => { location.href = `${pairs.folder}/index.html#thresholds`; });
-  element("pairs-finding").textContent = findingOfPairs(points.length, front);
-  element("pairs-note").textContent = `Problems: ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the comparison; failed runs are repeated. Error: the simulation's ` +
-    `largest of the cases${alone ? "" : ` + ${pairs.tolerance} rad/s, the tolerance of a solved problem`}. Bars across: interval of the success rate. Bars down: to the smallest error of the cases.`;
+  element("pairs-finding").textContent = findingOfPairs(all.length, front);
+  element("pairs-note").textContent = `A dot: a simulation with ${wanted ? "this solver" : "the solver that is fastest with it"}; the file has all ${all.length} pairs. Problems: ${pairs.family} (${pairs.cases.join(", ")}), with as many evaluations as in the comparison; failed runs are repeated. Error: the simulation's ` +
+    `largest of the cases${alone ? "" : ` + ${pairs.tolerance} rad/s, the tolerance of a solved problem`}, at most ${number(pairs.range)} rad/s, the fastest threshold. Bars across: interval of the success rate. Bars down: to the smallest error of the cases.`;
   element("pairs-chart").setAttribute("aria-label", `Error of the threshold over processor time, ${points.length} dots. ${element("pairs-finding").textContent}`);
-  offerPairs(points);
+  offerPairs(all);
 };
 
 const offerSimulations = () => {
@@ -602,7 +615,7 @@ const start = () => {
     offerFamilies();
   }
   if (pairs) {
-    fill(element("pair-solver"), [["", "each"], ...pairs.solvers.map(({solver}) => [solver, solver])]);
+    fill(element("pair-solver"), [["", "the fastest"], ...pairs.solvers.map(({solver}) => [solver, solver])]);
     for (const id of ["pair-solver", "pair-error"]) element(id).addEventListener("change", drawPairs);
     offerSimulations();
     drawPairs();

@@ -109,6 +109,10 @@ Series series_of(const Part& part, const Scopes& scopes, const Chart& chart) {
   if (series.mark != Mark::points && sorts) {
     std::ranges::stable_sort(series.samples, {}, &Sample::position);
   }
+  if (part.has("start") && !series.samples.empty()) {
+    const double first = series.samples.front().position;
+    series.samples.insert(series.samples.begin(), {first, part.number("start", scopes)});
+  }
   return series;
 }
 

@@ -14,6 +14,7 @@ constexpr double least_width = 60, least_height = 30;  // of the plot, pixels
 constexpr double text_height = 18;                     // of a line
 constexpr double tick_room = 9;                        // a tick and the gap up to its label
 constexpr double widest_name = 0.45;                   // of the picture, for a name
+constexpr std::size_t rows_without_names_above = 20;   // of a heat map
 const double sine = std::sin(name_angle * std::numbers::pi / 180);
 const double cosine = std::cos(name_angle * std::numbers::pi / 180);
 
@@ -204,12 +205,22 @@ class Layout {
     }
   }
 
+  /// The room for names of columns above a long heat map.
+  double room_above() const {
+    if (!frame_.names_above) return 0;
+    return frame_.names_turned ? 14 + sine * widest(frame_.x_ticks) : text_height;
+  }
+
   void place_bottom() {
+    frame_.names_above = chart_.heat_map && !chart_.x.categories.empty() &&
+                         chart_.y.categories.size() > rows_without_names_above;
+    frame_.plot.top += room_above();
     double below = frame_.names_turned ? 14 + sine * widest(frame_.x_ticks) : text_height;
     if (!frame_.x_label.empty()) below += text_height;
     frame_.below_ticks = below;
     if (!frame_.legend.empty() && !legend_beside_) below += 4 + place_legend_below();
-    const double height = std::max(least_height, chart_.height - frame_.plot.top - below - 8);
+    const double height =
+        std::max(least_height, chart_.height + room_above() - frame_.plot.top - below - 8);
     frame_.plot.bottom = frame_.plot.top + std::floor(height);
     frame_.height = static_cast<int>(std::ceil(frame_.plot.bottom + below + 8));
     for (LegendEntry& entry : frame_.legend) entry.place.y += frame_.plot.bottom;

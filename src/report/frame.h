@@ -26,6 +26,7 @@ struct Frame {
   Range x{0, 1}, y{0, 1}, colours{0, 1};
   std::vector<Tick> x_ticks, y_ticks, colour_ticks;
   bool names_turned = false;  ///< of the ticks of x
+  bool names_above = false;   ///< they stand above a heat map, too, so that a long one can be read
   std::string x_label, y_label, colour_label;
   double below_ticks = 0;  ///< base line of the label of x
   std::vector<LegendEntry> legend;

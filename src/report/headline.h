@@ -49,7 +49,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Mark, {{Mark::line, "line"},
                                     {Mark::points, "points"}})
 RICOCHET_WRITTEN_AS_JSON(Range, lower, upper);
 RICOCHET_WRITTEN_AS_JSON(Axis, label, scale, range);
-RICOCHET_WRITTEN_AS_JSON(Sample, position, value);
+RICOCHET_WRITTEN_AS_JSON(Sample, position, value, name);
 RICOCHET_WRITTEN_AS_JSON(Series, label, mark, pale, samples);
 RICOCHET_WRITTEN_AS_JSON(Chart, name, title, x, y, series);
 

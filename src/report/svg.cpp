@@ -23,6 +23,10 @@ class Painter {
         frame_(frame),
         drawing_(chart.name, chart.title, description(chart), frame.width, frame.height) {
     if (!chart.heat_map) clip_ = drawing_.clip(frame.plot);
+    for (const Series& series : chart.series) {
+      has_names_ |= std::ranges::any_of(series.samples,
+                                        [](const Sample& sample) { return !sample.name.empty(); });
+    }
   }
 
   std::string svg() {
@@ -106,6 +110,7 @@ class Painter {
                     .anchor = frame_.names_turned ? "end" : "middle",
                     .turned = frame_.names_turned ? -name_angle : 0.0},
                    x_labels);
+    if (frame_.names_above) write_names_above();
     drawing_.write({.colour = "#444444", .anchor = "end"}, y_labels);
     const Pixel middle{(plot.left + plot.right) / 2, (plot.top + plot.bottom) / 2};
     write_label(frame_.x_label, {middle.x, plot.bottom + frame_.below_ticks}, 0);
@@ -113,6 +118,17 @@ class Painter {
     if (!frame_.colour_label.empty()) {
       write_label(frame_.colour_label, {frame_.width - 10.0, middle.y}, 270);
     }
+  }
+
+  void write_names_above() {
+    std::vector<Writing> names;
+    for (const Tick& tick : frame_.x_ticks) {
+      names.push_back({{place(tick.position, frame_.y.lower).x, frame_.plot.top - 6}, tick.label});
+    }
+    drawing_.write({.colour = "#444444",
+                    .anchor = frame_.names_turned ? "end" : "middle",
+                    .turned = frame_.names_turned ? name_angle : 0.0},
+                   names);
   }
 
   static double length(const Tick& tick) { return tick.label.empty() ? 2.7 : 4.5; }
@@ -148,15 +164,12 @@ class Painter {
     const std::string colour = look_of(index).colour;
     std::vector<Outline> outlines;
     if (series.mark == Mark::points) {
-      for (const Sample& sample : series.samples) {
-        if (!sample.value || !sample.spread) continue;
-        outlines.push_back({{place(sample.position, sample.spread->lower),
-                             place(sample.position, sample.spread->upper)}});
+      for (const bool pale : {true, false}) {
+        drawing_.paint({.stroke = pale ? "#d4d4d4" : colour,
+                        .width = pale ? "0.5" : "1.2",
+                        .clip = clip_},
+                       bars(series, pale));
       }
-      drawing_.paint({.stroke = series.pale ? "#d4d4d4" : colour,
-                      .width = series.pale ? "0.5" : "1.2",
-                      .clip = clip_},
-                     outlines);
       return;
     }
     for (const std::vector<Sample>& part : polylines(series)) {
@@ -169,6 +182,19 @@ class Painter {
       }
     }
     drawing_.paint({.fill = colour, .opacity = "0.14", .clip = clip_}, outlines);
+  }
+
+  /// The spreads of points: pale are those of a pale series, and where others have names those of
+  /// points without one.
+  std::vector<Outline> bars(const Series& series, bool pale) const {
+    std::vector<Outline> outlines;
+    for (const Sample& sample : series.samples) {
+      const bool is_pale = series.pale || (has_names_ && sample.name.empty());
+      if (!sample.value || !sample.spread || is_pale != pale) continue;
+      outlines.push_back({{place(sample.position, sample.spread->lower),
+                           place(sample.position, sample.spread->upper)}});
+    }
+    return outlines;
   }
 
   Outline band(const std::vector<Sample>& samples) const {
@@ -286,6 +312,7 @@ class Painter {
   Drawing drawing_;
   std::string clip_;
   bool has_values_ = false;
+  bool has_names_ = false;  ///< of some points
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 
 #include "src/benchmark/analysis/result.h"
@@ -56,14 +57,48 @@ Json result_data(const CellResult& of_cell) {
           {"terminations", std::move(terminations)}};
 }
 
-Json rating_data(const Rating& rating) {
+/// The share of targets reached over the evaluations, with the ends alone of level parts.
+Json curve_data(const Rating& rating) {
   Json progress = Json::array();
   for (const Reach& reach : rating.progress) {
-    progress.push_back({{"evaluations", reach.evaluations},
-                        {"share", reach.share},
-                        {"lower", reach.interval.lower},
-                        {"upper", reach.interval.upper}});
+    const std::size_t many = progress.size();
+    const bool level = many > 1 && progress[many - 1]["share"] == reach.share &&
+                       progress[many - 2]["share"] == reach.share;
+    if (level) progress.erase(many - 1);
+    progress.push_back({{"evaluations", reach.evaluations}, {"share", reach.share}});
   }
+  return {{"solver", rating.solver},
+          {"formulation", rating.formulation},
+          {"progress", std::move(progress)}};
+}
+
+/// Curves of the ECDF: of the first entries, of the paper's algorithm if it is none of them, and of
+/// other solvers, each in its best formulation, to compare with.
+struct Curves {
+  Json first = Json::array(), paper = Json::array(), rest = Json::array();
+};
+
+Curves curves_of(const std::vector<Rating>& ratings) {
+  constexpr std::size_t told = 5, shown = 10;  // more lines than this cannot be told apart, or seen
+  constexpr const char* of_paper = "fireworks";
+  Curves curves;
+  std::set<std::string> drawn;
+  for (const Rating& rating : ratings) {
+    if (curves.first.size() < told) {
+      curves.first.push_back(curve_data(rating));
+    } else if (drawn.contains(rating.solver)) {
+      continue;
+    } else if (rating.solver == of_paper) {
+      curves.paper.push_back(curve_data(rating));
+    } else if (curves.rest.size() < shown) {
+      curves.rest.push_back(curve_data(rating));
+    }
+    drawn.insert(rating.solver);
+  }
+  return curves;
+}
+
+Json rating_data(const Rating& rating) {
   const Reach& last = rating.progress.back();
   return {{"solver", rating.solver},
           {"formulation", rating.formulation},
@@ -76,8 +111,7 @@ Json rating_data(const Rating& rating) {
           {"lower", last.interval.lower},
           {"upper", last.interval.upper},
           {"best", rating.probability_of_being_best},
-          {"rank", rating.rank},
-          {"progress", std::move(progress)}};
+          {"rank", rating.rank}};
 }
 
 /// The first by the returned points, and by the best evaluated ones if that is another one; members
@@ -87,7 +121,6 @@ Json leader_data(const std::vector<Rating>& by_returned, const std::vector<Ratin
   const Rating* first = leader_of(by_returned);
   const Rating* other = leader_of(by_evaluated, Criterion::evaluated);
   Json data = rating_data(first != nullptr ? *first : by_returned.front());
-  data.erase("progress");
   if (first == nullptr) {
     for (auto& [key, value] : data.items()) value = nullptr;
   }
@@ -178,23 +211,20 @@ Ratings ratings_of(const Comparison& comparison, const std::vector<Group>& group
 Json group_data(const Comparison& comparison, const std::vector<Group>& groups,
                 const Ratings& rated) {
   const std::vector<std::int64_t>& all_budgets = comparison.part->budgets;
-  // More lines than this cannot be told apart in a chart.
-  constexpr std::size_t drawn = 6;
   Json all = Json::array();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group& group = groups[g];
     Json budgets = Json::array();
     for (std::size_t b = 0; b < all_budgets.size(); ++b) {
       const auto& [by_returned, by_evaluated] = rated[g][b];
-      Json ratings = report::list_of(by_returned, rating_data);
-      Json first = Json::array();
-      for (std::size_t i = 0; i < std::min(drawn, ratings.size()); ++i) first.push_back(ratings[i]);
-      for (Json& rating : ratings) rating.erase("progress");  // only the first ones are drawn
+      Curves curves = curves_of(by_returned);
       budgets.push_back({{"budget", all_budgets[b]},
                          {"of", group.problems.size()},
                          {"leader", leader_data(by_returned, by_evaluated, group.problems.size())},
-                         {"ratings", ratings},
-                         {"first", std::move(first)}});
+                         {"ratings", report::list_of(by_returned, rating_data)},
+                         {"first", std::move(curves.first)},
+                         {"paper", std::move(curves.paper)},
+                         {"rest", std::move(curves.rest)}});
     }
     Json problems = Json::array();
     for (const std::size_t q : group.problems) {
@@ -222,6 +252,8 @@ Json group_data(const Comparison& comparison, const std::vector<Group>& groups,
     all.push_back({{"family", group.family},
                    {"ratings", last["ratings"]},  // with the largest budget
                    {"drawn", last["first"]},
+                   {"paper", last["paper"]},
+                   {"rest", last["rest"]},
                    {"budgets", std::move(budgets)},
                    {"problems", std::move(problems)},
                    {"shares", share_rows(comparison, group, last["ratings"])},

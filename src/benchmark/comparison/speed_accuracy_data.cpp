@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "src/benchmark/analysis/result.h"
+#include "src/benchmark/comparison/solver_facts.h"
 #include "src/benchmark/statistics/bootstrap.h"
 #include "src/benchmark/statistics/mean_share.h"
 #include "src/benchmark/statistics/order_statistic_interval.h"
@@ -129,11 +132,41 @@ std::string title_of(const std::string& name, const Json& front, std::size_t all
                      100 * surest["share"].get<double>());
 }
 
+/// Most solvers of a Pareto front that a chart names: the most accurate ones.
+constexpr std::size_t most_named = 5;
+
+/// The name beside a dot: of the best few, of the paper's algorithm and of random search.
+std::string name_at(const std::string& solver, const Json& front) {
+  if (solver == "fireworks") return "fireworks (the paper's)";
+  if (solver == "random-search") return solver;
+  for (std::size_t i = front.size() - std::min(most_named, front.size()); i < front.size(); ++i) {
+    if (front[i]["solver"] == solver) return solver;
+  }
+  return "";
+}
+
+/// The dots by the solvers' kinds, each kind with its most accurate solver first; the kinds by name,
+/// so that one has the same colour in charts of the same kinds.
+Json kinds_of(std::vector<Json> dots, const Json& front) {
+  std::map<std::string, Json> kinds;
+  std::ranges::stable_sort(dots, std::greater(),
+                           [](const Json& dot) { return dot["share"].get<double>(); });
+  for (Json& dot : dots) {
+    const auto solver = dot["solver"].get<std::string>();
+    dot["name"] = name_at(solver, front);
+    kinds.try_emplace(kind_of(solver), Json::array()).first->second.push_back(std::move(dot));
+  }
+  return report::list_of(kinds, [](const auto& kind) {
+    return Json{{"kind", kind.first}, {"dots", kind.second}};
+  });
+}
+
 Json chart_of(const std::string& name, const Json& rows, bool by_time) {
   const char* const cost = by_time ? "seconds" : "evaluations";
   const char* const mark = by_time ? "on_time_front" : "on_front";
   Json front = Json::array();
-  Json others = Json::array();
+  std::vector<Json> dots;
+  std::size_t level = 0;
   double dearest = 0;
   for (const Json& row : rows) {
     Json dot = {{"solver", row["solver"]},
@@ -142,15 +175,16 @@ Json chart_of(const std::string& name, const Json& rows, bool by_time) {
                 {"lower", row["share_lower"]},
                 {"upper", row["share_upper"]}};
     dearest = std::max(dearest, row[cost].get<double>());
-    (row[mark].get<bool>() ? front : others).push_back(std::move(dot));
+    if (row[mark].get<bool>()) front.push_back(dot);
+    dots.push_back(std::move(dot));
   }
   std::stable_sort(front.begin(), front.end(), [](const Json& a, const Json& b) {
     return a["cost"].get<double>() < b["cost"].get<double>();
   });
   const double best = front.back()["share"].get<double>();
-  const auto level = std::count_if(others.begin(), others.end(), [&](const Json& dot) {
-    return dot["upper"].get<double>() >= best;
-  });
+  for (const Json& row : rows) {
+    if (!row[mark].get<bool>() && row["share_upper"].get<double>() >= best) ++level;
+  }
   Json steps = front;
   steps.push_back({{"cost", dearest}, {"share", best}});
   return {{"name", fmt::format("speed-accuracy-{}{}", name, by_time ? "-seconds" : "")},
@@ -163,8 +197,8 @@ Json chart_of(const std::string& name, const Json& rows, bool by_time) {
           {"leading", front.size()},
           {"surest", front.back()["solver"]},
           {"level", level},
+          {"kinds", kinds_of(std::move(dots), front)},
           {"front", std::move(front)},
-          {"others", std::move(others)},
           {"steps", std::move(steps)}};
 }
 

@@ -34,6 +34,7 @@
 #include "src/benchmark/comparison/reported_part.h"
 #include "src/benchmark/comparison/separation_data.h"
 #include "src/benchmark/comparison/share_data.h"
+#include "src/benchmark/comparison/solver_facts.h"
 #include "src/benchmark/comparison/solver_pages.h"
 #include "src/benchmark/comparison/speed_accuracy_data.h"
 #include "src/benchmark/comparison/view_data.h"
@@ -139,6 +140,7 @@ Json compute(const Campaign& campaign, const Store& store) {
     solvers.push_back({{"name", solver.name},
                        {"version", solver.version},
                        {"outside", outside},
+                       {"kind", kind_of(solver.name)},
                        {"needs", solver.capabilities.needs_in_words()}});
   }
   data["campaign"] = campaign.plan().name;

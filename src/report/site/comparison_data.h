@@ -14,6 +14,7 @@ struct NamedSolver {
   std::string name;
   bool outside;
   std::optional<std::string> needs;  ///< "nothing", or kinds of derivatives
+  std::optional<std::string> kind;   ///< "fireworks", "derivatives", ...
 };
 
 struct SpeedAccuracy {
@@ -68,6 +69,7 @@ struct RatedBudget {
   double budget;
   std::vector<Rating> ratings;
   std::vector<Progress> first;  ///< of the first ratings
+  std::optional<std::vector<Progress>> paper;  ///< of the paper's algorithm, if it is none of them
 };
 
 struct PerturbationName {
@@ -104,7 +106,7 @@ struct FamilyData {
   std::vector<BreakEven> break_even_families;
 };
 
-RICOCHET_READ_FROM_JSON(NamedSolver, name, outside, needs);
+RICOCHET_READ_FROM_JSON(NamedSolver, name, outside, needs, kind);
 RICOCHET_READ_FROM_JSON(SpeedAccuracy, family, budget, largest, solver, formulation, complete,
                         problems, evaluations, seconds, share, share_lower, share_upper,
                         optimality_gap, optimality_gap_lower, optimality_gap_upper);
@@ -115,7 +117,7 @@ RICOCHET_READ_FROM_JSON(Rating, solver, formulation, problems, best, share, lowe
                         never, rank);
 RICOCHET_READ_FROM_JSON(Step, evaluations, share);
 RICOCHET_READ_FROM_JSON(Progress, solver, formulation, progress);
-RICOCHET_READ_FROM_JSON(RatedBudget, budget, ratings, first);
+RICOCHET_READ_FROM_JSON(RatedBudget, budget, ratings, first, paper);
 RICOCHET_READ_FROM_JSON(PerturbationName, perturbation);
 RICOCHET_READ_FROM_JSON(PerturbedEntry, shares, family, solver, formulation, problems,
                         least_variables, most_variables, runs, budget);

@@ -107,6 +107,7 @@ class Table {
 Curve curve_of(std::size_t family, double budget, const Progress& first) {
   Curve curve{family, budget, first.solver, first.formulation, {}};
   auto& points = curve.points;
+  if (!first.progress.empty()) points.push_back({first.progress.front().evaluations, 0});
   for (const Step& step : first.progress) {
     const bool level = points.size() > 1 && points.back()[1] == step.share &&
                        points[points.size() - 2][1] == step.share;
@@ -124,8 +125,12 @@ FamilySize size_of(const std::string& name, const std::vector<FamilyProblem>& pr
 }
 
 Comparison comparison_of(const FoundReport& report) {
-  Comparison comparison{report.folder, {}, {}, {}};
-  Table table(report.data.get<ComparisonData>());
+  Comparison comparison{report.folder, {}, {}, {}, {}};
+  const auto data = report.data.get<ComparisonData>();
+  for (const NamedSolver& solver : data.solvers) {
+    if (solver.kind) comparison.kinds[solver.name] = *solver.kind;
+  }
+  Table table(data);
   std::vector<FamilyData> families;
   std::vector<FamilyProblem> problems;
   for (const FoundPage& page : report.pages) {
@@ -143,6 +148,9 @@ Comparison comparison_of(const FoundReport& report) {
       table.add(number, family.family, budget);
       for (const Progress& first : budget.first) {
         comparison.curves.push_back(curve_of(number, budget.budget, first));
+      }
+      for (const Progress& paper : budget.paper.value_or(std::vector<Progress>())) {
+        comparison.curves.push_back(curve_of(number, budget.budget, paper));
       }
     }
     comparison.families.push_back(size_of(family.family, family.problems));

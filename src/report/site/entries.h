@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,7 +63,11 @@ struct Comparison {
   std::vector<FamilySize> families;
   std::vector<Entry> entries;  ///< by family, budget and place
   std::vector<Curve> curves;
+  std::map<std::string, std::string> kinds;  ///< of the solvers, if the data have them
 };
+
+/// Solvers that charts name wherever they lie: the paper's algorithm, and random search.
+inline constexpr const char* always_named[] = {"fireworks", "random-search"};
 
 RICOCHET_JSON(Extent, least, most);
 RICOCHET_JSON(FamilySize, name, problems, variables, constraints);
@@ -70,7 +75,7 @@ RICOCHET_WRITTEN_AS_JSON(Entry, family, budget, place, of, solver, formulation, 
                          targets, lower, upper, returned, never, rank, evaluations, seconds, solved,
                          solved_lower, solved_upper, error, error_lower, error_upper, complete);
 RICOCHET_WRITTEN_AS_JSON(Curve, family, budget, solver, formulation, points);
-RICOCHET_WRITTEN_AS_JSON(Comparison, folder, families, entries, curves);
+RICOCHET_WRITTEN_AS_JSON(Comparison, folder, families, entries, curves, kinds);
 
 /// Returns the comparison of a report that holds "entries", with its pages that hold a "family".
 /// Throws Json::exception if their data are of another version.

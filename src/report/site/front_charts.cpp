@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace ricochet::site {
 namespace {
@@ -15,14 +17,6 @@ using report::Series;
 
 constexpr int width = 520, height = 360;
 
-std::string file_name(std::string text) {
-  for (char& c : text) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-    if (!plain) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : '-';
-  }
-  return text;
-}
-
 /// Returns true if another sample dominates this one.
 bool is_beaten(const Sample& sample, const std::vector<Sample>& all) {
   return std::any_of(all.begin(), all.end(), [&](const Sample& other) {
@@ -31,38 +25,51 @@ bool is_beaten(const Sample& sample, const std::vector<Sample>& all) {
   });
 }
 
-/// The entries of one family with its largest budget.
+/// The kind of a solver; nothing if the data have none.
+std::string kind_in(const Comparison& comparison, const std::string& solver) {
+  const auto kind = comparison.kinds.find(solver);
+  return kind == comparison.kinds.end() ? "" : kind->second;
+}
+
+/// The entries of one family with its largest budget, by kind. Those on the Pareto front have names,
+/// and those that always have.
 Chart entries_chart(const Comparison& comparison, std::size_t family) {
   double budget = 0;
   for (const Entry& entry : comparison.entries) {
     if (entry.family == family) budget = std::max(budget, entry.budget);
   }
-  const std::string& name = comparison.families[family].name;
-  Chart chart{.name = "front-" + file_name(name),
-              .title = budget == 0 ? "All families, with the largest budgets"
-                                   : fmt::format("{}: {} evaluations a variable", name, budget),
+  Chart chart{.name = "front-speed-accuracy",
+              .title = "",
               .x = {"evaluations for each variable", Scale::logarithmic},
               .y = {"success rate [%]", Scale::linear, report::Range{0, 100}},
               .width = width,
               .height = height};
-  std::vector<Series> dots;
+  std::vector<const Entry*> shown;
   std::vector<Sample> places;
   for (const Entry& entry : comparison.entries) {
     const bool fits = entry.family == family && entry.budget == budget && entry.complete;
     if (!fits || entry.evaluations.value_or(0) <= 0 || !entry.solved) continue;
+    shown.push_back(&entry);
     places.push_back({*entry.evaluations, 100 * *entry.solved});
-    dots.push_back(
-        {fmt::format("{}, {}", entry.solver, entry.formulation), Mark::points, {places.back()}});
   }
-  Series dominated{"others", Mark::points, {}};
-  for (Series& dot : dots) {
-    if (is_beaten(dot.samples.front(), places)) {
-      dominated.samples.push_back(dot.samples.front());
-    } else {
-      chart.series.push_back(std::move(dot));
-    }
+  std::map<std::string, Series> kinds;
+  const Entry* best = nullptr;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const Entry& entry = *shown[i];
+    const std::string kind = kind_in(comparison, entry.solver);
+    Series& series = kinds.try_emplace(kind, Series{kind, Mark::points, {}}).first->second;
+    const bool named = !is_beaten(places[i], places) ||
+                       std::ranges::find(always_named, entry.solver) != std::end(always_named);
+    series.samples.push_back(places[i]);
+    if (named) series.samples.back().name = entry.solver;
+    if (best == nullptr || *entry.solved > *best->solved) best = &entry;
   }
-  if (!dominated.samples.empty()) chart.series.push_back(std::move(dominated));
+  for (auto& [kind, series] : kinds) chart.series.push_back(std::move(series));
+  if (best != nullptr) {
+    chart.title = fmt::format("{}: {} solves most, {:.0f} % in {:.3g} evaluations a variable",
+                              comparison.families[family].name, best->solver, 100 * *best->solved,
+                              *best->evaluations);
+  }
   return chart;
 }
 
@@ -70,10 +77,8 @@ Chart entries_chart(const Comparison& comparison, std::size_t family) {
 
 std::vector<Chart> front_charts(const Front& front) {
   std::vector<Chart> charts;
-  if (front.comparison) {
-    for (std::size_t family = 0; family < front.comparison->families.size(); ++family) {
-      charts.push_back(entries_chart(*front.comparison, family));
-    }
+  if (front.comparison && !front.comparison->families.empty()) {
+    charts.push_back(entries_chart(*front.comparison, 0));
   }
   if (front.motion) {
     Chart& chart = charts.emplace_back(front.motion->charts.front());
@@ -86,7 +91,7 @@ std::vector<Chart> front_charts(const Front& front) {
 }
 
 Chart pairs_chart(const Pairs& pairs) {
-  const std::vector<Pair> all = all_pairs(pairs), front = leading(all);
+  const std::vector<Pair> all = all_pairs(pairs), front = leading(within_range(pairs));
   Chart chart{
       .name = "front-solver-and-simulation",
       .title = title_of(pairs),

@@ -49,6 +49,16 @@ std::vector<PairedSolver> solvers_of(const FoundReport& report, const Simulated&
   return solvers;
 }
 
+/// The fastest answer of the cases [rad/s].
+double fastest_of(const Json& cases) {
+  double fastest = 0;
+  for (const Json& one : cases) {
+    const Json& threshold = one.at("threshold");
+    if (threshold.is_number()) fastest = std::max(fastest, threshold.get<double>());
+  }
+  return fastest;
+}
+
 std::string time_text(double seconds) {
   return seconds < 0.1 ? fmt::format("{:.2g} ms", 1e3 * seconds) : fmt::format("{:.2g} s", seconds);
 }
@@ -65,6 +75,7 @@ std::optional<Pairs> pairs_of(const FoundReport& simulating, const FoundReport& 
                simulated.family,
                std::move(simulated.names),
                simulated.tolerance,
+               fastest_of(simulating.data.at("thresholds").at("cases")),
                std::move(solvers),
                std::move(simulated.simulations)};
 }
@@ -76,7 +87,8 @@ std::vector<Pair> all_pairs(const Pairs& pairs) {
     for (std::size_t m = 0; m < pairs.simulations.size(); ++m) {
       const PairedSimulation& simulation = pairs.simulations[m];
       const double spent = solver.own + solver.evaluations * simulation.seconds;
-      all.push_back({s, m, spent / solver.solved, *simulation.error + pairs.tolerance});
+      all.push_back({s, m, spent / solver.solved,
+                     std::min(*simulation.error + pairs.tolerance, pairs.range)});
     }
   }
   return all;
@@ -93,6 +105,13 @@ std::vector<Pair> leading(std::vector<Pair> pairs) {
   return front;
 }
 
+std::vector<Pair> within_range(const Pairs& pairs) {
+  const std::vector<Pair> all = all_pairs(pairs);
+  std::vector<Pair> within = all;
+  std::erase_if(within, [&](const Pair& pair) { return pair.error >= pairs.range; });
+  return within.empty() ? all : within;
+}
+
 std::string name_of(const Pairs& pairs, const Pair& pair) {
   const PairedSimulation& simulation = pairs.simulations[pair.simulation];
   return fmt::format("{}, {}{}{}", pairs.solvers[pair.solver].solver, simulation.simulation,
@@ -100,13 +119,13 @@ std::string name_of(const Pairs& pairs, const Pair& pair) {
 }
 
 std::string title_of(const Pairs& pairs) {
-  const Pair best = leading(all_pairs(pairs)).back();
+  const Pair best = leading(within_range(pairs)).back();
   return fmt::format("The most accurate pair is {}: {:.2g} rad/s in {}", name_of(pairs, best),
                      best.error, time_text(best.seconds));
 }
 
 std::string finding_of(const Pairs& pairs) {
-  const std::vector<Pair> all = all_pairs(pairs), front = leading(all);
+  const std::vector<Pair> all = all_pairs(pairs), front = leading(within_range(pairs));
   const auto told = [&](const Pair& pair) {
     return fmt::format("{} (within {:.2g} rad/s after {})", name_of(pairs, pair), pair.error,
                        time_text(pair.seconds));

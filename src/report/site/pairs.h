@@ -31,6 +31,7 @@ struct Pairs {
   std::string family;      ///< of problems
   std::vector<std::string> cases;
   double tolerance;  ///< [rad/s] within which an answer counts as correct
+  double range;      ///< [rad/s], the fastest answer: no answer is farther off than this tells
   std::vector<PairedSolver> solvers;
   std::vector<PairedSimulation> simulations;
 };
@@ -38,7 +39,8 @@ struct Pairs {
 RICOCHET_WRITTEN_AS_JSON(PairedSolver, solver, formulation, evaluations, own, solved, solved_lower,
                          solved_upper);
 RICOCHET_JSON(PairedSimulation, simulation, control, reference, seconds, error, error_least);
-RICOCHET_WRITTEN_AS_JSON(Pairs, folder, comparison, family, cases, tolerance, solvers, simulations);
+RICOCHET_WRITTEN_AS_JSON(Pairs, folder, comparison, family, cases, tolerance, range, solvers,
+                         simulations);
 
 /// Combines the simulations of a report that holds "simulations" with the solvers of a comparison
 /// on the same family, with the largest budget. Nothing if one of them is missing. Throws
@@ -50,13 +52,16 @@ struct Pair {
   std::size_t solver, simulation;  ///< indices in the lists
   double seconds;  ///< expected until solved, where a run that fails is repeated: (own +
                    ///< evaluations * seconds of a simulation) / solved
-  double error;    ///< [rad/s], upper bound: the simulation's, plus the tolerance
+  double error;    ///< [rad/s], upper bound: the simulation's, plus the tolerance; at most the range
 };
 
 std::vector<Pair> all_pairs(const Pairs& pairs);
 
 /// Returns the Pareto front, by rising time; of equal pairs the first.
 std::vector<Pair> leading(std::vector<Pair> pairs);
+
+/// Returns the pairs with an error within the range; all if none has.
+std::vector<Pair> within_range(const Pairs& pairs);
 
 /// Returns e.g. "bisection, event-driven", with the tolerance or step size if there is one.
 std::string name_of(const Pairs& pairs, const Pair& pair);

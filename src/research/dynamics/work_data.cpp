@@ -10,6 +10,8 @@ namespace {
 
 using report::Json;
 
+constexpr std::size_t named_every = 6;  ///< dots with their tolerance or step beside them
+
 /// Limits of the error: in a chaotic scene of the rate, else of impact times [s].
 std::vector<double> limits_of(const SceneWork& work) {
   if (work.benchmark.chaotic) return {work.rate_spread};
@@ -69,6 +71,13 @@ Errors errors_of(const SceneWork& work) {
           std::pow(10, std::ceil(std::log10(range.upper)) + 1)};
 }
 
+/// A tolerance or step as text: "1e-4", "2e-3 s".
+std::string control_text(const MethodWork& method, const Trial& trial) {
+  const double exponent = std::floor(std::log10(trial.control) + 1e-9);
+  return fmt::format("{:.0f}e{:.0f}{}", trial.control / std::pow(10, exponent), exponent,
+                     method.control == "step [s]" ? " s" : "");
+}
+
 /// Adds the error of every trial over its processor time per impact [s]; for a method without
 /// control only the time.
 void add_trials(const SceneWork& work, Json& data) {
@@ -86,10 +95,16 @@ void add_trials(const SceneWork& work, Json& data) {
       continue;
     }
     Json trials = Json::array();
-    for (const Trial& trial : method.trials) {
+    for (std::size_t i = 0; i < method.trials.size(); ++i) {
+      const Trial& trial = method.trials[i];
+      const std::string control = control_text(method, trial);
+      // Names beside all dots would hide the dots.
+      const bool named = i % named_every == 0 || i + 1 == method.trials.size();
       trials.push_back(
           {{"cost", cost_of(work, trial)},
-           {"error", trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper}});
+           {"error", trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper},
+           {"control", control},
+           {"named", named ? control : ""}});
     }
     data["controlled"].push_back({{"method", method.method}, {"trials", std::move(trials)}});
   }

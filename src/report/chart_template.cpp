@@ -47,7 +47,8 @@ std::vector<Scopes> categories_of(const Part& axis, const Scopes& scopes) {
   std::vector<Scopes> places;
   if (!axis.has("categories")) return places;
   for (const Json& entry : found_in(scopes, axis.text("categories"))) {
-    places.push_back(with(scopes, entry));
+    const Scopes place = with(scopes, entry);
+    if (!axis.has("where") || holds(axis.text("where"), place)) places.push_back(place);
   }
   if (chosen<bool>(axis, "order", scopes, {{"up", false}, {"down", true}})) {
     std::reverse(places.begin(), places.end());

@@ -35,10 +35,10 @@ struct DrawnPage {
 ///     a column                title, value, align = "left" (default right), state, link
 ///   [[section.chart]]         name, title, caption, x, y, series, lines, heat_map
 ///     an axis, x or y         label with its unit, scale = "logarithmic", range = [from, to],
-///                             categories, category, order = "down" (default up)
+///                             categories, where, category, order = "down" (default up)
 ///     a series                label, mark = "steps" or "points" (default line),
 ///                             look = "pale" (default coloured), name of each point,
-///                             rows, where, x, y, lower, upper; or samples = [[x, y], ...]
+///                             rows, where, x, y, lower, upper, start; or samples = [[x, y], ...]
 ///     a line                  label; vertical, a place on x, or horizontal, one on y
 ///     the heat_map            label of the colours, cells, value, range
 ///
@@ -56,7 +56,8 @@ struct DrawnPage {
 /// that must be true, or with a ^ before it must not be; `rows` of a series may be several lists,
 /// which are concatenated. Joined samples are sorted. A number that is missing, or not positive on
 /// a logarithmic axis, is a gap; a line or a range with such a number is omitted. `lower` and
-/// `upper` are the bounds of the spread around y.
+/// `upper` are the bounds of the spread around y. A series with a `start` begins at that value, at the
+/// position of its first sample.
 ///
 /// `categories` names a list whose entries label the axis instead of numbers, with the text
 /// `category`, which looks up names in the entry first. A heat map has a row for each entry of y:

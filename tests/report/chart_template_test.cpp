@@ -54,6 +54,15 @@ std::vector<std::optional<double>> values(const Series& series) {
   return all;
 }
 
+TEST(ChartTemplate, BeginsASeriesAtItsStart) {
+  const Series series =
+      with_series("mark = \"steps\", rows = \"rows\", x = \"speed\", y = \"share:%\", start = 0")
+          .series.at(0);
+  EXPECT_THAT(positions(series), ElementsAre(1, 1, 2, 3));
+  EXPECT_THAT(values(series).front(), Optional(0.0));
+  EXPECT_THAT(values(series).at(1), Optional(25.0));
+}
+
 TEST(ChartTemplate, FillsInTextsAndNumbers) {
   const Chart chart = made(R"(
 width = 700

@@ -35,6 +35,18 @@ TEST(Frame, TurnsAndShortensNamesThatAreLongerThanTheirPlaces) {
   EXPECT_LT(frame.plot.height(), frame_of(heat_map_chart({{1, 2, 3}})).plot.height());
 }
 
+TEST(Frame, RepeatsTheNamesOfColumnsAboveALongHeatMap) {
+  using Rows = std::vector<std::vector<std::optional<double>>>;
+  Chart chart = heat_map_chart(Rows(20, {1, 2}));
+  EXPECT_FALSE(frame_of(chart).names_above);
+  const double cells = frame_of(chart).plot.height();
+  chart = heat_map_chart(Rows(21, {1, 2}));
+  const Frame frame = frame_of(chart);
+  EXPECT_TRUE(frame.names_above);
+  EXPECT_EQ(frame.plot.height(), cells) << "the picture grows, not the names' room alone";
+  EXPECT_GT(frame.plot.top, frame_of(heat_map_chart(Rows(20, {1, 2}))).plot.top);
+}
+
 TEST(Frame, LeavesNamesOutWhereTheyWouldLieOnEachOther) {
   Chart chart = heat_map_chart({std::vector<std::optional<double>>(200, 1.0)});
   const Frame frame = frame_of(chart);

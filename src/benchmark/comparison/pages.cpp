@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -72,6 +73,23 @@ Json solver_map(const Json& speed_accuracy, const Json& families) {
   return rows;
 }
 
+/// Returns how many solvers solve most of some family; nothing if one is the only one in all.
+Json map_leaders(const Json& map, std::size_t families) {
+  std::set<std::string> leaders;
+  for (std::size_t f = 0; f < families; ++f) {
+    double most = 0;
+    std::string leader;
+    for (const Json& row : map) {
+      const Json& share = row.at("shares").at(f);
+      if (share.is_null() || share.get<double>() <= most) continue;
+      most = share.get<double>();
+      leader = row.at("solver").get<std::string>();
+    }
+    if (!leader.empty()) leaders.insert(leader);
+  }
+  return leaders.size() > 1 ? Json(leaders.size()) : Json();
+}
+
 }  // namespace
 
 Json in_pages(Json all) {
@@ -92,6 +110,7 @@ Json in_pages(Json all) {
   }
   all.erase("groups");
   all["map"] = solver_map(all["speed_accuracy"], families);
+  all["map_leaders"] = map_leaders(all["map"], families.size());
   all["families"] = std::move(families);
   for (const char* key : of_a_family) {
     if (key == std::string("speed_accuracy_charts")) continue;

@@ -155,6 +155,12 @@ void adjust(Json& summaries) {
   }
 }
 
+/// Returns true if some of these success rates is not 0.
+bool solves(const Json& shares) {
+  return std::ranges::any_of(
+      shares, [](const Json& share) { return !share.is_null() && share.get<double>() > 0; });
+}
+
 }  // namespace
 
 Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& all) {
@@ -197,6 +203,7 @@ Json perturbation_data(const Campaign& campaign, const std::vector<CellResult>& 
     const Tried& family = tried.at(key.first);
     rows.push_back(
         {{"entry", fmt::format("{}: {}, {}", key.first, key.second, formulation)},
+         {"solves", solves(cells)},
          {"shares", std::move(cells)},
          {"family", key.first},
          {"solver", key.second},

@@ -56,6 +56,20 @@ TEST(Groups, SayInTheSameRowThatAnotherIsFirstByTheBestEvaluatedPoint) {
   EXPECT_EQ(leader["by_evaluated"]["surrogate"], false);
 }
 
+TEST(Groups, HaveTheCurvesOfTheFirstWithTheEndsAloneOfLevelParts) {
+  const Json budget = group_of(two, run_of(true, true), run_of(false, false))["budgets"][0];
+  ASSERT_EQ(budget["first"].size(), 2U);
+  EXPECT_TRUE(budget["paper"].empty());
+  EXPECT_TRUE(budget["rest"].empty());
+  const Json& progress = budget["first"][0]["progress"];
+  EXPECT_EQ(budget["first"][0]["solver"], "chance-a");
+  EXPECT_EQ(progress.back()["share"], 1);
+  for (std::size_t i = 2; i < progress.size(); ++i) {
+    EXPECT_FALSE(progress[i]["share"] == progress[i - 1]["share"] &&
+                 progress[i]["share"] == progress[i - 2]["share"]);
+  }
+}
+
 TEST(Groups, NameNobodyFirstWhereNobodySolvedARun) {
   const Json leader =
       group_of(two, run_of(true, false), run_of(false, false))["budgets"][0]["leader"];

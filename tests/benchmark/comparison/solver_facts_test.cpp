@@ -22,6 +22,14 @@ TEST(SolverFacts, AreThoseOfTheSolverItselfAndNoneOfAUsers) {
   EXPECT_FALSE(settings_of("hill-climber").has_value());
 }
 
+TEST(SolverFacts, HaveAKindOfEverySolverOfTheSuite) {
+  for (const Solver& solver : all_solvers()) EXPECT_NE(kind_of(solver.name), "other") << solver.name;
+  EXPECT_EQ(kind_of("fireworks-authors"), "fireworks");
+  EXPECT_EQ(kind_of("nlopt-auglag-bobyqa"), "models");
+  EXPECT_EQ(kind_of("nlopt-auglag-lbfgs"), "derivatives");
+  EXPECT_EQ(kind_of("hill-climber"), "other");
+}
+
 TEST(SolverFacts, SayHowOldIpoptIs) {
   EXPECT_NE(library_note("Ipopt 3.11.9").find("2014"), std::string::npos);
   EXPECT_EQ(library_note("Ipopt 3.14.0"), "");

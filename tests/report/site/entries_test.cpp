@@ -89,9 +89,26 @@ TEST(Entries, OfAllFamiliesTogetherComeFirstBestFirst) {
   EXPECT_EQ(comparison.entries[2].family, 1U);
 }
 
-TEST(Curves, LeaveOutTheMidstOfALevel) {
+TEST(Curves, BeginAtNothingAndLeaveOutTheMidstOfALevel) {
   const Comparison comparison = comparison_of(found_comparison());
   EXPECT_EQ(Json(comparison.curves.at(0).points).dump(), "[[1.0,0.0],[4.0,0.0],[8.0,0.5]]");
+  Json family = small_family();
+  Json& first = family["budgets"][0]["first"];
+  for (Json& step : first[0]["progress"]) step["share"] = 0.5;
+  family["budgets"][0]["paper"] = {first[0]};
+  family["budgets"][0]["paper"][0]["solver"] = "fireworks";
+  const Comparison other = comparison_of(found_comparison(small_comparison(), {family}));
+  EXPECT_EQ(Json(other.curves.at(0).points).dump(), "[[1.0,0.0],[1.0,0.5],[8.0,0.5]]");
+  EXPECT_EQ(other.curves.at(1).solver, "fireworks");
+}
+
+TEST(Entries, KnowTheKindsOfSolversIfTheDataDo) {
+  Json data = small_comparison();
+  EXPECT_TRUE(comparison_of(found_comparison(data)).kinds.empty());
+  data["solvers"][0]["kind"] = "direct search";
+  const Comparison comparison = comparison_of(found_comparison(data));
+  EXPECT_EQ(comparison.kinds.size(), 1U);
+  EXPECT_EQ(comparison.kinds.begin()->second, "direct search");
 }
 
 TEST(Comparison, OfAnotherVersionIsNotRead) {

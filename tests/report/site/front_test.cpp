@@ -50,6 +50,7 @@ TEST(Front, HasTheExcerptsOfFurtherPagesToo) {
 TEST(Front, HasTheChartsOfTheFirstReportThatHasSome) {
   std::vector<FoundReport> reports(2, telling());
   reports[1].folder = "second";
+  reports[1].headline->holds = {"simulations"};
   reports[1].headline->charts.push_back({.name = "mild", .title = "Mild", .x = {}, .y = {}});
   const Front front = front_of(reports);
   ASSERT_TRUE(front.motion);

@@ -50,6 +50,7 @@ FoundReport moving() {
          {"formulations", {"count", "penalised-count"}},
          {"names", {"C1"}},
          {"tolerance", 0.01},
+         {"cases", {{{"case", "C1"}, {"threshold", 8.0}}, {{"case", "C2"}, {"threshold", nullptr}}}},
          {"simulations",
           {simulated("exact", "", 1e-4, 0.0), simulated("coarse", "step 1e-2", 1e-6, 2.0),
            simulated("slow", "tolerance 1e-9", 1e-2, 1e-9),
@@ -87,6 +88,17 @@ TEST(Pairs, LeadWhereNoOtherIsAsFastAndAsAccurate) {
   EXPECT_EQ(finding_of(data),
             "Of 6 pairs the most accurate is halving, exact (within 0.01 rad/s after 1.9 ms); the "
             "fastest is halving, coarse step 1e-2 (within 2 rad/s after 0.91 ms).");
+}
+
+TEST(Pairs, ErrByNoMoreThanTheFastestThreshold) {
+  FoundReport wild = moving();
+  wild.data["thresholds"]["simulations"][1]["error"] = 100.0;
+  const Pairs data = pairs_of(wild, racing()).value();
+  EXPECT_EQ(data.range, 8);
+  EXPECT_EQ(all_pairs(data)[1].error, 8);  // halving, coarse
+  EXPECT_EQ(within_range(data).size(), 4U);
+  EXPECT_THAT(finding_of(data), HasSubstr("halving, exact (within 0.01 rad/s after 1.9 ms)"));
+  EXPECT_THAT(finding_of(data), testing::Not(HasSubstr("coarse")));
 }
 
 TEST(Pairs, AreNothingWithoutSolversOrSimulations) {

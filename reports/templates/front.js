@@ -28,6 +28,16 @@ const percent = (share) => share === null ? "–" : `${Math.round(100 * share)} 
 
 // ---- charts ----
 
+// A place for a name near its point: within the area, and on nothing that is there. Far ones need a line.
+const roomFor = (width, at, area, taken) => {
+  const height = 14;
+  return [[7, 0], [-width - 7, 0], [7, -12], [7, 12], [-width - 7, -12], [-width - 7, 12], [-width / 2, -14], [-width / 2, 14],
+          [14, -26], [14, 26], [-width - 14, -26], [-width - 14, 26], [14, -42], [14, 42], [-width - 14, -42], [-width - 14, 42]]
+    .map(([dx, dy]) => ({left: at.x + dx, top: at.y + dy - height / 2, right: at.x + dx + width, bottom: at.y + dy + height / 2, far: Math.abs(dy) > 20}))
+    .find((b) => b.left >= area.left && b.right <= area.right && b.top >= area.top && b.bottom <= area.bottom &&
+      !taken.some((t) => b.left < t.right && b.right > t.left && b.top < t.bottom && b.bottom > t.top));
+};
+
 // Intervals around points, and names beside them where there is room.
 const namesAndIntervals = {
   id: "namesAndIntervals",
@@ -58,23 +68,27 @@ const namesAndIntervals = {
     chart.data.datasets.forEach((set, index) => {
       if (!chart.isDatasetVisible(index)) return;
       for (const point of set.data) {
-        if (!point.name) continue;
-        const width = ctx.measureText(point.name).width, height = 14;
         const at = {x: x.getPixelForValue(point.x), y: y.getPixelForValue(point.y)};
-        const places = [[7, 0], [-width - 7, 0], [7, -12], [7, 12], [-width - 7, -12], [-width - 7, 12], [-width / 2, -14], [-width / 2, 14],
-                        [14, -26], [14, 26], [-width - 14, -26], [-width - 14, 26], [14, -42], [14, 42], [-width - 14, -42], [-width - 14, 42]];
-        const box = places
-          .map(([dx, dy]) => ({left: at.x + dx, top: at.y + dy - height / 2, right: at.x + dx + width, bottom: at.y + dy + height / 2, far: Math.abs(dy) > 20}))
-          .find((b) => b.left >= area.left && b.right <= area.right && b.top >= area.top && b.bottom <= area.bottom &&
-            !taken.some((t) => b.left < t.right && b.right > t.left && b.top < t.bottom && b.bottom > t.top));
+        // Where the name has no room, the short one may.
+        const [text, box] = [point.name, point.short].filter(Boolean)
+          .map((name) => [name, roomFor(ctx.measureText(name).width, at, area, taken)]).find(([, found]) => found) ?? [];
         if (!box) continue;
         taken.push(box);
+        if (box.far) {  // a line leads from the dot to the name
+          ctx.strokeStyle = colour("--quiet");
+          ctx.lineWidth = 0.6;
+          ctx.beginPath();
+          ctx.moveTo(at.x, at.y);
+          ctx.lineTo(box.left > at.x ? box.left : box.right, (box.top + box.bottom) / 2);
+          ctx.stroke();
+          ctx.lineWidth = 1;
+        }
         ctx.fillStyle = colour("--paper");
         ctx.globalAlpha = 0.75;
-        ctx.fillRect(box.left - 1, box.top, width + 2, height);
+        ctx.fillRect(box.left - 1, box.top, box.right - box.left + 2, box.bottom - box.top);
         ctx.globalAlpha = 1;
         ctx.fillStyle = set.nameColour || set.borderColor;
-        ctx.fillText(point.name, box.left, (box.top + box.bottom) / 2);
+        ctx.fillText(text, box.left, (box.top + box.bottom) / 2);
       }
     });
     ctx.restore();
@@ -134,6 +148,34 @@ const draw = (id, datasets, x, y, describe, click) => {
     },
     plugins: [namesAndIntervals],
   });
+  offerChart(id, x, y, describe);
+};
+
+// Buttons in a corner of the chart: its dots as a CSV file, and the picture as a PNG file.
+const offerChart = (id, x, y, describe) => {
+  const canvas = element(id), buttons = document.createElement("p");
+  const quoted = (value) => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
+  const csv = () => {
+    const lines = charts[id].data.datasets.flatMap((set) => set.data.map((point) =>
+      [String([describe(point, set)].flat()[0]), String(point.x), String(point.y)].map(quoted).join(",")));
+    return "data:text/csv;charset=utf-8," + encodeURIComponent([["name", x.title.text, y.title.text].map(quoted).join(","), ...lines].join("\n") + "\n");
+  };
+  buttons.className = "chart-data";
+  for (const [label, address] of [["CSV", csv], ["PNG", () => canvas.toDataURL("image/png")]]) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = label;
+    button.setAttribute("aria-label", `${label} of this chart: ${y.title.text} over ${x.title.text}`);
+    button.addEventListener("click", () => {
+      const link = document.createElement("a");
+      link.href = address();
+      link.download = `${id}.${label.toLowerCase()}`;
+      link.click();
+    });
+    buttons.append(button);
+  }
+  canvas.parentElement.querySelector(".chart-data")?.remove();
+  canvas.after(buttons);
 };
 
 const fill = (select, entries) => {
@@ -458,7 +500,7 @@ const drawMotion = () => {
   const datasets = view.series.map((series, i) => {
     const own = series.pale ? colour("--ink") : colours[i % colours.length];
     const data = series.samples.map(({position, value, name}) => ({x: position, y: value, series, control: name}));
-    data.at(-1).name = [series.label, data.at(-1).control].filter(Boolean).join(" ");
+    Object.assign(data.at(-1), {name: [series.label, data.at(-1).control].filter(Boolean).join(" "), short: series.label});
     if (data.length > 1) data[0].name = data[0].control;
     return {label: series.label, data, showLine: data.length > 1, borderColor: own, backgroundColor: own, borderWidth: 1.5,
             pointRadius: series.pale ? 6 : 3, pointStyle: series.pale ? "rectRot" : "circle", pointHitRadius: 6};

@@ -43,8 +43,10 @@ class Rows {
  public:
   explicit Rows(const Chart& chart) : chart_(chart) {
     for (const Series& series : chart.series) {
-      spreads_ |= std::ranges::any_of(series.samples, [](const Sample& s) { return s.spread.has_value(); });
-      names_ |= std::ranges::any_of(series.samples, [](const Sample& s) { return !s.name.empty(); });
+      spreads_ |=
+          std::ranges::any_of(series.samples, [](const Sample& s) { return s.spread.has_value(); });
+      names_ |=
+          std::ranges::any_of(series.samples, [](const Sample& s) { return !s.name.empty(); });
     }
     spreads_ |= !chart.areas.empty();
   }

@@ -163,12 +163,10 @@ std::string with_numbers(const Chart& chart, const DrawnChart& drawn) {
 
 Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& writing) {
   const Chart& chart = figure.chart;
-  return {{"html", with_numbers(chart, drawn)},
-          {"markdown", markdown_of(drawn)},
-          {"caption", writing.linked(figure.caption)},
-          {"frame", writing.plain(figure.frame)},
-          {"max_width", chart.width * 115 / 100},
-          {"wide", chart.width >= wide_chart}};
+  return {{"html", with_numbers(chart, drawn)},        {"markdown", markdown_of(drawn)},
+          {"caption", writing.linked(figure.caption)}, {"frame", writing.plain(figure.frame)},
+          {"title", writing.plain(chart.title)},
+          {"max_width", chart.width * 115 / 100},      {"wide", chart.width >= wide_chart}};
 }
 
 /// Groups figures: the frames of one choice are placed together.

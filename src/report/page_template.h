@@ -56,8 +56,8 @@ struct DrawnPage {
 /// that must be true, or with a ^ before it must not be; `rows` of a series may be several lists,
 /// which are concatenated. Joined samples are sorted. A number that is missing, or not positive on
 /// a logarithmic axis, is a gap; a line or a range with such a number is omitted. `lower` and
-/// `upper` are the bounds of the spread around y. A series with a `start` begins at that value, at the
-/// position of its first sample.
+/// `upper` are the bounds of the spread around y. A series with a `start` begins at that value, at
+/// the position of its first sample.
 ///
 /// `categories` names a list whose entries label the axis instead of numbers, with the text
 /// `category`, which looks up names in the entry first. A heat map has a row for each entry of y:

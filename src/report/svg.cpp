@@ -165,10 +165,9 @@ class Painter {
     std::vector<Outline> outlines;
     if (series.mark == Mark::points) {
       for (const bool pale : {true, false}) {
-        drawing_.paint({.stroke = pale ? "#d4d4d4" : colour,
-                        .width = pale ? "0.5" : "1.2",
-                        .clip = clip_},
-                       bars(series, pale));
+        drawing_.paint(
+            {.stroke = pale ? "#d4d4d4" : colour, .width = pale ? "0.5" : "1.2", .clip = clip_},
+            bars(series, pale));
       }
       return;
     }

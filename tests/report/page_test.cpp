@@ -85,11 +85,12 @@ TEST_F(PageFiles, HaveTheNumbersOfEveryChartAndAScriptThatOffersThem) {
   write_page(page_with({"one", "two"}), root_);
   const std::string html = read(root_ / "index.html");
   std::size_t charts = 0;
-  for (std::size_t at = 0; (at = html.find("class=\"chart-csv\">", at)) != std::string::npos; ++at) {
+  for (std::size_t at = 0; (at = html.find("class=\"chart-csv\">", at)) != std::string::npos;
+       ++at) {
     ++charts;
   }
   EXPECT_EQ(charts, 2);
-  EXPECT_THAT(html, AllOf(HasSubstr("\\n1,2\\n"), HasSubstr("figure > script.chart-csv")));
+  EXPECT_THAT(html, AllOf(HasSubstr("path,1,2\\n"), HasSubstr("figure > script.chart-csv")));
   write_page(page_with({}), root_);
   EXPECT_THAT(read(root_ / "index.html"), Not(HasSubstr("<script")));
 }

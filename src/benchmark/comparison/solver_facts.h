@@ -17,8 +17,8 @@ struct SolverSettings {
 /// Nothing for a solver that reports/templates/solvers.toml does not have, such as a user's.
 std::optional<SolverSettings> settings_of(const std::string& solver);
 
-/// Its kind in a word or two: "fireworks", "derivatives"; "other" for a solver that solvers.toml does
-/// not have.
+/// Its kind in a word or two: "fireworks", "derivatives"; "other" for a solver that solvers.toml
+/// does not have.
 std::string kind_of(const std::string& solver);
 
 /// What a reader must know of the library of this version, such as its age; mostly empty.

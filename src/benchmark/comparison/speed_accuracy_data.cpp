@@ -145,8 +145,8 @@ std::string name_at(const std::string& solver, const Json& front) {
   return "";
 }
 
-/// The dots by the solvers' kinds, each kind with its most accurate solver first; the kinds by name,
-/// so that one has the same colour in charts of the same kinds.
+/// The dots by the solvers' kinds, each kind with its most accurate solver first; the kinds by
+/// name, so that one has the same colour in charts of the same kinds.
 Json kinds_of(std::vector<Json> dots, const Json& front) {
   std::map<std::string, Json> kinds;
   std::ranges::stable_sort(dots, std::greater(),
@@ -214,7 +214,9 @@ Json speed_accuracy_data(const Campaign& campaign, const std::vector<EntrySet>& 
       charts.push_back(chart_of(set.family, rows, false));
       if (draws_time) charts.push_back(chart_of(set.family, rows, true));
       for (const Json& row : rows) {
-        if (!row["on_front"].get<bool>() && !row["on_time_front"].get<bool>()) continue;
+        const bool leads = row["on_front"].get<bool>() || row["on_time_front"].get<bool>();
+        // An entry that solves nothing is not worth a row, though none may be cheaper.
+        if (!leads || row["share"].get<double>() == 0) continue;
         fronts.push_back(row);
       }
     }

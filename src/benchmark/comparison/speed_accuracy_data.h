@@ -24,7 +24,8 @@ namespace ricochet::studies::comparison {
 /// Rows of the family "all", whose budget and optimality gap are null, join the families of which
 /// at least half of all solvers take all problems, with the largest budgets.
 /// `speed_accuracy_charts` has the data of the charts: for each family the largest budgets, and for
-/// all together also against seconds; `speed_accuracy_front` has the rows on their Pareto fronts.
+/// all together also against seconds; `speed_accuracy_front` has the rows on their
+/// Pareto fronts that solved some run.
 report::Json speed_accuracy_data(const Campaign& campaign, const std::vector<EntrySet>& sets);
 
 }  // namespace ricochet::studies::comparison

@@ -68,7 +68,7 @@ struct Progress {
 struct RatedBudget {
   double budget;
   std::vector<Rating> ratings;
-  std::vector<Progress> first;  ///< of the first ratings
+  std::vector<Progress> first;                 ///< of the first ratings
   std::optional<std::vector<Progress>> paper;  ///< of the paper's algorithm, if it is none of them
 };
 

@@ -31,8 +31,8 @@ std::string kind_in(const Comparison& comparison, const std::string& solver) {
   return kind == comparison.kinds.end() ? "" : kind->second;
 }
 
-/// The entries of one family with its largest budget, by kind. Those on the Pareto front have names,
-/// and those that always have.
+/// The entries of one family with its largest budget, by kind. Those on the Pareto front have
+/// names, and those that always have.
 Chart entries_chart(const Comparison& comparison, std::size_t family) {
   double budget = 0;
   for (const Entry& entry : comparison.entries) {

@@ -70,14 +70,10 @@ std::optional<Pairs> pairs_of(const FoundReport& simulating, const FoundReport& 
   std::erase_if(simulated.simulations, [](const PairedSimulation& one) { return !one.error; });
   std::vector<PairedSolver> solvers = solvers_of(comparing, simulated);
   if (solvers.empty() || simulated.simulations.empty()) return std::nullopt;
-  return Pairs{simulating.folder,
-               comparing.folder,
-               simulated.family,
-               std::move(simulated.names),
-               simulated.tolerance,
-               fastest_of(simulating.data.at("thresholds").at("cases")),
-               std::move(solvers),
-               std::move(simulated.simulations)};
+  return Pairs{simulating.folder,   comparing.folder,
+               simulated.family,    std::move(simulated.names),
+               simulated.tolerance, fastest_of(simulating.data.at("thresholds").at("cases")),
+               std::move(solvers),  std::move(simulated.simulations)};
 }
 
 std::vector<Pair> all_pairs(const Pairs& pairs) {

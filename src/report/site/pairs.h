@@ -52,7 +52,7 @@ struct Pair {
   std::size_t solver, simulation;  ///< indices in the lists
   double seconds;  ///< expected until solved, where a run that fails is repeated: (own +
                    ///< evaluations * seconds of a simulation) / solved
-  double error;    ///< [rad/s], upper bound: the simulation's, plus the tolerance; at most the range
+  double error;  ///< [rad/s], upper bound: the simulation's, plus the tolerance; at most the range
 };
 
 std::vector<Pair> all_pairs(const Pairs& pairs);

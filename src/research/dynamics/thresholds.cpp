@@ -193,7 +193,7 @@ ThresholdStudy study_thresholds(const ThresholdPlan& plan,
 
 ThresholdData data_of(const ThresholdStudy& study) {
   ThresholdData data{.family = "top-speed",
-                     .forms = {"count", "penalised-count"},
+                     .formulations = {"count", "penalised-count"},
                      .names = study.plan.cases,
                      .tolerance = found_within,
                      .tried = study.simulations.size()};

@@ -69,8 +69,9 @@ struct ReferenceThreshold {
 RICOCHET_WRITTEN_AS_JSON(ReferenceThreshold, case_, threshold);
 
 struct ThresholdData {
-  std::string family = {};              ///< of problems whose answers are the thresholds
-  std::vector<std::string> forms = {};  ///< of these, those in which an evaluation is a simulation
+  std::string family = {};  ///< of problems whose answers are the thresholds
+  std::vector<std::string> formulations =
+      {};                               ///< of these, those in which an evaluation is a simulation
   std::vector<std::string> names = {};  ///< of the cases
   std::vector<ReferenceThreshold> cases = {};
   double tolerance = {};
@@ -80,7 +81,7 @@ struct ThresholdData {
   int within = 0;
   std::size_t tried = 0;
 };
-RICOCHET_WRITTEN_AS_JSON(ThresholdData, family, forms, names, cases, tolerance, simulations,
+RICOCHET_WRITTEN_AS_JSON(ThresholdData, family, formulations, names, cases, tolerance, simulations,
                          cheapest, level, within, tried);
 
 /// Cost and error of every simulation.

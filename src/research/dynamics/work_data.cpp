@@ -99,7 +99,8 @@ void add_trials(const SceneWork& work, Json& data) {
       const Trial& trial = method.trials[i];
       const std::string control = control_text(method, trial);
       // Names beside all dots would hide the dots.
-      const bool named = i % named_every == 0 || i + 1 == method.trials.size();
+      const bool last = i + 1 == method.trials.size();
+      const bool named = i == 0 || last || (!work.benchmark.chaotic && i % named_every == 0);
       trials.push_back(
           {{"cost", cost_of(work, trial)},
            {"error", trial.error ? std::max(*trial.error, smallest_error(work)) : errors.upper},

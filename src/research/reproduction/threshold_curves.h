@@ -19,7 +19,7 @@ RICOCHET_WRITTEN_AS_JSON(CurvePoint, restitution, speed);
 /// The fastest quiet speed in the long run over restitution, of machines alike in all else.
 struct ThresholdCurve {
   double friction;
-  double disturbance;                  ///< [N]
+  double disturbance;              ///< [N]
   std::vector<CurvePoint> points;  ///< by rising restitution
 };
 RICOCHET_WRITTEN_AS_JSON(ThresholdCurve, friction, disturbance, points);
@@ -31,9 +31,9 @@ std::vector<ThresholdCurve> threshold_curves(const std::vector<carrier_track::Ca
                                              const carrier_track::Scene& interpretation, int steps,
                                              double highest);
 
-/// The curves, and what they say: by which factors the lowest restitution of the paper's cases has a
-/// faster threshold than the highest, and by which shares the largest disturbance lowers thresholds.
-/// Null without curves.
+/// The curves, and what they say: by which factors the lowest restitution of the paper's cases has
+/// a faster threshold than the highest, and by which shares the largest disturbance lowers
+/// thresholds. Null without curves.
 report::Json threshold_curve_data(const std::vector<ThresholdCurve>& curves);
 
 }  // namespace ricochet::studies::reproduction

@@ -23,7 +23,8 @@ TEST(SolverFacts, AreThoseOfTheSolverItselfAndNoneOfAUsers) {
 }
 
 TEST(SolverFacts, HaveAKindOfEverySolverOfTheSuite) {
-  for (const Solver& solver : all_solvers()) EXPECT_NE(kind_of(solver.name), "other") << solver.name;
+  for (const Solver& solver : all_solvers())
+    EXPECT_NE(kind_of(solver.name), "other") << solver.name;
   EXPECT_EQ(kind_of("fireworks-authors"), "fireworks");
   EXPECT_EQ(kind_of("nlopt-auglag-bobyqa"), "models");
   EXPECT_EQ(kind_of("nlopt-auglag-lbfgs"), "derivatives");

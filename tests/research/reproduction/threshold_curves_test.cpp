@@ -18,8 +18,8 @@ TEST(ThresholdCurves, MeetThePapersCases) {
   ASSERT_EQ(curves.size(), 6U);  // two frictions, three disturbances
   int met = 0;
   for (const Case& c : all_cases()) {
-    const auto expected = quiet_up_to(scene_of(c, interpretation), quiet_per_turn,
-                                      {slowest_speed, fastest_speed});
+    const auto expected =
+        quiet_up_to(scene_of(c, interpretation), quiet_per_turn, {slowest_speed, fastest_speed});
     for (const ThresholdCurve& curve : curves) {
       if (curve.friction != c.friction || curve.disturbance != c.disturbance) continue;
       for (const CurvePoint& point : curve.points) {

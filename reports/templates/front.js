@@ -138,7 +138,7 @@ const draw = (id, datasets, x, y, describe, click) => {
       interaction: {mode: "nearest", intersect: true},
       scales: {x, y},
       plugins: {
-        legend: {display: datasets.some((set) => set.kind), position: "bottom", onClick: () => {},
+        legend: {display: datasets.some((set) => set.kind), position: "top", align: "start", onClick: () => {},
                  labels: {color: colour("--ink"), boxWidth: 8, boxHeight: 8, usePointStyle: true, filter: ({datasetIndex}) => datasets[datasetIndex].kind}},
         tooltip: {callbacks: {label: (item) => describe(item.raw, item.dataset)}, displayColors: false},
       },

@@ -103,7 +103,7 @@ Results results_of(const StudyPlan& plan, const Catalogue& catalogue,
   results.trends = trends(results.grid);
   results.maps = restitution_maps(results.cases);
   results.curves = threshold_curves(all_cases(), results.interpretation.scene,
-                                    plan.coarse_grid ? 9 : 36, plan.scan.highest);
+                                    plan.coarse_grid, plan.scan.highest);
   make_runs(results.comparison->campaign, {}, results.comparison->store);
   return results;
 }

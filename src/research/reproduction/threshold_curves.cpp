@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "problems/carrier_track/problems/speed_range.h"
 #include "ricochet/regimes.h"
@@ -15,10 +16,19 @@ namespace {
 
 using namespace carrier_track;
 
-// In thousandths, so that a restitution of a case is met exactly.
-constexpr int least_restitution = 50, most_restitution = 950;
 // Between which the effect of restitution is told: those of the paper's cases.
 constexpr double low = 0.1, high = 0.9;
+
+/// Restitutions in thousandths, so that one of a case is met exactly: closer where curves are
+/// steep.
+std::vector<int> thousandths_of(bool disturbed, bool coarse) {
+  if (disturbed) return {50, 75, 100, 150, 200, 300, 400, 500, 600, 700, 800, 900, 950};
+  std::vector<int> all;
+  for (int thousandths = 50; thousandths <= 950; thousandths += coarse ? 50 : 25) {
+    all.push_back(thousandths);
+  }
+  return all;
+}
 
 std::optional<double> threshold_of(const Scene& scene, double highest) {
   if (!has_regimes(scene)) return std::nullopt;
@@ -66,9 +76,10 @@ Extremes losses_of(const std::vector<ThresholdCurve>& curves) {
     for (const ThresholdCurve& shaken : curves) {
       const bool pair = still.friction == shaken.friction && still.disturbance == 0 &&
                         shaken.disturbance == most && most > 0;
-      for (std::size_t i = 0; pair && i < still.points.size(); ++i) {
-        const auto &from = still.points[i].speed, &to = shaken.points[i].speed;
-        if (from && to) losses.take(1 - *to / *from);
+      if (!pair) continue;
+      for (const CurvePoint& point : shaken.points) {
+        const auto from = speed_at(still, point.restitution);
+        if (from && point.speed) losses.take(1 - *point.speed / *from);
       }
     }
   }
@@ -78,29 +89,29 @@ Extremes losses_of(const std::vector<ThresholdCurve>& curves) {
 }  // namespace
 
 std::vector<ThresholdCurve> threshold_curves(const std::vector<Case>& cases,
-                                             const Scene& interpretation, int steps,
+                                             const Scene& interpretation, bool coarse,
                                              double highest) {
   std::set<double> frictions, disturbances;
   for (const Case& c : cases) {
     frictions.insert(c.friction);
-    disturbances.insert(c.disturbance);
+    disturbances.insert(coarse ? 0 : c.disturbance);
   }
   std::vector<ThresholdCurve> curves;
+  std::vector<std::pair<std::size_t, std::size_t>> places;  // of all points
   for (const double friction : frictions) {
     for (const double disturbance : disturbances) {
-      ThresholdCurve& curve = curves.emplace_back(ThresholdCurve{friction, disturbance, {}});
-      for (int i = 0; i <= steps; ++i) {
-        const int thousandths =
-            least_restitution + (most_restitution - least_restitution) * i / steps;
+      ThresholdCurve curve{friction, disturbance, {}};
+      for (const int thousandths : thousandths_of(disturbance != 0, coarse)) {
+        places.emplace_back(curves.size(), curve.points.size());
         curve.points.push_back({thousandths / 1000.0, {}});
       }
+      curves.push_back(std::move(curve));
     }
   }
-  const auto points = static_cast<std::size_t>(steps) + 1;
-  Progress progress("thresholds over restitution", static_cast<double>(curves.size() * points));
-  tbb::parallel_for(std::size_t{0}, curves.size() * points, [&](std::size_t i) {
-    ThresholdCurve& curve = curves[i / points];
-    CurvePoint& point = curve.points[i % points];
+  Progress progress("thresholds over restitution", static_cast<double>(places.size()));
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
+    ThresholdCurve& curve = curves[places[i].first];
+    CurvePoint& point = curve.points[places[i].second];
     Scene scene = interpretation;
     scene.restitution_lower = scene.restitution_upper = point.restitution;
     scene.friction = curve.friction;

@@ -25,11 +25,12 @@ struct ThresholdCurve {
 RICOCHET_WRITTEN_AS_JSON(ThresholdCurve, friction, disturbance, points);
 
 /// The curves of the frictions and disturbances of the cases, friction first, over restitutions
-/// from 0.05 to 0.95 in `steps` of equal length (at least 1), up to the speed `highest` [rad/s].
-/// Parallel.
+/// from 0.05 to 0.95, up to the speed `highest` [rad/s]. A threshold takes a hundred times as long
+/// under a disturbance, so such curves have fewer points, and there are none if the curves are
+/// `coarse`. Parallel.
 std::vector<ThresholdCurve> threshold_curves(const std::vector<carrier_track::Case>& cases,
-                                             const carrier_track::Scene& interpretation, int steps,
-                                             double highest);
+                                             const carrier_track::Scene& interpretation,
+                                             bool coarse, double highest);
 
 /// The curves, and what they say: by which factors the lowest restitution of the paper's cases has
 /// a faster threshold than the highest, and by which shares the largest disturbance lowers

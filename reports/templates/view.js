@@ -154,10 +154,13 @@ const drawRuns = (result) => {
 const sentence = (ordered, problems) => {
   const all = ordered.filter((one) => one.complete), [first, second] = ordered;
   if (!first) return "No entry is left.";
-  const number = (one) => choice.order === "budget" ? `success rate ${percent(one.share)} % [${percent(one.lower)}, ${percent(one.upper)}]` : `PAR10 ${short(one.par10)} evaluations a variable, success rate ${percent(one.share)} %`;
+  const rate = choice.target === "2" ? "success rate" : `with ${levels[choice.target]} in`, among = [
+    ...(choice.family === "all" ? [] : [` of ${choice.family}`]), ...(choice.variables === "all" ? [] : [` with ${choice.variables} variable${choice.variables === "1" ? "" : "s"}`]),
+    ...(choice.perturbation === "plain" ? [] : [` under ${choice.perturbation}`])].join("");
+  const number = (one) => choice.order === "budget" ? `${rate} ${percent(one.share)} % [${percent(one.lower)}, ${percent(one.upper)}]` : `PAR10 ${short(one.par10)} evaluations a variable, ${rate} ${percent(one.share)} %`;
   const sure = second && choice.order === "budget" && second.complete === first.complete && second.upper >= first.lower && first.lower < first.share
     ? " The intervals overlap: the runs do not tell which is better." : "";
-  return `${first.name} is first on ${first.results.size} problem${first.results.size === 1 ? "" : "s"}, ${number(first)}` +
+  return `${first.name} is first on ${first.results.size} problem${first.results.size === 1 ? "" : "s"}${among}, ${number(first)}` +
     `${second ? `; then ${second.name}, ${number(second)}` : ""}.${sure} ${all.length} of ${ordered.length} entries take all ${problems} problems.`;
 };
 

@@ -101,7 +101,9 @@ const contestantsOf = (table, choice) => {
     if (results.length === 0) continue;
     const solver = table.solvers[entry.solver].solver, place = `${entry.family} ${solver}`;
     if (!byFamily.has(place)) byFamily.set(place, []);
-    byFamily.get(place).push({solver, formulation, family: table.families[entry.family].family, results});
+    const same = byFamily.get(place).find((one) => one.formulation === formulation);  // with another number of instances
+    if (same) same.results.push(...results);
+    else byFamily.get(place).push({solver, formulation, family: table.families[entry.family].family, results});
   }
   // A formulation is the better, the more problems it accepts, then by success rate, then by evaluations.
   const merit = ({results}) => [results.length, sum(results.map((one) => one.share)), -geometricMean(results.map((one) => one.evaluations))];

@@ -304,7 +304,7 @@ TEST_F(CampaignCommands, MakeARunAgainToTheLastBit) {
     EXPECT_EQ(Json::parse(out_of(fmt::format("replay {} {} --format json", store("one"), key))),
               again);
   }
-  expect_refusal("replay " + store("one") + " a/b/c/d/10/n/1/0", "there is no run a/b/c/d");
+  expect_refusal("replay " + store("one") + " a/b/c/d/10/n/1/0", "the campaign has no problem a");
   expect_refusal("replay " + store("one") + " first", "run first: must be a number, or PROBLEM/");
   EXPECT_THAT(out_of("replay " + store("one") + " 3"), EndsWith("The same, to the last bit.\n"));
   expect_refusal("replay " + store("one") + " 0", "there is no run 0");

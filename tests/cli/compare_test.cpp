@@ -24,7 +24,7 @@ TEST(Compare, WritesAReportOfEverySolverInEveryFormulation) {
   EXPECT_TRUE(std::filesystem::exists(folder / "index.html"));
   EXPECT_TRUE(std::filesystem::exists(folder / "leaders.csv"));
   const Json data = report::data_in(read(folder / "data.json"));
-  EXPECT_EQ(data["pages"], (Json{"top-speed", "profile-count", "solvers"}));
+  EXPECT_EQ(data["pages"], (Json{"top-speed", "profile-count", "solvers", "view"}));
   const Json family = report::data_in(read(folder / "top-speed" / "data.json"));
   std::set<std::string> cobyla;
   for (const Json& result : family["results"]) {
@@ -73,7 +73,8 @@ TEST(Compare, AsksTheProblemsOfAMachineOfOnesOwn) {
   const Outcome outcome = call(command);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::HasSubstr("top-speed, 20 evaluations a variable:"));
-  EXPECT_EQ(report::data_in(read(folder / "data.json"))["pages"], (Json{"top-speed", "solvers"}));
+  EXPECT_EQ(report::data_in(read(folder / "data.json"))["pages"],
+            (Json{"top-speed", "solvers", "view"}));
   EXPECT_THAT(call("replay " + (folder / "runs.sqlite").string() + " 1").out,
               testing::HasSubstr("The same, to the last bit."));
   expect_refusal("compare --set mass=2 --out " + folder.string(),

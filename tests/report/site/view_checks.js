@@ -28,7 +28,7 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
   const joint = comparison.speed_accuracy.filter((row) => row.family === "all");
   check(joint.length > 10 && first.contestants.filter((one) => one.complete).length === joint.length, "not as many entries take all problems as the tables say");
   const families = view.families.map((one) => one.family);
-  let compared = 0;
+  let compared = 0, disturbed = 0;
   const compare = (rows, {contestants}, where) => {
     for (const row of rows) {
       const one = contestants.find(({name: own, solver}) => own === `${row.solver}, ${row.formulation}` || (where === "all" && solver === row.solver));
@@ -67,6 +67,23 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
       check(row.running_time === null ? Number.isNaN(one.ert) || one.ert === null : near(one.ert, row.running_time, 3), `view of ${row.family}: ERT of ${solver} is ${one.ert}, on its page ${row.running_time}`);
     }
   }
+
+  // Under perturbations, as the page about robustness has them.
+  const {perturbation_names: names, perturbation_rows: perturbed} = dataOf("failure-atlas");
+  for (const [place, {perturbation}] of names.entries()) {
+    for (const own of view.families.filter((_, i) => view.entries.some((entry) => entry.family === i && view.perturbations[entry.perturbation] === perturbation))) {
+      const rows = perturbed.filter((row) => row.shares[place] !== null && (own.family === row.family || own.family.startsWith(`${row.family}-`)));
+      if (perturbation === "plain" || rows.length === 0) continue;
+      const {contestants, complaint} = await computed(page, {family: own.family, perturbation, budget: rows[0].budget, formulation: "all"});
+      for (const row of complaint === "" ? rows : []) {
+        const one = contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`);
+        check(!one || one.taken !== row.problems || near(one.share, row.shares[place], 3), `view of ${own.family} under ${perturbation}: ${row.entry} has ${one?.share}, in the table ${row.shares[place]}`);
+        if (one && one.taken === row.problems) ++disturbed;
+      }
+    }
+  }
+  const perturbations = new Set(view.entries.map((entry) => entry.perturbation)).size;
+  check(disturbed >= 10 * (perturbations - 1), `only ${disturbed} entries compared under ${perturbations - 1} perturbations`);
 
   // With fewer evaluations and an easier target there are fewer and more successes; of a size, its problems.
   const family = "hs", whole = await computed(page, {family}), less = await computed(page, {family, most: 10});

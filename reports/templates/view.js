@@ -164,6 +164,15 @@ const sentence = (ordered, problems) => {
     `${second ? `; then ${second.name}, ${number(second)}` : ""}.${sure} ${all.length} of ${ordered.length} entries take all ${problems} problems.`;
 };
 
+// Tables are drawn anew: what had the focus of a keyboard gets it again.
+const nameOf = (one) => one.getAttribute("aria-label") ?? one.textContent;
+const keepingFocus = (draw) => {
+  const active = document.activeElement, block = active?.closest?.("#view-entries, #view-problems");
+  draw();
+  if (!block || active.isConnected) return;
+  [...block.querySelectorAll(active.localName)].find((one) => nameOf(one) === nameOf(active))?.focus();
+};
+
 let following = "";  // the link as it was last read or written
 const show = (complaint = "") => {
   const {contestants, problems} = contestantsOf(table, choice), ordered = inOrder(contestants, choice.order);
@@ -176,8 +185,10 @@ const show = (complaint = "") => {
     for (const one of ordered) one.beside = ratioTo(one.results, reference.results);
     const drawn = shownEntries(ordered), chosen = ordered.find((one) => one.name === choice.entry);
     drawCharts(drawn, reference, problems);
-    drawEntries(ordered, drawn, problems);
-    drawProblems(chosen, reference);
+    keepingFocus(() => {
+      drawEntries(ordered, drawn, problems);
+      drawProblems(chosen, reference);
+    });
     drawRuns(chosen?.results.get(choice.problem));
   }
   following = choice.link();

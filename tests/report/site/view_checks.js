@@ -101,6 +101,11 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
   await page.focus("[name=family]");
   for (const key of "top-speed") await page.keyboard.press(key);
   check(await page.$eval("[name=family]", (select) => select.value) === "top-speed", "a keyboard does not choose a family");
+  await page.focus("#view-entries tbody tr:nth-child(7) input");
+  const curves = await page.$$eval("#view-ecdf li", (all) => all.length);
+  await page.keyboard.press("Space");
+  check(await page.$$eval("#view-ecdf li", (all) => all.length) === curves + 1, "a keyboard does not draw an entry");
+  check(await page.evaluate(() => document.activeElement.type === "checkbox" && document.activeElement.checked), "drawing an entry loses the focus");
   await page.focus("#view-entries tbody button");
   await page.keyboard.press("Enter");
   check(await page.evaluate(() => document.activeElement.textContent.startsWith("Problems of ")), "an entry does not open by Enter");

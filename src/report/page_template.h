@@ -29,7 +29,8 @@ struct DrawnPage {
 ///                             see headline.h
 ///   [[headline.chart]]        like a section's; omits samples at or above the end of y's range
 ///   [[section]]               id, heading, text = ["a paragraph", ...]
-///     view                    name of the runs that a reader filters, see reports/templates/view.js
+///     view                    name of the runs that a reader filters, see
+///     reports/templates/view.js
 ///   [[section.table]]         rows, csv, most, caption, columns = [...], heads each a table
 ///   [section.explorer]        caption, settings, setting, values, value, answers, answer
 ///     a column                title, value, align = "left" (default right), state, link

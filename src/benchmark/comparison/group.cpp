@@ -79,7 +79,7 @@ struct Curves {
 };
 
 Curves curves_of(const std::vector<Rating>& ratings) {
-  constexpr std::size_t told = 5, shown = 10;  // more lines than this cannot be told apart, or seen
+  constexpr std::size_t told = 5, shown = 6;  // more lines than this cannot be told apart, or seen
   constexpr const char* of_paper = "fireworks";
   Curves curves;
   std::set<std::string> drawn;

@@ -31,7 +31,6 @@ class StepChart {
     svg.replaceChildren();
     svg.setAttribute("viewBox", `0 0 ${this.width} ${height}`);
     svg.setAttribute("role", "img");
-    svg.setAttribute("aria-labelledby", `${this.figure.id}-title`);
     const best = series.map(({name, steps}) => `${name} ${Math.round(100 * (steps.at(-1)?.[1] ?? 0))} %`).join(", ");
     addSvg(svg, "title", {id: `${this.figure.id}-title`}, `${title}. At the right end: ${best}.`);
     addSvg(svg, "text", {x: left, y: 16, class: "view-title"}, title);
@@ -56,7 +55,15 @@ class StepChart {
       for (const [value, share] of steps) line += `H${place(Math.min(to, Math.max(from, value))).toFixed(1)}V${rise(share).toFixed(1)}`;
       addSvg(addSvg(svg, "path", {d: `${line}H${right}`, fill: "none", "stroke-width": 1.7, ...lookOf(look)}), "title", {}, name);
     });
+    this.numbers(series, x, y);
     this.legend(series, caption);
+  }
+
+  // For the button CSV: a row for every step.
+  numbers(series, x, y) {
+    const quoted = (text) => `"${text.replaceAll('"', '""')}"`;
+    const rows = series.flatMap(({name, steps}) => steps.map(([value, share]) => [quoted(name), value, 100 * share].join()));
+    this.figure.querySelector("script.chart-csv").textContent = JSON.stringify([["entry", quoted(x), quoted(y)].join(), ...rows, ""].join("\n"));
   }
 
   legend(series, caption) {

@@ -149,7 +149,7 @@ for (const name of pages.filter((file) => fs.readFileSync(path.join(folder, file
   }
   check(await visible(moving, "details figure") === 0, `${name}: a fold is open`);
   if (await moving.$("details")) {
-    await moving.click("summary");
+    await moving.click("details:has(figure) > summary");
     check(await visible(moving, "details figure") > 0, `${name}: a fold does not open`);
   }
   await Promise.all([moving.close(), still.close()]);
@@ -442,7 +442,7 @@ await searching.close();
 // What a stranger asks: a click on the question, and at most two screens below where it leads the answer.
 const walks = [];
 const answersTo = {
-  "Which solver for 4 variables, 400 evaluations and noise?": ["#choice", /nlopt-slsqp.*solved 60/],
+  "Which solver for 4 variables, 400 evaluations and noise?": ["#choice", /^4 variables, 400 evaluations.*: \S+, formulation \S+, solved \d+ \[/],
   "Fireworks against CMA-ES: where does it win?": ["header p", /CMA-ES 72 %.*wins in none/],
   "What if C4 had restitution 0.5 in place of 0.9?": ["#what-if tbody th", /^friction 0.4, restitution 0.5$/],
   "What are error and cost of RK45 at 1e-6?": ["#thresholds tbody th", /^odeint-dopri5$/],

@@ -12,6 +12,7 @@ namespace ricochet::studies::comparison {
 namespace {
 
 constexpr double surely = 0.9, probably = 0.5;  // P(best)
+constexpr double least_named = 0.1;             // success rate: less is no advice
 
 /// The first entry of a family.
 struct FirstEntry {
@@ -23,6 +24,12 @@ struct FirstEntry {
   std::optional<std::int64_t> problems;
 };
 RICOCHET_READ_FROM_JSON(FirstEntry, family, largest, solver, returned, best, problems);
+
+/// P(best) of an entry that is worth naming; 0 of others.
+double certainty_of(const FirstEntry& entry) {
+  if (!entry.solver || entry.returned.value_or(0) < least_named) return 0;
+  return entry.best.value_or(0);
+}
 
 /// The families in which one solver is first.
 struct FirstSolver {
@@ -36,7 +43,7 @@ std::vector<FirstSolver> by_solver(const std::vector<FirstEntry>& entries, doubl
                                    double below) {
   std::vector<FirstSolver> solvers;
   for (const FirstEntry& entry : entries) {
-    if (!entry.solver || !entry.best || *entry.best < from || *entry.best >= below) continue;
+    if (certainty_of(entry) < from || certainty_of(entry) >= below) continue;
     auto known = std::ranges::find(solvers, *entry.solver, &FirstSolver::solver);
     if (known == solvers.end()) known = solvers.insert(known, FirstSolver{*entry.solver, {}});
     known->families.push_back(entry.family);
@@ -71,9 +78,8 @@ std::string opening_of(const report::Json& leaders) {
   for (const report::Json& row : leaders) {
     if (row.at("largest").get<bool>()) entries.push_back(row.get<FirstEntry>());
   }
-  const auto open = std::ranges::count_if(entries, [](const FirstEntry& entry) {
-    return !entry.solver || !entry.best || *entry.best < probably;
-  });
+  const auto open = std::ranges::count_if(
+      entries, [](const FirstEntry& entry) { return certainty_of(entry) < probably; });
   std::string text =
       text_of("First with a probability P(best) of 0.9 or more on problems like these:",
               by_solver(entries, surely, 2)) +

@@ -165,8 +165,8 @@ Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& w
   const Chart& chart = figure.chart;
   return {{"html", with_numbers(chart, drawn)},        {"markdown", markdown_of(drawn)},
           {"caption", writing.linked(figure.caption)}, {"frame", writing.plain(figure.frame)},
-          {"title", writing.plain(chart.title)},
-          {"max_width", chart.width * 115 / 100},      {"wide", chart.width >= wide_chart}};
+          {"title", writing.plain(chart.title)},       {"max_width", chart.width * 115 / 100},
+          {"wide", chart.width >= wide_chart}};
 }
 
 /// Groups figures: the frames of one choice are placed together.

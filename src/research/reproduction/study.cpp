@@ -102,8 +102,8 @@ Results results_of(const StudyPlan& plan, const Catalogue& catalogue,
   results.grid = count_grid(results.interpretation.scene, plan.grid_step, plan.coarse_grid);
   results.trends = trends(results.grid);
   results.maps = restitution_maps(results.cases);
-  results.curves = threshold_curves(all_cases(), results.interpretation.scene,
-                                    plan.coarse_grid, plan.scan.highest);
+  results.curves = threshold_curves(all_cases(), results.interpretation.scene, plan.coarse_grid,
+                                    plan.scan.highest);
   make_runs(results.comparison->campaign, {}, results.comparison->store);
   return results;
 }

@@ -284,7 +284,7 @@ Json scripts_of(const Page& page) {
       scripts.push_back(part);
     }
   }
-  if (has_charts) scripts.push_back(embedded::chart_data_script);
+  if (has_charts || has_view(page)) scripts.push_back(embedded::chart_data_script);
   return scripts;
 }
 

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/cli/tool.h"
 
@@ -34,8 +37,13 @@ TEST(ImpactTest, ComparesAToolOfOnesOwn) {
   EXPECT_EQ(quiet["missed"], 1000);
   EXPECT_THAT(read(folder / "out" / "index.html"), HasSubstr("quiet"));
   EXPECT_THAT(read(folder / "out" / "scenes.jsonl"), HasSubstr("\"impacts\""));
-  // The scene that breaks it is a machine.
-  const auto smallest = ordered_json::parse(read(folder / "out" / "smallest" / "quiet.jsonl"));
+  // Three scenes that break it, of different kinds; each is a machine.
+  std::istringstream lines(read(folder / "out" / "smallest" / "quiet.jsonl"));
+  std::vector<ordered_json> scenes;
+  for (std::string line; std::getline(lines, line);) scenes.push_back(ordered_json::parse(line));
+  ASSERT_EQ(scenes.size(), 3U);
+  EXPECT_NE(scenes[0]["kind"], scenes[1]["kind"]);
+  const ordered_json& smallest = scenes.front();
   const auto machine = write(folder, "machine.toml", smallest["machine"].get<std::string>());
   const auto run =
       ordered_json::parse(call("simulate --format json --scene " + machine.string()).out);

@@ -142,7 +142,7 @@ TEST(OwnSolver, ThatFailsIsSaidTo) {
 TEST(OwnSolver, ThatHangsEndsWithRicochet) {
   const auto folder = fresh_folder();
   write(folder, "mine.sh",
-        fmt::format("echo '{{\"name\": \"mine\"}}'; read -r problem; echo $$ > {}/pid\n"
+        fmt::format("echo $$ > {}/pid; echo '{{\"name\": \"mine\"}}'; read -r problem\n"
                     "while :; do :; done",
                     folder.string()));
   const Outcome outcome =

@@ -120,7 +120,7 @@ TEST(FamilyData, MakeARowOfTheTableOfAllFamilies) {
   EXPECT_EQ(table.rows[0][0].text, "count");
   EXPECT_EQ(table.rows[0][3].text, "1");
   EXPECT_EQ(table.rows[2][0].text, "profile-count");
-  EXPECT_EQ(table.rows[2][3].text, "2 to 64");
+  EXPECT_EQ(table.rows[2][3].text, "2 to 256");
   EXPECT_EQ(table.rows[2][5].text, "count, surrogate");
 }
 
@@ -181,7 +181,7 @@ TEST(FamilyData, ShortenLongPoints) {
   problem.best_known = 0;
   const report::Section facts = facts_of(family);
   EXPECT_EQ(facts.tables[2].rows.back()[3].text, "1, 1, 1, 1, 1, …");
-  EXPECT_EQ(family_data(family, 10)["problems"].back()["point"].size(), 64U);
+  EXPECT_EQ(family_data(family, 10)["problems"].back()["point"].size(), 256U);
 }
 
 TEST(FamilyData, SayThatNothingIsKnown) {

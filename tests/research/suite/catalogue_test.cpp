@@ -36,7 +36,7 @@ TEST(Catalogue, ChargesAGradientWhatItWasMeasuredToTakeWhereAPlanSaysSo) {
     }
   }
   EXPECT_EQ(measured, (std::map<std::string, std::int64_t>{
-                          {"profile-wear-16-C4", 3}, {"top-speed-C1", 1}, {"hs-71", 1}}));
+                          {"profile-wear-16-C4", 2}, {"top-speed-C1", 1}, {"hs-71", 1}}));
 }
 
 TEST(Catalogue, NamesThePlaceOfAMachineThatItDoesNotKnow) {

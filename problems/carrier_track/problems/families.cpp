@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "problems/carrier_track/problems/count.h"
 #include "problems/carrier_track/problems/design.h"
@@ -26,28 +27,24 @@ std::vector<Problem> of_each(const std::vector<Machine>& machines, Ask ask) {
 
 /// One problem for each machine and number of knots.
 std::vector<Problem> of_each_size(const std::vector<Machine>& machines,
-                                  Problem (*ask)(const Machine&, std::size_t)) {
+                                  Problem (*ask)(const Machine&, std::size_t),
+                                  std::span<const std::size_t> sizes = profile_sizes) {
   std::vector<Problem> problems;
   for (const Machine& machine : machines) {
-    for (const std::size_t n : profile_sizes) problems.push_back(ask(machine, n));
+    for (const std::size_t n : sizes) problems.push_back(ask(machine, n));
   }
   return problems;
 }
 
 /// Two machines have problems with many more knots, which the plan many_variables asks for.
-bool has_large_sizes(const Machine& machine) {
-  return machine.id == "C1" || machine.id == "C4";
-}
-
-/// The counts of each machine and number of knots.
 std::vector<Problem> profile_counts(const std::vector<Machine>& machines) {
+  std::vector<Machine> with_many;
+  std::ranges::copy_if(machines, std::back_inserter(with_many), [](const Machine& machine) {
+    return machine.id == "C1" || machine.id == "C4";
+  });
   auto problems = of_each_size(machines, profile_count_problem);
-  for (const Machine& machine : machines) {
-    if (!has_large_sizes(machine)) continue;
-    for (const std::size_t n : large_profile_sizes) {
-      problems.push_back(profile_count_problem(machine, n));
-    }
-  }
+  std::ranges::move(of_each_size(with_many, profile_count_problem, large_profile_sizes),
+                    std::back_inserter(problems));
   return problems;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "src/benchmark/analysis/result.h"
+#include "src/benchmark/comparison/solver_facts.h"
 
 namespace ricochet::studies::comparison {
 namespace {
@@ -80,7 +81,6 @@ struct Curves {
 
 Curves curves_of(const std::vector<Rating>& ratings) {
   constexpr std::size_t told = 5, shown = 6;  // more lines than this cannot be told apart, or seen
-  constexpr const char* of_paper = "fireworks";
   Curves curves;
   std::set<std::string> drawn;
   for (const Rating& rating : ratings) {
@@ -88,7 +88,7 @@ Curves curves_of(const std::vector<Rating>& ratings) {
       curves.first.push_back(curve_data(rating));
     } else if (drawn.contains(rating.solver)) {
       continue;
-    } else if (rating.solver == of_paper) {
+    } else if (rating.solver == paper_solver) {
       curves.paper.push_back(curve_data(rating));
     } else if (curves.rest.size() < shown) {
       curves.rest.push_back(curve_data(rating));

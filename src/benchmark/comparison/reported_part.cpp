@@ -53,6 +53,10 @@ bool asks_several_perturbations(const std::vector<const PlannedCell*>& cells) {
 
 }  // namespace
 
+std::string name_of_part(const PlanPart& part, std::size_t number) {
+  return part.name.empty() ? fmt::format("part-{}", number + 1) : part.name;
+}
+
 std::vector<ReportedPart> reported_parts(const Campaign& campaign) {
   std::vector<ReportedPart> reported;
   std::set<std::string> known;
@@ -81,7 +85,7 @@ std::vector<ReportedPart> reported_parts(const Campaign& campaign) {
     const PlanPart& asked = parts[part];
     const bool varies = asked.gradient_prices.size() > 1 || !asked.smoothings.empty() ||
                         asks_several_perturbations(cells);
-    const std::string suffix = asked.name.empty() ? fmt::format("part-{}", part + 1) : asked.name;
+    const std::string suffix = name_of_part(asked, part);
     for (const PlannedCell* cell : cells) {
       const std::string& family = campaign.family_of(cell->problem);
       const bool again = known.contains(family);

@@ -29,6 +29,9 @@ struct ReportedPart {
   std::optional<std::size_t> repetition = {}, drawn = {};
 };
 
+/// The name of a part of a plan: its own, or "part-1" after its number, counted from 0.
+std::string name_of_part(const PlanPart& part, std::size_t number);
+
 /// Returns the parts without those that only repeat another one with more seeds or on drawn
 /// machines, and without those that relocate the optimum.
 std::vector<ReportedPart> reported_parts(const Campaign& campaign);

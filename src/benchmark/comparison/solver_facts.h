@@ -17,6 +17,9 @@ struct SolverSettings {
 /// Nothing for a solver that reports/templates/solvers.toml does not have, such as a user's.
 std::optional<SolverSettings> settings_of(const std::string& solver);
 
+/// The solver that is the paper's algorithm.
+inline constexpr const char* paper_solver = "fireworks";
+
 /// Its kind in a word or two: "fireworks", "derivatives"; "other" for a solver that solvers.toml
 /// does not have.
 std::string kind_of(const std::string& solver);

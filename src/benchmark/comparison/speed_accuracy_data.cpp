@@ -137,7 +137,7 @@ constexpr std::size_t most_named = 5;
 
 /// The name beside a dot: of the best few, of the paper's algorithm and of random search.
 std::string name_at(const std::string& solver, const Json& front) {
-  if (solver == "fireworks") return "fireworks (the paper's)";
+  if (solver == paper_solver) return solver + " (the paper's)";
   if (solver == "random-search") return solver;
   for (std::size_t i = front.size() - std::min(most_named, front.size()); i < front.size(); ++i) {
     if (front[i]["solver"] == solver) return solver;

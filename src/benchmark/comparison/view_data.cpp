@@ -84,10 +84,6 @@ using Asked = std::pair<std::size_t, std::string>;
 using Common = std::tuple<std::size_t, std::size_t, std::size_t, std::int64_t, std::size_t,
                           std::size_t, int, int>;
 
-std::string name_of_part(const PlanPart& part, std::size_t number) {
-  return part.name.empty() ? fmt::format("part-{}", number + 1) : part.name;
-}
-
 /// The budget with which each family is joined with others, by the names of the report.
 std::map<std::string, std::int64_t> joint_budgets(const Campaign& campaign,
                                                   const std::vector<EntrySet>& sets) {

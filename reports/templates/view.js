@@ -164,7 +164,7 @@ const sentence = (ordered, problems) => {
     `${second ? `; then ${second.name}, ${number(second)}` : ""}.${sure} ${all.length} of ${ordered.length} entries take all ${problems} problems.`;
 };
 
-// Tables are drawn anew: what had the focus of a keyboard gets it again.
+// Drawing a table again keeps the focus of the keyboard.
 const nameOf = (one) => one.getAttribute("aria-label") ?? one.textContent;
 const keepingFocus = (draw) => {
   const active = document.activeElement, block = active?.closest?.("#view-entries, #view-problems");

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
@@ -33,6 +32,7 @@
 #include "src/cli/version.h"
 #include "src/core/folder_lock.h"
 #include "src/core/interruption.h"
+#include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
 #include "src/core/open_files.h"
 #include "src/core/progress.h"
@@ -42,16 +42,11 @@ namespace ricochet::cli {
 namespace {
 
 Shard shard_of(const std::string& text) {
-  Shard shard;
   const auto slash = text.find('/');
-  const char* end = text.data() + text.size();
   if (slash != std::string::npos) {
-    const char* middle = text.data() + slash;
-    const auto first = std::from_chars(text.data(), middle, shard.index);
-    const auto second = std::from_chars(middle + 1, end, shard.count);
-    const bool read = first.ec == std::errc() && first.ptr == middle && second.ec == std::errc() &&
-                      second.ptr == end;
-    if (read && shard.index >= 1 && shard.index <= shard.count) return shard;
+    const auto index = number_of_text<int>(text.substr(0, slash));
+    const auto count = number_of_text<int>(text.substr(slash + 1));
+    if (index && count && *index >= 1 && *index <= *count) return {*index, *count};
   }
   throw InputError(
       fmt::format("--shard {}: must be I/N, two whole numbers with 1 <= I <= N", text));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <optional>
 #include <string_view>
 
@@ -11,6 +10,7 @@
 #include "problems/carrier_track/scene/quantity.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "ricochet/error.h"
+#include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
 
 namespace ricochet::cli {
@@ -37,13 +37,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-std::optional<double> plain_number(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 /// The name of the unit that a text ends with; empty if it is a plain number.
 std::string unit_in(std::string_view text) {
   const std::size_t blank = text.find(' ');
@@ -52,7 +45,7 @@ std::string unit_in(std::string_view text) {
 
 std::optional<double> number_of(std::string_view text, const std::string& unit,
                                 const std::string& usual) {
-  if (const auto number = plain_number(text)) {
+  if (const auto number = number_of_text<double>(text)) {
     return usual.empty() ? number : quantity(fmt::format("{} {}", text, usual), unit);
   }
   return quantity(text, unit);

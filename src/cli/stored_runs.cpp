@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/cli/archive.h"
 #include "src/cli/programs.h"
+#include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
 #include "src/core/warning.h"
 #include "src/report/json.h"
@@ -73,16 +73,15 @@ struct Repetition {
 /// The run with this number, or with this key as address_of() writes it; nothing if there is none.
 std::optional<StoredRun> stored_run(const Store& store, const std::string& run) {
   if (const auto key = key_at(run)) return store.find(*key);
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(run.data(), run.data() + run.size(), number);
-  if (error != std::errc() || end != run.data() + run.size()) {
+  const auto number = number_of_text<std::int64_t>(run);
+  if (!number) {
     throw InputError(fmt::format(
         "run {}: must be a number, or "
         "PROBLEM/FORMULATION/PERTURBATION/SOLVER/BUDGET/PRICE/INSTANCE/SEED, as in 17 or "
         "top-speed-C1/count/plain/bisection/100/n/1/0",
         run));
   }
-  return store.find(number);
+  return store.find(*number);
 }
 
 Repetition repetition_of(const Store& store, const std::string& file, const std::string& run,

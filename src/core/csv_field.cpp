@@ -1,21 +1,15 @@
 #include "src/core/csv_field.h"
 
-#include <charconv>
 #include <system_error>
+
+#include "src/core/number_of_text.h"
 
 namespace ricochet {
 namespace {
 
-bool is_number(std::string_view text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  return read.ec == std::errc() && read.ptr == end;
-}
-
 bool looks_like_a_formula(std::string_view text) {
   return !text.empty() && std::string_view("=+-@\t\r\n").find(text[0]) != std::string_view::npos &&
-         !is_number(text);
+         !number_of_text<double>(text);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -13,6 +12,7 @@
 
 #include "ricochet/error.h"
 #include "src/core/near_names.h"
+#include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
 
 namespace ricochet {
@@ -51,15 +51,12 @@ void check_names(const CsvTable& table, int line, const std::vector<std::string>
 
 double number_of(const std::string& field, const CsvTable& table, int line,
                  const std::string& name) {
-  double number = 0;
-  const char* begin = field.data() + (field.starts_with('+') ? 1 : 0);
-  const char* end = field.data() + field.size();
-  const auto [stop, error] = std::from_chars(begin, end, number);
-  if (field.empty() || error != std::errc() || stop != end || !std::isfinite(number)) {
+  const auto number = number_of_text<double>(field.starts_with('+') ? field.substr(1) : field);
+  if (!number || !std::isfinite(*number)) {
     throw InputError(fmt::format("{}:{}: column {}: '{}': must be a finite number", table.origin,
                                  line, name, one_line(field)));
   }
-  return number;
+  return *number;
 }
 
 }  // namespace

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "ricochet/error.h"
+#include "src/core/number_of_text.h"
 
 namespace ricochet {
 namespace {
@@ -30,11 +30,7 @@ std::optional<int> descriptor_named(const fs::path& path) {
   std::error_code error;
   const fs::path descriptors = fs::canonical("/proc/self/fd", error);
   if (error || fs::canonical(folder_of(path), error) != descriptors) return std::nullopt;
-  const std::string name = path.filename();
-  int descriptor = 0;
-  const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), descriptor);
-  if (failure != std::errc() || end != name.data() + name.size()) return std::nullopt;
-  return descriptor;
+  return number_of_text<int>(path.filename().native());
 }
 
 /// Returns an error number, 0 for none.

@@ -63,15 +63,16 @@ class Context : public mustache::basic_context<std::string> {
     // A condition without entries adds no scope.
     const bool condition = found == source_.end();
     scopes_.push_back(condition ? scopes_.back() : found->second.data);
-    firsts_.push_back(condition ? firsts_.back() : found->second.first);
+    places_.push_back(condition ? places_.back() : found->second.place);
   }
   void pop() override {
     scopes_.pop_back();
-    firsts_.pop_back();
+    places_.pop_back();
   }
 
   const mustache::data* get(const std::string& asked) const override {
-    if (asked == "@first") return keep(static_cast<bool>(firsts_.back()));
+    if (asked == "@first") return keep(places_.back().first);
+    if (asked == "@last") return keep(places_.back().last);
     const std::size_t colon = asked.find(':');
     const std::string name = asked.substr(0, colon);
     const Json& data = found_in(scopes_, name);
@@ -80,7 +81,7 @@ class Context : public mustache::basic_context<std::string> {
     if (data.is_array()) return keep_list(data);
     if (data.is_object()) {
       const mustache::data* node = keep(true);
-      source_[node] = {&data, firsts_.back()};
+      source_[node] = {&data, places_.back()};
       return node;
     }
     if (data.is_boolean()) return keep(true);
@@ -100,19 +101,22 @@ class Context : public mustache::basic_context<std::string> {
     for (std::size_t i = 0; i < data.size(); ++i) list << mustache::data{true};
     const mustache::data& node = nodes_.emplace_back(std::move(list));
     for (std::size_t i = 0; i < data.size(); ++i) {
-      source_[&node.list_value()[i]] = {&data[i], i == 0};
+      source_[&node.list_value()[i]] = {&data[i], {i == 0, i + 1 == data.size()}};
     }
     return &node;
   }
 
+  struct Place {
+    bool first, last;  ///< of its list
+  };
   struct Source {
     const Json* data;
-    bool first;  ///< of its list
+    Place place;
   };
 
   Scopes scopes_;
-  std::vector<bool> firsts_ = {true};         // of the lists that the scopes are entries of
-  mutable std::deque<mustache::data> nodes_;  // addresses must remain valid
+  std::vector<Place> places_ = {{true, true}};  // of the scopes
+  mutable std::deque<mustache::data> nodes_;    // addresses must remain valid
   mutable std::unordered_map<const mustache::data*, Source> source_;
 };
 

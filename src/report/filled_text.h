@@ -22,8 +22,8 @@ bool is_yes(const Json& data);
 /// that ends in % gives per cent. Null becomes a dash, and a number that rounds to zero has no
 /// sign. {{#name}}...{{/name}} is included if the data are true, once for each entry of a list;
 /// {{^name}}...{{/name}} if they are not. The name @first is true in the first entry of a list, so
-/// that {{^@first}}, {{/@first}} separates entries. Nothing is escaped. Throws std::logic_error if
-/// the text is not valid Mustache, or if a name has no data.
+/// that {{^@first}}, {{/@first}} separates entries; @last in the last. Nothing is escaped. Throws
+/// std::logic_error if the text is not valid Mustache, or if a name has no data.
 std::string filled(const std::string& text, const Scopes& scopes);
 
 }  // namespace ricochet::report

@@ -67,6 +67,9 @@ TEST(FilledText, RepeatsWhatStandsForAList) {
   EXPECT_EQ(text("{{#list}}{{^@first}}, {{/@first}}{{name}} {{speed:.1f}}{{/list}}"),
             "x 1.5, y 8.3");
   EXPECT_EQ(text("{{#numbers}}{{^@first}}, {{/@first}}{{.:.1f}}{{/numbers}}"), "1.0, 2.0, 3.0");
+  EXPECT_EQ(text("{{#numbers}}{{#@first}}{{.:.1f}} to{{/@first}}{{#@last}} "
+                 "{{.:.1f}}{{/@last}}{{/numbers}}"),
+            "1.0 to 3.0");
 }
 
 TEST(FilledText, LooksInTheInnermostScopeFirst) {

@@ -147,8 +147,8 @@ double sureness(const std::vector<Spent>& spent, std::size_t price, std::size_t 
 }
 
 std::string seconds_text(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.2g} µs", 1e6 * seconds);
-  return seconds < 1 ? fmt::format("{:.2g} ms", 1e3 * seconds) : fmt::format("{:.2g} s", seconds);
+  if (seconds < 1e-3) return fmt::format("{:.3g} µs", 1e6 * seconds);
+  return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
 Json rows_of(const EntrySet& set, const std::vector<Spent>& spent,
@@ -245,7 +245,7 @@ Json break_even_of(const Campaign& campaign, const EntrySet& set) {
 }  // namespace
 
 Json break_even_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  return of_compared(sets, [&](const EntrySet& set) { return break_even_of(campaign, set); });
+  return of_solved(sets, [&](const EntrySet& set) { return break_even_of(campaign, set); });
 }
 
 }  // namespace ricochet::studies::comparison

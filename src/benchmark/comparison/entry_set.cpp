@@ -29,6 +29,17 @@ std::tuple<std::size_t, double, double> merit(const Campaign& campaign, const By
 
 }  // namespace
 
+bool EntrySet::any_solved() const {
+  for (const Entry& entry : entries) {
+    for (const CellResult* result : entry.results) {
+      for (const Outcome& outcome : result->outcomes) {
+        if (outcome.solved()) return true;
+      }
+    }
+  }
+  return false;
+}
+
 OnProblem on_problem(const Campaign& campaign, const CellResult& of_cell) {
   OnProblem result{0, 0, 0, 0};
   std::vector<double> optimality_gaps;

@@ -34,6 +34,9 @@ struct EntrySet {
   /// Returns true if its entries are compared with each other: it has the largest budget, and
   /// several entries and problems.
   bool compared() const { return largest && entries.size() > 1 && problems.size() > 1; }
+
+  /// Returns true if an entry that takes all problems solved one.
+  bool any_solved() const;
 };
 
 /// The sets of entries of a campaign, by part, family and budget. The results outlive them.
@@ -66,6 +69,14 @@ report::Json of_compared(const std::vector<EntrySet>& sets, const Tell& tell) {
     if (set.compared()) all.push_back(tell(set));
   }
   return all;
+}
+
+/// The same for those of which a run solved its problem: no other costs can be compared.
+template <class Tell>
+report::Json of_solved(const std::vector<EntrySet>& sets, const Tell& tell) {
+  std::vector<EntrySet> solved = sets;
+  std::erase_if(solved, [](const EntrySet& set) { return !set.any_solved(); });
+  return of_compared(solved, tell);
 }
 
 /// The results of one entry on one problem, by the returned points; all runs have the same weight.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -100,6 +101,24 @@ Json levels_of(const std::map<std::string, std::vector<double>>& factors) {
   return all;
 }
 
+/// The largest significant effect of a level on the success rate of an entry; null if none is.
+Json strongest_of(const Json& entries, const Json& levels) {
+  Json strongest;
+  double largest = 0;
+  for (const Json& entry : entries) {
+    for (std::size_t k = 0; k < entry["effects"].size(); ++k) {
+      const Json& one = entry["effects"][k];
+      const bool sure = one["lower"] > 0 || one["upper"] < 0;
+      const double size = std::abs(one["effect"].get<double>());
+      if (!sure || size <= largest) continue;
+      largest = size;
+      strongest = {
+          {"entry", entry["entry"]}, {"level", levels.at(k)["level"]}, {"effect", one["effect"]}};
+    }
+  }
+  return strongest;
+}
+
 void add_turns(Json& rows, const std::string& family, const ByEntry& entries,
                const std::map<std::string, std::vector<double>>& factors) {
   for (const auto& [name, levels] : factors) {
@@ -149,8 +168,12 @@ Json factor_data(const Campaign& campaign, const std::vector<CellResult>& result
         shown.push_back({{"entry", name_of(*order[k])}, {"effects", std::move(main)}});
       }
       if (!shown.empty()) {
-        main_effects.push_back(
-            {{"family", family}, {"levels", levels_of(factors)}, {"entries", std::move(shown)}});
+        Json levels = levels_of(factors);
+        Json strongest = strongest_of(shown, levels);
+        main_effects.push_back({{"family", family},
+                                {"levels", std::move(levels)},
+                                {"strongest", std::move(strongest)},
+                                {"entries", std::move(shown)}});
       }
       add_turns(turns, family, entries, factors);
     }

@@ -64,7 +64,7 @@ Json log_ratios_of(const Campaign& campaign, const EntrySet& set) {
 }  // namespace
 
 Json log_ratio_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  return of_compared(sets, [&](const EntrySet& set) { return log_ratios_of(campaign, set); });
+  return of_solved(sets, [&](const EntrySet& set) { return log_ratios_of(campaign, set); });
 }
 
 }  // namespace ricochet::studies::comparison

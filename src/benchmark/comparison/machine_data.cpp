@@ -151,7 +151,10 @@ void add_landscape(Json& landscapes, const std::string& family, const ByEntry& e
     rows.push_back({{"machine", row_name(*machine.problem, factors.begin(), factors)},
                     {"cells", std::move(cells)}});
   }
+  const Json range = extent(rows);
   landscapes.push_back({{"family", family},
+                        {"least", range["least"]},
+                        {"most", range["most"]},
                         {"axis", label_of(variable)},
                         {"columns", std::move(columns)},
                         {"rows", std::move(rows)},

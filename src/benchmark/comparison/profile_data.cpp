@@ -132,7 +132,7 @@ std::vector<const Entry*> cheapest_first(const Campaign& campaign, const EntrySe
 }
 
 Json profile_data(const Campaign& campaign, const std::vector<EntrySet>& sets) {
-  return of_compared(sets, [&](const EntrySet& set) { return profile_of_set(campaign, set); });
+  return of_solved(sets, [&](const EntrySet& set) { return profile_of_set(campaign, set); });
 }
 
 }  // namespace ricochet::studies::comparison

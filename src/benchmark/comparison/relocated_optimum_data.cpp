@@ -64,7 +64,13 @@ Json relocated_optimum_data(const Campaign& campaign, const std::vector<CellResu
     variables["problems"] = problems.size();
     parts.push_back(std::move(variables));
   }
-  return {{"relocated_optima", std::move(rows)}, {"relocated", std::move(parts)}};
+  Json biased = Json::array();
+  for (const Json& row : rows) {
+    if (row["leans"] == true) biased.push_back(row["solver"]);
+  }
+  return {{"relocated_optima", std::move(rows)},
+          {"biased", std::move(biased)},
+          {"relocated", std::move(parts)}};
 }
 
 }  // namespace ricochet::studies::comparison

@@ -112,15 +112,6 @@ Json rights_of(const MethodFailures& method) {
   return {{"method", method.method}, {"right", std::move(rights)}};
 }
 
-Json control_data(const FailureModeStudy& study, const std::vector<MethodFailures>& methods,
-                  const std::string& control) {
-  const auto failures_of = [&](const MethodFailures& method) { return data_of(study, method); };
-  return {{"control", control},
-          {"tight", control == "tight"},
-          {"methods", report::list_of(methods, failures_of)},
-          {"rights", report::list_of(methods, rights_of)}};
-}
-
 /// Number of failure modes in which a method of control_data fails.
 int failures(const Json& method) {
   int failed = 0;
@@ -136,6 +127,18 @@ int failing(const Json& methods, const char* mode) {
   return static_cast<int>(std::count_if(methods.begin(), methods.end(), [&](const Json& method) {
     return method[mode]["good"] == false;
   }));
+}
+
+Json control_data(const FailureModeStudy& study, const std::vector<MethodFailures>& methods,
+                  const std::string& control) {
+  const auto failures_of = [&](const MethodFailures& method) { return data_of(study, method); };
+  Json rows = report::list_of(methods, failures_of);
+  const int grazes = failing(rows, "grazes");
+  return {{"control", control},
+          {"tight", control == "tight"},
+          {"failing", {{"of", methods.size()}, {"grazes", grazes}}},
+          {"methods", std::move(rows)},
+          {"rights", report::list_of(methods, rights_of)}};
 }
 
 }  // namespace

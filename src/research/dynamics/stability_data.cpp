@@ -46,6 +46,8 @@ Json map_data(const StabilityStudy& study, const StabilityMap& map) {
   Json data = {{"method", map.method},
                {"control", map.control},
                {"bound", bound},
+               {"runs", runs_of(map)},
+               {"wrong", runs_of(map) - right_counts(map)},
                {"bottom", map.controls.back() / 2},
                {"top", map.controls.front() * 2},
                {"behaviours", Json::array()},

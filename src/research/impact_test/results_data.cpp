@@ -181,6 +181,18 @@ Json kinds_data(const Results& results) {
   return kinds;
 }
 
+/// The kind of scene in which most tools miss or invent an impact.
+Json hardest_kind(const Json& standings) {
+  Json hardest = {{"tools", 0}};
+  for (std::size_t k = 0; k < scene_kinds().size(); ++k) {
+    const auto tools = std::ranges::count_if(standings, [&](const Json& row) {
+      return row["own"] == false && row["kinds"][k].is_number() && row["kinds"][k] > 0;
+    });
+    if (tools > hardest["tools"]) hardest = {{"kind", scene_kinds()[k].name}, {"tools", tools}};
+  }
+  return hardest.contains("kind") ? hardest : Json();
+}
+
 /// The scores of the tools, in a few numbers for the headline.
 Json finding_data(const Json& standings) {
   int others = 0, clean = 0;
@@ -193,7 +205,11 @@ Json finding_data(const Json& standings) {
     if (best.is_null()) best = one;
     worst = one;
   }
-  return {{"tools", others}, {"clean", clean}, {"best", best}, {"worst", worst}};
+  return {{"tools", others},
+          {"clean", clean},
+          {"best", best},
+          {"worst", worst},
+          {"hardest", hardest_kind(standings)}};
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ report::Json crossing_data() {
     most.acceleration = std::max(most.acceleration, at.acceleration);
   }
   return {{"end", 2 * half_crossing},
+          {"speed_gain", most.speed / on_arc(radius, shown_speed).speed},
+          {"acceleration_gain", most.acceleration / on_arc(radius, shown_speed).acceleration},
           {"top_speed", 1.1 * most.speed},
           {"top_acceleration", 1.1 * most.acceleration},
           {"motion", std::move(motion)}};

@@ -46,23 +46,23 @@ Json series_of(const report::Chart& chart) {
 /// The map of the machine of `cases`, which differ in their restitution alone.
 RestitutionMap map_of(const std::vector<const CaseStudy*>& cases) {
   MapMarks marks;
-  std::string ids;
+  std::vector<QuietCase> quiet;
   for (const CaseStudy* c : cases) {
     const std::string& id = c->the_case.id;
-    ids += (ids.empty() ? "" : ", ") + id;
+    quiet.push_back({id, c->borders.quiet});
     if (const auto threshold = c->the_case.claim.threshold) {
       marks.thresholds.push_back(
           {c->the_case.restitution, *threshold, fmt::format("{}: {:.4g}", id, *threshold)});
     }
   }
-  return {cases.front()->the_case.friction, ids,
+  return {cases.front()->the_case.friction, std::move(quiet),
           regime_map(cases.front()->scene, {"restitution", least, most, values}), marks};
 }
 
 Json json_of(const RestitutionMap& shown) {
   const report::Chart chart = advice::regime_map_chart(shown.map, "", {}, shown.marks);
   return {{"friction", shown.friction},
-          {"cases", shown.cases},
+          {"cases", report::as_json(shown.cases)},
           {"least", least},
           {"most", most},
           {"fastest", shown.map.options.speeds.to},

@@ -65,10 +65,17 @@ struct CaseStudy {
   std::optional<FigurePaths> paths;  ///< if the paper has a figure
 };
 
+/// Up to which speed [rad/s] a case is quiet in the long run.
+struct QuietCase {
+  std::string id;
+  std::optional<double> quiet;
+};
+RICOCHET_WRITTEN_AS_JSON(QuietCase, id, quiet);
+
 /// The regimes of cases that differ in their restitution alone.
 struct RestitutionMap {
   double friction;
-  std::string cases;  ///< "C1, C2"
+  std::vector<QuietCase> cases;
   carrier_track::RegimeMap map;
   advice::MapMarks marks;  ///< the paper's thresholds
 };

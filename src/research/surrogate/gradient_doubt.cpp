@@ -93,12 +93,13 @@ std::vector<Finding> findings_of(const Machine& machine, double smoothing,
 }  // namespace
 
 GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
-  GradientDoubtStudy study{plan, {}, {}, {}};
+  GradientDoubtStudy study{plan, {}, {}, {}, {}};
   const std::vector<Machine> machines = all_machines();
   Progress progress("gradient validity",
                     static_cast<double>(machines.size() * (plan.smoothings.size() + 1)));
   const auto size = static_cast<std::size_t>(plan.points);
   std::vector<std::vector<double>> errors(plan.steps.size());
+  std::vector<Finding> all;
   for (const Machine& machine : machines) {
     const auto findings = findings_of(machine, default_smoothing, plan);
     CaseQuality& row = study.rows.emplace_back(CaseQuality{machine.id, {}});
@@ -109,8 +110,10 @@ GradientDoubtStudy study_gradient_doubt(const GradientDoubtPlan& plan) {
       if (f.slope.trust.doubt == GradientDoubt::flat) continue;
       for (std::size_t s = 0; s < errors.size(); ++s) errors[s].push_back(f.errors[s]);
     }
+    all.insert(all.end(), findings.begin(), findings.end());
     progress.advance(1);
   }
+  study.all = sum_of(all);
   for (std::size_t s = 0; s < errors.size(); ++s) {
     study.step_errors.push_back(
         {plan.steps[s], quantile(errors[s], 0.5), quantile(errors[s], 0.9)});
@@ -149,16 +152,6 @@ Json quality_data(const GradientQuality& q) {
 }  // namespace
 
 Json data_of(const GradientDoubtStudy& study) {
-  GradientQuality all;
-  for (const CaseQuality& row : study.rows) {
-    for (const GradientQuality& q : row.cells) {
-      all.points += q.points;
-      all.agreeing += q.agreeing;
-      all.trending += q.trending;
-      all.right += q.right;
-      for (std::size_t d = 0; d < all.doubts.size(); ++d) all.doubts[d] += q.doubts[d];
-    }
-  }
   Json smoothings = Json::array();
   for (std::size_t w = 0; w < study.plan.smoothings.size(); ++w) {
     smoothings.push_back({{"smoothing", study.plan.smoothings[w]}});
@@ -171,11 +164,12 @@ Json data_of(const GradientDoubtStudy& study) {
   const auto case_data = [](const CaseQuality& row) -> Json {
     return {{"id", row.id}, {"cells", report::list_of(row.cells, quality_data)}};
   };
-  return {{"all", quality_data(all)},
+  return {{"all", quality_data(study.all)},
           {"smoothings", std::move(smoothings)},
           {"speeds", std::move(speeds)},
           {"cases", report::list_of(study.rows, case_data)},
-          {"steps", study.step_errors}};
+          {"steps", study.step_errors},
+          {"best_step", std::ranges::min(study.step_errors, {}, &StepError::median)}};
 }
 
 }  // namespace ricochet::studies::surrogate

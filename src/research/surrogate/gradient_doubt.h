@@ -43,6 +43,7 @@ RICOCHET_WRITTEN_AS_JSON(StepError, step, median, upper);
 struct GradientDoubtStudy {
   GradientDoubtPlan plan;
   std::vector<CaseQuality> rows;
+  GradientQuality all;                        ///< of all cases
   std::vector<GradientQuality> by_smoothing;  ///< of all cases
   std::vector<StepError> step_errors;
 };

@@ -2,18 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
 #include <vector>
+
+#include "src/core/number_of_text.h"
 
 namespace ricochet {
 namespace {
 
 /// Reads a whole number >= 0; false if the text is anything else.
 template <class Number>
-bool read_count(std::string_view text, Number& number) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && number >= 0;
+bool read_count(std::string_view text, Number& count) {
+  const auto number = number_of_text<Number>(text);
+  if (number && *number >= 0) count = *number;
+  return number && *number >= 0;
 }
 
 }  // namespace

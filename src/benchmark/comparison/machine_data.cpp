@@ -171,7 +171,7 @@ Json family_data(const std::string& family, const ByEntry& entries, const Factor
           {"columns", columns_of(factors)},
           {"known_label", maximised ? "largest " + label_of(*maximised) : "best known value"},
           {"known_title",
-           fmt::format("{}: {:.3g} to {:.3g}{}", family, range["least"].get<double>(),
+           fmt::format("{}: best known values of {:.3g} to {:.3g}{}", family, range["least"].get<double>(),
                        range["most"].get<double>(), maximised ? " " + maximised->unit : "")},
           {"known", std::move(known)},
           {"first", name_of(*order.front())},

@@ -7,7 +7,10 @@
 #include <new>
 #include <stdexcept>
 
+#include "src/report/chart_csv.h"
 #include "src/report/drawing.h"
+#include "src/report/json.h"
+#include "src/report/script_text.h"
 #include "src/report/svg.h"
 #include "src/report/text.h"
 
@@ -31,9 +34,12 @@ DrawnChart draw(const Chart& chart) {
   }
 }
 
-std::string html_of(const DrawnChart& chart) {
-  if (chart.is_drawn()) return chart.svg;
-  return fmt::format("<p class=\"bad\">{}</p>", escape_html(words_for(chart)));
+std::string html_of(const Chart& chart, const DrawnChart& drawn) {
+  if (!drawn.is_drawn()) {
+    return fmt::format("<p class=\"bad\">{}</p>", escape_html(words_for(drawn)));
+  }
+  return fmt::format("{}<script type=\"application/json\" class=\"chart-csv\">{}</script>",
+                     drawn.svg, json_in_script(Json(csv_of(chart)).dump()));
 }
 
 std::string markdown_of(const DrawnChart& chart) {

@@ -20,8 +20,9 @@ struct DrawnChart {
 /// chart.
 DrawnChart draw(const Chart& chart);
 
-/// Returns the SVG, or a paragraph with the reason for the failure.
-std::string html_of(const DrawnChart& chart);
+/// Returns the SVG with the chart's numbers, for the buttons of reports/templates/chart_data.js, or
+/// a paragraph with the reason for the failure.
+std::string html_of(const Chart& chart, const DrawnChart& drawn);
 
 /// Returns a reference to the picture's file, or the same reason.
 std::string markdown_of(const DrawnChart& chart);

@@ -19,10 +19,10 @@
 #include "embedded/view_runs_script.h"
 #include "embedded/view_script.h"
 #include "embedded/view_template.h"
-#include "src/report/chart_csv.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
 #include "src/report/record_table.h"
+#include "src/report/script_text.h"
 #include "src/report/text.h"
 
 namespace ricochet::report {
@@ -147,25 +147,14 @@ Json data_of(const Table& table, const std::string& id, const TextWriters& writi
           {"rows", std::move(rows)}};
 }
 
-/// JSON in which "</script>" cannot occur.
-std::string inside_a_script(const Json& data) {
-  std::string text;
-  for (const char c : data.dump()) text += c == '<' ? "\\u003c" : std::string(1, c);
-  return text;
-}
-
-/// The picture with its numbers, for the buttons of reports/templates/chart_data.js.
-std::string with_numbers(const Chart& chart, const DrawnChart& drawn) {
-  if (!drawn.is_drawn()) return html_of(drawn);
-  return fmt::format("{}<script type=\"application/json\" class=\"chart-csv\">{}</script>",
-                     html_of(drawn), inside_a_script(csv_of(chart)));
-}
-
 Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& writing) {
   const Chart& chart = figure.chart;
-  return {{"html", with_numbers(chart, drawn)},        {"markdown", markdown_of(drawn)},
-          {"caption", writing.linked(figure.caption)}, {"frame", writing.plain(figure.frame)},
-          {"title", writing.plain(chart.title)},       {"max_width", chart.width * 115 / 100},
+  return {{"html", html_of(chart, drawn)},
+          {"markdown", markdown_of(drawn)},
+          {"caption", writing.linked(figure.caption)},
+          {"frame", writing.plain(figure.frame)},
+          {"title", writing.plain(chart.title)},
+          {"max_width", chart.width * 115 / 100},
           {"wide", chart.width >= wide_chart}};
 }
 
@@ -211,13 +200,13 @@ Json data_of(const Explorer& explorer, const TextWriters& writing) {
   }
   return {{"caption", writing.linked(explorer.caption)},
           {"settings", std::move(settings)},
-          {"data", inside_a_script({{"values", values}, {"answers", explorer.answers}})}};
+          {"data", json_in_script(Json{{"values", values}, {"answers", explorer.answers}}.dump())}};
 }
 
 /// The form of a view of runs, with its data.
 Json view_html(const Json& view) {
   if (view.is_null()) return nullptr;
-  const Json data = {{"data", inside_a_script(packed(view))}};
+  const Json data = {{"data", json_in_script(packed(view).dump())}};
   return filled(embedded::view_template, {&data});
 }
 

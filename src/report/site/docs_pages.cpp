@@ -24,8 +24,8 @@
 #include "src/report/data_text.h"
 #include "src/report/file_set.h"
 #include "src/report/filled_text.h"
+#include "src/report/script_text.h"
 #include "src/report/site/markdown.h"
-#include "src/report/site/script_text.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -126,10 +126,10 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
   }
   Json data = Json(search);
   report::replace_files(
-      folder,
-      {{"index.html", page_of(embedded::docs_template, {{"documents", list},
-                                                        {"search", json_in_script(data.dump())},
-                                                        {"script", embedded::search_script}})}});
+      folder, {{"index.html",
+                page_of(embedded::docs_template, {{"documents", list},
+                                                  {"search", report::json_in_script(data.dump())},
+                                                  {"script", embedded::search_script}})}});
   return place;
 }
 

@@ -4,16 +4,24 @@
 
 #include <algorithm>
 
-#include "embedded/chart_library.h"
-#include "embedded/front_script.h"
+#include "embedded/chart_data_script.h"
+#include "embedded/front_accuracy_script.h"
+#include "embedded/front_board_script.h"
+#include "embedded/front_chart_script.h"
+#include "embedded/front_chooser_script.h"
+#include "embedded/front_comparison_script.h"
+#include "embedded/front_curves_script.h"
+#include "embedded/front_data_script.h"
+#include "embedded/front_motion_script.h"
+#include "embedded/front_pairs_script.h"
 #include "embedded/front_summary_template.h"
 #include "embedded/front_template.h"
 #include "embedded/look.h"
 #include "src/report/data_text.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
+#include "src/report/script_text.h"
 #include "src/report/site/front_charts.h"
-#include "src/report/site/script_text.h"
 #include "src/report/text.h"
 
 namespace ricochet::site {
@@ -117,6 +125,14 @@ Json chooser_rows(const Chooser& chooser) {
   });
 }
 
+/// A script for each noun, in the order of their use.
+Json scripts() {
+  using namespace embedded;
+  return {chart_data_script,     front_data_script,  front_chart_script,  front_chooser_script,
+          front_accuracy_script, front_board_script, front_curves_script, front_comparison_script,
+          front_motion_script,   front_pairs_script};
+}
+
 /// Removes repeated empty lines, which sections of a template leave behind.
 std::string without_gaps(std::string text) {
   for (std::size_t at = text.find("\n\n\n"); at != std::string::npos;
@@ -162,7 +178,7 @@ FrontPage front_page(const Front& front, const std::string& navigation) {
   const auto drawn = [&failures](const report::Chart& chart) {
     const report::DrawnChart own = report::draw(chart);
     if (!own.is_drawn()) failures.push_back(report::failure_of(own));
-    return report::html_of(own);
+    return report::html_of(chart, own);
   };
   page["charts"] = report::list_of(front_charts(front), drawn);
   page["has_charts"] = !page["charts"].empty();
@@ -174,9 +190,8 @@ FrontPage front_page(const Front& front, const std::string& navigation) {
   page["pairs_chart"] = nullptr;
   if (front.pairs) page["pairs_chart"] = drawn(pairs_chart(*front.pairs));
   page["look"] = embedded::look;
-  page["data"] = json_in_script(report::data_text(shown));
-  page["chart_library"] = embedded::chart_library;
-  page["script"] = embedded::front_script;
+  page["data"] = report::json_in_script(report::data_text(shown));
+  page["scripts"] = scripts();
   const Json summary = told(front, report::escape_markdown);
   Json data = front;
   data["report"] = "site";

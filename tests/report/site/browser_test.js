@@ -91,7 +91,7 @@ const lookAt = async (name) => {
   const offers = await page.$$eval("figure:has(> svg)", (all) => all.map((figure) => ({
     name: figure.querySelector("title").textContent, buttons: figure.querySelectorAll(".chart-data button").length,
     rows: JSON.parse(figure.querySelector("script.chart-csv")?.textContent ?? '""').trim().split("\n").length - 1})));
-  if (name !== "index.html") for (const {name: chart, buttons, rows} of offers) {
+  for (const {name: chart, buttons, rows} of offers) {
     check(buttons === 3 && rows > 0, `${name}: ${chart}: ${buttons} buttons, ${rows} rows of data`);
   }
   check(await page.$eval("nav.site a[aria-current]", (link) => link.textContent.length > 0).catch(() => false), `${name}: not in the navigation`);
@@ -224,17 +224,11 @@ check(screens <= 3.75, `the front page has ${screens} screens`);
 await page.setViewport({width: 1440, height: 900});
 
 // The points of a chart, in pixels too.
-const points = (id) => page.evaluate((canvas) => {
-  const chart = Chart.getChart(canvas);
-  return chart.data.datasets.flatMap((set, i) => chart.isDatasetVisible(i) ? set.data.map((point, k) => {
-    const {x, y} = chart.getDatasetMeta(i).data[k];
-    return {x, y, value: point.y, solver: point.row?.solver, inside: Number.isFinite(x) && Number.isFinite(y)};
-  }) : []);
-}, id);
-const inked = (id) => page.$eval(`#${id}`, (canvas) => {
-  const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-  return pixels.some((value, i) => i % 4 === 3 && value > 0);
-});
+const points = (id) => page.evaluate((chart) => charts[chart].marks.map(({x, y, point}) =>
+  ({x, y, value: point.y, solver: point.row?.solver, inside: Number.isFinite(x) && Number.isFinite(y)})), id);
+// A mark for every point, but of curves, that have none.
+const inked = (id) => page.evaluate((chart) => charts[chart].svg.querySelectorAll("path[d*=a], path[d$=z]").length >= charts[chart].marks.filter(({set}) => set.radius).length &&
+  (charts[chart].svg.outerHTML.match(/NaN|undefined/) ?? []).length === 0, id);
 const selected = async () => ({family: Number(await page.$eval("#family", (s) => s.value)), budget: Number(await page.$eval("#budget", (s) => s.value))});
 const inView = async () => {
   const {family, budget} = await selected();
@@ -244,13 +238,10 @@ const dotsOf = async (speed, accuracy) => (await inView()).filter((row) => row[s
 const board = () => page.$$eval("#board tbody tr", (lines) => lines.map((line) => [...line.children].map((c) => c.textContent)));
 
 // Labels of an axis beside each other, none over another.
-const overlapping = (id) => page.evaluate((canvas) => {
-  const chart = Chart.getChart(canvas), {x, y} = chart.scales;
-  chart.ctx.font = `12px ${Chart.defaults.font.family}`;
-  const clash = (scale, size) => scale.ticks.some((tick, i) => i > 0 &&
-    Math.abs(scale.getPixelForTick(i) - scale.getPixelForTick(i - 1)) < (size(tick.label) + size(scale.ticks[i - 1].label)) / 2);
-  return clash(x, (label) => chart.ctx.measureText(label).width) || clash(y, () => 10);
-}, id);
+const overlapping = (id) => page.$$eval(`#${id} text[fill="#444444"]`, (labels) => {
+  const boxes = labels.map((label) => label.getBoundingClientRect());
+  return boxes.length < 4 || boxes.some((a, i) => boxes.slice(0, i).some((b) => a.left < b.right && b.left < a.right && a.top + 2 < b.bottom && b.top + 2 < a.bottom));
+});
 
 const timed = rows.some((row) => row.evaluations !== null);
 for (const id of [...(timed ? ["accuracy-chart"] : []), "motion-chart"]) check(await inked(id), `${id} is blank`);
@@ -316,6 +307,13 @@ check(await seen("leaderboard") && !(await seen("reached")), "beside the chart t
 await page.click("#show-reached");
 check(await seen("reached") && !(await seen("leaderboard")), "beside the chart there are not the curves alone");
 
+// The files of a chart have a row for each of its points, and its picture in the colours of paper.
+const csvRows = (id) => page.$eval(`#${id} ~ .chart-csv`, (text) => JSON.parse(text.textContent).trim().split("\n").length - 1);
+for (const id of ["accuracy-chart", "curve-chart", "motion-chart", "pairs-chart"]) {
+  check(await csvRows(id) === (await points(id)).length, `${id}: the CSV has ${await csvRows(id)} rows`);
+  check(await inked(id), `${id}: not every point is drawn`);
+}
+
 // The legend picks curves.
 const curves = (await points("curve-chart")).length;
 const {family, budget} = await selected();
@@ -348,7 +346,7 @@ const expectPairs = async (solvers, simulations, alone, what) => {
   check(!(await overlapping("pairs-chart")), `${what}: labels of an axis overlap`);
   const within = shown.filter(({error}) => error < pairs.range);
   const fastest = within.reduce((a, b) => b.seconds < a.seconds ? b : a), best = Math.min(...within.map(({error}) => error));
-  const front = await page.evaluate(() => Chart.getChart("pairs-chart").data.datasets[0].data.map(({x, y}) => ({x, y})));
+  const front = await page.evaluate(() => charts["pairs-chart"].shown.sets[0].data.map(({x, y}) => ({x, y})));
   check(same(front[0].x, fastest.seconds) && same(front.at(-1).y, best), `${what}: the front is not the data's`);
   check(front.every(({x, y}, i) => i === 0 || (x >= front[i - 1].x && y < front[i - 1].y)), `${what}: the front is none`);
   const files = JSON.parse(await offered("pairs-json"));
@@ -380,14 +378,14 @@ for (const cell of new Set(cells)) {
 
 // Hover tells numbers, a click leads to the report.
 const hoverAndClick = async (id, report) => {
-  const canvas = await page.waitForSelector(`#${id}`);  // the way back may take its time
-  await canvas.scrollIntoView();
+  const picture = await page.waitForSelector(`#${id}`);  // the way back may take its time
+  await picture.scrollIntoView();
   await new Promise((resolve) => setTimeout(resolve, 300));  // until charts above have their height
-  const box = await canvas.boundingBox(), [dot] = await points(id);
+  const box = await picture.boundingBox(), [dot] = await points(id);
   if (!dot) return;
   await page.mouse.move(box.x + dot.x, box.y + dot.y);
   await new Promise((resolve) => setTimeout(resolve, 100));
-  const told = await page.evaluate((canvasId) => Chart.getChart(canvasId).tooltip.body?.length ?? 0, id);
+  const told = await page.$eval(`#${id} ~ .tip`, (tip) => tip.checkVisibility() ? tip.textContent.length : 0);
   check(told > 0, `${id}: nothing is told of the dot under the pointer`);
   await Promise.all([page.waitForNavigation({timeout: 5000}).catch(() => check(false, `${id}: a click leads nowhere`)),
                      page.mouse.click(box.x + dot.x, box.y + dot.y)]);
@@ -479,13 +477,13 @@ for (const [question, [selector, words]] of Object.entries(answersTo)) {
 // Without a script, and on paper, the pictures that stand still.
 const still = await open(front, {script: false});
 check(await still.$eval("#still-charts", (section) => section.checkVisibility()), "without a script there are no charts");
-check(!(await still.$eval("#speed-accuracy canvas", (canvas) => canvas.checkVisibility())), "without a script there are empty charts");
+check(!(await still.$eval("#accuracy-chart", (chart) => chart.checkVisibility())), "without a script there are empty charts");
 await still.close();
 const paper = await open(front);
 await paper.emulateMediaType("print");
 check(await paper.$eval("#still-charts", (section) => section.checkVisibility()), "on paper there are no charts");
 for (const id of ["motion-chart", "pairs-chart"]) {
-  check(!(await paper.$eval(`#${id}`, (canvas) => canvas.checkVisibility())), "on paper there are charts that move");
+  check(!(await paper.$eval(`#${id}`, (chart) => chart.checkVisibility())), "on paper there are charts that move");
 }
 const stands = await paper.$$eval("#still-charts svg", (all) => all.some((svg) => /front-solver-and-simulation/.test(svg.outerHTML)));
 check(stands, "on paper there is no chart of solver and simulation");

@@ -1,6 +1,6 @@
-#include "src/report/site/script_text.h"
+#include "src/report/script_text.h"
 
-namespace ricochet::site {
+namespace ricochet::report {
 
 std::string json_in_script(const std::string& json) {
   std::string text;
@@ -14,4 +14,4 @@ std::string json_in_script(const std::string& json) {
   return text;
 }
 
-}  // namespace ricochet::site
+}  // namespace ricochet::report

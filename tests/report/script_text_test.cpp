@@ -1,10 +1,10 @@
-#include "src/report/site/script_text.h"
+#include "src/report/script_text.h"
 
 #include <gtest/gtest.h>
 
 #include "src/report/json.h"
 
-namespace ricochet::site {
+namespace ricochet::report {
 namespace {
 
 TEST(ScriptText, HasTheSameDataAndEndsNoScript) {
@@ -15,4 +15,4 @@ TEST(ScriptText, HasTheSameDataAndEndsNoScript) {
 }
 
 }  // namespace
-}  // namespace ricochet::site
+}  // namespace ricochet::report

@@ -121,29 +121,16 @@ Section section_of(const Part& part, const Scopes& scopes, Mismatch mismatch, Dr
   return section;
 }
 
-/// What names of the template stand for in data of an earlier version, which lack them.
-Json defaults_of(const toml::table& file) {
-  Json defaults = Json::object();
-  const toml::table* table = file["defaults"].as_table();
-  if (table == nullptr) return defaults;
-  for (const auto& [name, node] : *table) {
-    if (const auto text = node.value<std::string>()) defaults[std::string(name.str())] = *text;
-    if (node.is_array()) defaults[std::string(name.str())] = Json::array();
-  }
-  return defaults;
-}
-
 }  // namespace
 
 DrawnPage drawn(const std::string& page_template, const Json& data, Mismatch mismatch) {
   const toml::table file = toml::parse(page_template);
   const Part root(file);
   DrawnPage result;
-  const Json defaults = defaults_of(file);
-  result.headline = headline_of(root, {&defaults, &data});
+  result.headline = headline_of(root, {&data});
   result.page.title = result.headline.title;
   const Json finding = {{"finding", result.headline.finding}};
-  const Scopes scopes = {&defaults, &finding, &data};
+  const Scopes scopes = {&finding, &data};
   result.page.intro = paragraphs_of(root, "intro", scopes);
   result.page.background = paragraphs_of(root, "background", scopes);
   result.page.above = root.filled_text("above", scopes);
@@ -159,8 +146,7 @@ DrawnPage drawn(const std::string& page_template, const Json& data, Mismatch mis
 
 Headline headline_in(const std::string& page_template, const Json& data) {
   const toml::table file = toml::parse(page_template);
-  const Json defaults = defaults_of(file);
-  return headline_of(Part(file), {&defaults, &data});
+  return headline_of(Part(file), {&data});
 }
 
 Digits kept_digits(const std::string& page_template) {

@@ -22,7 +22,6 @@ struct DrawnPage {
 ///
 ///   title = "..."             intro = ["a paragraph", ...]        epilogue = "..."
 ///   above = "name of the page in the folder above", if there is one
-///   [defaults]                what a name stands for if the data, of an earlier version, lack it
 ///   [digits]                  name = number of its significant digits in the data
 ///   [headline]                label, problem, command of the kind; finding, made_by, holds
 ///   [[headline.excerpt]]      topic, heading, text, links = [{text, to}, ...], table,

@@ -52,22 +52,6 @@ answer = "{{quiet:.2f}} rad/s"
   EXPECT_THAT(explorer->answers, ElementsAre("1.25 rad/s", "– rad/s"));
 }
 
-TEST(PageTemplate, HasDefaultsForDataThatLackAName) {
-  constexpr const char* text = R"(
-title = "{{kind}}: {{total}}"
-intro = ["{{#rest}}{{.}}{{/rest}}{{^rest}}none{{/rest}}"]
-[defaults]
-kind = "old"
-rest = []
-)";
-  EXPECT_EQ(drawn(text, sample()).page.title, "old: 2");
-  EXPECT_THAT(drawn(text, sample()).page.intro, ElementsAre("none"));
-  Json data = sample();
-  data["kind"] = "new";
-  EXPECT_EQ(drawn(text, data).page.title, "new: 2");
-  EXPECT_EQ(headline_in(text, data).title, "new: 2");
-}
-
 constexpr const char* sheet = R"(
 title = "{{total}} cases"
 intro = ["First.", "{{#absent}}never{{/absent}}"]

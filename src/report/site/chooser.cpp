@@ -125,9 +125,9 @@ std::vector<Choice> choices_under(const Known& known, const std::vector<Perturbe
     const Json& cell = entry.shares.at(perturbation);
     const double share = cell.is_null() ? 0 : cell.get<double>();
     if (share <= 0) continue;
-    const double runs = static_cast<double>(*entry.runs);
+    const double runs = static_cast<double>(entry.runs);
     const Interval interval = wilson_interval(share * runs, runs);
-    all.push_back({*entry.solver, *entry.formulation, known.needs_derivatives(*entry.solver), share,
+    all.push_back({entry.solver, entry.formulation, known.needs_derivatives(entry.solver), share,
                    interval.lower, interval.upper, std::nullopt, entry.problems});
   }
   std::ranges::stable_sort(all,
@@ -139,7 +139,7 @@ void add_perturbed(const Known& known, const PerturbedData& data, const std::str
                    Chooser& chooser) {
   std::map<std::string, std::vector<PerturbedEntry>> families;
   for (const PerturbedEntry& entry : data.perturbation_rows) {
-    if (entry.family && entry.runs) families[*entry.family].push_back(entry);
+    families[entry.family].push_back(entry);
   }
   for (std::size_t p = 0; p < data.perturbation_names.size(); ++p) {
     const std::string& name = data.perturbation_names[p].perturbation;
@@ -153,10 +153,9 @@ void add_perturbed(const Known& known, const PerturbedData& data, const std::str
       if (choices.empty() || plain == chooser.situations.end()) continue;
       Situation situation = *plain;
       situation.folder = folder;
-      situation.problems = entries.front().problems.value_or(0);
-      situation.variables = {entries.front().least_variables.value_or(0),
-                             entries.front().most_variables.value_or(0)};
-      situation.budget = entries.front().budget.value_or(0);
+      situation.problems = entries.front().problems;
+      situation.variables = {entries.front().least_variables, entries.front().most_variables};
+      situation.budget = entries.front().budget;
       situation.perturbation = name;
       situation.runs = entries.front().runs;
       situation.random.reset();

@@ -76,13 +76,12 @@ struct PerturbationName {
   std::string perturbation;
 };
 
-/// An entry on the problems of a family that are run under perturbations. Data of earlier versions
-/// have the shares alone.
+/// An entry on the problems of a family that are run under perturbations.
 struct PerturbedEntry {
   report::Json shares;  ///< success rate under each perturbation, or null
-  std::optional<std::string> family, solver, formulation;
-  std::optional<std::int64_t> problems, least_variables, most_variables, runs;
-  std::optional<double> budget;  ///< evaluations for each variable
+  std::string family, solver, formulation;
+  std::int64_t problems, least_variables, most_variables, runs;
+  double budget;  ///< evaluations for each variable
 };
 
 struct PerturbedData {

@@ -17,7 +17,7 @@ TEST(Surrogate, WritesAReportThatStandsAlone) {
   EXPECT_THAT(html, HasSubstr("Where does the gradient mean something?"));
   EXPECT_EQ(html.find("<script src"), std::string::npos);
   EXPECT_EQ(html.find("<img"), std::string::npos);
-  EXPECT_TRUE(std::filesystem::exists(folder / "gap-c1.svg"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "speed-gap.svg"));
 
   const auto again = folder.parent_path() / "again";
   ASSERT_EQ(call("report " + folder.string() + " --out " + again.string()).exit_code, 0);

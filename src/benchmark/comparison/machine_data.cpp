@@ -22,13 +22,15 @@ constexpr int landscape_points = 25;  // per edge of a box
 
 using Factors = std::map<std::string, std::vector<double>>;
 
-/// The machine's coordinates: "restitution 0.1, friction 0.4", from the given factor on.
+/// The machine's coordinates: "restitution 0.1, friction 0.4", from the given factor on. A level of
+/// fidelity stands alone: "compliant, friction 0.1".
 std::string row_name(const Problem& problem, Factors::const_iterator factor,
                      const Factors& factors) {
   std::string name;
   for (; factor != factors.end(); ++factor) {
-    name += fmt::format("{}{} {}", name.empty() ? "" : ", ", factor->first,
-                        level_name(factor->first, problem.factors.at(factor->first)));
+    if (!name.empty()) name += ", ";
+    if (factor->first != "fidelity") name += factor->first + " ";
+    name += level_name(factor->first, problem.factors.at(factor->first));
   }
   return name;
 }
@@ -170,9 +172,9 @@ Json family_data(const std::string& family, const ByEntry& entries, const Factor
           {"column", factors.begin()->first},
           {"columns", columns_of(factors)},
           {"known_label", maximised ? "largest " + label_of(*maximised) : "best known value"},
-          {"known_title",
-           fmt::format("{}: best known values of {:.3g} to {:.3g}{}", family, range["least"].get<double>(),
-                       range["most"].get<double>(), maximised ? " " + maximised->unit : "")},
+          {"known_title", fmt::format("{}: best known values of {:.3g} to {:.3g}{}", family,
+                                      range["least"].get<double>(), range["most"].get<double>(),
+                                      maximised ? " " + maximised->unit : "")},
           {"known", std::move(known)},
           {"first", name_of(*order.front())},
           {"first_share", mean_solved(order.front()->second)}};

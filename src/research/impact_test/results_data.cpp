@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "src/research/impact_test/results.h"
@@ -134,6 +135,15 @@ Json standings_of(const Results& results) {
   return rows;
 }
 
+/// Time and errors of a simulator at a level, as they are drawn.
+Json drawn_level(const Results& results, const Measured& measured) {
+  const Tally tally = tally_of(measured.scores, results.scenes, any_scene);
+  const auto wrong = tally.per_thousand(tally.missed + tally.invented);
+  return {{"seconds", tally.seconds_per_impact},
+          {"wrong", drawn(wrong, least_wrong(results))},
+          {"error", drawn(tally.time_error, least_time_error)}};
+}
+
 /// The levels of each simulator: what a tighter setting buys.
 Json series_of(const Results& results) {
   Json series = Json::array();
@@ -141,13 +151,22 @@ Json series_of(const Results& results) {
     if (series.empty() || series.back()["tool"] != m.tool.name) {
       series.push_back({{"tool", m.tool.name}, {"rows", Json::array()}});
     }
-    const Tally tally = tally_of(m.scores, results.scenes, any_scene);
-    const auto wrong = tally.per_thousand(tally.missed + tally.invented);
-    series.back()["rows"].push_back({{"seconds", tally.seconds_per_impact},
-                                     {"wrong", drawn(wrong, least_wrong(results))},
-                                     {"error", drawn(tally.time_error, least_time_error)}});
+    series.back()["rows"].push_back(drawn_level(results, m));
   }
   return series;
+}
+
+/// The same by kind of simulator; the level that is shown has the simulator's name.
+Json dots_of(const Results& results) {
+  std::map<std::string, Json> kinds;
+  for (const Measured& m : results.measured) {
+    Json row = drawn_level(results, m);
+    row["name"] = m.level == shown_level(results.plan) ? m.tool.name : "";
+    kinds[m.tool.kind].push_back(std::move(row));
+  }
+  Json dots = Json::array();
+  for (auto& [kind, rows] : kinds) dots.push_back({{"kind", kind}, {"rows", std::move(rows)}});
+  return dots;
 }
 
 Json json_of_broken(const Broken& broken) {
@@ -249,6 +268,7 @@ Json data_of(const Results& results) {
           {"rows", rows},
           {"own_rows", own},
           {"series", series_of(results)},
+          {"dots", dots_of(results)},
           {"broken", list_of(results.broken, json_of_broken)},
           {"missing", list_of(results.missing,
                               [](const MissingTool& m) -> Json {

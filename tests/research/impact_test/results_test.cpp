@@ -45,6 +45,15 @@ TEST(Results, CompareEverybody) {
   EXPECT_EQ(last["cannot"], 4);
   EXPECT_GT(last["ratio"], 100);
   EXPECT_EQ(data["found"]["tools"], 1);
+  EXPECT_EQ(data["found"]["hardest"]["tools"], 1);
+  // Every level of a simulator is a dot of its kind; one has its name.
+  std::size_t dots = 0, names = 0;
+  for (const Json& kind : data["dots"]) {
+    dots += kind["rows"].size();
+    for (const Json& row : kind["rows"]) names += row["name"] == "quiet";
+  }
+  EXPECT_EQ(dots, results.measured.size());
+  EXPECT_EQ(names, 1U);
   // One impact is enough.
   const Json& broken = data["broken"].back();
   EXPECT_EQ(broken["tool"], "quiet");

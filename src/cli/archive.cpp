@@ -13,7 +13,9 @@
 #include "ricochet/solvers.h"
 #include "src/benchmark/experiment/campaign/archived_campaign.h"
 #include "src/benchmark/experiment/store/archive.h"
+#include "src/cli/commands.h"
 #include "src/cli/provenance.h"
+#include "src/cli/shared_options.h"
 #include "src/cli/stored_runs.h"
 #include "src/core/made_folder.h"
 #include "src/core/patterns.h"
@@ -23,6 +25,14 @@ namespace ricochet::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct SubmitOptions {
+  std::string store;
+  std::string out;
+  std::string solvers;   ///< patterns; empty: the user's solvers of the store
+  std::string citation;  ///< a file; empty: none
+  bool allow_programs = false;
+};
 
 constexpr std::size_t repeated_runs = 5;
 
@@ -55,6 +65,36 @@ void check_repeatable(const Store& store, const std::vector<std::int64_t>& runs,
         "{}: run {} differs in {} when it is repeated: what cannot be repeated is not submitted",
         options.store, number, differs));
   }
+}
+
+int submit(const SubmitOptions& options) {
+  const Store store = Store::open(options.store, Store::For::reading);
+  warn_of_missing_runs(options.store);
+  std::vector<std::string> patterns = split_patterns(options.solvers);
+  if (patterns.empty()) patterns = own_solvers_of(store.description());
+  if (patterns.empty()) {
+    throw InputError(fmt::format(
+        "{}: has only solvers of the suite: --solvers PATTERNS chooses among them", options.store));
+  }
+  std::vector<std::string> names;
+  for (const StoredSolver& solver : store.description().solvers) names.push_back(solver.name);
+  require_fit(patterns, names, "--solvers");
+  const auto wanted = [&](const RunKey& key) { return fits_any(key.cell.solver, patterns); };
+  std::vector<std::int64_t> runs;
+  store.each([&](const StoredRun& run) {
+    if (wanted(run.key)) runs.push_back(run.number);
+  });
+  if (runs.empty()) throw InputError(fmt::format("{}: has no such run", options.store));
+  check_repeatable(store, runs, options);
+  std::map<std::string, std::string> notes = {
+      {"command", fmt::format("ricochet submit --solvers '{}'", fmt::join(patterns, ","))}};
+  if (!options.citation.empty()) notes["citation"] = text_in(options.citation);
+  write_archive(store, options.out, wanted, notes);
+  fmt::print("{} runs of {}: {}, {:.2f} MB; {} of them repeated, to the last bit\n", runs.size(),
+             fmt::join(patterns, ", "), options.out,
+             static_cast<double>(fs::file_size(options.out)) / 1e6,
+             std::min(repeated_runs, runs.size()));
+  return 0;
 }
 
 }  // namespace
@@ -94,34 +134,24 @@ Plan plan_against_archive(const std::string& archive, const std::vector<std::str
   return plan;
 }
 
-int submit(const SubmitOptions& options) {
-  const Store store = Store::open(options.store, Store::For::reading);
-  warn_of_missing_runs(options.store);
-  std::vector<std::string> patterns = split_patterns(options.solvers);
-  if (patterns.empty()) patterns = own_solvers_of(store.description());
-  if (patterns.empty()) {
-    throw InputError(fmt::format(
-        "{}: has only solvers of the suite: --solvers PATTERNS chooses among them", options.store));
-  }
-  std::vector<std::string> names;
-  for (const StoredSolver& solver : store.description().solvers) names.push_back(solver.name);
-  require_fit(patterns, names, "--solvers");
-  const auto wanted = [&](const RunKey& key) { return fits_any(key.cell.solver, patterns); };
-  std::vector<std::int64_t> runs;
-  store.each([&](const StoredRun& run) {
-    if (wanted(run.key)) runs.push_back(run.number);
-  });
-  if (runs.empty()) throw InputError(fmt::format("{}: has no such run", options.store));
-  check_repeatable(store, runs, options);
-  std::map<std::string, std::string> notes = {
-      {"command", fmt::format("ricochet submit --solvers '{}'", fmt::join(patterns, ","))}};
-  if (!options.citation.empty()) notes["citation"] = text_in(options.citation);
-  write_archive(store, options.out, wanted, notes);
-  fmt::print("{} runs of {}: {}, {:.2f} MB; {} of them repeated, to the last bit\n", runs.size(),
-             fmt::join(patterns, ", "), options.out,
-             static_cast<double>(fs::file_size(options.out)) / 1e6,
-             std::min(repeated_runs, runs.size()));
-  return 0;
+void add_submit(CommandLine& line) {
+  CLI::App* command =
+      line.add("submit", "Pack runs of a store, checked and compressed, as an archive",
+               "  ricochet submit mine/runs.sqlite --out mine.archive --citation CITATION.cff\n"
+               "  ricochet merge all.sqlite reports/archive/reference.archive mine.archive");
+  const auto options = std::make_shared<SubmitOptions>();
+  command->add_option("store", options->store, "A store, runs.sqlite")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--out", options->out, "The archive")->type_name("FILE")->required();
+  command
+      ->add_option("--solvers", options->solvers,
+                   "Patterns, separated by commas; default: the solvers that are not of the suite")
+      ->type_name("SOLVERS");
+  command->add_option("--citation", options->citation, "How to cite the solver: a CITATION.cff")
+      ->type_name("FILE");
+  add_allowance(command, options->allow_programs);
+  line.on_call(command, [options] { return submit(*options); });
 }
 
 }  // namespace ricochet::cli

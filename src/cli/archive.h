@@ -16,15 +16,4 @@ std::string archive_named(const std::string& name);
 Plan plan_against_archive(const std::string& archive, const std::vector<std::string>& own_solvers,
                           const Catalogue& catalogue, const std::string& out);
 
-struct SubmitOptions {
-  std::string store;
-  std::string out;
-  std::string solvers;   ///< patterns; empty: the user's solvers of the store
-  std::string citation;  ///< a file; empty: none
-  bool allow_programs = false;
-};
-
-/// Writes runs of a store as an archive, after some of them have been repeated to the bit.
-int submit(const SubmitOptions& options);
-
 }  // namespace ricochet::cli

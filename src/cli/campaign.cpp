@@ -18,16 +18,17 @@
 #include "src/benchmark/experiment/campaign/archived_campaign.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/benchmark/experiment/campaign/frame.h"
-#include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/campaign/service.h"
 #include "src/cli/archive.h"
 #include "src/cli/campaign_size.h"
+#include "src/cli/commands.h"
 #include "src/cli/cores.h"
 #include "src/cli/other_program.h"
 #include "src/cli/plan.h"
 #include "src/cli/programs.h"
 #include "src/cli/provenance.h"
+#include "src/cli/shared_options.h"
 #include "src/cli/tell.h"
 #include "src/cli/version.h"
 #include "src/core/folder_lock.h"
@@ -60,8 +61,111 @@ void announce_time(const Campaign& campaign, const Shard& shard) {
   Progress::announce(in_words(forecast, cores()));
 }
 
-/// Makes the runs that are missing in the folder's store, or has the other ranks make them. If that
-/// is interrupted, `continuation` is what goes on.
+/// Returns true if mpirun started this process as one of several, by the environment variables of
+/// Open MPI and of MPICH and its derivatives.
+bool started_with_other_ranks() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    const char* ranks = std::getenv(name);
+    if (ranks != nullptr && std::atoi(ranks) > 1) return true;
+  }
+  return false;
+}
+
+/// Replaces this process by the program that distributes runs over ranks.
+[[noreturn]] void hand_over_to_mpi(const RunOptions& options) {
+  const OtherCommand mpi{"run", "ricochet-mpi", ""};
+  if (options.plan == "-") throw InputError("under mpirun the plan must be a file");
+  if (!std::filesystem::exists(path_of(mpi))) {
+    throw InputError(
+        "ricochet is built without MPI: -D RICOCHET_WITH_MPI=ON builds it with, and --shard needs "
+        "none");
+  }
+  std::vector<std::string> arguments = {options.plan,
+                                        "--out",
+                                        options.out,
+                                        "--shard",
+                                        options.shard,
+                                        "--jobs",
+                                        std::to_string(std::max(1, options.jobs))};
+  if (options.resume) arguments.emplace_back("--resume");
+  for (const std::string& store : options.from) {
+    arguments.insert(arguments.end(), {"--from", store});
+  }
+  if (options.allow_programs) arguments.emplace_back("--allow-programs");
+  hand_over(mpi, arguments);
+}
+
+int run_plan(const RunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.jobs < 0) throw InputError(fmt::format("--jobs {}: must be >= 0", options.jobs));
+  const Shard shard = shard_of(options.shard);
+  if (options.serve.empty() && started_with_other_ranks()) hand_over_to_mpi(options);
+  std::optional<tbb::global_control> limited;
+  if (options.jobs > 0) {
+    limited.emplace(tbb::global_control::max_allowed_parallelism, options.jobs);
+  }
+  const Plan plan = plan_named(options.plan);
+  if (options.serve == "runs") Progress::silence();  // the process with the store shows progress
+  announce_programs(programs_of(plan), options.allow_programs, options.plan);
+  if (options.serve == "runs") {
+    const Campaign campaign = searched_campaign(plan, studies::whole_catalogue());
+    fcntl(frames_out, F_SETFD, FD_CLOEXEC);  // child processes of the runs must not inherit it
+    serve_runs(campaign, shard, STDIN_FILENO, frames_out);
+    return 0;
+  }
+  const auto [campaign, store] =
+      carried_out(plan, studies::whole_catalogue(), shard, options, "--resume");
+  std::string digest;
+  std::vector<std::string> failures;
+  if (store.size() == campaign.runs()) {
+    const auto study = studies::comparison_study(campaign, store);
+    const studies::Finished finished = studies::run(study, false, options.out, start);
+    fmt::print("{}", finished.epilogue);
+    digest = finished.data["digest"].get<std::string>();
+    failures = finished.failures;
+  } else {
+    digest = store.digest();
+  }
+  fmt::print("{} runs: {}\ndigest {}\n", store.size(),
+             one_line((std::filesystem::path(options.out) / "runs.sqlite").string()), digest);
+  report::require_none(failures);
+  return 0;
+}
+
+}  // namespace
+
+void add_run(CommandLine& line) {
+  CLI::App* command = line.add("run", "Run a plan; every finished run is stored at once",
+                               "  ricochet run plan.toml --out mine\n"
+                               "  ricochet run plan.toml --out mine --resume\n"
+                               "  ricochet run plan.toml --out part-3 --shard 3/8\n"
+                               "  mpirun -n 64 ricochet run plan.toml --out mine");
+  const auto options = std::make_shared<RunOptions>();
+  add_plan_file(command, options->plan);
+  command->add_option("--out", options->out, "Folder of the store, runs.sqlite")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  command->add_option("--shard", options->shard, "Only the I-th of N parts of the runs")
+      ->type_name("I/N")
+      ->capture_default_str();
+  CLI::Option* resume =
+      command->add_flag("--resume", options->resume, "Continue the campaign in this folder");
+  command
+      ->add_option("--from", options->from,
+                   "Take over the runs of another store whose problem and solver are the same; may "
+                   "be repeated")
+      ->type_name("STORE")
+      ->allow_extra_args(false)
+      ->excludes(resume);
+  add_allowance(command, options->allow_programs);
+  command->add_option("--jobs", options->jobs, "Runs in parallel; 0: as many as cores")
+      ->capture_default_str();
+  command->add_option("--serve", options->serve, "What this process does under MPI")
+      ->check(CLI::IsMember({"store", "runs"}))
+      ->group("");  // hidden
+  line.on_call(command, [options] { return run_plan(*options); });
+}
+
 StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const Shard& shard,
                            const RunOptions& options, std::string_view continuation) {
   // Before anything is written. The store has a folder, locks, a log and temporary files.
@@ -102,113 +206,6 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
         fmt::format("not all runs were made; finished ones are kept: {} goes on", continuation));
   }
   return stored;
-}
-
-/// Returns true if mpirun started this process as one of several, by the environment variables of
-/// Open MPI and of MPICH and its derivatives.
-bool started_with_other_ranks() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    const char* ranks = std::getenv(name);
-    if (ranks != nullptr && std::atoi(ranks) > 1) return true;
-  }
-  return false;
-}
-
-/// Replaces this process by the program that distributes runs over ranks.
-[[noreturn]] void hand_over_to_mpi(const RunOptions& options) {
-  const OtherCommand mpi{"run", "ricochet-mpi", ""};
-  if (options.plan == "-") throw InputError("under mpirun the plan must be a file");
-  if (!std::filesystem::exists(path_of(mpi))) {
-    throw InputError(
-        "ricochet is built without MPI: -D RICOCHET_WITH_MPI=ON builds it with, and --shard needs "
-        "none");
-  }
-  std::vector<std::string> arguments = {options.plan,
-                                        "--out",
-                                        options.out,
-                                        "--shard",
-                                        options.shard,
-                                        "--jobs",
-                                        std::to_string(std::max(1, options.jobs))};
-  if (options.resume) arguments.emplace_back("--resume");
-  for (const std::string& store : options.from) {
-    arguments.insert(arguments.end(), {"--from", store});
-  }
-  if (options.allow_programs) arguments.emplace_back("--allow-programs");
-  hand_over(mpi, arguments);
-}
-
-/// Carries a comparison out, or goes on with it, and writes its report.
-int compared(const Plan& plan, const Catalogue& catalogue, bool quick, const std::string& out,
-             std::chrono::steady_clock::time_point start) {
-  RunOptions here;
-  here.out = out;
-  here.resume = true;
-  const auto [campaign, store] = carried_out(plan, catalogue, {}, here, "the same command");
-  tell(studies::run(studies::comparison_study(campaign, store), quick, out, start));
-  return 0;
-}
-
-}  // namespace
-
-int run_plan(const RunOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  if (options.jobs < 0) throw InputError(fmt::format("--jobs {}: must be >= 0", options.jobs));
-  const Shard shard = shard_of(options.shard);
-  if (options.serve.empty() && started_with_other_ranks()) hand_over_to_mpi(options);
-  std::optional<tbb::global_control> limited;
-  if (options.jobs > 0) {
-    limited.emplace(tbb::global_control::max_allowed_parallelism, options.jobs);
-  }
-  const Plan plan = plan_named(options.plan);
-  if (options.serve == "runs") Progress::silence();  // the process with the store shows progress
-  announce_programs(programs_of(plan), options.allow_programs, options.plan);
-  if (options.serve == "runs") {
-    const Campaign campaign = searched_campaign(plan, studies::whole_catalogue());
-    fcntl(frames_out, F_SETFD, FD_CLOEXEC);  // child processes of the runs must not inherit it
-    serve_runs(campaign, shard, STDIN_FILENO, frames_out);
-    return 0;
-  }
-  const auto [campaign, store] =
-      carried_out(plan, studies::whole_catalogue(), shard, options, "--resume");
-  std::string digest;
-  std::vector<std::string> failures;
-  if (store.size() == campaign.runs()) {
-    const auto study = studies::comparison_study(campaign, store);
-    const studies::Finished finished = studies::run(study, false, options.out, start);
-    fmt::print("{}", finished.epilogue);
-    digest = finished.data["digest"].get<std::string>();
-    failures = finished.failures;
-  } else {
-    digest = store.digest();
-  }
-  fmt::print("{} runs: {}\ndigest {}\n", store.size(),
-             one_line((std::filesystem::path(options.out) / "runs.sqlite").string()), digest);
-  report::require_none(failures);
-  return 0;
-}
-
-int compare(studies::ComparisonOptions options, const SceneChoice& scene, bool quick,
-            const std::string& out) {
-  if (!scene.scene_file.empty()) {
-    options.scene = carrier_track::write_scene(choose_scene(scene).scene);
-  } else if (!scene.settings.empty()) {
-    throw InputError("--set " + scene.settings.front() +
-                     ": changes a machine file: give --scene FILE");
-  }
-  const auto start = std::chrono::steady_clock::now();
-  const Catalogue catalogue = studies::whole_catalogue();
-  const Plan plan = studies::comparison_plan(options, quick, catalogue);
-  return compared(plan, catalogue, quick, out, start);
-}
-
-int compare_against(const std::string& archive, const std::vector<std::string>& own_solvers,
-                    const std::string& out) {
-  const auto start = std::chrono::steady_clock::now();
-  if (own_solvers.empty()) throw InputError("--against: needs --solver, your own solver");
-  const Catalogue catalogue = studies::whole_catalogue();
-  const Plan plan = plan_against_archive(archive_named(archive), own_solvers, catalogue, out);
-  return compared(plan, catalogue, false, out, start);
 }
 
 }  // namespace ricochet::cli

@@ -1,17 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "src/benchmark/comparison/comparison_plan.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
-#include "src/cli/scene_choice.h"
 
 namespace ricochet::cli {
 
 struct RunOptions {
-  std::string plan = "default";          ///< TOML file, or the name of a plan that is included
+  std::string plan;                      ///< TOML file, or the name of a plan that is included
   std::string out = "reports/campaign";  ///< folder of the store, runs.sqlite
   std::string shard = "1/1";
   bool resume = false;
@@ -21,17 +20,9 @@ struct RunOptions {
   std::string serve;  ///< under MPI, the role of this process: "store" or "runs"; see service.h
 };
 
-/// Runs or resumes a plan; it is one of the ranks if mpirun started several. After all runs it
-/// writes the report.
-int run_plan(const RunOptions& options);
-
-/// Compares solvers on problems as a separate campaign, which resumes automatically if it was
-/// interrupted. With a scene file, on the problems of its machine.
-int compare(studies::ComparisonOptions options, const SceneChoice& scene, bool quick,
-            const std::string& out);
-
-/// Compares the user's solvers with those whose runs an archive has. Resumes as compare() does.
-int compare_against(const std::string& archive, const std::vector<std::string>& own_solvers,
-                    const std::string& out);
+/// Makes the runs that are missing in the folder's store, or has the other ranks make them. If that
+/// is interrupted, `continuation` is what goes on.
+StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const Shard& shard,
+                           const RunOptions& options, std::string_view continuation);
 
 }  // namespace ricochet::cli

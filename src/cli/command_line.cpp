@@ -17,7 +17,6 @@
 
 #include "ricochet/error.h"
 #include "src/cli/old_names.h"
-#include "src/cli/tell.h"
 #include "src/cli/version.h"
 #include "src/core/interruption.h"
 #include "src/core/near_names.h"
@@ -120,15 +119,6 @@ void refuse_empty_values(const CLI::App& called) {
 
 }  // namespace
 
-void add_settings(CLI::App* command, std::vector<std::string>& settings) {
-  command
-      ->add_option("--set", settings,
-                   "Change a key of the scene, such as friction=0.3 or 'wall_upper=0.9 mm'; may be "
-                   "repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-}
-
 CommandLine::CommandLine()
     : app_(
           "ricochet: the fastest quiet speed of a braiding machine, and a benchmark of solvers on "
@@ -156,35 +146,6 @@ CLI::App* CommandLine::add(const std::string& command, const std::string& summar
 
 void CommandLine::on_call(CLI::App* command, const std::function<int()>& work) {
   command->callback([this, work] { work_ = work; });
-}
-
-void CommandLine::add_format(CLI::App* command, bool& json) {
-  command->add_option("--format", "What to print: text or json")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->default_str("text")
-      ->each([&json](const std::string& format) { json = format == "json"; });
-}
-
-StudyOptions& CommandLine::add_study_options(CLI::App* command, const studies::Study& study) {
-  StudyOptions& options = studies_.emplace_back(StudyOptions{false, "reports/" + study.name});
-  if (!study.quick.empty()) command->add_flag("--quick", options.quick, study.quick);
-  command->add_option("--out", options.out, "Folder for the report")
-      ->type_name("FOLDER")
-      ->capture_default_str();
-  return options;
-}
-
-CLI::App* CommandLine::add_study(const std::string& command, const std::string& summary,
-                                 const std::function<studies::Study()>& make,
-                                 const std::string& examples) {
-  CLI::App* added = add(command, summary, examples);
-  StudyOptions& options = add_study_options(added, make());
-  on_call(added, [make, &options] {
-    tell(studies::run(make(), options.quick, options.out));
-    return 0;
-  });
-  return added;
 }
 
 int CommandLine::run(int argc, char** argv) {

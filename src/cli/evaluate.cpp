@@ -1,9 +1,8 @@
-#include "src/cli/evaluate.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <optional>
@@ -15,8 +14,10 @@
 #include "ricochet/families.h"
 #include "solvers/outside/asked_points.h"
 #include "solvers/outside/line_program.h"
+#include "src/cli/commands.h"
 #include "src/cli/named.h"
 #include "src/cli/outside_run.h"
+#include "src/cli/shared_options.h"
 #include "src/core/instance.h"
 #include "src/core/one_line.h"
 #include "src/report/json.h"
@@ -27,6 +28,17 @@ namespace {
 
 using outside::longest_line;
 using report::Json;
+
+struct EvaluateOptions {
+  std::string problem;
+  std::string scene_file;             ///< use this machine; empty: no machine of the user
+  std::vector<std::string> settings;  ///< of --set
+  std::string formulation;            ///< its name; empty: original
+  int instance = 0;                   ///< 0: the original problem
+  bool derivatives = false;           ///< return them, too, unless a line says otherwise
+  bool replay = false;                ///< evaluate every point twice, and compare
+  bool describe = false;              ///< describe the problem and evaluate nothing
+};
 
 Problem problem_of(const EvaluateOptions& options) {
   if (options.scene_file == "-") {
@@ -178,8 +190,6 @@ class Service {
   bool all_well_ = true;
 };
 
-}  // namespace
-
 int evaluate(const EvaluateOptions& options) {
   if (options.instance < 0) {
     throw InputError(fmt::format("--instance {}: must be >= 0", options.instance));
@@ -205,6 +215,37 @@ int evaluate(const EvaluateOptions& options) {
     throw InputError("standard input: " + std::generic_category().message(errno));
   }
   return service.all_well() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_evaluate(CommandLine& line) {
+  CLI::App* command = line.add(
+      "evaluate", "Evaluate a problem at points, as JSON lines",
+      "  ricochet evaluate profile-count-8-C4 --formulation surrogate --instance 1 --describe\n"
+      "  echo '[5.0]' | ricochet evaluate top-speed-C1\n"
+      "  ricochet evaluate hs-71 --derivatives < points.jsonl > values.jsonl\n"
+      "An input line is [1, 2], {\"x\": [1, 2]} or {\"x\": [1, 2], \"derivatives\": true}. Many "
+      "points\n"
+      "at once are [[1, 2], [3, 4]] or {\"x\": [[1, 2], [3, 4]]}: the answer has a list for each "
+      "key.");
+  const auto options = std::make_shared<EvaluateOptions>();
+  command->add_option("problem", options->problem, "A name of `ricochet list problems`")
+      ->required()
+      ->type_name("PROBLEM");
+  add_scene_file(command, options->scene_file, options->settings);
+  command->add_option("--formulation", options->formulation,
+                      "Formulation of the problem; default: the true objective");
+  command
+      ->add_option("--instance", options->instance,
+                   "0: the original problem; 1, 2, ...: moved and reflected")
+      ->capture_default_str();
+  command->add_flag("--derivatives", options->derivatives, "Print gradient and Jacobian, too");
+  command->add_flag("--replay", options->replay,
+                    "Evaluate every point twice and compare bit by bit");
+  command->add_flag("--describe", options->describe,
+                    "Print the problem in one line; evaluate nothing");
+  line.on_call(command, [options] { return evaluate(*options); });
 }
 
 }  // namespace ricochet::cli

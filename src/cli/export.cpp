@@ -1,5 +1,3 @@
-#include "src/cli/export.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +11,7 @@
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/export/formats.h"
 #include "src/benchmark/export/output_folder.h"
+#include "src/cli/commands.h"
 #include "src/cli/finished_campaign.h"
 #include "src/cli/named.h"
 #include "src/cli/stored_runs.h"
@@ -21,6 +20,12 @@
 
 namespace ricochet::cli {
 namespace {
+
+struct ExportOptions {
+  std::string store;  ///< SQLite file
+  std::string format;
+  std::string out;  ///< folder, empty or missing
+};
 
 /// Adds the files about ranked entries, or warns why they or some solvers are left out.
 void add_rated(const exports::Format& format, const Store& store,
@@ -47,8 +52,6 @@ void add_rated(const exports::Format& format, const Store& store,
   }
 }
 
-}  // namespace
-
 int export_store(const ExportOptions& options) {
   const exports::Format format = named(exports::all_formats(), options.format, "format",
                                        [](const exports::Format& known) { return known.name; });
@@ -60,6 +63,34 @@ int export_store(const ExportOptions& options) {
   out.commit();
   fmt::print("{} runs: {}\n", store.size(), one_line(options.out));
   return 0;
+}
+
+}  // namespace
+
+void add_export(CommandLine& line) {
+  std::string examples =
+      "  ricochet export mine/runs.sqlite --format csv --out tables\n"
+      "  ricochet export mine/runs.sqlite --format iohanalyzer --out for-iohanalyzer\n"
+      "Formats:\n";
+  std::vector<std::string> names;
+  for (const exports::Format& format : exports::all_formats()) {
+    names.push_back(format.name);
+    examples += fmt::format("  {:11}  {}\n", format.name, format.about);
+  }
+  CLI::App* command =
+      line.add("export", "Export a store: tables, IOHanalyzer, COCO",
+               examples + "For Parquet, convert the CSV files, for instance with DuckDB.");
+  const auto options = std::make_shared<ExportOptions>();
+  command->add_option("store", options->store, "A store, runs.sqlite")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--format", options->format, "One of these formats")
+      ->type_name(fmt::format("FORMAT:{{{}}}", fmt::join(names, ",")))
+      ->required();
+  command->add_option("--out", options->out, "Folder, new or empty")
+      ->type_name("FOLDER")
+      ->required();
+  line.on_call(command, [options] { return export_store(*options); });
 }
 
 }  // namespace ricochet::cli

@@ -1,5 +1,3 @@
-#include "src/cli/identify.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,9 +5,12 @@
 #include <filesystem>
 #include <numbers>
 
+#include "problems/carrier_track/identification/knock_file.h"
 #include "ricochet/error.h"
 #include "ricochet/solvers.h"
+#include "src/cli/commands.h"
 #include "src/cli/output_files.h"
+#include "src/cli/shared_options.h"
 #include "src/core/text_file.h"
 #include "src/identification/identified_machine.h"
 #include "src/identification/knock_chart.h"
@@ -22,6 +23,16 @@ namespace {
 using namespace carrier_track;
 using namespace studies::identification;
 using report::Json;
+
+struct IdentifyOptions {
+  carrier_track::KnockFiles files;
+  std::string scene_file;
+  std::string solver = studies::identification::usual_solver;
+  double fastest = 18;  ///< [rad/s], end of the range of speeds
+  bool json = false;
+  std::string out;   ///< machine file (TOML) with the fitted constants; empty: none
+  std::string plot;  ///< SVG file of residuals; empty: none
+};
 
 const std::vector<std::string> held_fixed = {
     "mass",          "normal_force", "pull", "centrifugal_mass_radius", "slider_mass_radius",
@@ -130,8 +141,6 @@ std::string machine_text(const IdentifiedMachine& machine, const std::string& kn
                      std::filesystem::path(knocks).filename().string(), write_scene(machine.scene));
 }
 
-}  // namespace
-
 int identify(const IdentifyOptions& options) {
   if (options.scene_file.empty()) throw InputError("which machine? give --scene FILE");
   const Scene scene = read_scene(options.scene_file);
@@ -165,6 +174,43 @@ int identify(const IdentifyOptions& options) {
   }
   report::require_none(plot.failures);
   return 0;
+}
+
+}  // namespace
+
+void add_identify(CommandLine& line) {
+  CLI::App* command = line.add(
+      "identify", "Fit restitution, friction and clearance to recorded knocks",
+      "  ricochet identify knocks.csv --scene machine.toml --speed speed.csv --marks marks.csv\n"
+      "  ricochet identify knocks.csv --scene machine.toml --omega 5 --plot residuals.svg");
+  const auto options = std::make_shared<IdentifyOptions>();
+  command
+      ->add_option("knocks", options->files.knocks,
+                   "CSV file: time [s] of each knock; perhaps strength, omega [rad/s]")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--scene", options->scene_file, "A machine file (TOML); - is standard input")
+      ->type_name("FILE");
+  command->add_option("--omega", options->files.omega, "Constant speed of the plate [rad/s]");
+  command
+      ->add_option("--speed", options->files.speed,
+                   "CSV file: time [s], omega [rad/s] of the plate; linear in between")
+      ->type_name("FILE");
+  command->add_option("--marks", options->files.marks, "CSV file: time [s] of marks on the plate")
+      ->type_name("FILE");
+  command->add_option("--mark-angle", options->files.mark_angle, "Angle alpha [rad] at a mark")
+      ->capture_default_str();
+  command->add_option("--solver", options->solver, "Solver that takes gradients")
+      ->type_name("SOLVER")
+      ->capture_default_str();
+  command->add_option("--fastest", options->fastest, "End of the speed range [rad/s]")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Machine file (TOML) for the fitted machine")
+      ->type_name("FILE");
+  command->add_option("--plot", options->plot, "SVG file for a chart of the residuals")
+      ->type_name("FILE");
+  add_format(command, options->json);
+  line.on_call(command, [options] { return identify(*options); });
 }
 
 }  // namespace ricochet::cli

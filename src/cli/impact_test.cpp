@@ -1,14 +1,18 @@
-#include "src/cli/impact_test.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "ricochet/error.h"
+#include "src/cli/commands.h"
+#include "src/cli/other_program.h"
+#include "src/cli/shared_options.h"
 #include "src/core/near_names.h"
 #include "src/core/patterns.h"
 #include "src/report/drawn_chart.h"
+#include "src/report/json.h"
+#include "src/research/impact_test/results.h"
 #include "src/research/impact_test/study.h"
 
 namespace ricochet::cli {
@@ -18,6 +22,17 @@ namespace fs = std::filesystem;
 
 using namespace studies::impact_test;
 using report::Json;
+
+struct ImpactTestOptions {
+  int scenes = 10'000;
+  int seed = 1;
+  std::string tools = "all";           ///< names or patterns, separated by commas; or none
+  std::vector<std::string> own_tools;  ///< NAME=COMMAND each
+  std::string levels = "loose,usual,tight";
+  bool list = false;     ///< the tools, instead
+  bool install = false;  ///< the tools, instead
+  bool json = false;
+};
 
 /// The tools that come with ricochet.
 std::vector<Tool> known_tools() {
@@ -59,14 +74,13 @@ Level level_named(const std::string& name) {
   throw InputError(fmt::format("--levels {}: {}", name, what_instead(name, names)));
 }
 
-fs::path drivers_of(const ImpactTestOptions& options) {
-  return fs::path(options.out) / "drivers";
+fs::path drivers_of(const StudyOptions& study) {
+  return fs::path(study.out) / "drivers";
 }
 
-}  // namespace
-
-Plan plan_of(const ImpactTestOptions& options) {
-  Plan plan{options.seed, options.scenes, {}, chosen_tools(options), false, options.out};
+/// Throws InputError for an unknown tool or level.
+Plan plan_of(const ImpactTestOptions& options, const StudyOptions& study) {
+  Plan plan{options.seed, options.scenes, {}, chosen_tools(options), false, study.out};
   plan.needs_all = options.tools != "all";
   for (const std::string& name : split_patterns(options.levels)) {
     plan.levels.push_back(level_named(name));
@@ -77,10 +91,10 @@ Plan plan_of(const ImpactTestOptions& options) {
   return plan;
 }
 
-int impact_test(const ImpactTestOptions& options, bool json) {
+int impact_test(const ImpactTestOptions& options, const StudyOptions& study) {
   studies::Finished finished =
-      studies::run(studies::impact_test_study(plan_of(options)), options.quick, options.out);
-  if (json) {
+      studies::run(studies::impact_test_study(plan_of(options, study)), study.quick, study.out);
+  if (options.json) {
     for (const char* key : {"report", "made"}) finished.data.erase(key);
     fmt::print("{}\n", finished.data.dump(2));
   } else {
@@ -90,17 +104,17 @@ int impact_test(const ImpactTestOptions& options, bool json) {
   return finished.data["ours"]["wrong"] == 0 ? 0 : 1;
 }
 
-int list_tools(const ImpactTestOptions& options, bool json) {
+int list_tools(const ImpactTestOptions& options, const StudyOptions& study) {
   Json rows = Json::array();
   for (const Tool& tool : chosen_tools(options)) {
-    const FoundTool found = found_tool(tool, drivers_of(options));
+    const FoundTool found = found_tool(tool, drivers_of(study));
     rows.push_back({{"tool", tool.name},
                     {"title", tool.title},
                     {"kind", tool.kind},
                     {"version", found.program ? Json(found.program->version) : Json()},
                     {"reason", found.program ? Json() : Json(found.reason)}});
   }
-  if (json) {
+  if (options.json) {
     fmt::print("{}\n", rows.dump(2));
     return 0;
   }
@@ -113,10 +127,43 @@ int list_tools(const ImpactTestOptions& options, bool json) {
   return 0;
 }
 
-int install_tools(const ImpactTestOptions& options, bool json) {
-  fs::create_directories(drivers_of(options));
-  install(chosen_tools(options), drivers_of(options));
-  return list_tools(options, json);
+int install_tools(const ImpactTestOptions& options, const StudyOptions& study) {
+  fs::create_directories(drivers_of(study));
+  install(chosen_tools(options), drivers_of(study));
+  return list_tools(options, study);
+}
+
+}  // namespace
+
+void add_impact_test(CommandLine& line) {
+  CLI::App* command =
+      line.add("impact-test", summary_of("impact-test"),
+               "  ricochet impact-test --quick\n"
+               "  ricochet impact-test --tools none --tool mine=./my-simulator --levels usual\n"
+               "  ricochet impact-test --tools 'odeint*,scipy*' --install-tools");
+  const auto options = std::make_shared<ImpactTestOptions>();
+  command->add_option("--scenes", options->scenes, "Number of scenes")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the scenes")->capture_default_str();
+  command
+      ->add_option("--tools", options->tools,
+                   "Names or patterns such as 'odeint*', all that are installed, or none")
+      ->capture_default_str();
+  command
+      ->add_option("--tool", options->own_tools,
+                   "A program of your own, too; docs/impact-test.md says what it reads and writes")
+      ->type_name("NAME=COMMAND");
+  command->add_option("--levels", options->levels, "How exactly tools are asked to simulate")
+      ->capture_default_str();
+  command->add_flag("--list-tools", options->list, "Instead: list the tools");
+  command->add_flag("--install-tools", options->install,
+                    "Instead: install the tools from Debian and Python's registry, and list them");
+  add_format(command, options->json);
+  const auto study = add_study_options(command, studies::impact_test_study({}));
+  line.on_call(command, [options, study] {
+    if (options->install) return install_tools(*options, *study);
+    if (options->list) return list_tools(*options, *study);
+    return impact_test(*options, *study);
+  });
 }
 
 }  // namespace ricochet::cli

@@ -1,5 +1,3 @@
-#include "src/cli/list.h"
-
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -15,6 +13,9 @@
 #include "ricochet/error.h"
 #include "ricochet/families.h"
 #include "ricochet/solvers.h"
+#include "src/cli/commands.h"
+#include "src/cli/old_names.h"
+#include "src/cli/shared_options.h"
 #include "src/core/near_names.h"
 #include "src/report/json.h"
 #include "src/research/paper/fitted_interpretation.h"
@@ -25,6 +26,15 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
+
+struct ListOptions {
+  std::string what;                   ///< cases, problems, solvers or interpretations
+  std::string scene_file;             ///< problems of this machine; empty for the paper's
+  std::vector<std::string> settings;  ///< of --set
+  std::string family;                 ///< problems of this family; empty for all
+  std::string solver;  ///< problems that it accepts in some formulation; empty for all
+  bool json = false;
+};
 
 Json cases() {
   Json rows = Json::array();
@@ -182,8 +192,6 @@ void print_table(const Json& rows, const std::vector<Column>& columns) {
   }
 }
 
-}  // namespace
-
 int list(const ListOptions& options) {
   const std::string& what = options.what;
   const bool asks = what == "problems";
@@ -206,6 +214,28 @@ int list(const ListOptions& options) {
   }
   print_table(rows, columns_of(what, rows));
   return 0;
+}
+
+}  // namespace
+
+void add_list(CommandLine& line) {
+  CLI::App* command =
+      line.add("list", "List cases, problems, solvers or interpretations",
+               "  ricochet list problems --family top-speed\n"
+               "  ricochet list problems --solver-accepts nlopt-slsqp --format json");
+  const auto options = std::make_shared<ListOptions>();
+  command->add_option("what", options->what, "cases, problems, solvers or interpretations")
+      ->required()
+      ->check([](const std::string& what) { return renaming_of(what); })
+      ->check(CLI::IsMember({"cases", "problems", "solvers", "interpretations"}));
+  add_scene_file(command, options->scene_file, options->settings);
+  command->add_option("--family", options->family, "Problems of this family")->type_name("FAMILY");
+  command
+      ->add_option("--solver-accepts", options->solver,
+                   "Problems with a formulation that this solver accepts")
+      ->type_name("SOLVER");
+  add_format(command, options->json);
+  line.on_call(command, [options] { return list(*options); });
 }
 
 }  // namespace ricochet::cli

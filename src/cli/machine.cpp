@@ -1,5 +1,3 @@
-#include "src/cli/machine.h"
-
 #include <fmt/format.h>
 
 #include "embedded/machine_template.h"
@@ -7,9 +5,19 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/scene_doubts.h"
 #include "ricochet/scene.h"
+#include "src/cli/commands.h"
+#include "src/cli/quiet_speed_request.h"
+#include "src/cli/scene_choice.h"
 #include "src/cli/tell.h"
 
 namespace ricochet::cli {
+namespace {
+
+struct AdviseOptions {
+  SceneChoice machine;
+  QuietSpeedRequest asked;
+  std::string out = "reports/advice";
+};
 
 int new_machine() {
   fmt::print("{}", embedded::machine_template);
@@ -31,14 +39,43 @@ int check_machine(const SceneChoice& choice) {
   return 0;
 }
 
-int advise_machine(const SceneChoice& choice, const QuietSpeedRequest& asked,
-                   const std::string& folder) {
-  const ChosenScene chosen = choose_scene(choice);
+int advise_machine(const AdviseOptions& options) {
+  const QuietSpeedRequest& asked = options.asked;
+  const ChosenScene chosen = choose_scene(options.machine);
   carrier_track::check_constant_speed(chosen.scene, chosen.name);
   const studies::Study study = studies::advice_study(
       {chosen.name, chosen.scene, options_of(asked), asked.tolerance / 100, chosen.source});
-  tell(studies::run(study, false, folder));
+  tell(studies::run(study, false, options.out));
   return 0;
+}
+
+}  // namespace
+
+void add_machine(CommandLine& line) {
+  CLI::App* command = line.add("machine", "Describe your own machine: new, check FILE, advise FILE",
+                               "  ricochet machine new > machine.toml\n"
+                               "  ricochet machine check machine.toml\n"
+                               "  ricochet machine advise machine.toml --tolerance 5");
+  command->require_subcommand(1);
+  CLI::App* fresh =
+      command->add_subcommand("new", "Print a machine file to start from")->group("Commands");
+  line.on_call(fresh, new_machine);
+  CLI::App* check =
+      command->add_subcommand("check", "List every field with unit and range, and likely mistakes")
+          ->group("Commands");
+  const auto checked = std::make_shared<SceneChoice>();
+  add_machine_file(check, *checked);
+  line.on_call(check, [checked] { return check_machine(*checked); });
+  CLI::App* advise =
+      command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change")
+          ->group("Commands");
+  const auto options = std::make_shared<AdviseOptions>();
+  add_machine_file(advise, options->machine);
+  advise->add_option("--out", options->out, "Folder for the page")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  add_request(advise, options->asked);
+  line.on_call(advise, [options] { return advise_machine(*options); });
 }
 
 }  // namespace ricochet::cli

@@ -1,6 +1,10 @@
 #include "src/cli/old_names.h"
 
+#include <fmt/format.h>
+
 #include <map>
+
+#include "ricochet/error.h"
 
 namespace ricochet::cli {
 
@@ -21,6 +25,15 @@ std::string renaming_of(const std::string& word) {
   };
   const auto found = names.find(word.substr(0, word.find('=')));
   return found == names.end() ? "" : found->first + " is now called " + found->second;
+}
+
+void add_moved(CommandLine& line, const std::string& command, const std::string& now) {
+  CLI::App* moved = line.add(command, "Is now: ricochet " + now);
+  moved->group("");  // hidden
+  moved->allow_extras();
+  line.on_call(moved, [command, now]() -> int {
+    throw InputError(fmt::format("{}: is now: ricochet {}", command, now));
+  });
 }
 
 }  // namespace ricochet::cli

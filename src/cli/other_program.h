@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "src/cli/command_line.h"
+
 namespace ricochet::cli {
 
 /// A command that is a separate program, so that it need not be built unless it is used.
@@ -43,6 +45,9 @@ inline constexpr OtherCommand other_commands[] = {
 
 /// Returns the summary of one of these commands. Throws std::out_of_range for any other.
 const char* summary_of(const std::string& command);
+
+/// Adds this command, which hands over all arguments after it, including --help.
+void add_other(CommandLine& line, const OtherCommand& other);
 
 /// Returns the path of that program: in the folder of this one.
 std::string path_of(const OtherCommand& other);

@@ -18,8 +18,10 @@
 #include "solvers/varied.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
 #include "src/cli/campaign_size.h"
+#include "src/cli/commands.h"
 #include "src/cli/cores.h"
 #include "src/cli/programs.h"
+#include "src/cli/shared_options.h"
 #include "src/core/near_names.h"
 #include "src/core/one_line.h"
 #include "src/report/filled_text.h"
@@ -28,6 +30,13 @@ namespace ricochet::cli {
 namespace {
 
 using report::Json;
+
+/// Of the parts check and slurm.
+struct PlanOptions {
+  std::string plan;
+  bool json = false;
+  int jobs = 8;
+};
 
 /// Quotes any word for a shell.
 std::string in_shell_quotes(const std::string& word) {
@@ -87,6 +96,65 @@ std::string described(const Json& varied) {
   return left > 0 ? words + fmt::format("\n  {} more options, as usual", left) : words;
 }
 
+int new_plan() {
+  fmt::print("{}", embedded::plan_template);
+  return 0;
+}
+
+int check_plan(const PlanOptions& options) {
+  const Campaign campaign(plan_named(options.plan), catalogue_that_starts_nothing());
+  const std::vector<std::string> programs = programs_of(campaign.plan());
+  Json size = size_of(campaign);
+  const Forecast forecast = forecast_of(campaign);
+  size["seconds"] = forecast.search + forecast.runs + forecast.report;
+  size["elapsed_seconds"] = forecast.seconds(cores());
+  size["at_least"] = forecast.at_least;
+  size["cores"] = cores();
+  Json with_options = Json::array();
+  for (const VariedSolver& v : campaign.plan().solvers) {
+    with_options.push_back(varied_solver(v));
+  }
+  size["varied_solvers"] = with_options;
+  size["programs"] = programs;
+  if (options.json) {
+    fmt::print("{}\n", size.dump(2));
+  } else {
+    fmt::print("{}; {}\n", in_words(size), in_words(forecast, cores()));
+    for (const Json& varied : with_options) fmt::print("{}\n", described(varied));
+    for (const std::string& program : programs) {
+      fmt::print("run would start: {}\n", one_line(program));
+    }
+    if (!programs.empty()) {
+      fmt::print(
+          "Programs are not started here: the numbers count all that they might be given.\n");
+    }
+  }
+  return 0;
+}
+
+int slurm_script(const PlanOptions& options) {
+  const std::string& plan = options.plan;
+  const int jobs = options.jobs;
+  if (jobs < 1 || jobs > 10'000) {
+    throw InputError(fmt::format("--jobs {}: must be from 1 to 10000", jobs));
+  }
+  if (plan == "-") throw InputError("the jobs read the plan: it must be a file");
+  const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
+  const std::vector<std::string> programs = programs_of(campaign.plan());
+  Forecast forecast = forecast_of(campaign);
+  forecast.runs /= jobs;
+  forecast.report = 0;
+  const double hours = forecast.seconds(1) / 3600;
+  Json shown_programs = Json::array();
+  for (const std::string& program : programs) shown_programs.push_back(one_line(program));
+  const Json data = {
+      {"plan", in_shell_quotes(plan)}, {"jobs", jobs},
+      {"programs", shown_programs},    {"allow", programs.empty() ? "" : " --allow-programs"},
+      {"at_least", forecast.at_least}, {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
+  fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
+  return 0;
+}
+
 }  // namespace
 
 Plan plan_named(const std::string& name) {
@@ -108,61 +176,37 @@ Plan plan_named(const std::string& name) {
   return read_plan(name);
 }
 
-int new_plan() {
-  fmt::print("{}", embedded::plan_template);
-  return 0;
+void add_plan_file(CLI::App* command, std::string& plan) {
+  command
+      ->add_option("plan", plan,
+                   "A plan file (TOML), - for standard input; or quick, default, reference, full")
+      ->type_name("PLAN:{quick,default,reference,full}")
+      ->required();
 }
 
-int check_plan(const std::string& plan, bool json) {
-  const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
-  const std::vector<std::string> programs = programs_of(campaign.plan());
-  Json size = size_of(campaign);
-  const Forecast forecast = forecast_of(campaign);
-  size["seconds"] = forecast.search + forecast.runs + forecast.report;
-  size["elapsed_seconds"] = forecast.seconds(cores());
-  size["at_least"] = forecast.at_least;
-  size["cores"] = cores();
-  Json with_options = Json::array();
-  for (const VariedSolver& v : campaign.plan().solvers) {
-    with_options.push_back(varied_solver(v));
-  }
-  size["varied_solvers"] = with_options;
-  size["programs"] = programs;
-  if (json) {
-    fmt::print("{}\n", size.dump(2));
-  } else {
-    fmt::print("{}; {}\n", in_words(size), in_words(forecast, cores()));
-    for (const Json& varied : with_options) fmt::print("{}\n", described(varied));
-    for (const std::string& program : programs) {
-      fmt::print("run would start: {}\n", one_line(program));
-    }
-    if (!programs.empty()) {
-      fmt::print(
-          "Programs are not started here: the numbers count all that they might be given.\n");
-    }
-  }
-  return 0;
-}
-
-int slurm_script(const std::string& plan, int jobs) {
-  if (jobs < 1 || jobs > 10'000) {
-    throw InputError(fmt::format("--jobs {}: must be from 1 to 10000", jobs));
-  }
-  if (plan == "-") throw InputError("the jobs read the plan: it must be a file");
-  const Campaign campaign(plan_named(plan), catalogue_that_starts_nothing());
-  const std::vector<std::string> programs = programs_of(campaign.plan());
-  Forecast forecast = forecast_of(campaign);
-  forecast.runs /= jobs;
-  forecast.report = 0;
-  const double hours = forecast.seconds(1) / 3600;
-  Json shown_programs = Json::array();
-  for (const std::string& program : programs) shown_programs.push_back(one_line(program));
-  const Json data = {
-      {"plan", in_shell_quotes(plan)}, {"jobs", jobs},
-      {"programs", shown_programs},    {"allow", programs.empty() ? "" : " --allow-programs"},
-      {"at_least", forecast.at_least}, {"hours", static_cast<int>(std::ceil(2 * hours + 0.1))}};
-  fmt::print("{}", report::filled(embedded::slurm_template, {&data}));
-  return 0;
+void add_plan(CommandLine& line) {
+  CLI::App* command =
+      line.add("plan", "Prepare a campaign: new, check FILE, sample ARCHIVE, slurm FILE",
+               "  ricochet plan new > plan.toml\n"
+               "  ricochet plan check plan.toml\n"
+               "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
+  command->require_subcommand(1);
+  CLI::App* fresh = command->add_subcommand("new", "Print a plan to start from")->group("Commands");
+  line.on_call(fresh, new_plan);
+  CLI::App* check =
+      command->add_subcommand("check", "Print what the plan would run, and for how long")
+          ->group("Commands");
+  const auto options = std::make_shared<PlanOptions>();
+  add_plan_file(check, options->plan);
+  add_format(check, options->json);
+  line.on_call(check, [options] { return check_plan(*options); });
+  add_sample(line, command);
+  CLI::App* slurm =
+      command->add_subcommand("slurm", "Print a job script for Slurm")->group("Commands");
+  add_plan_file(slurm, options->plan);
+  slurm->add_option("--jobs", options->jobs, "Number of jobs, of one core each")
+      ->capture_default_str();
+  line.on_call(slurm, [options] { return slurm_script(*options); });
 }
 
 }  // namespace ricochet::cli

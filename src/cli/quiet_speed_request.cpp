@@ -36,6 +36,19 @@ std::optional<Limit> limit_of(const QuietSpeedRequest& request) {
 
 }  // namespace
 
+void add_request(CLI::App* command, QuietSpeedRequest& asked) {
+  command->add_option("--fastest", asked.fastest, "End of the speed range [rad/s]")
+      ->capture_default_str();
+  command->add_option("--allow", asked.allow, "Limit: collisions in the window");
+  command->add_option("--allow-per-turn", asked.allow_per_turn, "Limit: collisions per turn");
+  command->add_option("--allow-energy", asked.allow_energy,
+                      "Limit: energy [J] that the walls dissipate in the window");
+  command->add_option("--allow-speed", asked.allow_speed,
+                      "Limit: speed [m/s] of the fastest impact");
+  command->add_option("--tolerance", asked.tolerance,
+                      "Uncertainty of every constant [%]; prints the range of the answer");
+}
+
 carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request) {
   if (!(request.fastest >= carrier_track::shortest_range &&
         request.fastest <= carrier_track::longest_range)) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "ricochet/threshold.h"
+#include "src/cli/command_line.h"
 
 namespace ricochet::cli {
 
@@ -15,6 +16,9 @@ struct QuietSpeedRequest {
   std::optional<double> allow_speed;     ///< [m/s], of the fastest impact
   double tolerance = 0;                  ///< [%], of every model parameter
 };
+
+/// Adds the options of a request.
+void add_request(CLI::App* command, QuietSpeedRequest& asked);
 
 /// Throws InputError if a value is out of range, or if more than one limit is given.
 carrier_track::QuietSpeedOptions options_of(const QuietSpeedRequest& request);

@@ -4,14 +4,19 @@
 
 #include "problems/carrier_track/advice/regime_table.h"
 #include "problems/carrier_track/advice/staircase_chart.h"
+#include "problems/carrier_track/regimes/orbit_map.h"
+#include "problems/carrier_track/regimes/regime_map.h"
 #include "src/cli/basins.h"
+#include "src/cli/commands.h"
 #include "src/cli/output_files.h"
 #include "src/cli/regime_curves.h"
+#include "src/cli/shared_options.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/json.h"
 
 namespace ricochet::cli {
+namespace {
 
 int regimes(const RegimesOptions& options) {
   if (!options.over.empty()) return regime_curves(options);
@@ -36,6 +41,65 @@ int regimes(const RegimesOptions& options) {
   }
   report::require_none(plot.failures);
   return 0;
+}
+
+}  // namespace
+
+void add_regimes(CommandLine& line) {
+  CLI::App* command =
+      line.add("regimes", "Show what the carrier does in the long run, over the speed",
+               "  ricochet regimes --case C1\n"
+               "  ricochet regimes --scene machine.toml --to 10 --plot regimes.svg\n"
+               "  ricochet regimes --case C1 --over restitution=0.05..0.95 --plot map.svg\n"
+               "  ricochet regimes --scene machine.toml --over 'clearance=0.5..2 mm'\n"
+               "  ricochet regimes --case C2 --omega 12 --starts 1000");
+  const auto options = std::make_shared<RegimesOptions>();
+  add_scene_choice(command, options->scene);
+  add_format(command, options->json);
+  command->add_option("--from", options->range.from, "Start of the speed range [rad/s]")
+      ->capture_default_str();
+  command->add_option("--to", options->range.to, "End of the speed range [rad/s]")
+      ->capture_default_str();
+  command
+      ->add_option("--plot", options->plot,
+                   "SVG file for a chart of the collisions a turn; with --over: for a map")
+      ->type_name("FILE");
+  CLI::Option* over =
+      command
+          ->add_option(
+              "--over", options->over,
+              "Follow every border over a constant: " +
+                  fmt::format("{}", fmt::join(carrier_track::continuation_constants(), ", ")))
+          ->type_name("CONSTANT=FROM..TO");
+  command
+      ->add_option(
+          "--values", options->values,
+          fmt::format("Values of that constant to solve the regimes at; default: {}, or {} "
+                      "under a disturbance, where each takes up to some seconds",
+                      carrier_track::usual_values, carrier_track::few_values))
+      ->needs(over);
+  command->add_option("--csv", options->csv, "CSV file for the points of the borders, in SI units")
+      ->type_name("FILE")
+      ->needs(over);
+  CLI::Option* starts =
+      command
+          ->add_option("--starts", options->starts,
+                       "Sample so many starts at one speed: which motions do they lead to?")
+          ->excludes(over);
+  command->add_option("--omega", options->omega, "That speed [rad/s], in place of the scene's")
+      ->needs(starts);
+  command->add_option("--seed", options->sampled.seed, "Seed of the random starts")
+      ->capture_default_str()
+      ->needs(starts);
+  command
+      ->add_option("--height", options->sampled.height,
+                   "Highest start [m] above the lower wall; default: the clearance")
+      ->needs(starts);
+  command
+      ->add_option("--start-speed", options->sampled.fastest,
+                   "Fastest start [m/s]; default: from the machine")
+      ->needs(starts);
+  line.on_call(command, [options] { return regimes(*options); });
 }
 
 }  // namespace ricochet::cli

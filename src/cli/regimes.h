@@ -23,8 +23,4 @@ struct RegimesOptions {
   carrier_track::BasinOptions sampled = {};
 };
 
-/// Prints what the carrier of a machine does in the long run, from border to border; or the borders
-/// over a constant; or the motions that sampled starts lead to. Returns the exit code.
-int regimes(const RegimesOptions& options);
-
 }  // namespace ricochet::cli

@@ -1,4 +1,4 @@
-#include "src/cli/report.h"
+#include "src/report/report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,14 +8,19 @@
 #include <vector>
 
 #include "ricochet/error.h"
+#include "src/cli/commands.h"
 #include "src/core/folder_lock.h"
 #include "src/core/one_line.h"
 #include "src/report/json.h"
-#include "src/report/report.h"
 #include "src/report/site/site.h"
 
 namespace ricochet::cli {
 namespace {
+
+struct ReportOptions {
+  std::string from;
+  std::string out;  ///< empty: where the reports are
+};
 
 /// Says what it has drawn. Returns a line, which begins with a file, for all that could not be
 /// drawn.
@@ -33,10 +38,9 @@ std::vector<std::string> drawn_again(const std::string& from, const std::string&
   return failures;
 }
 
-}  // namespace
-
-int draw_again(const std::string& from, const std::string& out) {
-  const std::string& folder = out.empty() ? from : out;
+int draw_again(const ReportOptions& options) {
+  const std::string& from = options.from;
+  const std::string& folder = options.out.empty() ? from : options.out;
   const FolderLock alone(folder);
   std::vector<std::string> failures;
   try {
@@ -49,6 +53,22 @@ int draw_again(const std::string& from, const std::string& out) {
   }
   if (!failures.empty()) throw InputError(fmt::format("{}", fmt::join(failures, "; ")));
   return 0;
+}
+
+}  // namespace
+
+void add_report(CommandLine& line) {
+  CLI::App* command =
+      line.add("report", "Draw a report again from its data, or all reports of a folder",
+               "  ricochet report reports/reproduction\n"
+               "  ricochet report reports\n"
+               "  ricochet report reports/reference --out elsewhere");
+  const auto options = std::make_shared<ReportOptions>();
+  command->add_option("folder", options->from, "Folder of data.json, or of the reports")
+      ->type_name("FOLDER")
+      ->required();
+  command->add_option("--out", options->out, "Another folder for the pages")->type_name("FOLDER");
+  line.on_call(command, [options] { return draw_again(*options); });
 }
 
 }  // namespace ricochet::cli

@@ -1,5 +1,3 @@
-#include "src/cli/sample.h"
-
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -8,12 +6,20 @@
 #include "src/benchmark/comparison/sample_data.h"
 #include "src/cli/agreement_text.h"
 #include "src/cli/archive.h"
+#include "src/cli/commands.h"
 #include "src/cli/finished_campaign.h"
+#include "src/cli/shared_options.h"
 
 namespace ricochet::cli {
 namespace {
 
 using report::Json;
+
+struct SampleOptions {
+  std::string archive;
+  double share = 0.15;
+  bool json = false;
+};
 
 constexpr std::size_t least_problems = 3;
 
@@ -40,22 +46,39 @@ std::string row_in_words(const Json& row) {
                      agreement_in_words(row["agreement"]), leader, on_sample, problems);
 }
 
-}  // namespace
-
-int sample_problems(const std::string& archive, double share, bool json) {
+int sample_problems(const SampleOptions& options) {
+  const double share = options.share;
   if (!(share > 0 && share <= 1)) {
     throw InputError(fmt::format("--share {}: must be in (0, 1]", share));
   }
   const FinishedCampaign finished =
-      finished_campaign(Store::open(archive_named(archive), Store::For::reading));
+      finished_campaign(Store::open(archive_named(options.archive), Store::For::reading));
   const Json rows =
       studies::comparison::sample_data(finished.campaign, finished.results, share, least_problems);
-  if (json) {
+  if (options.json) {
     fmt::print("{}\n", rows.dump(2));
     return 0;
   }
   for (const Json& row : rows) fmt::print("{}", row_in_words(row));
   return 0;
+}
+
+}  // namespace
+
+void add_sample(CommandLine& line, CLI::App* plan) {
+  CLI::App* sample =
+      plan->add_subcommand("sample",
+                           "Print a sample of an archive's problems, evenly over difficulty, and "
+                           "how far its ranking agrees with that of all")
+          ->group("Commands");
+  const auto options = std::make_shared<SampleOptions>();
+  sample->add_option("archive", options->archive, "An archive; archive: that of the reference")
+      ->type_name("ARCHIVE")
+      ->required();
+  sample->add_option("--share", options->share, "Of each family; at least three problems")
+      ->capture_default_str();
+  add_format(sample, options->json);
+  line.on_call(sample, [options] { return sample_problems(*options); });
 }
 
 }  // namespace ricochet::cli

@@ -1,4 +1,4 @@
-#include "src/cli/scene.h"
+#include "ricochet/scene.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ricochet/scene.h"
+#include "src/cli/commands.h"
+#include "src/cli/scene_choice.h"
 #include "src/research/paper/fitted_interpretation.h"
 
 namespace ricochet::cli {
@@ -24,8 +25,6 @@ std::vector<std::string_view> fitted_keys() {
   return keys;
 }
 
-}  // namespace
-
 int print_scene(const SceneChoice& choice) {
   const ChosenScene chosen = choose_scene(choice);
   if (!choice.case_id.empty()) {
@@ -36,6 +35,17 @@ int print_scene(const SceneChoice& choice) {
   }
   fmt::print("{}", carrier_track::write_scene(chosen.scene));
   return 0;
+}
+
+}  // namespace
+
+void add_scene(CommandLine& line) {
+  CLI::App* command = line.add("scene", "Print a scene as a machine file",
+                               "  ricochet scene --case C1 > machine.toml\n"
+                               "  ricochet scene --scene machine.toml --set 'path_radius=80 mm'");
+  const auto options = std::make_shared<SceneChoice>();
+  add_scene_choice(command, *options);
+  line.on_call(command, [options] { return print_scene(*options); });
 }
 
 }  // namespace ricochet::cli

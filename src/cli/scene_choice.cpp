@@ -8,6 +8,7 @@
 
 #include "ricochet/error.h"
 #include "ricochet/scene.h"
+#include "src/cli/shared_options.h"
 #include "src/core/one_line.h"
 #include "src/research/paper/fitted_interpretation.h"
 
@@ -31,6 +32,23 @@ ChosenScene own_machine(std::string name, SceneFile source, const SceneChoice& c
 }
 
 }  // namespace
+
+void add_scene_choice(CLI::App* command, SceneChoice& choice) {
+  std::vector<std::string> cases;
+  for (const Case& a_case : all_cases()) cases.push_back(a_case.id);
+  command->add_option("--case", choice.case_id, "A case of the paper")
+      ->type_name(fmt::format("CASE:{{{}}}", fmt::join(cases, ",")));
+  command->add_option("--scene", choice.scene_file, "A machine file (TOML); - is standard input")
+      ->type_name("FILE");
+  add_settings(command, choice.settings);
+}
+
+void add_machine_file(CLI::App* command, SceneChoice& choice) {
+  command->add_option("file", choice.scene_file, "A machine file (TOML); - is standard input")
+      ->type_name("FILE")
+      ->required();
+  add_settings(command, choice.settings);
+}
 
 ChosenScene choose_scene(const SceneChoice& choice) {
   if (!choice.case_id.empty() && !choice.scene_file.empty()) {

@@ -6,6 +6,7 @@
 
 #include "problems/carrier_track/problems/cases.h"
 #include "problems/carrier_track/scene/scene_file.h"
+#include "src/cli/command_line.h"
 
 namespace ricochet::cli {
 
@@ -23,6 +24,12 @@ struct ChosenScene {
   carrier_track::Claim claim;       ///< empty for a user's machine, as is a case with settings
   carrier_track::SceneFile source;  ///< says how uncertain the scene's numbers are
 };
+
+/// Adds --case, --scene and --set.
+void add_scene_choice(CLI::App* command, SceneChoice& choice);
+
+/// Adds the machine file that a command takes, and --set.
+void add_machine_file(CLI::App* command, SceneChoice& choice);
 
 /// Throws InputError for an unknown case, an invalid file or setting, or unless exactly one of case
 /// and file is given.

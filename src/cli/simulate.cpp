@@ -1,4 +1,4 @@
-#include "src/cli/simulate.h"
+#include "ricochet/simulate.h"
 
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,10 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
 #include "ricochet/recording.h"
-#include "ricochet/simulate.h"
+#include "src/cli/commands.h"
 #include "src/cli/output_files.h"
+#include "src/cli/scene_choice.h"
+#include "src/cli/shared_options.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/json.h"
@@ -27,6 +30,16 @@ namespace {
 
 using namespace carrier_track;
 using report::Json;
+
+struct SimulateOptions {
+  SceneChoice scene;
+  std::optional<double> omega;  ///< [rad/s], replaces the scene's
+  std::string fidelity;         ///< replaces the scene's; empty: the scene's
+  double smoothing = 0.25;      ///< smoothing parameter of the surrogate that is printed
+  bool json = false;
+  std::string csv;   ///< file for the path; empty: none
+  std::string plot;  ///< SVG file for the path; empty: none
+};
 
 const char* name_of(Wall wall) {
   return wall == Wall::lower ? "lower" : "upper";
@@ -195,8 +208,6 @@ void refuse_same_files(const SimulateOptions& options) {
   refuse_same_file("--plot", options.plot, options.csv, "that of --csv");
 }
 
-}  // namespace
-
 int simulate(const SimulateOptions& options) {
   ChosenScene chosen = choose_scene(options.scene);
   if (options.omega) {
@@ -227,6 +238,32 @@ int simulate(const SimulateOptions& options) {
   }
   report::require_none(plot.failures);
   return 0;
+}
+
+}  // namespace
+
+void add_simulate(CommandLine& line) {
+  CLI::App* command =
+      line.add("simulate", "Simulate one machine: impacts, peaks, count, certainty",
+               "  ricochet simulate --case C1 --omega 5\n"
+               "  ricochet simulate --scene machine.toml --plot path.svg --csv path.csv\n"
+               "  ricochet simulate --scene machine.toml --set friction=0.3 --set 'omega=60 rpm'");
+  const auto options = std::make_shared<SimulateOptions>();
+  add_scene_choice(command, options->scene);
+  add_format(command, options->json);
+  command->add_option("--omega", options->omega, "Speed [rad/s] in place of the scene's");
+  std::set<std::string> levels;
+  for (const auto& [name, level] : fidelity_names()) levels.emplace(name);
+  command
+      ->add_option("--fidelity", options->fidelity, "Level of the model, in place of the scene's")
+      ->check(CLI::IsMember(levels));
+  command->add_option("--smoothing", options->smoothing, "Smoothing parameter of the surrogate")
+      ->capture_default_str();
+  command->add_option("--csv", options->csv, "CSV file for the path: time, position, velocity")
+      ->type_name("FILE");
+  command->add_option("--plot", options->plot, "SVG file for a chart of the path")
+      ->type_name("FILE");
+  line.on_call(command, [options] { return simulate(*options); });
 }
 
 }  // namespace ricochet::cli

@@ -1,9 +1,8 @@
-#include "src/cli/solve.h"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <optional>
@@ -16,8 +15,11 @@
 #include "ricochet/verdict.h"
 #include "solvers/outside/outside.h"
 #include "src/benchmark/experiment/campaign/runner.h"
+#include "src/benchmark/experiment/campaign/worker.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
+#include "src/cli/commands.h"
 #include "src/cli/named.h"
+#include "src/cli/shared_options.h"
 #include "src/core/instance.h"
 #include "src/core/seed.h"
 #include "src/core/text_file.h"
@@ -31,6 +33,21 @@ namespace {
 constexpr std::int64_t largest_budget = 1'000'000'000;
 
 using report::Json;
+
+struct SolveOptions {
+  std::string solver, problem;
+  std::string scene_file;              ///< use this machine; empty: no machine of the user
+  std::vector<std::string> settings;   ///< of --set
+  std::string formulation;             ///< its name; empty: the first that the solver accepts
+  std::string perturbation = "plain";  ///< disturbs what the solver sees
+  std::int64_t budget = 1000;          ///< evaluations
+  int instance = 0;                    ///< 0: the original problem
+  int seed = 0;                        ///< number of the run
+  std::string trace;                   ///< CSV file of the improvements
+  std::string plot;                    ///< SVG file of the improvements
+  bool json = false;
+  Limits limits;
+};
 
 Solver solver_of(const std::string& wanted) {
   const std::optional<Solver> brought = outside::outside_solver(wanted);
@@ -216,8 +233,6 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
   fmt::print(".\n");
 }
 
-}  // namespace
-
 int solve(const SolveOptions& options) {
   // A number beyond the range of an integer arrives here as the largest one.
   if (options.budget < 1 || options.budget > largest_budget)
@@ -260,6 +275,49 @@ int solve(const SolveOptions& options) {
   report::require_none(plot.failures);
   if (!record.failure.empty()) throw std::runtime_error(record.failure);
   return 0;
+}
+
+}  // namespace
+
+void add_solve(CommandLine& line) {
+  CLI::App* command =
+      line.add("solve", "Run one solver on one problem and score it",
+               "  ricochet solve nlopt-cobyla top-speed-C1 --formulation penalised-count\n"
+               "  ricochet solve fireworks profile-count-8-C4 --budget 10000 --plot trace.svg\n"
+               "  ricochet solve nlopt-slsqp profile-count-8-scene --scene machine.toml\n"
+               "  ricochet solve ./mine.so count-C1\n"
+               "  ricochet solve 'python3 mine.py' count-C1");
+  const auto options = std::make_shared<SolveOptions>();
+  command
+      ->add_option("solver", options->solver,
+                   "A name of `ricochet list solvers`, a shared library or a program")
+      ->required()
+      ->type_name("SOLVER");
+  command->add_option("problem", options->problem, "A name of `ricochet list problems`")
+      ->required()
+      ->type_name("PROBLEM");
+  add_scene_file(command, options->scene_file, options->settings);
+  command->add_option("--formulation", options->formulation,
+                      "Formulation of the problem; default: the first that the solver accepts");
+  std::vector<std::string> perturbations;
+  for (const Perturbation& known : all_perturbations()) perturbations.push_back(known.name);
+  command->add_option("--perturbation", options->perturbation, "Perturbation of the problem")
+      ->type_name(fmt::format("PERTURBATION:{{{}}}", fmt::join(perturbations, ",")))
+      ->capture_default_str();
+  command->add_option("--budget", options->budget, "Evaluations")->capture_default_str();
+  command
+      ->add_option("--instance", options->instance,
+                   "0: the original problem; 1, 2, ...: moved and reflected")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Number of the run, which gives its random numbers")
+      ->capture_default_str();
+  command->add_option("--trace", options->trace, "CSV file for the improvements")
+      ->type_name("FILE");
+  command->add_option("--plot", options->plot, "SVG file for a chart of the improvements")
+      ->type_name("FILE");
+  add_limits(command, options->limits);
+  add_format(command, options->json);
+  line.on_call(command, [options] { return solve(*options); });
 }
 
 }  // namespace ricochet::cli

@@ -18,7 +18,9 @@
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/cli/archive.h"
+#include "src/cli/commands.h"
 #include "src/cli/programs.h"
+#include "src/cli/shared_options.h"
 #include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
 #include "src/core/warning.h"
@@ -26,10 +28,21 @@
 #include "src/research/suite/catalogue.h"
 
 namespace ricochet::cli {
+namespace {
 
 using report::Json;
 
-namespace {
+struct ReplayOptions {
+  std::string store;  ///< a file, or archive, see archive_named()
+  std::string run;    ///< its number, or its key as address_of() writes it
+  bool allow_programs = false;
+  bool json = false;
+};
+
+struct MergeOptions {
+  std::string out;
+  std::vector<std::string> parts;
+};
 
 /// The programs of which one is the solver of this name: that one if the store says so; none if
 /// the solver is of the suite or the plan.
@@ -108,14 +121,8 @@ Repetition repetition_of(const Store& store, const std::string& file, const std:
   return {stored->number, stored->key, *again, differs};
 }
 
-}  // namespace
-
-void warn_of_missing_runs(const std::string& store) {
-  const std::string warning = caution(store);
-  if (!warning.empty()) warn(warning);
-}
-
-int merge_stores(const std::vector<std::string>& parts, const std::string& out) {
+int merge_stores(const MergeOptions& options) {
+  const auto& [out, parts] = options;
   merge({parts.begin(), parts.end()}, out, united);
   const Store store = Store::open(out, Store::For::reading);
   for (const std::string& part : parts) warn_of_missing_runs(part);
@@ -130,16 +137,13 @@ int print_digest(const std::string& store) {
   return 0;
 }
 
-std::string repeated(const Store& store, const std::string& file, std::int64_t number,
-                     bool allow_programs) {
-  return repetition_of(store, file, std::to_string(number), allow_programs).differs;
-}
-
-int replay(const std::string& name, const std::string& run, bool allow_programs, bool json) {
-  const std::string file = archive_named(name);
+/// Starts only the run's own solver, and that only if it is of the suite or programs are allowed.
+int replay(const ReplayOptions& options) {
+  const std::string file = archive_named(options.store);
   const Store store = Store::open(file, Store::For::reading);
   warn_of_missing_runs(file);
-  const auto [number, key, again, differs] = repetition_of(store, file, run, allow_programs);
+  const auto [number, key, again, differs] =
+      repetition_of(store, file, options.run, options.allow_programs);
   const Cell& cell = key.cell;
   const Json data = {
       {"run", number},
@@ -156,7 +160,7 @@ int replay(const std::string& name, const std::string& run, bool allow_programs,
       {"objective", again.trace.empty() ? Json() : Json(again.trace.back().true_values.objective)},
       {"differs", differs},
       {"same", differs.empty()}};
-  if (json) {
+  if (options.json) {
     fmt::print("{}\n", data.dump(2));
   } else {
     fmt::print(
@@ -169,6 +173,59 @@ int replay(const std::string& name, const std::string& run, bool allow_programs,
                         : "NOT the same as stored: it differs in " + differs + ".");
   }
   return differs.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void warn_of_missing_runs(const std::string& store) {
+  const std::string warning = caution(store);
+  if (!warning.empty()) warn(warning);
+}
+
+std::string repeated(const Store& store, const std::string& file, std::int64_t number,
+                     bool allow_programs) {
+  return repetition_of(store, file, std::to_string(number), allow_programs).differs;
+}
+
+void add_replay(CommandLine& line) {
+  CLI::App* command = line.add("replay", "Repeat a stored run and compare it bit by bit",
+                               "  ricochet replay mine/runs.sqlite 17\n"
+                               "  ricochet replay archive "
+                               "top-speed-C1/count/plain/bisection/100/n/1/0");
+  const auto options = std::make_shared<ReplayOptions>();
+  command
+      ->add_option("store", options->store,
+                   "A store, runs.sqlite; archive: that of the reference, which is included")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("run", options->run,
+                   "Number of the run, or problem/formulation/perturbation/solver/budget/price/"
+                   "instance/seed, as a comparison's own view writes it")
+      ->type_name("RUN")
+      ->required();
+  add_allowance(command, options->allow_programs);
+  add_format(command, options->json);
+  line.on_call(command, [options] { return replay(*options); });
+}
+
+void add_merge(CommandLine& line) {
+  CLI::App* command = line.add("merge", "Join the stores of a campaign's shards",
+                               "  ricochet merge runs.sqlite part-*/runs.sqlite");
+  const auto options = std::make_shared<MergeOptions>();
+  command->add_option("out", options->out, "The new store")->type_name("FILE")->required();
+  command->add_option("parts", options->parts, "Stores of the same campaign")
+      ->type_name("FILE")
+      ->required();
+  line.on_call(command, [options] { return merge_stores(*options); });
+}
+
+void add_digest(CommandLine& line) {
+  CLI::App* command = line.add("digest", "Print a hash of a store's runs, times left out",
+                               "  ricochet digest mine/runs.sqlite");
+  const auto store = std::make_shared<std::string>();
+  command->add_option("store", *store, "A store, runs.sqlite")->type_name("FILE")->required();
+  line.on_call(command, [store] { return print_digest(*store); });
 }
 
 }  // namespace ricochet::cli

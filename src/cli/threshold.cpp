@@ -1,4 +1,4 @@
-#include "src/cli/threshold.h"
+#include "problems/carrier_track/counting/threshold.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,15 @@
 
 #include "problems/carrier_track/advice/quiet_speed_answer.h"
 #include "problems/carrier_track/advice/staircase_chart.h"
-#include "problems/carrier_track/counting/threshold.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "problems/carrier_track/scene/window.h"
 #include "ricochet/error.h"
 #include "ricochet/threshold.h"
+#include "src/cli/commands.h"
 #include "src/cli/output_files.h"
+#include "src/cli/quiet_speed_request.h"
+#include "src/cli/scene_choice.h"
+#include "src/cli/shared_options.h"
 #include "src/core/progress.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
@@ -26,6 +29,14 @@ namespace {
 using namespace carrier_track;
 using namespace studies::advice;
 using report::Json;
+
+struct ThresholdOptions {
+  SceneChoice scene;
+  bool all = false;  ///< every case of the paper
+  bool json = false;
+  std::string plot;  ///< SVG file for the staircase; empty: none
+  QuietSpeedRequest asked;
+};
 
 Json restitution_of(const Scene& scene) {
   if (scene.restitution_lower == scene.restitution_upper) return scene.restitution_lower;
@@ -149,8 +160,6 @@ report::Plot plot_of(const ChosenScene& chosen, const QuietSpeed& answer) {
                                            {chosen.claim.threshold, "paper's threshold"}})});
 }
 
-}  // namespace
-
 int threshold(const ThresholdOptions& options) {
   const QuietSpeedOptions asked = options_of(options.asked);
   ScanOptions scan;
@@ -192,6 +201,22 @@ int threshold(const ThresholdOptions& options) {
   }
   report::require_none(plot.failures);
   return 0;
+}
+
+}  // namespace
+
+void add_threshold(CommandLine& line) {
+  CLI::App* command = line.add("threshold", "Find the fastest quiet speed, to 1e-3 rad/s",
+                               "  ricochet threshold --scene machine.toml --plot staircase.svg\n"
+                               "  ricochet threshold --all --format json");
+  const auto options = std::make_shared<ThresholdOptions>();
+  add_scene_choice(command, options->scene);
+  add_format(command, options->json);
+  command->add_flag("--all", options->all, "Every case of the paper");
+  add_request(command, options->asked);
+  command->add_option("--plot", options->plot, "SVG file for a chart of the counts")
+      ->type_name("FILE");
+  line.on_call(command, [options] { return threshold(*options); });
 }
 
 }  // namespace ricochet::cli

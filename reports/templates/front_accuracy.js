@@ -10,6 +10,8 @@ const chosenFamily = () => Number(element("family").value);
 const chosenBudget = () => Number(element("budget").value);
 const chosen = () => rows.filter((row) => row.family === chosenFamily() && row.budget === chosenBudget() && shows(row));
 
+const familyName = ({name}) => name === "all" ? "all problems" : name;
+
 // Where the report speaks of it: of a family on a page of its own.
 const placeOf = (row) => {
   const {name} = comparison.families[row.family];
@@ -41,7 +43,7 @@ const accuracyWords = {evaluations: "evaluations for each variable", seconds: "p
 const accuracyFinding = (front, speed) => {
   const best = front.at(-1);
   if (!best) return "No solver matches, or the comparison has no times: ./ricochet compare makes one with times.";
-  return `${comparison.families[chosenFamily()].name}: the most accurate is ${full(best.row)}, at ${number(best.x)} ${speed === "seconds" ? "s" : "evaluations for each variable"}; ` +
+  return `${familyName(comparison.families[chosenFamily()])}: the most accurate is ${full(best.row)}, at ${number(best.x)} ${speed === "seconds" ? "s" : "evaluations for each variable"}; ` +
     (front.length > 1 ? `the fastest on the Pareto front is ${full(front[0].row)}, at ${number(front[0].x)}.` : "it is also the fastest.");
 };
 

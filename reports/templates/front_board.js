@@ -37,7 +37,8 @@ const sortBy = (key) => {
 
 const drawBoard = () => {
   const list = sorted(withPlaces(chosen()));
-  const head = boardColumns.map(([key, title, , className]) => {
+  const columns = boardColumns.filter(([key]) => list.some((row) => row[key] !== null));  // of all families some are not known
+  const head = columns.map(([key, title, , className]) => {
     const button = make("button", {type: "button"}, title), heading = make("th", {scope: "col", className}, button);
     button.dataset.column = key;
     button.addEventListener("click", () => sortBy(key));
@@ -46,10 +47,10 @@ const drawBoard = () => {
   });
   const body = list.map((row, i) => {
     const tie = sorting.by === "place" && list[i + 1]?.shown_place === row.shown_place;
-    return make("tr", {className: tie ? "tie" : ""}, ...boardColumns.map(([key, , text, className]) =>
+    return make("tr", {className: tie ? "tie" : ""}, ...columns.map(([key, , text, className]) =>
       key === "solver" ? make("th", {scope: "row", className}, text(row)) : make("td", {className}, text(row))));
   });
-  element("board").replaceChildren(make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...body));
+  fillTable(element("board"), head, body);
   const family = comparison.families[chosenFamily()]?.name;
   offerFiles("board", Object.keys(rows[0]), list.map(({shown_place, ...row}) => ({...row, family})));
 };

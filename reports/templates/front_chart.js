@@ -62,7 +62,10 @@ class PointChart {
     this.svg.addEventListener("pointermove", (event) => this.tellNearest(event));
     this.svg.addEventListener("pointerleave", () => { this.tip.hidden = true; });
     this.svg.addEventListener("click", (event) => { const mark = this.nearest(event); if (mark) this.shown.follow?.(mark.point); });
-    new ResizeObserver(() => { if (this.shown && ![0, this.width].includes(this.svg.clientWidth)) this.draw(this.shown); }).observe(this.svg);
+    new ResizeObserver(() => {
+      const {clientWidth, clientHeight} = this.svg;
+      if (this.shown && clientWidth && (clientWidth !== this.width || clientHeight !== this.height)) this.draw(this.shown);
+    }).observe(this.svg);
   }
 
   add(parent, name, attributes, text) {
@@ -83,7 +86,8 @@ class PointChart {
     this.svg.parentElement.hidden = shown.sets.every(({data}) => data.length === 0);
     if (this.svg.parentElement.hidden) return;
     this.width = this.svg.clientWidth || 560;
-    const height = this.svg.clientHeight || 250;
+    this.height = this.svg.clientHeight || 250;
+    const {height} = this;
     this.title.textContent = shown.title;
     this.svg.replaceChildren(this.title);
     for (const [key, value] of Object.entries({viewBox: `0 0 ${this.width} ${height}`, "font-family": font, "font-size": textSize})) this.svg.setAttribute(key, value);

@@ -49,7 +49,7 @@ const drawChoice = () => {
                 ...texts.map((text) => make("td", {className: "right"}, text)));
   }));
   const head = choiceColumns.map(([title, className]) => make("th", {scope: "col", className}, title));
-  element("choices").replaceChildren(make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...lines));
+  fillTable(element("choices"), head, lines);
 };
 
 // What the address asks for: ?variables=4&evaluations=400&trouble=noisy

@@ -19,7 +19,7 @@ const offerFamilies = () => {
     (!variables || (variables === "one") === (family.variables.most === 1)) &&
     (!constraints || (constraints === "none") === (family.constraints.most === 0)));
   fill(element("family"), fitting.map(([index, family]) =>
-    [index, `${family.name} (${extentText(family.variables)} variable${family.variables.most === 1 ? "" : "s"})`]));
+    [index, `${familyName(family)} (${extentText(family.variables)} variable${family.variables.most === 1 ? "" : "s"})`]));
   offerBudgets();
 };
 

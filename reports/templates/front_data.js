@@ -27,6 +27,17 @@ const make = (kind, properties = {}, ...parts) => {
   return made;
 };
 
+// On a narrow screen a row is a block of labels and values, see look.css; the roles keep it a table.
+const fillTable = (table, head, lines) => {
+  table.className = "folding";
+  table.replaceChildren(make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...lines));
+  head.forEach((heading, i) => table.style.setProperty(`--${i + 1}`, JSON.stringify(heading.textContent)));
+  table.setAttribute("role", "table");
+  for (const [parts, role] of Object.entries({"thead, tbody": "rowgroup", tr: "row", "thead th": "columnheader", "tbody th": "rowheader", td: "cell"})) {
+    for (const part of table.querySelectorAll(parts)) part.setAttribute("role", role);
+  }
+};
+
 const fill = (select, entries) => {
   const before = select.value;
   select.replaceChildren(...entries.map(([value, text]) => new Option(text, value)));

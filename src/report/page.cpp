@@ -19,6 +19,7 @@
 #include "embedded/view_runs_script.h"
 #include "embedded/view_script.h"
 #include "embedded/view_template.h"
+#include "src/report/column_labels.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
 #include "src/report/record_table.h"
@@ -121,7 +122,9 @@ constexpr std::size_t many_columns = 8;
 /// `id` is unique on the page.
 Json data_of(const Table& table, const std::string& id, const TextWriters& writing) {
   Json columns = Json::array(), rows = Json::array();
+  std::vector<std::string> titles;
   for (const Column& column : table.columns) {
+    titles.push_back(column.title);
     columns.push_back(
         {{"title", writing.plain(column.title)}, {"left", column.alignment == Alignment::left}});
   }
@@ -143,6 +146,7 @@ Json data_of(const Table& table, const std::string& id, const TextWriters& writi
           {"folds", folds},
           {"all", table.rows.size()},
           {"many_columns", table.columns.size() > many_columns},
+          {"labels", writing.plain(column_labels(titles))},
           {"columns", std::move(columns)},
           {"rows", std::move(rows)}};
 }

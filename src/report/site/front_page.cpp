@@ -17,6 +17,7 @@
 #include "embedded/front_summary_template.h"
 #include "embedded/front_template.h"
 #include "embedded/look.h"
+#include "src/report/column_labels.h"
 #include "src/report/data_text.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/filled_text.h"
@@ -71,6 +72,9 @@ const Topic topics[] = {
 Json excerpt_data(const FrontExcerpt& excerpt) {
   Json data = excerpt;
   data["has_table"] = !excerpt.rows.empty();
+  std::vector<std::string> titles;
+  for (const FrontColumn& column : excerpt.columns) titles.push_back(column.title);
+  data["labels"] = report::column_labels(titles);
   data["has_links"] = !excerpt.links.empty();
   return data;
 }
@@ -159,7 +163,7 @@ Json told(const Front& front, std::string (*write)(std::string_view)) {
                {"pairs_finding", front.pairs ? Json(finding_of(*front.pairs)) : Json()},
                {"answers", answers(front)},
                {"question", front.question},
-               {"entries", front.entries},
+               {"entries", report::list_of(front.entries, excerpt_data)},
                {"cards", front.cards},
                {"missing", front.missing}};
   return written(page, write);

@@ -16,6 +16,7 @@
 #include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
 #include "embedded/view_look.h"
+#include "embedded/view_ranks_script.h"
 #include "embedded/view_runs_script.h"
 #include "embedded/view_script.h"
 #include "embedded/view_template.h"
@@ -279,8 +280,9 @@ Json scripts_of(const Page& page) {
       page.sections, [](const Section& section) { return !section.figures.empty(); });
   if (needs_script(page)) scripts.push_back(embedded::page_script);
   if (has_view(page)) {
-    for (const char* part : {embedded::view_runs_script, embedded::view_choice_script,
-                             embedded::view_chart_script, embedded::view_script}) {
+    for (const char* part :
+         {embedded::view_runs_script, embedded::view_ranks_script, embedded::view_choice_script,
+          embedded::view_chart_script, embedded::view_script}) {
       scripts.push_back(part);
     }
   }

@@ -60,6 +60,30 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
     }
   }
   check(compared > 300, `only ${compared} entries compared`);
+  // Ranks as the families' tables have them. P(best) is a bootstrap there and here: two of 2,000 samples each, and here of
+  // 10,000 draws of the instances, which weigh about as much.
+  let ranked = 0, uncertain = 0, apart = 0;
+  for (const family of families) {
+    if (!fs.existsSync(path.join(folder, "comparison", family, "data.json"))) continue;
+    for (const {budget, ratings} of dataOf(family).budgets ?? []) {
+      const {contestants} = await computed(page, {family, budget, formulation: "all"});
+      for (const row of ratings) {
+        const one = contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`), has = (number) => Number.isFinite(number);
+        check(has(one.rank) === has(row.rank) && (!has(row.rank) || near(one.rank, row.rank, 3)), `view of ${family}: ${one.name} has mean rank ${one.rank}, in the table ${row.rank}`);
+        check(has(one.first) === has(row.best), `view of ${family}: ${one.name} has P(best) ${one.first}, in the table ${row.best}`);
+        if (has(row.rank)) ++ranked;
+        if (!has(row.best)) continue;
+        const middle = (one.first + row.best) / 2, deviation = Math.sqrt(3 * middle * (1 - middle) / 2000);
+        check(Math.abs(one.first - row.best) <= 4 * deviation + .002, `view of ${family}: P(best) of ${one.name} is ${one.first}, in the table ${row.best}`);
+        if (middle < .1 || middle > .9) continue;
+        ++uncertain;
+        apart += Math.abs(one.first - row.best);
+      }
+    }
+  }
+  check(ranked > 1000 && uncertain > 10, `only ${ranked} mean ranks compared, ${uncertain} P(best) between 0.1 and 0.9`);
+  check(apart <= .02 * uncertain, `P(best) of the view and of the tables differ by ${apart / uncertain} in the mean`);
+
   // Expected running times, as the pages of three solvers have them.
   for (const solver of ["mads", "nlopt-cobyla", "bisection"]) {
     for (const row of dataOf(`solvers/${solver}`).families.filter((one) => families.includes(one.family))) {

@@ -72,10 +72,10 @@ const drawCharts = (drawn, reference, problems) => {
     caption: "Share of the problems that both take, and one of them solves, on which an entry's expected running time is at most so many times the reference's. What stands at the left end: the reference never solves these."});
 };
 
-const shownEntries = (ordered) => {
+const shownEntries = (ordered, chosen) => {
   const asked = choice.shown === "" ? [] : choice.shown.split("|");
   const known = ordered.filter((one) => asked.includes(one.name));
-  return known.length ? known : ordered.slice(0, 5);
+  return known.length ? known : [...new Set([...ordered.slice(0, 5), ...(chosen ? [chosen] : [])])];
 };
 
 const setShown = (names) => { choice.shown = names.join("|"); show(); };
@@ -154,6 +154,7 @@ const drawRuns = (result) => {
     {title: "target reached", left: true, value: ({outcome}) => outcome.reached ? "yes" : "no"},
     {title: "evaluations until then, or in all", value: ({outcome}) => String(outcome.evaluations)},
     {title: "targets", value: ({run}) => run.missing > cell.targets ? "infeasible" : `${cell.targets - run.missing} of ${cell.targets}`},
+    ...(cell.runs.some((run) => run.repeats) ? [{title: "repeats an earlier run", left: true, value: ({run}) => run.repeats ? "yes" : ""}] : []),
   ], rows);
 };
 
@@ -190,7 +191,9 @@ const show = (complaint = "") => {
   for (const id of ["view-charts", "view-entries"]) byId(id).hidden = !reference;
   if (reference) {
     for (const one of ordered) one.beside = ratioTo(one.results, reference.results);
-    const drawn = shownEntries(ordered), chosen = ordered.find((one) => one.name === choice.entry);
+    const chosen = ordered.find((one) => one.name === choice.entry) ?? ordered.find((one) => one.solver === choice.entry);
+    if (chosen) choice.entry = chosen.name;
+    const drawn = shownEntries(ordered, chosen);
     drawCharts(drawn, reference, problems);
     keepingFocus(() => {
       drawEntries(ordered, drawn, problems, ranked);
@@ -220,6 +223,8 @@ const follow = () => {
   const link = location.hash.replace(/^#/, "");
   if (link !== "" && !link.includes("=")) return show();
   show(choice.follow(link));
+  if (choice.problem) openAt("view-runs");
+  else if (choice.entry) openAt("view-problems");
 };
 
 form.addEventListener("input", ({target}) => {

@@ -22,6 +22,13 @@ class Choice {
       : families[entry.family].family === family);
   }
 
+  // The family of this name, or with an ending if only another part of the plan asks its problems under this perturbation
+  // with this budget.
+  familyWith(name, perturbation, budget) {
+    const fits = (entry) => this.table.perturbations[entry.perturbation] === perturbation && (budget === null || String(entry.budget) === budget);
+    return [name, ...this.families.filter((one) => one.startsWith(`${name}-`))].find((family) => this.entriesOf(family).some(fits)) ?? name;
+  }
+
   // The entries under the chosen conditions.
   entries() {
     return this.entriesOf(this.family).filter((entry) => this.table.perturbations[entry.perturbation] === this.perturbation &&
@@ -70,6 +77,7 @@ class Choice {
       if (key in this.begun) this[key] = value;
       else wrong.push(`the link has ${key}, which this page does not know`);
     }
+    if (link.has("family")) this.family = this.familyWith(this.family, this.perturbation, link.get("budget"));
     const known = {family: this.families, perturbation: this.names.perturbation, price: this.names.price, target: Object.keys(levels), order: this.orders};
     for (const [key, list] of Object.entries(known)) {
       if (list.includes(this[key])) continue;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "embedded/chart_data_script.h"
+#include "embedded/chart_links_script.h"
 #include "embedded/look.h"
 #include "embedded/page_script.h"
 #include "embedded/page_template.h"
@@ -155,16 +156,23 @@ std::string inside_a_script(const Json& data) {
   return text;
 }
 
-/// The picture with its numbers, for the buttons of reports/templates/chart_data.js.
-std::string with_numbers(const Chart& chart, const DrawnChart& drawn) {
+std::string script_of(const char* name, const Json& data) {
+  return fmt::format("<script type=\"application/json\" class=\"{}\">{}</script>", name,
+                     inside_a_script(data));
+}
+
+/// The picture with its numbers, for the buttons of reports/templates/chart_data.js, and with what
+/// its cells lead to.
+std::string with_data(const Figure& figure, const DrawnChart& drawn) {
   if (!drawn.is_drawn()) return html_of(drawn);
-  return fmt::format("{}<script type=\"application/json\" class=\"chart-csv\">{}</script>",
-                     html_of(drawn), inside_a_script(csv_of(chart)));
+  std::string html = html_of(drawn) + script_of("chart-csv", csv_of(figure.chart));
+  if (figure.links.rows.empty()) return html;
+  return html + script_of("chart-links", cell_links_data(figure.chart, figure.links));
 }
 
 Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& writing) {
   const Chart& chart = figure.chart;
-  return {{"html", with_numbers(chart, drawn)},        {"markdown", markdown_of(drawn)},
+  return {{"html", with_data(figure, drawn)},          {"markdown", markdown_of(drawn)},
           {"caption", writing.linked(figure.caption)}, {"frame", writing.plain(figure.frame)},
           {"title", writing.plain(chart.title)},       {"max_width", chart.width * 115 / 100},
           {"wide", chart.width >= wide_chart}};
@@ -264,6 +272,13 @@ bool has_view(const Page& page) {
   return std::ranges::any_of(page.sections, [](const Section& one) { return !one.view.is_null(); });
 }
 
+bool has_cell_links(const Page& page) {
+  return std::ranges::any_of(page.sections, [](const Section& section) {
+    return std::ranges::any_of(section.figures,
+                               [](const Figure& one) { return !one.links.rows.empty(); });
+  });
+}
+
 /// Returns true if something on the page moves and so needs a script.
 bool needs_script(const Page& page) {
   return has_view(page) || std::ranges::any_of(page.sections, [](const Section& section) {
@@ -287,6 +302,7 @@ Json scripts_of(const Page& page) {
     }
   }
   if (has_charts || has_view(page)) scripts.push_back(embedded::chart_data_script);
+  if (has_cell_links(page)) scripts.push_back(embedded::chart_links_script);
   return scripts;
 }
 

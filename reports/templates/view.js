@@ -50,7 +50,7 @@ const fillForm = (contestants) => {
   fillSelect("formulation", formulations, formulationLabel);
   fillSelect("price", prices, (value) => value === "n" ? "n evaluations" : value);
   fillSelect("target", Object.keys(levels), (level) => levels[level]);
-  fillSelect("order", ["budget", "target"], (order) => ({budget: "success rate (fixed budget)", target: "evaluations, PAR10 (fixed target)"}[order]));
+  fillSelect("order", choice.orders, (order) => ({budget: "success rate (fixed budget)", target: "evaluations, PAR10 (fixed target)", rank: "mean rank"}[order]));
   fillSelect("reference", ["", ...contestants.map((one) => one.name).sort()], (name) => name || "the first of the table");
   for (const name of ["most", "words"]) if (form.elements[name] !== document.activeElement) form.elements[name].value = choice[name];
 };
@@ -72,15 +72,17 @@ const drawCharts = (drawn, reference, problems) => {
     caption: "Share of the problems that both take, and one of them solves, on which an entry's expected running time is at most so many times the reference's. What stands at the left end: the reference never solves these."});
 };
 
-const shownEntries = (ordered) => {
+const shownEntries = (ordered, chosen) => {
   const asked = choice.shown === "" ? [] : choice.shown.split("|");
   const known = ordered.filter((one) => asked.includes(one.name));
-  return known.length ? known : ordered.slice(0, 5);
+  return known.length ? known : [...new Set([...ordered.slice(0, 5), ...(chosen ? [chosen] : [])])];
 };
 
 const setShown = (names) => { choice.shown = names.join("|"); show(); };
 
-const drawEntries = (ordered, drawn, problems) => {
+const rankWords = "Mean rank: over the problems that the entry takes and their runs, among the entries that take at least half of all; 1 is the best. P(best): the probability of the least mean rank on problems like these. ";
+
+const drawEntries = (ordered, drawn, problems, ranked) => {
   const words = choice.words.toLowerCase(), listed = ordered.filter((one) => one.name.toLowerCase().includes(words));
   const columns = [
     {title: "entry", left: true, value: (one) => element("button", {type: "button", "aria-expanded": String(one.name === choice.entry), onclick: () => openEntry(one.name)}, one.name)},
@@ -91,6 +93,10 @@ const drawEntries = (ordered, drawn, problems) => {
       }})},
     {title: "problems", value: (one) => `${one.results.size} of ${problems}`},
     {title: "success rate [%]", sorted: choice.order === "budget" ? "descending" : undefined, value: (one) => `${percent(one.share)} [${percent(one.lower)}, ${percent(one.upper)}]`},
+    ...(ranked ? [
+      {title: `mean rank of ${ranked}`, sorted: choice.order === "rank" ? "ascending" : undefined, value: (one) => short(one.rank)},
+      {title: "P(best)", value: (one) => one.first === undefined ? "–" : one.first.toFixed(2)},
+    ] : []),
     {title: "evaluations a variable", value: (one) => short(one.evaluations)},
     {title: "ERT a variable", value: (one) => one.never < one.results.size ? `${short(one.ert)} on ${one.results.size - one.never}` : "–"},
     {title: "PAR10 a variable", sorted: choice.order === "target" ? "ascending" : undefined, value: (one) => short(one.par10)},
@@ -98,7 +104,7 @@ const drawEntries = (ordered, drawn, problems) => {
     {title: "PAR10 lower, higher on", value: (one) => `${one.beside.fewer}, ${one.beside.more} of ${one.beside.problems}`},
   ];
   drawTable(byId("view-entries"),
-    `${listed.length} entries. Success rate: mean over the problems that the entry takes, with its 95 % interval. Evaluations until the target, or in all: geometric mean. ERT: expected evaluations until the target, ` +
+    `${listed.length} entries. Success rate: mean over the problems that the entry takes, with its 95 % interval. ${ranked ? rankWords : ""}Evaluations until the target, or in all: geometric mean. ERT: expected evaluations until the target, ` +
     "with restarts, on so many problems with a run that reached it. PAR10 charges a run that does not ten times its budget. An entry's name opens its problems.", columns, listed);
 };
 
@@ -147,7 +153,8 @@ const drawRuns = (result) => {
     {title: "seed", value: ({run}) => String(run.seed)},
     {title: "target reached", left: true, value: ({outcome}) => outcome.reached ? "yes" : "no"},
     {title: "evaluations until then, or in all", value: ({outcome}) => String(outcome.evaluations)},
-    {title: "targets", value: ({run}) => `${cell.targets - run.missing} of ${cell.targets}`},
+    {title: "targets", value: ({run}) => run.missing > cell.targets ? "infeasible" : `${cell.targets - run.missing} of ${cell.targets}`},
+    ...(cell.runs.some((run) => run.repeats) ? [{title: "repeats an earlier run", left: true, value: ({run}) => run.repeats ? "yes" : ""}] : []),
   ], rows);
 };
 
@@ -157,7 +164,8 @@ const sentence = (ordered, problems) => {
   const rate = choice.target === "2" ? "success rate" : `with ${levels[choice.target]} in`, among = [
     ...(choice.family === "all" ? [] : [` of ${choice.family}`]), ...(choice.variables === "all" ? [] : [` with ${choice.variables} variable${choice.variables === "1" ? "" : "s"}`]),
     ...(choice.perturbation === "plain" ? [] : [` under ${choice.perturbation}`])].join("");
-  const number = (one) => choice.order === "budget" ? `${rate} ${percent(one.share)} % [${percent(one.lower)}, ${percent(one.upper)}]` : `PAR10 ${short(one.par10)} evaluations a variable, ${rate} ${percent(one.share)} %`;
+  const rank = (one) => one.rank ? `mean rank ${short(one.rank)}${one.first === undefined ? "" : `, P(best) ${one.first.toFixed(2)}`}` : "not ranked";
+  const number = (one) => choice.order === "rank" ? `${rank(one)}, ${rate} ${percent(one.share)} %` : choice.order === "budget" ? `${rate} ${percent(one.share)} % [${percent(one.lower)}, ${percent(one.upper)}]` : `PAR10 ${short(one.par10)} evaluations a variable, ${rate} ${percent(one.share)} %`;
   const sure = second && choice.order === "budget" && second.complete === first.complete && second.upper >= first.lower && first.lower < first.share
     ? " The intervals overlap: the runs do not tell which is better." : "";
   return `${first.name} is first on ${first.results.size} problem${first.results.size === 1 ? "" : "s"}${among}, ${number(first)}` +
@@ -175,7 +183,7 @@ const keepingFocus = (draw) => {
 
 let following = "";  // the link as it was last read or written
 const show = (complaint = "") => {
-  const {contestants, problems} = contestantsOf(table, choice), ordered = inOrder(contestants, choice.order);
+  const {contestants, problems, ranked} = contestantsOf(table, choice), ordered = inOrder(contestants, choice.order);
   fillForm(contestants);
   const reference = ordered.find((one) => one.name === choice.reference) ?? ordered[0];
   byId("view-complaint").textContent = complaint;
@@ -183,10 +191,12 @@ const show = (complaint = "") => {
   for (const id of ["view-charts", "view-entries"]) byId(id).hidden = !reference;
   if (reference) {
     for (const one of ordered) one.beside = ratioTo(one.results, reference.results);
-    const drawn = shownEntries(ordered), chosen = ordered.find((one) => one.name === choice.entry);
+    const chosen = ordered.find((one) => one.name === choice.entry) ?? ordered.find((one) => one.solver === choice.entry);
+    if (chosen) choice.entry = chosen.name;
+    const drawn = shownEntries(ordered, chosen);
     drawCharts(drawn, reference, problems);
     keepingFocus(() => {
-      drawEntries(ordered, drawn, problems);
+      drawEntries(ordered, drawn, problems, ranked);
       drawProblems(chosen, reference);
     });
     drawRuns(chosen?.results.get(choice.problem));
@@ -213,6 +223,8 @@ const follow = () => {
   const link = location.hash.replace(/^#/, "");
   if (link !== "" && !link.includes("=")) return show();
   show(choice.follow(link));
+  if (choice.problem) openAt("view-runs");
+  else if (choice.entry) openAt("view-problems");
 };
 
 form.addEventListener("input", ({target}) => {

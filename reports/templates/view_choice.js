@@ -3,6 +3,7 @@
 class Choice {
   constructor(table) {
     this.table = table;
+    this.orders = ["budget", "target", ...(table.orders ? ["rank"] : [])];
     this.names = {family: table.families.map((one) => one.family), perturbation: table.perturbations, price: table.prices};
     const joint = table.families.filter((one) => one.joint !== null);
     this.families = [...(joint.length > 1 ? ["all"] : []), ...this.names.family];
@@ -19,6 +20,13 @@ class Choice {
     return entries.filter((entry) => family === "all"
       ? families[entry.family].joint === entry.budget && perturbations[entry.perturbation] === "plain" && prices[entry.price] === "n"
       : families[entry.family].family === family);
+  }
+
+  // The family of this name, or with an ending if only another part of the plan asks its problems under this perturbation
+  // with this budget.
+  familyWith(name, perturbation, budget) {
+    const fits = (entry) => this.table.perturbations[entry.perturbation] === perturbation && (budget === null || String(entry.budget) === budget);
+    return [name, ...this.families.filter((one) => one.startsWith(`${name}-`))].find((family) => this.entriesOf(family).some(fits)) ?? name;
   }
 
   // The entries under the chosen conditions.
@@ -69,7 +77,8 @@ class Choice {
       if (key in this.begun) this[key] = value;
       else wrong.push(`the link has ${key}, which this page does not know`);
     }
-    const known = {family: this.families, perturbation: this.names.perturbation, price: this.names.price, target: Object.keys(levels), order: ["budget", "target"]};
+    if (link.has("family")) this.family = this.familyWith(this.family, this.perturbation, link.get("budget"));
+    const known = {family: this.families, perturbation: this.names.perturbation, price: this.names.price, target: Object.keys(levels), order: this.orders};
     for (const [key, list] of Object.entries(known)) {
       if (list.includes(this[key])) continue;
       wrong.push(`the link has ${key} = ${this[key]}, which these runs do not have`);
@@ -118,13 +127,28 @@ const contestantsOf = (table, choice) => {
       for (const result of results) contestants.get(name).results.set(`${family}/${table.problems[result.cell.problem].problem}`, result);
     }
   }
-  const problems = new Set([...contestants.values()].flatMap((one) => [...one.results.keys()]));
-  for (const one of contestants.values()) {
-    Object.assign(one, summaryOf([...one.results.values()]), {complete: one.results.size === problems.size});
-  }
-  return {contestants: [...contestants.values()], problems: problems.size};
+  const problems = new Set([...contestants.values()].flatMap((one) => [...one.results.keys()])), all = [...contestants.values()];
+  for (const one of all) Object.assign(one, summaryOf([...one.results.values()]), {complete: one.results.size === problems.size});
+  const ranked = ranksUnder(table, choice, all, problems, cap);
+  return {contestants: all, problems: problems.size, ranked};
 };
 
-// The order: those that take all problems first; by success rate, then evaluations, or by PAR10.
-const inOrder = (contestants, order) => [...contestants].sort((a, b) => b.complete - a.complete ||
+// The ranks of the contestants of a choice; they are kept until another choice changes them.
+let keptRanks = {of: null};
+const ranksUnder = (table, choice, contestants, problems, cap) => {
+  if (!table.orders) return 0;  // a report of before lacks them
+  const of = ["family", "variables", "budget", "perturbation", "price", "formulation", "target", "most"].map((key) => choice[key]).join("|");
+  if (keptRanks.of !== of) {
+    for (const one of contestants) for (const {cell} of one.results.values()) table.placeRuns(cell.entry);
+    const ranked = setRanks(contestants, problems, cap);
+    keptRanks = {of, ranked, ranks: new Map(contestants.map(({name, rank, first}) => [name, {rank, first}]))};
+  }
+  for (const one of contestants) Object.assign(one, keptRanks.ranks.get(one.name));
+  return keptRanks.ranked;
+};
+
+// The order: by mean rank, those with one first; or those that take all problems first, by success rate, then evaluations, or
+// by PAR10.
+const inOrder = (contestants, order) => [...contestants].sort((a, b) =>
+  (order === "rank" ? (a.rank ?? Infinity) - (b.rank ?? Infinity) || 0 : b.complete - a.complete) ||
   (order === "target" ? a.par10 - b.par10 : b.share - a.share || a.evaluations - b.evaluations) || (a.name < b.name ? -1 : 1));

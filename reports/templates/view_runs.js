@@ -19,6 +19,18 @@ class DigitReader {
   }
 }
 
+// Reads numbers of so many bits, the lowest first, from the six of each digit.
+class BitReader {
+  constructor(text) { this.digits = new DigitReader(text); this.left = 0; this.held = 0; }
+  number(bits) {
+    for (; this.left < bits; this.left += 6) this.held += this.digits.digit() * 2 ** this.left;
+    const number = this.held % 2 ** bits;
+    this.held = (this.held - number) / 2 ** bits;
+    this.left -= bits;
+    return number;
+  }
+}
+
 // Lists of records are tables, see src/report/record_table.h.
 const unpacked = (data) => {
   if (Array.isArray(data)) return data.map(unpacked);
@@ -33,12 +45,41 @@ const unpacked = (data) => {
 const levels = ["a third of the targets", "two thirds of the targets", "the problem solved"];
 const targetsAt = (level, targets) => Math.ceil(targets * (level + 1) / levels.length);
 
+const conditionOf = ({family, perturbation, price, budget}) => [family, perturbation, price, budget].join();
+
 class RunTable {
   constructor(packed) {
     Object.assign(this, unpacked(packed));
     for (const entry of this.entries) {
       entry.taken = this.families[entry.family].problems.filter((problem, i) => entry.problems === "" || entry.problems[i] === "1");
     }
+    this.conditions = new Map();
+    for (const entry of this.entries) {
+      const condition = conditionOf(entry);
+      if (!this.conditions.has(condition)) this.conditions.set(condition, {place: this.conditions.size, entries: []});
+      this.conditions.get(condition).entries.push(entry);
+    }
+  }
+
+  // Gives the runs of all entries under a condition (family, perturbation, price, budget) their places, as
+  // src/benchmark/comparison/view_order.h has them: among the runs of other entries with the same problem, instance and
+  // seed that miss as many targets, 0 is the best, and equals share theirs.
+  placeRuns(entry) {
+    if (entry.placed) return;
+    const own = this.conditions.get(conditionOf(entry)), bits = new BitReader(this.orders[own.place]), among = new Map();
+    for (const one of own.entries) {
+      one.placed = true;
+      for (const {problem, targets, runs} of this.cellsOf(one)) for (const run of runs) {
+        run.place = 0;
+        if (run.missing === 0 || run.missing > targets) continue;
+        const key = `${problem} ${run.instance} ${run.seed} ${run.missing}`;
+        if (!among.has(key)) among.set(key, []);
+        const places = among.get(key), code = bits.number(Math.ceil(Math.log2(2 * places.length + 1)));
+        if (code % 2) places[(code - 1) / 2].push(run);
+        else places.splice(code / 2, 0, [run]);
+      }
+    }
+    for (const places of among.values()) places.forEach((runs, place) => runs.forEach((run) => { run.place = place; }));
   }
 
   // The cells of an entry, one for each problem that it takes: {entry, problem, variables, targets, runs}.

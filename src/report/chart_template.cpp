@@ -186,4 +186,17 @@ Chart chart_of(const Part& part, const Scopes& scopes) {
   return chart;
 }
 
+CellLinks cell_links_of(const Part& part, const Scopes& scopes) {
+  CellLinks links;
+  if (!part.has("heat_map") || !part.part("heat_map").has("row_link")) return links;
+  const Part map = part.part("heat_map");
+  for (const Scopes& row : categories_of(part.part("y"), scopes)) {
+    links.rows.push_back(map.filled_text("row_link", row));
+  }
+  for (const Scopes& column : categories_of(part.part("x"), scopes)) {
+    links.columns.push_back(map.filled_text("column_link", column));
+  }
+  return links;
+}
+
 }  // namespace ricochet::report

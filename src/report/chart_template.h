@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/report/cell_links.h"
 #include "src/report/chart.h"
 #include "src/report/template_part.h"
 
@@ -11,5 +12,8 @@ std::string chart_name(const Part& part, const Scopes& scopes);
 /// Returns the chart that a [[section.chart]] of a template declares, see page_template.h. Throws
 /// std::logic_error if it does not fit the data.
 Chart chart_of(const Part& part, const Scopes& scopes);
+
+/// Returns where the cells of its heat map lead, by the texts `row_link` and `column_link`.
+CellLinks cell_links_of(const Part& part, const Scopes& scopes);
 
 }  // namespace ricochet::report

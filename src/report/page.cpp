@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "embedded/chart_data_script.h"
+#include "embedded/chart_links_script.h"
 #include "embedded/look.h"
 #include "embedded/page_script.h"
 #include "embedded/page_template.h"
@@ -16,6 +17,7 @@
 #include "embedded/view_chart_script.h"
 #include "embedded/view_choice_script.h"
 #include "embedded/view_look.h"
+#include "embedded/view_ranks_script.h"
 #include "embedded/view_runs_script.h"
 #include "embedded/view_script.h"
 #include "embedded/view_template.h"
@@ -151,14 +153,20 @@ Json data_of(const Table& table, const std::string& id, const TextWriters& writi
           {"rows", std::move(rows)}};
 }
 
+/// The picture with its numbers and what its cells lead to.
+std::string with_links(const Figure& figure, const DrawnChart& drawn) {
+  std::string html = html_of(figure.chart, drawn);
+  if (!drawn.is_drawn() || figure.links.rows.empty()) return html;
+  const Json links = cell_links_data(figure.chart, figure.links);
+  return html + fmt::format("<script type=\"application/json\" class=\"chart-links\">{}</script>",
+                            json_in_script(links.dump()));
+}
+
 Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& writing) {
   const Chart& chart = figure.chart;
-  return {{"html", html_of(chart, drawn)},
-          {"markdown", markdown_of(drawn)},
-          {"caption", writing.linked(figure.caption)},
-          {"frame", writing.plain(figure.frame)},
-          {"title", writing.plain(chart.title)},
-          {"max_width", chart.width * 115 / 100},
+  return {{"html", with_links(figure, drawn)},         {"markdown", markdown_of(drawn)},
+          {"caption", writing.linked(figure.caption)}, {"frame", writing.plain(figure.frame)},
+          {"title", writing.plain(chart.title)},       {"max_width", chart.width * 115 / 100},
           {"wide", chart.width >= wide_chart}};
 }
 
@@ -256,6 +264,13 @@ bool has_view(const Page& page) {
   return std::ranges::any_of(page.sections, [](const Section& one) { return !one.view.is_null(); });
 }
 
+bool has_cell_links(const Page& page) {
+  return std::ranges::any_of(page.sections, [](const Section& section) {
+    return std::ranges::any_of(section.figures,
+                               [](const Figure& one) { return !one.links.rows.empty(); });
+  });
+}
+
 /// Returns true if something on the page moves and so needs a script.
 bool needs_script(const Page& page) {
   return has_view(page) || std::ranges::any_of(page.sections, [](const Section& section) {
@@ -272,12 +287,14 @@ Json scripts_of(const Page& page) {
       page.sections, [](const Section& section) { return !section.figures.empty(); });
   if (needs_script(page)) scripts.push_back(embedded::page_script);
   if (has_view(page)) {
-    for (const char* part : {embedded::view_runs_script, embedded::view_choice_script,
-                             embedded::view_chart_script, embedded::view_script}) {
+    for (const char* part :
+         {embedded::view_runs_script, embedded::view_ranks_script, embedded::view_choice_script,
+          embedded::view_chart_script, embedded::view_script}) {
       scripts.push_back(part);
     }
   }
   if (has_charts || has_view(page)) scripts.push_back(embedded::chart_data_script);
+  if (has_cell_links(page)) scripts.push_back(embedded::chart_links_script);
   return scripts;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "src/report/cell_links.h"
 #include "src/report/chart.h"
 #include "src/report/file_set.h"
 #include "src/report/json.h"
@@ -27,6 +28,7 @@ struct Figure {
   /// Why it could not be drawn; then only name and title of the chart are used. Empty if it was
   /// drawn.
   std::string failure = {};
+  CellLinks links = {};  ///< of a heat map; they need a script
 };
 
 /// A setting with several values that the reader can select.

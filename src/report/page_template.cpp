@@ -84,9 +84,11 @@ Explorer explorer_of(const Part& part, const Scopes& scopes) {
 
 Figure figure_of(const Part& chart, const Scopes& scopes, Mismatch mismatch) {
   try {
-    return {chart_of(chart, scopes), chart.filled_text("caption", scopes),
-            chart.filled_text("choice", scopes), chart.filled_text("frame", scopes),
-            chart.filled_text("fold", scopes)};
+    Figure figure{chart_of(chart, scopes), chart.filled_text("caption", scopes),
+                  chart.filled_text("choice", scopes), chart.filled_text("frame", scopes),
+                  chart.filled_text("fold", scopes)};
+    figure.links = cell_links_of(chart, scopes);
+    return figure;
   } catch (const std::exception& error) {  // of the data's JSON, too
     if (mismatch == Mismatch::throws) throw;
     Figure figure;

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "src/benchmark/analysis/reached_by.h"
 #include "src/benchmark/statistics/empirical_distribution.h"
 #include "src/benchmark/statistics/probability_of_being_first.h"
 #include "src/benchmark/statistics/ranking.h"
@@ -46,16 +47,6 @@ std::vector<double> hitting_times(const Problem& problem, const CellResult& resu
     }
   }
   return times;
-}
-
-Reached reached_by(const Outcome& outcome, Criterion criterion) {
-  const std::vector<Step> steps = steps_of(outcome, criterion);
-  if (steps.empty()) return {infinity, infinity};
-  // Solved runs are equal in value: accuracy beyond the tolerance does not count.
-  if (outcome.solved(criterion)) {
-    return {0, static_cast<double>(evaluations_until_solved(outcome, criterion))};
-  }
-  return {steps.back().optimality_gap, static_cast<double>(steps.back().evaluations)};
 }
 
 /// The results of one entry, by problem.

@@ -11,7 +11,9 @@
 #include <tuple>
 #include <utility>
 
+#include "src/benchmark/analysis/reached_by.h"
 #include "src/benchmark/analysis/result.h"
+#include "src/benchmark/comparison/view_order.h"
 #include "src/benchmark/comparison/view_run.h"
 
 namespace ricochet::studies::comparison {
@@ -117,7 +119,16 @@ class ViewTable {
 
   Json view(const std::vector<Solver>& known) const {
     std::vector<ViewEntry> entries;
-    for (const auto& [common, taken] : cells_) entries.push_back(entry_of(common, taken));
+    std::vector<ViewOrderWriter> orders;
+    std::optional<Condition> last;
+    for (const auto& [common, taken] : cells_) {
+      const auto& [family, perturbation, price, budget, solver, formulation, instances, seeds] =
+          common;
+      const Condition condition{family, perturbation, price, budget};
+      if (condition != last) orders.emplace_back();
+      last = condition;
+      entries.push_back(entry_of(common, taken, orders.back()));
+    }
     const Json solvers = report::list_of(solvers_.all(), [&](const std::string& name) {
       return Json(ViewSolver{name, std::ranges::find(known, name, &Solver::name) == known.end()});
     });
@@ -128,7 +139,8 @@ class ViewTable {
             {"formulations", formulations_.all()},
             {"perturbations", perturbations_.all()},
             {"prices", prices_.all()},
-            {"entries", entries}};
+            {"entries", entries},
+            {"orders", report::list_of(orders, [](const auto& one) { return one.text(); })}};
   }
 
   Json contents() const {
@@ -140,6 +152,8 @@ class ViewTable {
   }
 
  private:
+  /// Family, perturbation, price, budget: entries under one condition can be ranked.
+  using Condition = std::tuple<std::size_t, std::size_t, std::size_t, std::int64_t>;
   using Taken = std::map<std::size_t, const CellResult*>;  ///< by problem
 
   std::size_t family_of(const Asked& asked) {
@@ -169,7 +183,7 @@ class ViewTable {
     return place;
   }
 
-  ViewEntry entry_of(const Common& common, const Taken& taken) const {
+  ViewEntry entry_of(const Common& common, const Taken& taken, ViewOrderWriter& order) const {
     const auto& [family, perturbation, price, budget, solver, formulation, instances, seeds] =
         common;
     ViewEntry entry{.family = family,
@@ -192,6 +206,9 @@ class ViewTable {
         ViewRun run = view_run(result.outcomes[k], *result.targets);
         run.repeats = repeated[k];
         runs.add(run, result.cell->budget.evaluations);
+        const bool feasible = result.outcomes[k].verdict.returned_optimality_gap.has_value();
+        if (run.missing == 0 || !feasible) continue;  // the times say it, or all are equal
+        order.add({problem, k, run.missing}, reached_by(result.outcomes[k]));
       }
     }
     if (taken.size() == problems.size()) entry.problems.clear();

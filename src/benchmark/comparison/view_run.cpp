@@ -9,20 +9,20 @@ constexpr std::string_view base64_digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr std::int64_t largest_digit = 63;
 
-char digit(std::int64_t value) {
-  return base64_digits.at(static_cast<std::size_t>(value));
-}
-
 /// Appends a number >= 0, five bits a digit.
 void append(std::string& text, std::int64_t number) {
   while (number >= 32) {
-    text += digit(32 + number % 32);
+    text += view_digit(32 + number % 32);
     number /= 32;
   }
-  text += digit(number);
+  text += view_digit(number);
 }
 
 }  // namespace
+
+char view_digit(std::int64_t value) {
+  return base64_digits.at(static_cast<std::size_t>(value));
+}
 
 std::int64_t targets_at(int level, std::size_t targets) {
   const auto all = static_cast<std::int64_t>(targets);
@@ -31,9 +31,10 @@ std::int64_t targets_at(int level, std::size_t targets) {
 
 ViewRun view_run(const ricochet::comparison::Outcome& outcome,
                  const ricochet::comparison::Targets& targets) {
-  const double gap = outcome.optimality_gap();
-  ViewRun run{
-      std::lower_bound(targets.begin(), targets.end(), gap) - targets.begin(), {}, 0, false};
+  const auto& gap = outcome.verdict.returned_optimality_gap;
+  ViewRun run;
+  run.missing = gap ? std::lower_bound(targets.begin(), targets.end(), *gap) - targets.begin()
+                    : static_cast<std::int64_t>(targets.size()) + 1;
   run.evaluations = outcome.evaluations;
   run.missing = outcome.solved() ? 0 : std::max<std::int64_t>(run.missing, 1);
   const std::int64_t reached = static_cast<std::int64_t>(targets.size()) - run.missing;
@@ -54,7 +55,7 @@ ViewRun view_run(const ricochet::comparison::Outcome& outcome,
 }
 
 void ViewRunsWriter::add(const ViewRun& run, std::int64_t budget) {
-  text_.missing += digit(std::min(run.missing, largest_digit));
+  text_.missing += view_digit(std::min(run.missing, largest_digit));
   if (run.missing >= largest_digit) append(text_.missing, run.missing - largest_digit);
   std::int64_t before = 0;
   for (const std::int64_t time : run.times) {

@@ -9,9 +9,14 @@
 
 namespace ricochet::studies::comparison {
 
+/// A digit of base64, of a value in [0, 63].
+char view_digit(std::int64_t value);
+
 /// What the reader's own view of a comparison needs of a run.
 struct ViewRun {
-  std::int64_t missing = 0;  ///< targets that the returned point does not reach; 0: solved
+  /// Targets that the returned point does not reach, 0 if it solves the problem; one more than
+  /// there are without a feasible point.
+  std::int64_t missing = 0;
   /// Evaluations until each of the view's levels was reached, easiest first; of the first levels
   /// only, if the returned point does not reach the others. They do not fall.
   std::vector<std::int64_t> times;

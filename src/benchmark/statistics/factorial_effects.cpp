@@ -127,6 +127,11 @@ std::vector<Sizes> combinations(const Term& term, const Sizes& levels_of_factors
   return all;
 }
 
+/// So that errors of rounding are not taken for an effect.
+double rounded_effect(double effect) {
+  return std::round(1e12 * effect) / 1e12;
+}
+
 }  // namespace
 
 std::vector<FactorialEffect> factorial_effects(const std::vector<Response>& responses,
@@ -168,7 +173,10 @@ std::vector<FactorialEffect> factorial_effects(const std::vector<Response>& resp
       const double variance =
           at.dot(covariance.block(term.first, term.first, at.size(), at.size()) * at);
       const double half = student * std::sqrt(std::max(0.0, variance));
-      effects.push_back({term.factors, levels, effect, {effect - half, effect + half}});
+      effects.push_back({term.factors,
+                         levels,
+                         rounded_effect(effect),
+                         {rounded_effect(effect - half), rounded_effect(effect + half)}});
     }
   }
   return effects;

@@ -61,6 +61,8 @@ TEST(ViewData, HasEveryRunOfAnEntryAndItsNames) {
   EXPECT_EQ(entry["times"], "BAACAA");
   EXPECT_EQ(entry["spent"].get<std::string>().front(), 'A');
   EXPECT_EQ(entry["repeats"], "D") << "the last run is the one before it again";
+  // On bowl-2 each run equals that of the entry before it: 1, in two bits, twice.
+  EXPECT_EQ(view["orders"], Json({"F"}));
 }
 
 TEST(ViewData, SaysWhichProblemsAnEntryTakesIfNotAll) {

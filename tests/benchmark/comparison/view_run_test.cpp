@@ -41,7 +41,8 @@ TEST(ViewRun, HasTheTimesOfTheLevelsThatTheReturnedPointReaches) {
   const ViewRun far = view_run(outcome_with(20, {{3, 0, 20}, {7, 0, 0.5}}), six);
   EXPECT_EQ(far.missing, 5) << "by the returned point";
   EXPECT_TRUE(far.times.empty());
-  EXPECT_EQ(view_run(outcome_with(std::nullopt, {}), six).missing, 6);
+  EXPECT_EQ(view_run(outcome_with(40, {{7, 0, 40}}), six).missing, 6);
+  EXPECT_EQ(view_run(outcome_with(std::nullopt, {}), six).missing, 7) << "no feasible point";
 }
 
 TEST(ViewRun, SolvesAProblemOfOneTargetOnEveryLevelOrNone) {

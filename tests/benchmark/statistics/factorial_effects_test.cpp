@@ -56,6 +56,17 @@ TEST(FactorialEffects, AreHalfOfThosePublishedOfAPilotPlant) {
   EXPECT_NEAR(effect_of(effects, {1, 2}, {1, 1}).effect, 0, 1e-12);
 }
 
+TEST(FactorialEffects, AreExactlyZeroWhereNothingDiffers) {
+  std::vector<Response> responses = pilot_plant();
+  for (Response& response : responses) response.value = 0.7;
+  for (const FactorialEffect& effect : factorial_effects(responses, {2, 2, 2})) {
+    if (effect.factors.empty()) continue;
+    EXPECT_EQ(effect.effect, 0);
+    EXPECT_EQ(effect.interval.lower, 0);
+    EXPECT_EQ(effect.interval.upper, 0);
+  }
+}
+
 TEST(FactorialEffects, HaveTheIntervalComputedByHand) {
   // Temperature has 24.5 as its effect among the first runs and 21.5 among the second, so that the
   // halves have the mean 11.5 and the standard error 0.75; Student's quantile is 12.7062.

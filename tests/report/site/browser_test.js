@@ -6,6 +6,7 @@ import fs from "node:fs";
 import path from "node:path";
 import {createRequire} from "node:module";
 import {fileURLToPath, pathToFileURL} from "node:url";
+import {chartsOf, marksOf} from "./chart_marks.js";
 import {checkView} from "./view_checks.js";
 
 const [program, reports, folder] = process.argv.slice(2);
@@ -124,6 +125,19 @@ for (const kind of [/^docs\/[^/]+\/index\.html$/, /(^|\/)solvers\/[^/]+\/index\.
   alike.push(...ofKind.slice(3));
 }
 alike.forEach(checkLinks);
+
+// Every datum that a chart offers has a mark in its picture, or the words below it say what is not shown.
+let looked = 0, marked = 0;
+for (const name of pages) for (const chart of chartsOf(fs.readFileSync(path.join(folder, name), "utf8"))) {
+  const found = marksOf(chart);
+  check(!found.unread, `${name}: ${chart.name}: ${found.unread}`);
+  if (found.unread) continue;
+  check(found.missing === 0, `${name}: ${chart.name}: no mark for ${found.missing} of ${found.data} data: ${found.of.join("; ")}`);
+  check(found.clipped === 0 || /not shown/.test(chart.told), `${name}: ${chart.name}: ${found.clipped} of ${found.data} data lie outside of the axes, and it does not say so`);
+  ++looked;
+  marked += found.data;
+}
+check(looked > 250 && marked > 30_000, `only ${looked} charts with ${marked} data looked at`);
 
 // Two at a time, the largest first.
 const left = bySize.filter((name) => !alike.includes(name));

@@ -13,6 +13,62 @@ const computed = (page, link) => page.evaluate((text) => {
   return {complaint, problems, contestants: contestants.map(({results, ...one}) => ({...one, taken: results.size}))};
 }, String(new URLSearchParams(link)));
 
+// The cells of the heat maps of a page that lead to runs: {link, state of the view, value in %}, and what lies where.
+const linkedMaps = (html) => [...html.matchAll(/class="chart-csv">([^<]*)<\/script><script type="application\/json" class="chart-links">([^<]*)</g)].map(([, csv, links]) => {
+  const {box, rows, columns} = JSON.parse(links), lines = JSON.parse(csv).trim().split("\n").slice(1);
+  const cells = lines.map((line, i) => {
+    const link = rows[Math.floor(i / columns.length)][1] + columns[i % columns.length][1];
+    return {link, state: link.slice(link.indexOf("#") + 1), value: line.slice(line.lastIndexOf(",") + 1)};
+  });
+  return {box, rows, columns, cells};
+});
+
+const checkCells = async ({open, check, folder}, page) => {
+  let led = 0;
+  for (const name of fs.readdirSync(path.join(folder, "comparison"), {recursive: true}).filter((one) => path.basename(one) === "index.html")) {
+    const from = path.join(folder, "comparison", name);
+    for (const {cells} of linkedMaps(fs.readFileSync(from, "utf8"))) {
+      const known = cells.filter(({value}) => value !== "");
+      const target = path.join(path.dirname(from), known[0].link.split("#")[0]);
+      check(target === path.join(folder, "comparison/view/index.html"), `${name}: a cell leads to ${target}`);
+      const shown = await page.evaluate((states) => {
+        const kept = new Map();
+        return states.map((state) => {
+          const complaint = choice.follow(state), of = [choice.family, choice.budget, choice.perturbation, choice.formulation].join();
+          if (!kept.has(of)) kept.set(of, contestantsOf(table, choice).contestants);
+          const one = kept.get(of).find((other) => other.name === choice.entry) ?? kept.get(of).find((other) => other.solver === choice.entry);
+          const {cell, outcomes} = one?.results.get(choice.problem) ?? {};  // of one problem, a run that repeats another counts once
+          const once = outcomes?.filter((_, run) => !cell.runs[run].repeats);
+          return {complaint, share: choice.problem ? once?.filter(({reached}) => reached).length / once?.length : one?.share};
+        });
+      }, known.map(({state}) => state));
+      for (const [i, {complaint, share}] of shown.entries()) {
+        check(complaint === "" && near(100 * share, Number(known[i].value), 3), `${name}: a cell of ${known[i].value} % leads to ${known[i].state}: ${share} ${complaint}`);
+        ++led;
+      }
+    }
+  }
+  check(led > 3000, `only ${led} cells lead to runs`);
+
+  // By a pointer and by keys.
+  const map = await open("comparison/index.html"), {box: [left, right, top, bottom], rows, columns} = linkedMaps(fs.readFileSync(path.join(folder, "comparison/index.html"), "utf8"))[0];
+  const place = await map.$eval("figure:has(> .cell-link) > svg", (svg) => {
+    svg.scrollIntoView({block: "start", behavior: "instant"});
+    const {left: x, top: y, width} = svg.getBoundingClientRect();
+    return {x, y, scale: width / svg.viewBox.baseVal.width};
+  });
+  await map.mouse.move(place.x + place.scale * (left + (right - left) * 1.5 / columns.length), place.y + place.scale * (top + (bottom - top) * 2.5 / rows.length));
+  const title = () => map.$eval(".cell-link", (link) => link.title);
+  check((await title()).startsWith(`${rows[2][0]}, ${columns[1][0]}: `), `the cell under the pointer is said to be ${await title()}`);
+  check(await map.evaluate((x, y) => document.elementFromPoint(x, y).className === "cell-link", place.x + place.scale * (left + (right - left) * 1.5 / columns.length), place.y + place.scale * (top + (bottom - top) * 2.5 / rows.length)), "the link does not lie under the pointer");
+  await map.focus(".cell-link");
+  for (const key of ["ArrowDown", "ArrowLeft"]) await map.keyboard.press(key);
+  check((await title()).startsWith(`${rows[3][0]}, ${columns[0][0]}: `), `the keys lead to ${await title()}`);
+  await Promise.all([map.waitForNavigation(), map.keyboard.press("Enter")]);
+  check(await map.evaluate(() => document.activeElement.textContent).then((text) => text.startsWith(`Problems of ${rows[3][0]},`)), "Enter does not lead to the runs of a cell");
+  await map.close();
+};
+
 export const checkView = async ({open, check, unpacked, folder, program}) => {
   const name = "comparison/view/index.html", file = path.join(folder, name);
   check(fs.existsSync(file), "the comparison has no view of the reader's own");
@@ -60,6 +116,30 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
     }
   }
   check(compared > 300, `only ${compared} entries compared`);
+  // Ranks as the families' tables have them. P(best) is a bootstrap there and here: two of 2,000 samples each, and here of
+  // 10,000 draws of the instances, which weigh about as much.
+  let ranked = 0, uncertain = 0, apart = 0;
+  for (const family of families) {
+    if (!fs.existsSync(path.join(folder, "comparison", family, "data.json"))) continue;
+    for (const {budget, ratings} of dataOf(family).budgets ?? []) {
+      const {contestants} = await computed(page, {family, budget, formulation: "all"});
+      for (const row of ratings) {
+        const one = contestants.find((other) => other.name === `${row.solver}, ${row.formulation}`), has = (number) => Number.isFinite(number);
+        check(has(one.rank) === has(row.rank) && (!has(row.rank) || near(one.rank, row.rank, 3)), `view of ${family}: ${one.name} has mean rank ${one.rank}, in the table ${row.rank}`);
+        check(has(one.first) === has(row.best), `view of ${family}: ${one.name} has P(best) ${one.first}, in the table ${row.best}`);
+        if (has(row.rank)) ++ranked;
+        if (!has(row.best)) continue;
+        const middle = (one.first + row.best) / 2, deviation = Math.sqrt(3 * middle * (1 - middle) / 2000);
+        check(Math.abs(one.first - row.best) <= 4 * deviation + .002, `view of ${family}: P(best) of ${one.name} is ${one.first}, in the table ${row.best}`);
+        if (middle < .1 || middle > .9) continue;
+        ++uncertain;
+        apart += Math.abs(one.first - row.best);
+      }
+    }
+  }
+  check(ranked > 1000 && uncertain > 10, `only ${ranked} mean ranks compared, ${uncertain} P(best) between 0.1 and 0.9`);
+  check(apart <= .02 * uncertain, `P(best) of the view and of the tables differ by ${apart / uncertain} in the mean`);
+
   // Expected running times, as the pages of three solvers have them.
   for (const solver of ["mads", "nlopt-cobyla", "bisection"]) {
     for (const row of dataOf(`solvers/${solver}`).families.filter((one) => families.includes(one.family))) {
@@ -95,6 +175,16 @@ export const checkView = async ({open, check, unpacked, folder, program}) => {
     if (share(less) !== undefined) check(share(less) <= one.share, `${one.name} solves more with fewer evaluations`);
     if (share(easier) !== undefined) check(share(easier) >= one.share, `${one.name} reaches an easier target less often`);
   }
+
+  await checkCells({open, check, folder}, page);
+
+  // The charts have a step for every row of numbers.
+  await page.goto("about:blank");
+  await page.goto(`file://${file}`);
+  const steps = await page.$$eval("#view-charts figure", (all) => all.map((figure) => ({
+    rows: JSON.parse(figure.querySelector("script.chart-csv").textContent).trim().split("\n").length - 1,
+    drawn: [...figure.querySelectorAll("svg path:has(title)")].map((line) => line.getAttribute("d").split("V").length - 1).reduce((a, b) => a + b, 0)})));
+  check(steps.length === 2 && steps.every(({rows, drawn}) => rows > 20 && rows === drawn), `the view's charts have ${steps.map(({rows, drawn}) => `${drawn} steps for ${rows} rows`)}`);
 
   // By the keyboard: choose a family, open an entry and a problem, and follow the link that this leaves.
   await page.goto(`file://${file}`);

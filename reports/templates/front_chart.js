@@ -94,11 +94,13 @@ class PointChart {
     const group = this.add(this.svg, "g", {});
     this.add(group, "title", {}, "");  // the picture's title is no tooltip of its parts
     this.add(group, "rect", {width: this.width, height, fill: "#ffffff"});
-    const area = {left: 58, top: this.legend(group), right: this.width - 12, bottom: height - 38};
+    const keys = document.createElementNS("http://www.w3.org/2000/svg", "g");
+    const area = {left: 58, top: this.legend(keys), right: this.width - 12, bottom: height - 38};
     this.x = scaleOf(shown.x, area.left, area.right);
     this.y = scaleOf(shown.y, area.bottom, area.top);
     this.marks = shown.sets.flatMap((set) => set.data.map((point) => ({x: this.x(point.x), y: this.y(point.y), point, set})));
     this.axes(group, area, height);
+    group.append(keys);
     for (const set of shown.sets) this.line(group, set);
     for (const mark of this.marks.filter(({set}) => set.bars)) this.bar(group, mark);
     for (const {x, y, point, set} of this.marks.filter((mark) => mark.set.radius)) {
@@ -124,23 +126,24 @@ class PointChart {
   }
 
   axes(group, {left, top, right, bottom}, height) {
-    const {x, y} = this.shown, middle = (top + bottom) / 2;
-    let free = 0;
+    const {x, y} = this.shown, middle = (top + bottom) / 2, grid = this.add(group, "path", {stroke: "#e4e4e4"});
+    let lines = "", free = 0;
     for (const tick of ticksOf(x)) {
       const at = this.x(tick), label = tickLabel(tick), half = widthOf(label) / 2 + 3;
-      this.add(group, "path", {d: `M${rounded(at)},${top}V${bottom}`, stroke: "#e4e4e4"});
       if (at - half < free || at + half > this.width) continue;
+      lines += `M${rounded(at)},${top}V${bottom}`;
       this.add(group, "text", {x: at, y: bottom + 16, "text-anchor": "middle", fill: quiet}, label);
       free = at + half;
     }
     free = height;
     for (const tick of ticksOf(y)) {
       const at = this.y(tick);
-      this.add(group, "path", {d: `M${left},${rounded(at)}H${right}`, stroke: "#e4e4e4"});
       if (at + textSize > free) continue;
+      lines += `M${left},${rounded(at)}H${right}`;
       this.add(group, "text", {x: left - 6, y: at + 4, "text-anchor": "end", fill: quiet}, tickLabel(tick));
       free = at;
     }
+    grid.setAttribute("d", lines);
     this.add(group, "path", {d: `M${left},${top}V${bottom}H${right}`, stroke: "#888888", fill: "none"});
     const buttons = 142, centre = Math.min((left + right) / 2, this.width - buttons - widthOf(x.title) / 2);  // they stand beside the title
     this.add(group, "text", {x: centre, y: height - 6, "text-anchor": "middle", fill: "black"}, x.title);

@@ -84,7 +84,8 @@ std::vector<Tick> logarithmic_ticks(const Range& limits, int wanted) {
     add(power, !labelled ? "" : plain ? fmt::format("{:g}", power) : power_of_ten(exponent));
     for (int digit = 2; digit <= 9 && decades <= 8; ++digit) {
       // Less than two decades have too few powers of ten to read off a value.
-      const bool label_digit = (decades < 2 && (digit == 2 || digit == 5)) || decades < 0.5;
+      const bool label_digit = (decades < 2 && (digit == 2 || digit == 5)) ||
+                               (decades < 1 && (digit == 3 || digit == 7)) || decades < 0.5;
       add(digit * power, label_digit ? number_label(digit * power) : "");
     }
   }

@@ -133,6 +133,7 @@ TEST(Ticks, OfManyDecadesArePowersOfTen) {
 
 TEST(Ticks, OfLessThanTwoDecadesShowTwoAndFiveToo) {
   EXPECT_THAT(labels(logarithmic_ticks({1, 20}, 5)), ElementsAre("1", "2", "5", "10", "20"));
+  EXPECT_THAT(labels(logarithmic_ticks({21, 79}, 4)), ElementsAre("30", "50", "70"));
 }
 
 TEST(Limits, HaveRoomAroundASingleValue) {

@@ -4,39 +4,12 @@
 
 // After Okabe and Ito, as in all reports; the looks make them paler in the dark.
 const colours = ["#0072b2", "#d55e00", "#009e73", "#b0568a", "#7b3294", "#555555", "#2a7f9e", "#8a6d00"];
-const ink = "#222222", quiet = "#444444";
-
-const textSize = 12, font = "system-ui, sans-serif";
-const ruler = document.createElement("canvas").getContext("2d");
-ruler.font = `${textSize}px ${font}`;
-const widthOf = (text) => ruler.measureText(text).width;
+const ink = "#222222";
 
 // Ends of a logarithmic axis, with room for the dots at them.
 const around = (values) => ({logarithmic: true, min: Math.min(...values) / 1.3, max: Math.max(...values) * 1.3});
 // Shares end at 0 and 100, with a little room for the dots there.
 const shares = {min: -3, max: 104};
-
-// The powers of ten, and more of each the fewer there are; round numbers on a linear axis.
-const ticksOf = ({logarithmic, min, max}) => {
-  const ticks = [];
-  if (logarithmic) {
-    const decades = Math.log10(max / min), every = Math.ceil(decades / 8);
-    const kept = decades > 2.5 ? [1] : decades > 0.9 ? [1, 2, 5] : decades > 0.4 ? [1, 2, 3, 5, 7] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
-    for (let power = Math.floor(Math.log10(min)); power <= Math.log10(max); ++power) {
-      if (kept.length > 1 || power % every === 0) ticks.push(...kept.map((digit) => digit * 10 ** power));
-    }
-  } else {
-    const rough = (max - min) / 6, power = 10 ** Math.floor(Math.log10(rough)), step = [1, 2, 5, 10].find((one) => one * power >= rough) * power;
-    for (let place = Math.ceil(min / step); place * step <= max; ++place) ticks.push(place * step);
-  }
-  return ticks.filter((value) => value >= min && value <= max);
-};
-const tickLabel = (value) => value === 0 || (value >= 1e-3 && value < 1e6) ? String(Number(value.toPrecision(2))) : value.toExponential(0).replace("e+", "e");
-
-const scaleOf = ({logarithmic, min, max}, from, to) => {
-  const part = logarithmic ? (value) => Math.log(value / min) / Math.log(max / min) : (value) => (value - min) / (max - min);
-  return (value) => from + Math.min(1, Math.max(0, part(value))) * (to - from);
-};
 
 // A place for a name near its point: within the area, and on nothing that is there. Far ones need a line.
 const roomFor = (width, {x, y}, area, taken) =>
@@ -51,7 +24,6 @@ const outlines = {
   diamond: (x, y, r) => `M${x - r},${y}L${x},${y - r}L${x + r},${y}L${x},${y + r}z`,
   triangle: (x, y, r) => `M${x},${y - r}L${x + r},${y + .8 * r}H${x - r}z`,
 };
-const rounded = (value) => Math.round(10 * value) / 10;
 
 class PointChart {
   constructor(id) {
@@ -66,14 +38,6 @@ class PointChart {
       const {clientWidth, clientHeight} = this.svg;
       if (this.shown && clientWidth && (clientWidth !== this.width || clientHeight !== this.height)) this.draw(this.shown);
     }).observe(this.svg);
-  }
-
-  add(parent, name, attributes, text) {
-    const part = document.createElementNS("http://www.w3.org/2000/svg", name);
-    for (const [key, value] of Object.entries(attributes)) part.setAttribute(key, typeof value === "number" ? rounded(value) : value);
-    if (text !== undefined) part.textContent = text;
-    parent.append(part);
-    return part;
   }
 
   // `x`, `y`: {title, logarithmic, min, max}. `sets`: {data: [{x, y, name, short, colour, shape, bar}], colour, nameColour, shape, radius,
@@ -91,21 +55,20 @@ class PointChart {
     this.title.textContent = shown.title;
     this.svg.replaceChildren(this.title);
     for (const [key, value] of Object.entries({viewBox: `0 0 ${this.width} ${height}`, "font-family": font, "font-size": textSize})) this.svg.setAttribute(key, value);
-    const group = this.add(this.svg, "g", {});
-    this.add(group, "title", {}, "");  // the picture's title is no tooltip of its parts
-    this.add(group, "rect", {width: this.width, height, fill: "#ffffff"});
+    const group = addSvg(this.svg, "g", {});
+    addSvg(group, "title", {}, "");  // the picture's title is no tooltip of its parts
+    addSvg(group, "rect", {width: this.width, height, fill: "#ffffff"});
     const keys = document.createElementNS("http://www.w3.org/2000/svg", "g");
     const area = {left: 58, top: this.legend(keys), right: this.width - 12, bottom: height - 38};
-    this.x = scaleOf(shown.x, area.left, area.right);
-    this.y = scaleOf(shown.y, area.bottom, area.top);
-    this.marks = shown.sets.flatMap((set) => set.data.map((point) => ({x: this.x(point.x), y: this.y(point.y), point, set})));
-    this.axes(group, area, height);
+    const buttons = 142;  // they stand beside the title
+    Object.assign(this, drawAxes(group, area, {x: shown.x, y: shown.y, width: this.width, height, buttons}));
     group.append(keys);
+    this.marks = shown.sets.flatMap((set) => set.data.map((point) => ({x: this.x(point.x), y: this.y(point.y), point, set})));
     for (const set of shown.sets) this.line(group, set);
     for (const mark of this.marks.filter(({set}) => set.bars)) this.bar(group, mark);
     for (const {x, y, point, set} of this.marks.filter((mark) => mark.set.radius)) {
       const colour = point.colour ?? set.colour;
-      this.add(group, "path", {d: outlines[point.shape ?? set.shape ?? "circle"](rounded(x), rounded(y), set.radius), fill: colour, stroke: set.colour, "fill-opacity": set.faint ? .6 : 1});
+      addSvg(group, "path", {d: outlines[point.shape ?? set.shape ?? "circle"](rounded(x), rounded(y), set.radius), fill: colour, stroke: set.colour, "fill-opacity": set.faint ? .6 : 1});
     }
     this.names(group, area);
     const rows = this.marks.map(({point}) => [shown.tell(point)[0], point.x, point.y, point.bar?.low, point.bar?.high]);
@@ -118,50 +81,25 @@ class PointChart {
     const named = this.shown.sets.filter(({kind}) => kind);
     for (const {kind, colour} of named) {
       if (x > 58 && x + widthOf(kind) + 12 > this.width) [x, y] = [58, y + 15];
-      this.add(group, "path", {d: outlines.circle(x + 4, y, 4), fill: colour});
-      this.add(group, "text", {x: x + 12, y: y + 4, fill: "black"}, kind);
+      addSvg(group, "path", {d: outlines.circle(x + 4, y, 4), fill: colour});
+      addSvg(group, "text", {x: x + 12, y: y + 4, fill: "black"}, kind);
       x += widthOf(kind) + 24;
     }
     return named.length ? y + 16 : 8;
-  }
-
-  axes(group, {left, top, right, bottom}, height) {
-    const {x, y} = this.shown, middle = (top + bottom) / 2, grid = this.add(group, "path", {stroke: "#e4e4e4"});
-    let lines = "", free = 0;
-    for (const tick of ticksOf(x)) {
-      const at = this.x(tick), label = tickLabel(tick), half = widthOf(label) / 2 + 3;
-      if (at - half < free || at + half > this.width) continue;
-      lines += `M${rounded(at)},${top}V${bottom}`;
-      this.add(group, "text", {x: at, y: bottom + 16, "text-anchor": "middle", fill: quiet}, label);
-      free = at + half;
-    }
-    free = height;
-    for (const tick of ticksOf(y)) {
-      const at = this.y(tick);
-      if (at + textSize > free) continue;
-      lines += `M${left},${rounded(at)}H${right}`;
-      this.add(group, "text", {x: left - 6, y: at + 4, "text-anchor": "end", fill: quiet}, tickLabel(tick));
-      free = at;
-    }
-    grid.setAttribute("d", lines);
-    this.add(group, "path", {d: `M${left},${top}V${bottom}H${right}`, stroke: "#888888", fill: "none"});
-    const buttons = 142, centre = Math.min((left + right) / 2, this.width - buttons - widthOf(x.title) / 2);  // they stand beside the title
-    this.add(group, "text", {x: centre, y: height - 6, "text-anchor": "middle", fill: "black"}, x.title);
-    this.add(group, "text", {x: 12, y: middle, "text-anchor": "middle", transform: `rotate(-90 12 ${rounded(middle)})`, fill: "black"}, y.title);
   }
 
   line(group, set) {
     if (!set.line || set.data.length < 2) return;
     const ends = this.marks.filter((mark) => mark.set === set).map(({x, y}) => [rounded(x), rounded(y)]);
     const d = "M" + ends.map(([x, y], i) => i === 0 ? `${x},${y}` : set.line === "steps" ? `H${x}V${y}` : `L${x},${y}`).join("");
-    this.add(group, "path", {d, stroke: set.colour, fill: "none", "stroke-width": 1.5, ...(set.dash ? {"stroke-dasharray": set.dash} : {})});
+    addSvg(group, "path", {d, stroke: set.colour, fill: "none", "stroke-width": 1.5, ...(set.dash ? {"stroke-dasharray": set.dash} : {})});
   }
 
   bar(group, {x, y, point: {bar}}) {
     if (bar.low === null || bar.high === null) return;
     let d = `M${rounded(x)},${rounded(this.y(bar.low))}V${rounded(this.y(bar.high))}`;
     if (bar.from) d += `M${rounded(this.x(bar.from))},${rounded(y)}H${rounded(this.x(bar.to))}`;
-    this.add(group, "path", {d, stroke: "#888888"});
+    addSvg(group, "path", {d, stroke: "#888888"});
   }
 
   // Names beside points where there is room; where the name has none, the short one may have.
@@ -173,9 +111,9 @@ class PointChart {
       if (!box) continue;
       taken.push(box);
       const middle = (box.top + box.bottom) / 2;
-      if (box.far) this.add(group, "path", {d: `M${rounded(mark.x)},${rounded(mark.y)}L${rounded(box.left > mark.x ? box.left : box.right)},${rounded(middle)}`, stroke: "#888888", "stroke-width": .6});
-      this.add(group, "rect", {x: box.left - 1, y: box.top, width: box.right - box.left + 2, height: box.bottom - box.top, fill: "#ffffff", "fill-opacity": .75});
-      this.add(group, "text", {x: box.left, y: middle + 4, fill: set.nameColour ?? set.colour}, text);
+      if (box.far) addSvg(group, "path", {d: `M${rounded(mark.x)},${rounded(mark.y)}L${rounded(box.left > mark.x ? box.left : box.right)},${rounded(middle)}`, stroke: "#888888", "stroke-width": .6});
+      addSvg(group, "rect", {x: box.left - 1, y: box.top, width: box.right - box.left + 2, height: box.bottom - box.top, fill: "#ffffff", "fill-opacity": .75});
+      addSvg(group, "text", {x: box.left, y: middle + 4, fill: set.nameColour ?? set.colour}, text);
     }
   }
 

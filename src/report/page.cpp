@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
 #include "embedded/chart_links_script.h"
 #include "embedded/look.h"
@@ -288,8 +289,8 @@ Json scripts_of(const Page& page) {
   if (needs_script(page)) scripts.push_back(embedded::page_script);
   if (has_view(page)) {
     for (const char* part :
-         {embedded::view_runs_script, embedded::view_ranks_script, embedded::view_choice_script,
-          embedded::view_chart_script, embedded::view_script}) {
+         {embedded::chart_axes_script, embedded::view_runs_script, embedded::view_ranks_script,
+          embedded::view_choice_script, embedded::view_chart_script, embedded::view_script}) {
       scripts.push_back(part);
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "embedded/chart_axes_script.h"
 #include "embedded/chart_data_script.h"
 #include "embedded/front_accuracy_script.h"
 #include "embedded/front_board_script.h"
@@ -132,9 +133,9 @@ Json chooser_rows(const Chooser& chooser) {
 /// A script for each noun, in the order of their use.
 Json scripts() {
   using namespace embedded;
-  return {chart_data_script,     front_data_script,  front_chart_script,  front_chooser_script,
-          front_accuracy_script, front_board_script, front_curves_script, front_comparison_script,
-          front_motion_script,   front_pairs_script};
+  return {chart_data_script,       chart_axes_script,     front_data_script,  front_chart_script,
+          front_chooser_script,    front_accuracy_script, front_board_script, front_curves_script,
+          front_comparison_script, front_motion_script,   front_pairs_script};
 }
 
 /// Removes repeated empty lines, which sections of a template leave behind.

@@ -80,7 +80,7 @@ const shownEntries = (ordered, chosen) => {
 
 const setShown = (names) => { choice.shown = names.join("|"); show(); };
 
-const rankWords = "Mean rank: over the problems that the entry takes and their runs, among the entries that take at least half of all; 1 is the best. P(best): the probability of the least mean rank on problems like these. ";
+const rankWords = () => `Mean rank: over the problems that the entry takes and their runs, among the entries that take ${leastTaken(choice) === 1 ? "all of them" : "at least half of all"}; 1 is the best. P(best): the probability of the least mean rank on problems like these. `;
 
 const drawEntries = (ordered, drawn, problems, ranked) => {
   const words = choice.words.toLowerCase(), listed = ordered.filter((one) => one.name.toLowerCase().includes(words));
@@ -104,7 +104,7 @@ const drawEntries = (ordered, drawn, problems, ranked) => {
     {title: "PAR10 lower, higher on", value: (one) => `${one.beside.fewer}, ${one.beside.more} of ${one.beside.problems}`},
   ];
   drawTable(byId("view-entries"),
-    `${listed.length} entries. Success rate: mean over the problems that the entry takes, with its 95 % interval. ${ranked ? rankWords : ""}Evaluations until the target, or in all: geometric mean. ERT: expected evaluations until the target, ` +
+    `${listed.length} entries. Success rate: mean over the problems that the entry takes, with its 95 % interval. ${ranked ? rankWords() : ""}Evaluations until the target, or in all: geometric mean. ERT: expected evaluations until the target, ` +
     "with restarts, on so many problems with a run that reached it. PAR10 charges a run that does not ten times its budget. An entry's name opens its problems.", columns, listed);
 };
 

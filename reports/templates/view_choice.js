@@ -3,7 +3,7 @@
 class Choice {
   constructor(table) {
     this.table = table;
-    this.orders = ["budget", "target", ...(table.orders ? ["rank"] : [])];
+    this.orders = ["budget", "target", "rank"];
     this.names = {family: table.families.map((one) => one.family), perturbation: table.perturbations, price: table.prices};
     const joint = table.families.filter((one) => one.joint !== null);
     this.families = [...(joint.length > 1 ? ["all"] : []), ...this.names.family];
@@ -133,14 +133,17 @@ const contestantsOf = (table, choice) => {
   return {contestants: all, problems: problems.size, ranked};
 };
 
+// The share of the problems that an entry must take to be ranked, as in the tables; of several families all, or the problems
+// that an entry does not take would count.
+const leastTaken = (choice) => choice.family === "all" ? 1 : .5;
+
 // The ranks of the contestants of a choice; they are kept until another choice changes them.
 let keptRanks = {of: null};
 const ranksUnder = (table, choice, contestants, problems, cap) => {
-  if (!table.orders) return 0;  // a report of before lacks them
   const of = ["family", "variables", "budget", "perturbation", "price", "formulation", "target", "most"].map((key) => choice[key]).join("|");
   if (keptRanks.of !== of) {
     for (const one of contestants) for (const {cell} of one.results.values()) table.placeRuns(cell.entry);
-    const ranked = setRanks(contestants, problems, cap);
+    const ranked = setRanks(contestants, problems, leastTaken(choice), cap);
     keptRanks = {of, ranked, ranks: new Map(contestants.map(({name, rank, first}) => [name, {rank, first}]))};
   }
   for (const one of contestants) Object.assign(one, keptRanks.ranks.get(one.name));

@@ -86,10 +86,10 @@ const amongThese = (problems, entries) => problems.map(({who, shares}) => {
   return {who: Int32Array.from(columns, (k) => entries.indexOf(who[k])), shares: shares.map((row) => Float64Array.from(columns, (k) => row[k]))};
 });
 
-// Sets `rank` and `first`, the probability of being first, of those contestants that take at least half of the problems.
+// Sets `rank` and `first`, the probability of being first, of those contestants that take at least this share of the problems.
 // `cap`: evaluations for each variable after which runs are stopped. Returns how many are ranked.
-const setRanks = (contestants, problems, cap) => {
-  const ranked = contestants.filter((one) => 2 * one.results.size >= problems.size), compared = [];
+const setRanks = (contestants, problems, share, cap) => {
+  const ranked = contestants.filter((one) => one.results.size >= share * problems.size), compared = [];
   for (const key of problems) {
     const who = [...ranked.keys()].filter((k) => ranked[k].results.has(key)), results = who.map((k) => ranked[k].results.get(key));
     if (who.length < 2) continue;

@@ -207,7 +207,9 @@ TEST(ReproductionData, AreEnoughToDrawThePageAgain) {
 TEST(ReproductionData, MapsTheRegimesOfBothFrictions) {
   const Json& maps = tiny_data()["regime_maps"]["maps"];
   ASSERT_EQ(maps.size(), 2U);
-  EXPECT_EQ(maps[0]["cases"], "C1, C2");
+  EXPECT_EQ(maps[0]["cases"][0]["id"], "C1");
+  EXPECT_EQ(maps[0]["cases"][1]["id"], "C2");
+  EXPECT_NEAR(maps[0]["cases"][1]["quiet"].get<double>(), 2.0075, 1e-3);
   EXPECT_EQ(maps[1]["friction"], 0.4);
   const report::Page page = page_of(tiny_data());
   const auto& figures = section_of(page, "regimes").figures;

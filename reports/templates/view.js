@@ -207,7 +207,7 @@ const show = (complaint = "") => {
   if (location.hash.replace(/^#/, "") !== following && (following || location.hash.includes("="))) history.replaceState(null, "", `#${following}`);
 };
 
-const openAt = (id) => { const heading = byId(id).querySelector("h3"); heading.focus(); heading.scrollIntoView({block: "nearest"}); };
+const openAt = (id, block = "nearest") => { const heading = byId(id).querySelector("h3"); heading.focus(); heading.scrollIntoView({block}); };
 const openEntry = (name) => {
   choice.entry = choice.entry === name ? "" : name;
   choice.problem = "";
@@ -225,8 +225,8 @@ const follow = () => {
   const link = location.hash.replace(/^#/, "");
   if (link !== "" && !link.includes("=")) return show();
   show(choice.follow(link));
-  if (choice.problem) openAt("view-runs");
-  else if (choice.entry) openAt("view-problems");
+  if (choice.problem) openAt("view-runs", "start");
+  else if (choice.entry) openAt("view-problems", "start");
 };
 
 form.addEventListener("input", ({target}) => {

@@ -168,8 +168,10 @@ const sentence = (ordered, problems) => {
   const number = (one) => choice.order === "rank" ? `${rank(one)}, ${rate} ${percent(one.share)} %` : choice.order === "budget" ? `${rate} ${percent(one.share)} % [${percent(one.lower)}, ${percent(one.upper)}]` : `PAR10 ${short(one.par10)} evaluations a variable, ${rate} ${percent(one.share)} %`;
   const sure = second && choice.order === "budget" && second.complete === first.complete && second.upper >= first.lower && first.lower < first.share
     ? " The intervals overlap: the runs do not tell which is better." : "";
+  const [least] = inOrder(ordered, "rank"), other = choice.order !== "rank" && least.rank && least !== first
+    ? ` By mean rank ${least.name} is first, on ${least.results.size} of ${problems} problem${problems === 1 ? "" : "s"}: ${rank(least)}.` : "";
   return `${first.name} is first on ${first.results.size} problem${first.results.size === 1 ? "" : "s"}${among}, ${number(first)}` +
-    `${second ? `; then ${second.name}, ${number(second)}` : ""}.${sure} ${all.length} of ${ordered.length} entries take all ${problems} problems.`;
+    `${second ? `; then ${second.name}, ${number(second)}` : ""}.${sure}${other} ${all.length} of ${ordered.length} entries take all ${problems} problems.`;
 };
 
 // Drawing a table again keeps the focus of the keyboard.
@@ -205,7 +207,7 @@ const show = (complaint = "") => {
   if (location.hash.replace(/^#/, "") !== following && (following || location.hash.includes("="))) history.replaceState(null, "", `#${following}`);
 };
 
-const openAt = (id) => { const heading = byId(id).querySelector("h3"); heading.focus(); heading.scrollIntoView({block: "nearest"}); };
+const openAt = (id, block = "nearest") => { const heading = byId(id).querySelector("h3"); heading.focus(); heading.scrollIntoView({block}); };
 const openEntry = (name) => {
   choice.entry = choice.entry === name ? "" : name;
   choice.problem = "";
@@ -223,8 +225,8 @@ const follow = () => {
   const link = location.hash.replace(/^#/, "");
   if (link !== "" && !link.includes("=")) return show();
   show(choice.follow(link));
-  if (choice.problem) openAt("view-runs");
-  else if (choice.entry) openAt("view-problems");
+  if (choice.problem) openAt("view-runs", "start");
+  else if (choice.entry) openAt("view-problems", "start");
 };
 
 form.addEventListener("input", ({target}) => {

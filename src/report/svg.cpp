@@ -268,7 +268,7 @@ class Painter {
           writings.push_back({{name.place.x, name.place.y + 3.5}, name.text});
         }
         drawing_.write(
-            {.colour = pale ? "#8a8a8a" : "#222222", .anchor = left ? "end" : "start", .size = 10},
+            {.colour = pale ? "#8a8a8a" : "black", .anchor = left ? "end" : "start", .size = 10},
             writings);
       }
     }

@@ -1,7 +1,7 @@
-// What the charts that scripts draw share: parts of an SVG, scales, ticks, and axes.
+// What the charts that scripts draw share: parts of an SVG, scales, ticks, axes, and their numbers as a CSV file.
 "use strict";
 
-const textSize = 12, font = "system-ui, sans-serif";
+const textSize = 12, font = "system-ui, sans-serif", quiet = "#444444";
 const ruler = document.createElement("canvas").getContext("2d");
 ruler.font = `${textSize}px ${font}`;
 const widthOf = (text) => ruler.measureText(text).width;
@@ -42,7 +42,7 @@ const scaleOf = ({logarithmic, min, max}, from, to) => {
 // pixels at the right that the title of x leaves free. Returns the scales {x, y}.
 const drawAxes = (group, {left, top, right, bottom}, {x, y, width, height, buttons = 0}) => {
   const scales = {x: scaleOf(x, left, right), y: scaleOf(y, bottom, top)};
-  const grid = addSvg(group, "path", {stroke: "#e4e4e4", fill: "none"}), middle = (top + bottom) / 2, quiet = "#444444";
+  const grid = addSvg(group, "path", {stroke: "#e4e4e4", fill: "none"}), middle = (top + bottom) / 2;
   let lines = "", free = 0;
   for (const tick of ticksOf(x)) {
     const at = scales.x(tick), label = tickLabel(tick), half = widthOf(label) / 2 + 3;
@@ -65,4 +65,9 @@ const drawAxes = (group, {left, top, right, bottom}, {x, y, width, height, butto
   addSvg(group, "text", {x: centre, y: height - 6, "text-anchor": "middle", fill: "black"}, x.title);
   addSvg(group, "text", {x: 12, y: middle, "text-anchor": "middle", transform: `rotate(-90 12 ${rounded(middle)})`, fill: "black"}, y.title);
   return scales;
+};
+
+const csvOf = (names, rows) => {
+  const quoted = (value) => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
+  return [names, ...rows].map((row) => row.map((value) => quoted(String(value ?? ""))).join(",") + "\n").join("");
 };

@@ -59,11 +59,6 @@ const offerPicks = (list, names, unpicked, look, redraw) => {
   }));
 };
 
-const csvOf = (names, rows) => {
-  const quoted = (value) => /[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : value;
-  return [names, ...rows].map((row) => row.map((value) => quoted(String(value ?? ""))).join(",") + "\n").join("");
-};
-
 // A list of objects as files that two links offer.
 const offerFiles = (what, names, list) => {
   const address = (type, text) => `data:${type};charset=utf-8,${encodeURIComponent(text)}`;

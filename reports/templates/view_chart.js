@@ -39,9 +39,8 @@ class StepChart {
 
   // For the button CSV: a row for every step.
   numbers(series, x, y) {
-    const quoted = (text) => `"${text.replaceAll('"', '""')}"`;
-    const rows = series.flatMap(({name, steps}) => steps.map(([value, share]) => [quoted(name), value, 100 * share].join()));
-    this.figure.querySelector("script.chart-csv").textContent = JSON.stringify([["entry", quoted(x), quoted(y)].join(), ...rows, ""].join("\n"));
+    const rows = series.flatMap(({name, steps}) => steps.map(([value, share]) => [name, value, 100 * share]));
+    this.figure.querySelector("script.chart-csv").textContent = JSON.stringify(csvOf(["entry", x, y], rows));
   }
 
   legend(series, caption) {

@@ -283,6 +283,16 @@ for (const family of families) {
 }
 await page.select("#accuracy", "solved");
 await page.select("#speed", "evaluations");
+const plainDots = await page.evaluate(() => {
+  const kept = comparison.kinds;
+  comparison.kinds = {};
+  drawAccuracy();
+  const dots = charts["accuracy-chart"].marks.length;
+  comparison.kinds = kept;
+  drawAccuracy();
+  return dots;
+}).catch((error) => error.message);
+check(plainDots === await dotsOf("evaluations", "solved"), `solvers of unknown kinds: ${plainDots} dots`);
 
 // Filters.
 await page.select("#shown", "surrogate");

@@ -9,7 +9,6 @@
 
 #include "src/report/chart_csv.h"
 #include "src/report/drawing.h"
-#include "src/report/json.h"
 #include "src/report/script_text.h"
 #include "src/report/svg.h"
 #include "src/report/text.h"
@@ -38,8 +37,7 @@ std::string html_of(const Chart& chart, const DrawnChart& drawn) {
   if (!drawn.is_drawn()) {
     return fmt::format("<p class=\"bad\">{}</p>", escape_html(words_for(drawn)));
   }
-  return fmt::format("{}<script type=\"application/json\" class=\"chart-csv\">{}</script>",
-                     drawn.svg, json_in_script(Json(csv_of(chart)).dump()));
+  return drawn.svg + data_script("chart-csv", csv_of(chart));
 }
 
 std::string markdown_of(const DrawnChart& chart) {

@@ -158,9 +158,7 @@ Json data_of(const Table& table, const std::string& id, const TextWriters& writi
 std::string with_links(const Figure& figure, const DrawnChart& drawn) {
   std::string html = html_of(figure.chart, drawn);
   if (!drawn.is_drawn() || figure.links.rows.empty()) return html;
-  const Json links = cell_links_data(figure.chart, figure.links);
-  return html + fmt::format("<script type=\"application/json\" class=\"chart-links\">{}</script>",
-                            json_in_script(links.dump()));
+  return html + data_script("chart-links", cell_links_data(figure.chart, figure.links));
 }
 
 Json data_of(const Figure& figure, const DrawnChart& drawn, const TextWriters& writing) {

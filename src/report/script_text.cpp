@@ -1,5 +1,7 @@
 #include "src/report/script_text.h"
 
+#include <fmt/format.h>
+
 namespace ricochet::report {
 
 std::string json_in_script(const std::string& json) {
@@ -12,6 +14,11 @@ std::string json_in_script(const std::string& json) {
     }
   }
   return text;
+}
+
+std::string data_script(const char* name, const Json& data) {
+  return fmt::format("<script type=\"application/json\" class=\"{}\">{}</script>", name,
+                     json_in_script(data.dump()));
 }
 
 }  // namespace ricochet::report

@@ -61,22 +61,28 @@ void each_entry(const EntrySet& set, const Use& use) {
   }
 }
 
-/// Calls `tell` for each set whose entries are compared and collects what it returns.
-template <class Tell>
-report::Json of_compared(const std::vector<EntrySet>& sets, const Tell& tell) {
+/// Calls `tell` for each set that `takes` and collects what it returns.
+template <class Takes, class Tell>
+report::Json of_sets(const std::vector<EntrySet>& sets, const Takes& takes, const Tell& tell) {
   report::Json all = report::Json::array();
   for (const EntrySet& set : sets) {
-    if (set.compared()) all.push_back(tell(set));
+    if (takes(set)) all.push_back(tell(set));
   }
   return all;
 }
 
-/// The same for those of which a run solved its problem: no other costs can be compared.
+/// Of the sets whose entries are compared.
+template <class Tell>
+report::Json of_compared(const std::vector<EntrySet>& sets, const Tell& tell) {
+  return of_sets(
+      sets, [](const EntrySet& set) { return set.compared(); }, tell);
+}
+
+/// Of those of which a run solved its problem, too: no other costs can be compared.
 template <class Tell>
 report::Json of_solved(const std::vector<EntrySet>& sets, const Tell& tell) {
-  std::vector<EntrySet> solved = sets;
-  std::erase_if(solved, [](const EntrySet& set) { return !set.any_solved(); });
-  return of_compared(solved, tell);
+  return of_sets(
+      sets, [](const EntrySet& set) { return set.compared() && set.any_solved(); }, tell);
 }
 
 /// The results of one entry on one problem, by the returned points; all runs have the same weight.

@@ -24,6 +24,10 @@ std::size_t level_of(const std::vector<double>& levels, double value) {
   return static_cast<std::size_t>(std::find(levels.begin(), levels.end(), value) - levels.begin());
 }
 
+bool excludes_zero(double lower, double upper) {
+  return lower > 0 || upper < 0;
+}
+
 struct Measure {
   const char* name;
   double MachineResult::*value;
@@ -62,7 +66,7 @@ void add_effects(Json& rows, std::size_t& unsure, Json& main, const std::string&
       return;  // too few machines for an estimate
     }
     for (const FactorialEffect& effect : effects) {
-      const bool sure = effect.interval.lower > 0 || effect.interval.upper < 0;
+      const bool sure = excludes_zero(effect.interval.lower, effect.interval.upper);
       if (measure.value == &MachineResult::solved && effect.factors.size() == 1) {
         main.push_back({{"effect", effect.effect},
                         {"lower", effect.interval.lower},
@@ -108,7 +112,7 @@ Json strongest_of(const Json& entries, const Json& levels) {
   for (const Json& entry : entries) {
     for (std::size_t k = 0; k < entry["effects"].size(); ++k) {
       const Json& one = entry["effects"][k];
-      const bool sure = one["lower"] > 0 || one["upper"] < 0;
+      const bool sure = excludes_zero(one["lower"], one["upper"]);
       const double size = std::abs(one["effect"].get<double>());
       if (!sure || size <= largest) continue;
       largest = size;

@@ -30,6 +30,10 @@ int runs_of(const StabilityMap& map) {
   return static_cast<int>(map.cells.size() * map.controls.size());
 }
 
+int wrong_runs(const StabilityMap& map) {
+  return runs_of(map) - right_counts(map);
+}
+
 /// Ratio of the cost of a method's cheapest right count on the stiffest and on the softest walls;
 /// nothing if there is none.
 std::optional<double> growth(const StabilityMap& map) {
@@ -47,7 +51,7 @@ Json map_data(const StabilityStudy& study, const StabilityMap& map) {
                {"control", map.control},
                {"bound", bound},
                {"runs", runs_of(map)},
-               {"wrong", runs_of(map) - right_counts(map)},
+               {"wrong", wrong_runs(map)},
                {"bottom", map.controls.back() / 2},
                {"top", map.controls.front() * 2},
                {"behaviours", Json::array()},
@@ -139,7 +143,7 @@ Json data_of(const StabilityStudy& study) {
       data["fixed_maps"].push_back(map_data(study, map));
       continue;
     }
-    const int failed = runs_of(map) - right_counts(map);
+    const int failed = wrong_runs(map);
     wrong += failed;
     runs += runs_of(map);
     if (failed > 0) data["failing"].push_back({{"method", map.method}, {"wrong", failed}});

@@ -62,6 +62,9 @@ Options own_options() {
   Options options;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = std::numeric_limits<int>::max();
+  // A refused evaluation is a failure to Ceres, which then keeps this state: that of the last
+  // iteration, as after max_num_iterations.
+  options.update_state_every_iteration = true;
   options.function_tolerance = 1e-14;  // the parameter tolerance, steps of 1e-8, changes f by this
   return options;
 }
@@ -98,6 +101,7 @@ Solver lbfgs(const GivenOptions& given) {
   solver.name = "ceres-lbfgs";
   solver.version = "Ceres " CERES_VERSION_STRING;
   solver.capabilities = ceres_lbfgs_capabilities;
+  solver.at_limit = AtLimit::own_point;
   solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
                                                  Random&) {
     return minimise(evaluator, start, options);

@@ -54,6 +54,7 @@ Options own_options() {
   // would also need slopes.
   options.line_search_interpolation_type = ceres::QUADRATIC;
   options.max_num_iterations = std::numeric_limits<int>::max();
+  options.update_state_every_iteration = true;  // as ceres-lbfgs
   options.function_tolerance = 1e-14;  // the parameter tolerance, steps of 1e-8, changes f by this
   options.gradient_tolerance = 0;      // it has the unit of the residuals, which is unknown
   return options;
@@ -96,6 +97,7 @@ Solver least_squares(const GivenOptions& given) {
   solver.name = "ceres-trust-region";
   solver.version = "Ceres " CERES_VERSION_STRING;
   solver.capabilities = ceres_least_squares_capabilities;
+  solver.at_limit = AtLimit::own_point;
   solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,
                                                  Random&) {
     return minimise(evaluator, start, options);

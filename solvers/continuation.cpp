@@ -67,6 +67,7 @@ Solver continuation(Solver solver) {
   Solver result = solver;
   result.name = fmt::format("continuation-{}", solver.name);
   result.capabilities = continuation_capabilities(solver.capabilities);
+  result.at_limit = AtLimit::best_evaluated;
   result.solve = [solve = solver.solve](Evaluator& evaluator, const Vector& start,
                                         Random& random) -> SolverTermination {
     const std::int64_t most = most_steps * (1 + evaluator.dimension());

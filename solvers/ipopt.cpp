@@ -261,7 +261,10 @@ SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choi
   const std::lock_guard lock(ipopt_mutex);
   const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, choice.hessian);
   const Ipopt::ApplicationReturnStatus status = solve(problem, choice, given);
-  return {evaluator.over() ? stopped_by_evaluator : in_words(status), problem->final_point()};
+  // Ipopt has no limit of evaluations: where it is stopped within a step or its restoration, what
+  // it has is no point to return.
+  if (evaluator.over()) return {stopped_by_evaluator};
+  return {in_words(status), problem->final_point()};
 }
 
 Solver made(const Choice& choice, const GivenOptions& given) {

@@ -19,12 +19,19 @@ struct SolverTermination {
   bool operator==(const SolverTermination&) const = default;
 };
 
+/// What a solver returns once the evaluator refuses.
+enum class AtLimit {
+  best_evaluated,  ///< the best point that it evaluated; so where a library has no limit of its own
+  own_point  ///< what its library returns at a limit of its own, of evaluations or iterations
+};
+
 /// A solver of box-bounded minimisation problems.
 struct Solver {
   std::string name;     ///< e.g. "nlopt-cobyla"
   std::string version;  ///< of the library behind it
   bool stochastic = false;
   Capabilities capabilities = {};
+  AtLimit at_limit = AtLimit::best_evaluated;
 
   /// Minimises from `start`, a point of the box, until it is done or the evaluator refuses. A run
   /// restarts it elsewhere while budget is left. `random` is its only source of randomness. It may

@@ -20,9 +20,9 @@ Solver solver_of(const NloptAlgorithm& algorithm) {
   solver.version = fmt::format("NLopt {}", fmt::join(version, "."));
   solver.stochastic = algorithm.draws;
   solver.capabilities = algorithm.capabilities;
+  solver.at_limit = AtLimit::own_point;
   solver.solve = [algorithm](Evaluator& evaluator, const Vector& start, Random& random) {
-    nlopt_srand(random());  // the state belongs to this thread and is left over from its last run
-    return NloptSearch(algorithm, evaluator).from(start);
+    return NloptSearch(algorithm, evaluator, random()).from(start);
   };
   return solver;
 }

@@ -107,7 +107,8 @@ SolverTermination solve_by(const ricochet_solver& exported, const std::string& p
   if (problem.failure()) std::rethrow_exception(problem.failure());
   SolverTermination exit{said != nullptr ? one_line(said) : "done"};
   if (evaluator.over()) exit.reason = stopped_by_evaluator;
-  if (point != start) exit.point = point;
+  // A point left as it was is none, but for a solver that requested residuals only.
+  if (point != start || evaluator.best_shown() == nullptr) exit.point = point;
   return exit;
 }
 

@@ -98,17 +98,22 @@ Json problems(const ListOptions& options) {
 Json solvers() {
   Json rows = Json::array();
   const auto add = [&rows](const std::string& name, const Capabilities& capabilities,
-                           const Json& stochastic, const std::string& version) {
+                           const Json& stochastic, const Json& at_limit,
+                           const std::string& version) {
     rows.push_back({{"solver", name},
                     {"variables", capabilities.variables_in_words()},
                     {"constraints", capabilities.constraints_in_words()},
                     {"needs", capabilities.needs_in_words()},
                     {"stochastic", stochastic},
+                    {"at_limit", at_limit},
                     {"version", version}});
   };
-  for (const Solver& s : all_solvers()) add(s.name, s.capabilities, s.stochastic, s.version);
+  for (const Solver& s : all_solvers()) {
+    const bool own = s.at_limit == AtLimit::own_point;
+    add(s.name, s.capabilities, s.stochastic, own ? "its own point" : "best evaluated", s.version);
+  }
   for (const MissingSolver& missing : missing_solvers()) {
-    add(missing.solver, missing.capabilities, nullptr,
+    add(missing.solver, missing.capabilities, nullptr, nullptr,
         fmt::format("missing: built without {}", missing.library));
   }
   return rows;

@@ -95,7 +95,11 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
     while (!evaluator.over() && idle < idle_starts) {
       const std::int64_t before = evaluator.ledger().charged;
       SolverTermination exit = solver.solve(evaluator, start, random);
-      if (!exit.point && evaluator.best_shown() != nullptr) exit.point = *evaluator.best_shown();
+      if (evaluator.ledger().charged == before) {
+        exit.point.reset();  // a start that evaluated nothing has nothing to return
+      } else if (!exit.point && evaluator.best_shown() != nullptr) {
+        exit.point = *evaluator.best_shown();
+      }
       record.terminations.push_back(std::move(exit));
       start = uniform_point(problem, starts);
       idle = evaluator.ledger().charged > before ? 0 : idle + 1;

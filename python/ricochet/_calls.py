@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import threading
 from typing import NoReturn, Optional
 
 import numpy
@@ -14,9 +15,25 @@ from ._results import Evaluated, RunOver, TrueValues
 _Vector = NDArray[numpy.float64]
 
 
+class Room(threading.local):
+    """Each thread's own room for a point and its results: addresses are slow to come by."""
+
+    def __init__(self, dimension: int, constraints: int) -> None:
+        self.x = numpy.empty(dimension)
+        self.objective = numpy.empty(1)
+        self.constraints = numpy.empty(constraints)
+        self.gradient = numpy.empty(dimension)
+        self.jacobian = numpy.empty((constraints, dimension))
+        self.at_x = self.x.ctypes.data
+        self.at_objective = self.objective.ctypes.data
+        self.at_constraints = self.constraints.ctypes.data
+        self.at_gradient = self.gradient.ctypes.data
+        self.at_jacobian = self.jacobian.ctypes.data
+
+
 class Calls:
-    """An open problem, which is closed at the latest with this, and room for a point and its results:
-    addresses are slow to come by."""
+    """An open problem, which is closed at the latest with this. Several threads may call it at
+    once."""
 
     def __init__(self, opened: int) -> None:
         ask = library()
@@ -28,16 +45,7 @@ class Calls:
         self.has_residuals = bool(ask.ricochet_has_residuals(opened))
         self._ask_values = ask.ricochet_values
         self._ask_derivatives = ask.ricochet_derivatives
-        self._x = numpy.empty(self.dimension)
-        self.objective = numpy.empty(1)
-        self.constraints = numpy.empty(self.constraint_count)
-        self.gradient = numpy.empty(self.dimension)
-        self.jacobian = numpy.empty((self.constraint_count, self.dimension))
-        self._at_x = self._x.ctypes.data
-        self.at_objective = self.objective.ctypes.data
-        self.at_constraints = self.constraints.ctypes.data
-        self.at_gradient = self.gradient.ctypes.data
-        self.at_jacobian = self.jacobian.ctypes.data
+        self.room = Room(self.dimension, self.constraint_count)
 
     def handle(self) -> int:
         """Of the open problem. Raises Error if it was closed."""
@@ -46,15 +54,15 @@ class Calls:
         return self.opened
 
     def values(
-        self, x: ArrayLike, at_objective: Optional[int], at_constraints: Optional[int]
+        self, x: ArrayLike, room: Room, at_objective: Optional[int], at_constraints: Optional[int]
     ) -> None:
-        if self._ask_values(self._take(x), self._at_x, at_objective, at_constraints):
+        if self._ask_values(self._take(x, room), room.at_x, at_objective, at_constraints):
             self._refused()
 
-    def derivatives(self, x: ArrayLike, *addresses: Optional[int]) -> None:
+    def derivatives(self, x: ArrayLike, room: Room, *addresses: Optional[int]) -> None:
         if not self.has_derivatives:
             raise Error(f"{self.name} has no derivatives in this formulation")
-        if self._ask_derivatives(self._take(x), self._at_x, *addresses):
+        if self._ask_derivatives(self._take(x, room), room.at_x, *addresses):
             self._refused()
 
     def batch(self, points: ArrayLike) -> Evaluated:
@@ -77,23 +85,25 @@ class Calls:
         """How many residuals there are at x, which `residuals` then tells."""
         if not self.has_residuals:
             raise Error(f"{self.name} has no residuals in this formulation")
-        count: int = library().ricochet_residual_count(self._take(x), self._at_x)
+        room = self.room
+        count: int = library().ricochet_residual_count(self._take(x, room), room.at_x)
         if not count:
             self._refused()
         return count
 
     def residuals(self, told: _Vector, *addresses: Optional[int]) -> _Vector:
-        if library().ricochet_residuals(self.opened, self._at_x, *addresses):
+        if library().ricochet_residuals(self.handle(), self.room.at_x, *addresses):
             self._refused()
         return told
 
     def judge(self, x: ArrayLike) -> TrueValues:
-        violation = ctypes.c_double()
+        room = self.room
+        objective, violation = ctypes.c_double(), ctypes.c_double()
         if library().ricochet_judge(
-            self._take(x), self._at_x, self.at_objective, ctypes.byref(violation)
+            self._take(x, room), room.at_x, ctypes.byref(objective), ctypes.byref(violation)
         ):
             raise Error(last_error())
-        return TrueValues(self.objective.item(), violation.value)
+        return TrueValues(objective.value, violation.value)
 
     def remaining(self) -> int:
         left: int = library().ricochet_remaining(self.handle())
@@ -107,15 +117,15 @@ class Calls:
     def __del__(self) -> None:
         self.close()
 
-    def _take(self, x: ArrayLike) -> int:
+    def _take(self, x: ArrayLike, room: Room) -> int:
         """Takes over a point. One that is not finite would end the run: it is refused here."""
         opened = self.handle()
         x = numpy.asarray(x, dtype=float)
-        if x.shape != self._x.shape and not (x.ndim == 0 and self.dimension == 1):
-            raise ValueError(f"x must be of shape {self._x.shape}, not {x.shape}")
+        if x.shape != room.x.shape and not (x.ndim == 0 and self.dimension == 1):
+            raise ValueError(f"x must be of shape {room.x.shape}, not {x.shape}")
         if not numpy.isfinite(x).all():
             raise ValueError(f"x must be finite, not {x}")
-        self._x[...] = x
+        room.x[...] = x
         return opened
 
     def _refused(self) -> NoReturn:

@@ -30,7 +30,8 @@ def problems() -> List[str]:
 
 
 class Problem:
-    """An open problem. One thread at a time may use it; `close` it, or use it in `with`.
+    """An open problem. `close` it, or use it in `with`. Several threads may use it at once: the
+    library evaluates for one after the other.
 
     name: str. unit: of the objective, "" if it has none.
     variables: a Variable for each, with name and unit.
@@ -43,7 +44,8 @@ class Problem:
     tolerance: the gap to it that still counts as solved.
 
     Evaluations are counted as the suite does: a point costs 1, with derivatives 1 + dimension.
-    Asking for several parts of one point, one after the other, costs it once. Points outside the
+    Asking for several parts of one point, one after the other, costs it once, unless another
+    thread asks in between. Points outside the
     box are evaluated at their projection onto it.
 
     A pickled copy is the same problem, opened again with the evaluations that are left, the seed
@@ -137,15 +139,15 @@ class Problem:
 
     def objective(self, x: ArrayLike) -> float:
         """The objective at x, of shape (dimension,)."""
-        calls = self._calls
-        calls.values(x, calls.at_objective, None)
-        return calls.objective.item()
+        room = self._calls.room
+        self._calls.values(x, room, room.at_objective, None)
+        return room.objective.item()
 
     def constraint_values(self, x: ArrayLike) -> _Vector:
         """The constraints at x, of shape (constraints,): equalities first, the others <= 0."""
-        calls = self._calls
-        calls.values(x, None, calls.at_constraints)
-        return calls.constraints.copy()
+        room = self._calls.room
+        self._calls.values(x, room, None, room.at_constraints)
+        return room.constraints.copy()
 
     def values(self, x: ArrayLike) -> Tuple[float, _Vector]:
         """Objective and constraints at x, the latter of shape (constraints,).
@@ -153,9 +155,9 @@ class Problem:
         >>> ricochet.problem("hs-71").values([1, 5, 5, 1])
         (16.0, array([12.,  0.]))
         """
-        calls = self._calls
-        calls.values(x, calls.at_objective, calls.at_constraints)
-        return calls.objective.item(), calls.constraints.copy()
+        room = self._calls.room
+        self._calls.values(x, room, room.at_objective, room.at_constraints)
+        return room.objective.item(), room.constraints.copy()
 
     def batch(self, points: ArrayLike) -> Evaluated:
         """The values at many points, of shape (points, dimension), in one call of the library.
@@ -173,28 +175,28 @@ class Problem:
         >>> ricochet.problem("hs-71").gradient([1, 5, 5, 1])
         array([12.,  1.,  2., 11.])
         """
-        calls = self._calls
-        calls.derivatives(x, None, None, calls.at_gradient, None)
-        return calls.gradient.copy()
+        room = self._calls.room
+        self._calls.derivatives(x, room, None, None, room.at_gradient, None)
+        return room.gradient.copy()
 
     def jacobian(self, x: ArrayLike) -> _Vector:
         """The Jacobian of the constraints at x, of shape (constraints, dimension)."""
-        calls = self._calls
-        calls.derivatives(x, None, None, None, calls.at_jacobian)
-        return calls.jacobian.copy()
+        room = self._calls.room
+        self._calls.derivatives(x, room, None, None, None, room.at_jacobian)
+        return room.jacobian.copy()
 
     def derivatives(self, x: ArrayLike) -> Tuple[float, _Vector, _Vector, _Vector]:
         """Objective, constraints, gradient and Jacobian at x, as `values`, `gradient` and
         `jacobian` return them."""
-        calls = self._calls
-        calls.derivatives(
-            x, calls.at_objective, calls.at_constraints, calls.at_gradient, calls.at_jacobian
+        room = self._calls.room
+        self._calls.derivatives(
+            x, room, room.at_objective, room.at_constraints, room.at_gradient, room.at_jacobian
         )
         return (
-            calls.objective.item(),
-            calls.constraints.copy(),
-            calls.gradient.copy(),
-            calls.jacobian.copy(),
+            room.objective.item(),
+            room.constraints.copy(),
+            room.gradient.copy(),
+            room.jacobian.copy(),
         )
 
     def residuals(self, x: ArrayLike) -> _Vector:

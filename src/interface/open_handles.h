@@ -28,10 +28,11 @@ class OpenHandles {
     return handle;
   }
 
+  /// What is open, which stays so while the result is kept, also if another thread closes it.
   /// Throws InputError if it is not open.
-  Opened& at(const Handle* handle) {
+  std::shared_ptr<Opened> at(const Handle* handle) {
     const std::lock_guard lock(mutex_);
-    return *found(handle)->second;
+    return found(handle)->second;
   }
 
   /// What `asked` returns for what is open, or `refused`, with the last error, if it is not open or
@@ -39,13 +40,16 @@ class OpenHandles {
   template <class Result, class Asked>
   Result ask(const Handle* handle, Result refused, const Asked& asked) {
     Result result = refused;
-    succeeds([&] { result = asked(at(handle)); });
+    succeeds([&] {
+      const std::shared_ptr<Opened> opened = at(handle);
+      result = asked(*opened);
+    });
     return result;
   }
 
   /// Throws InputError if it is not open.
   void close(const Handle* handle) {
-    std::unique_ptr<Opened> closed;  // destroyed after the lock is released
+    std::shared_ptr<Opened> closed;  // destroyed after the lock is released
     const std::lock_guard lock(mutex_);
     const auto opened = found(handle);
     closed = std::move(opened->second);
@@ -61,7 +65,7 @@ class OpenHandles {
 
   std::string noun_;
   std::mutex mutex_;
-  std::unordered_map<const Handle*, std::unique_ptr<Opened>> opened_;
+  std::unordered_map<const Handle*, std::shared_ptr<Opened>> opened_;
 };
 
 }  // namespace ricochet::interface

@@ -8,14 +8,28 @@
 
 namespace ricochet::interface {
 
+template <class Result, class... Arguments, Result (*function)(ricochet_problem*, Arguments...),
+          auto refused>
+struct OpenedProblem::InTurn<function, refused> {
+  static Result call(ricochet_problem* problem, Arguments... arguments) {
+    const auto& self = *static_cast<OpenedProblem*>(problem);
+    const std::lock_guard lock(self.mutex_);
+    const Result result = function(problem, arguments...);
+    if (result == refused) keep_error(self.reason());
+    return result;
+  }
+};
+
 OpenedProblem::OpenedProblem(Problem asked, std::int64_t budget, std::uint64_t seed)
     : OpenedRun(std::move(asked), budget, seed),
       SeenProblem(OpenedRun::evaluator, problem.start, OpenedRun::random),
       budget_(budget) {
-  values = values_or_reason;
-  derivatives = derivatives_or_reason;
-  residual_count = residual_count_or_reason;
-  residuals = residuals_or_reason;
+  values = InTurn<&OpenedProblem::values_at, 1>::call;
+  derivatives = InTurn<&OpenedProblem::derivatives_at, 1>::call;
+  residual_count = InTurn<&OpenedProblem::count_residuals_at, 0>::call;
+  residuals = InTurn<&OpenedProblem::residuals_at, 1>::call;
+  remaining = InTurn<&OpenedProblem::evaluations_left, -1>::call;
+  uniform = InTurn<&OpenedProblem::next_uniform, -1>::call;
 }
 
 TrueValues OpenedProblem::judge(const double* x) const {
@@ -24,35 +38,8 @@ TrueValues OpenedProblem::judge(const double* x) const {
   if (!point.allFinite()) {
     throw std::invalid_argument("the point to be judged has a coordinate that is not finite");
   }
+  const std::lock_guard lock(mutex_);
   return true_values_at(problem, point.cwiseMax(problem.lower).cwiseMin(problem.upper));
-}
-
-std::int32_t OpenedProblem::values_or_reason(ricochet_problem* problem, const double* x,
-                                             double* objective, double* constraints) {
-  const std::int32_t over = values_at(problem, x, objective, constraints);
-  if (over) keep_error(static_cast<OpenedProblem*>(problem)->reason());
-  return over;
-}
-
-std::int32_t OpenedProblem::derivatives_or_reason(ricochet_problem* problem, const double* x,
-                                                  double* objective, double* constraints,
-                                                  double* gradient, double* jacobian) {
-  const std::int32_t over = derivatives_at(problem, x, objective, constraints, gradient, jacobian);
-  if (over) keep_error(static_cast<OpenedProblem*>(problem)->reason());
-  return over;
-}
-
-std::int32_t OpenedProblem::residual_count_or_reason(ricochet_problem* problem, const double* x) {
-  const std::int32_t count = count_residuals_at(problem, x);
-  if (count == 0) keep_error(static_cast<OpenedProblem*>(problem)->reason());
-  return count;
-}
-
-std::int32_t OpenedProblem::residuals_or_reason(ricochet_problem* problem, const double* x,
-                                                double* residuals, double* jacobian) {
-  const std::int32_t over = residuals_at(problem, x, residuals, jacobian);
-  if (over) keep_error(static_cast<OpenedProblem*>(problem)->reason());
-  return over;
 }
 
 std::exception_ptr OpenedProblem::reason() const {

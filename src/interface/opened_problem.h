@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <utility>
 
 #include "ricochet/evaluator.h"
@@ -20,7 +21,7 @@ struct OpenedRun {
 };
 
 /// A problem opened by an external program. After every refused call, last_error() gives the
-/// reason.
+/// reason. Several threads may call its functions at once: they take turns.
 class OpenedProblem : private OpenedRun, public SeenProblem {
  public:
   /// `budget`: evaluations; `seed`: for uniform().
@@ -34,19 +35,16 @@ class OpenedProblem : private OpenedRun, public SeenProblem {
   const Problem& stated() const { return problem; }
 
  private:
-  static std::int32_t values_or_reason(ricochet_problem* problem, const double* x,
-                                       double* objective, double* constraints);
-  static std::int32_t derivatives_or_reason(ricochet_problem* problem, const double* x,
-                                            double* objective, double* constraints,
-                                            double* gradient, double* jacobian);
-  static std::int32_t residual_count_or_reason(ricochet_problem* problem, const double* x);
-  static std::int32_t residuals_or_reason(ricochet_problem* problem, const double* x,
-                                          double* residuals, double* jacobian);
+  /// The function of SeenProblem of this signature, in turn; where it returns `refused` it keeps
+  /// the reason as the last error.
+  template <auto function, auto refused>
+  struct InTurn;
 
   /// Why the last call was refused.
   std::exception_ptr reason() const;
 
   std::int64_t budget_;
+  mutable std::mutex mutex_;
 };
 
 }  // namespace ricochet::interface

@@ -35,11 +35,10 @@ class SeenProblem : public ricochet_problem {
   static std::int32_t count_residuals_at(ricochet_problem* problem, const double* x);
   static std::int32_t residuals_at(ricochet_problem* problem, const double* x, double* residuals,
                                    double* jacobian);
-
- private:
   static std::int64_t evaluations_left(ricochet_problem* problem);
   static double next_uniform(ricochet_problem* problem);
 
+ private:
   /// Returns the result of `ask` at x, or nothing.
   template <class Ask>
   auto told(const double* x, Ask ask) -> decltype(ask(Vector()));

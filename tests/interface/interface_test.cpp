@@ -5,10 +5,13 @@
 #include <malloc.h>
 #include <ricochet/ricochet.h>
 
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <latch>
 #include <limits>
 #include <memory>
 #include <regex>
@@ -266,6 +269,71 @@ TEST(Interface, IsUsedByManyThreadsAtOnce) {
   }
   for (std::thread& thread : threads) thread.join();
   EXPECT_THAT(found, testing::Each(expected));
+}
+
+/// By the problem's own functions and by those of the library, asked for in parts.
+TEST(Interface, SharesAProblemAmongThreads) {
+  const Opened problem = open("top-speed-C1", "surrogate", 0, 1'000'000);
+  constexpr int threads_at_once = 4, points = 4000;
+  std::latch begin(threads_at_once);
+  const auto asked = [&](int k) {
+    const double x = 0.5 + 17.0 * k / points;
+    std::array<double, 6> told{};
+    ricochet_values(problem.get(), &x, &told[0], nullptr);
+    problem->values(problem.get(), &x, nullptr, &told[1]);
+    problem->derivatives(problem.get(), &x, nullptr, nullptr, &told[2], &told[3]);
+    ricochet_judge(problem.get(), &x, &told[4], &told[5]);
+    return told;
+  };
+  std::vector<std::array<double, 6>> expected, found(points);
+  for (int k = 0; k < points; ++k) expected.push_back(asked(k));
+  std::vector<std::thread> threads;
+  for (int first = 0; first < threads_at_once; ++first) {
+    threads.emplace_back([&, first] {
+      begin.arrive_and_wait();
+      for (int k = first; k < points; k += threads_at_once) found[k] = asked(k);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(found, expected);
+}
+
+TEST(Interface, SaysEachThreadWhyItsCallWasRefused) {
+  const Opened problem = open("hs-71", "", 0, 100);
+  std::atomic<int> answered = 0, told = 0;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      const Vector x = Vector::Ones(4);
+      double objective = 0;
+      for (int k = 0; k < 100; ++k) {
+        if (problem->values(problem.get(), x.data(), &objective, nullptr) == 0) {
+          ++answered;
+        } else {
+          told +=
+              std::string(ricochet_error()).find("100 evaluations is spent") != std::string::npos;
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(answered, 100);
+  EXPECT_EQ(told, 300);
+}
+
+/// What is closed stays until its last call has returned.
+TEST(Interface, ClosesAProblemThatAnotherThreadUses) {
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    ricochet_problem* const problem = ricochet_open("count-C4", "surrogate", 0, 1000, 0);
+    std::thread user([problem] {
+      const double x = 5;
+      double objective = 0;
+      while (ricochet_values(problem, &x, &objective, nullptr) == 0) {
+      }
+    });
+    ricochet_close(problem);
+    user.join();
+  }
 }
 
 /// Where the sanitizers look for leaks, too, which they see at the end.

@@ -208,6 +208,84 @@ class Problem(unittest.TestCase):
         self.assertEqual(found, [expected] * 80)
 
 
+def at_once(ask, points):
+    """What `ask` gives at each point, by eight threads."""
+    found = [None] * len(points)
+
+    def work(first):
+        for k in range(first, len(points), 8):
+            found[k] = ask(points[k])
+
+    threads = [threading.Thread(target=work, args=(first,)) for first in range(8)]
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)  # within a call, too
+    try:
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    finally:
+        sys.setswitchinterval(interval)
+    return found
+
+
+class Threads(unittest.TestCase):
+    """Each thread gets the values of its own points from a problem that all share."""
+
+    def check(self, name, formulation, *asks):
+        with ricochet.problem(name, formulation) as q:
+            points = some_points(q, 800)
+            for ask in asks:
+                expected = [getattr(q, ask)(x) for x in points]
+                found = at_once(getattr(q, ask), points)
+                for one, many in zip(expected, found):
+                    numpy.testing.assert_equal(many, one, ask)
+
+    def test_get_values(self):
+        self.check("design-count-C1", "", "objective", "values", "judge")
+        self.check("top-speed-C1", "count", "values", "constraint_values")
+
+    def test_get_derivatives(self):
+        self.check("hs-71", "", "values", "gradient", "jacobian", "derivatives")
+        self.check("top-speed-C4", "surrogate", "gradient", "derivatives")
+
+    def test_get_residuals(self):
+        name = "least-squares-08-rosenbrock-2x2-far"
+        self.check(name, "", "residuals", "residual_jacobian", "gradient")
+
+    def test_share_a_budget(self):
+        with ricochet.problem("hs-71", budget=500) as q:
+            def ask(x):
+                try:
+                    return q.values(x)
+                except ricochet.RunOver:
+                    return None
+
+            found = at_once(ask, some_points(q, 800))
+            self.assertEqual(sum(each is not None for each in found), 500)
+            self.assertEqual(q.remaining, 0)
+
+    def test_draw_all_numbers_of_the_seed_once(self):
+        with ricochet.problem("hs-71", seed=3) as alone, ricochet.problem("hs-71", seed=3) as q:
+            expected = sorted(alone.uniform() for _ in range(800))
+            self.assertEqual(sorted(at_once(lambda _: q.uniform(), range(800))), expected)
+
+    def test_may_close_what_others_use(self):
+        for _ in range(20):
+            q = ricochet.problem("count-C4", "surrogate")
+
+            def ask(k):
+                if k == 100:
+                    q.close()
+                try:
+                    return q(5.0)
+                except ricochet.Error:
+                    return None
+
+            found = set(at_once(ask, range(200)))
+            self.assertLessEqual(len(found - {None}), 1)
+
+
 class Batch(unittest.TestCase):
     def test_has_the_values_of_its_points(self):
         for name in ("hs-71", "count-C4", "top-speed-C1"):

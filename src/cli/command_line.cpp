@@ -38,11 +38,12 @@ constexpr const char* exit_codes =
     "Ctrl-C and by SIGTERM.";
 
 /// A file that is opened must never take the descriptor of a standard stream that was closed. The
-/// replacement rejects all input and output, so that lost output is noticed.
+/// replacement rejects all input and output, so that lost output is noticed; messages on standard
+/// error are lost, and the command does its work.
 void fill_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
-    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+    if (open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY) < 0) return;
   }
 }
 
@@ -135,8 +136,9 @@ CLI::App* CommandLine::add(const std::string& command, const std::string& summar
   CLI::App* added = app_.add_subcommand(command, summary)->group(group_);
   added->add_flag_callback("--quiet", Progress::silence, "No progress on standard error");
   added
-      ->add_option("--color", color_,
-                   "Errors in colour: auto means on a terminal, if NO_COLOR is not set")
+      ->add_option(
+          "--color", color_,
+          "Errors in colour: auto means on a terminal that is not dumb, if NO_COLOR is not set")
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
@@ -186,8 +188,7 @@ int CommandLine::carry_out(std::vector<std::string> arguments) {
 int CommandLine::fail(int exit_code, const std::string& reason) const {
   const char* no_color = std::getenv("NO_COLOR");
   const bool allowed = no_color == nullptr || *no_color == '\0';
-  const bool colored =
-      color_ == "always" || (color_ == "auto" && allowed && isatty(STDERR_FILENO) == 1);
+  const bool colored = color_ == "always" || (color_ == "auto" && allowed && Progress::redraws());
   std::fprintf(stderr, "%s %s\n",
                colored ? "\033[31mricochet:\033[m" : "ricochet:", one_line(reason).c_str());
   return exit_code;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <charconv>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "problems/carrier_track/regimes/orbit_map.h"
 #include "problems/carrier_track/scene/quantity.h"
@@ -39,8 +41,10 @@ std::string_view trimmed(std::string_view text) {
 
 /// The name of the unit that a text ends with; empty if it is a plain number.
 std::string unit_in(std::string_view text) {
-  const std::size_t blank = text.find(' ');
-  return blank == std::string_view::npos ? "" : std::string(trimmed(text.substr(blank)));
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return "";
+  return std::string(trimmed(text.substr(static_cast<std::size_t>(end - text.data()))));
 }
 
 std::optional<double> number_of(std::string_view text, const std::string& unit,

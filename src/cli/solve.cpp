@@ -1,10 +1,12 @@
 #include <fmt/format.h>
-#include <unistd.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -21,6 +23,7 @@
 #include "src/cli/named.h"
 #include "src/cli/shared_options.h"
 #include "src/core/instance.h"
+#include "src/core/progress.h"
 #include "src/core/seed.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
@@ -108,28 +111,52 @@ std::string in_words(double objective, const Problem& problem) {
 /// Wraps the problem so that it reports on a terminal whenever a better true objective was
 /// evaluated.
 Problem watched(const Problem& problem) {
-  if (isatty(STDERR_FILENO) == 0) return problem;
+  if (!Progress::redraws()) return problem;
   Problem result = problem;
   result.true_values = [problem, best = std::optional<TrueValues>()](const Vector& x) mutable {
     const TrueValues true_values = true_values_at(problem, x);
     if (!best || better(true_values, *best)) {
       best = true_values;
-      fmt::print(stderr, "\r\033[Kbest {}{}", in_words(true_values.objective, problem),
-                 true_values.violation > 0 ? ", not feasible" : "");
+      const char* const but = true_values.violation > 0 ? ", not feasible" : "";
+      std::fputs(
+          fmt::format("\r\033[Kbest {}{}", in_words(true_values.objective, problem), but).c_str(),
+          stderr);
     }
     return true_values;
   };
   return result;
 }
 
-std::string trace_of(const RunRecord& record, const Problem& problem) {
+/// The points of the problem as it is stated that a run's points are, which lie in the box of its
+/// instance, in the coordinates of its perturbation.
+class StatedPoints {
+ public:
+  StatedPoints(const SolveOptions& options, Problem stated, const std::string& formulation) {
+    stated.true_values = [point = point_](const Vector& natural) {
+      *point = natural;
+      return TrueValues{};
+    };
+    seen_ = featured(options, instance(stated, options.instance), formulation);
+  }
+
+  Vector of(const Vector& x) const {
+    true_values_at(seen_, x);
+    return *point_;
+  }
+
+ private:
+  std::shared_ptr<Vector> point_ = std::make_shared<Vector>();
+  Problem seen_;
+};
+
+std::string trace_of(const RunRecord& record, const Problem& problem, const StatedPoints& stated) {
   std::string text = "evaluations,seconds,objective,violation";
   for (Eigen::Index i = 0; i < problem.dimension(); ++i) text += fmt::format(",x{}", i + 1);
   text += "\n";
   for (const Improvement& step : record.trace) {
     text += fmt::format("{},{},{},{}", step.evaluations, step.seconds, step.true_values.objective,
                         step.true_values.violation);
-    for (const double x : step.x) text += fmt::format(",{}", x);
+    for (const double x : stated.of(step.x)) text += fmt::format(",{}", x);
     text += "\n";
   }
   return text;
@@ -161,11 +188,14 @@ report::Plot plot_of(const RunRecord& record, const Problem& problem, const std:
 }
 
 Json json_of(const RunRecord& record, const Verdict& verdict, const std::string& formulation,
-             const std::string& perturbation, const Problem& problem) {
+             const std::string& perturbation, const Problem& problem, const StatedPoints& stated) {
   Json terminations = Json::array();
   for (const SolverTermination& exit : record.terminations) terminations.push_back(exit.reason);
-  Json point;
-  if (!record.trace.empty()) point = record.trace.back().x;
+  Json point, stated_point;
+  if (!record.trace.empty()) {
+    point = record.trace.back().x;
+    stated_point = stated.of(record.trace.back().x);
+  }
   return {{"problem", record.problem},
           {"solver", record.solver},
           {"formulation", formulation},
@@ -183,12 +213,21 @@ Json json_of(const RunRecord& record, const Verdict& verdict, const std::string&
           {"evaluations", record.ledger.charged},
           {"seconds", record.ledger.seconds},
           {"point", point},
+          {"stated_point", stated_point},
           {"terminations", terminations},
           {"failure", record.failure}};
 }
 
+/// The first coordinates of a point.
+std::string in_words(const Vector& x) {
+  constexpr Eigen::Index most = 8;
+  std::string text = fmt::format("{:.9g}", fmt::join(x.head(std::min(x.size(), most)), " "));
+  if (x.size() > most) text += fmt::format(" ... ({} variables)", x.size());
+  return text;
+}
+
 void print(const RunRecord& record, const Verdict& verdict, const std::string& formulation,
-           const std::string& perturbation, const Problem& problem) {
+           const std::string& perturbation, const Problem& problem, const StatedPoints& stated) {
   fmt::print("{} on {}, formulation {}{}, instance {}: {}.\n", record.solver, record.problem,
              formulation, perturbation == "plain" ? "" : ", " + perturbation, record.instance,
              verdict.solved
@@ -213,12 +252,12 @@ void print(const RunRecord& record, const Verdict& verdict, const std::string& f
   }
   if (!record.trace.empty()) {
     const Vector& x = record.trace.back().x;
+    const Vector point = stated.of(x);
     const double violation = record.trace.back().true_values.violation;
-    fmt::print("Best evaluated point{}:",
-               violation > 0 ? fmt::format(", not feasible by {:.3g}", violation) : "");
-    for (Eigen::Index i = 0; i < std::min<Eigen::Index>(x.size(), 8); ++i)
-      fmt::print(" {:.9g}", x[i]);
-    fmt::print("{}.\n", x.size() > 8 ? fmt::format(" ... ({} variables)", x.size()) : "");
+    fmt::print("Best evaluated point{}: {}.\n",
+               violation > 0 ? fmt::format(", not feasible by {:.3g}", violation) : "",
+               in_words(point));
+    if (point != x) fmt::print("In the solver's own box: {}.\n", in_words(x));
   }
   fmt::print("{} evaluations, {:.3g} ms of processor time, ", record.ledger.charged,
              1e3 * record.ledger.seconds);
@@ -256,10 +295,11 @@ int solve(const SolveOptions& options) {
   RunRecord record;
   run_all({{&seen, &solver, {options.budget}, options.seed, shown}}, options.limits,
           [&record](std::size_t, RunRecord made) { record = std::move(made); });
-  if (isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\033[K");
+  if (Progress::redraws()) std::fputs("\r\033[K", stderr);
+  const StatedPoints stated(options, asked.formulated(formulation), formulation_name);
   const Verdict verdict = judge(record, problem, asked.tolerance);
   std::deque<TextDraft> drafts;
-  if (!options.trace.empty()) drafts.emplace_back(options.trace, trace_of(record, problem));
+  if (!options.trace.empty()) drafts.emplace_back(options.trace, trace_of(record, problem, stated));
   report::Plot plot;
   if (!options.plot.empty()) {
     plot = plot_of(record, problem, solver.name + " on " + asked.name);
@@ -267,10 +307,11 @@ int solve(const SolveOptions& options) {
   }
   for (TextDraft& draft : drafts) draft.commit();
   if (options.json) {
-    fmt::print("{}\n",
-               json_of(record, verdict, formulation_name, options.perturbation, problem).dump(2));
+    fmt::print(
+        "{}\n",
+        json_of(record, verdict, formulation_name, options.perturbation, problem, stated).dump(2));
   } else {
-    print(record, verdict, formulation_name, options.perturbation, problem);
+    print(record, verdict, formulation_name, options.perturbation, problem, stated);
   }
   report::require_none(plot.failures);
   if (!record.failure.empty()) throw std::runtime_error(record.failure);

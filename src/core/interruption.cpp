@@ -35,7 +35,7 @@ void end_interrupted(int signal) {
     (*each)->work_();
     if (!(*each)->says_.empty()) said += "; " + (*each)->says_;
   }
-  fmt::print(stderr, "ricochet: interrupted{}\n", said);
+  std::fputs(fmt::format("ricochet: interrupted{}\n", said).c_str(), stderr);
   _exit(128 + signal);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 
 #include "src/core/one_line.h"
 
@@ -27,7 +28,14 @@ std::size_t terminal_columns() {
 }  // namespace
 
 void Progress::announce(std::string_view line) {
-  if (!silent) fmt::print(stderr, "{}\n", one_line(line));
+  if (!silent) std::fputs((one_line(line) + "\n").c_str(), stderr);
+}
+
+bool Progress::redraws() {
+  const char* const terminal = std::getenv("TERM");
+  const bool takes_escapes =
+      terminal != nullptr && *terminal != '\0' && std::string_view(terminal) != "dumb";
+  return takes_escapes && isatty(STDERR_FILENO) == 1;
 }
 
 void Progress::silence() {
@@ -37,7 +45,7 @@ void Progress::silence() {
 Progress::Progress(std::string what, double work)
     : what_(std::move(what)),
       work_(work),
-      redraws_(isatty(STDERR_FILENO) == 1),
+      redraws_(redraws()),
       start_(steady_clock::now()),
       drawn_(start_),
       interrupted_([this] {
@@ -70,9 +78,10 @@ void Progress::draw(bool last) const {
     std::string line = fmt::format("{:<28} [{}] {:3.0f} %  {}", what_, bar, 100 * share, time);
     const std::size_t columns = terminal_columns();
     if (line.size() >= columns) line = fmt::format("{} {:.0f} %  {}", what_, 100 * share, time);
-    fmt::print(stderr, "\r\033[K{}{}", line.substr(0, columns - 1), last ? "\n" : "");
+    line = fmt::format("\r\033[K{}{}", line.substr(0, columns - 1), last ? "\n" : "");
+    std::fputs(line.c_str(), stderr);
   } else {
-    fmt::print(stderr, "{}: {:.0f} %, {}\n", what_, 100 * share, time);
+    std::fputs(fmt::format("{}: {:.0f} %, {}\n", what_, 100 * share, time).c_str(), stderr);
   }
   std::fflush(stderr);
 }

@@ -10,8 +10,8 @@
 namespace ricochet {
 
 /// The share done and the time left, on standard error: a line that is redrawn at most ten times a
-/// second on a terminal, a new line every ten seconds elsewhere. advance() may be called from
-/// several threads.
+/// second on a terminal, a new line every ten seconds elsewhere. What cannot be written is lost: it
+/// ends no command. advance() may be called from several threads.
 class Progress {
  public:
   /// `work` > 0 is in any unit proportional to time.
@@ -24,6 +24,10 @@ class Progress {
 
   /// Writes a line of its own that announces the next step.
   static void announce(std::string_view line);
+
+  /// Returns true if standard error is a terminal that takes escape sequences: not where TERM is
+  /// "dumb" or not set.
+  static bool redraws();
 
   /// Suppresses all output from now on.
   static void silence();

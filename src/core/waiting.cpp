@@ -1,7 +1,5 @@
 #include "src/core/waiting.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <utility>
 
@@ -16,7 +14,7 @@ std::function<void(const std::string&)>& listener() {
 }  // namespace
 
 void tell_waiting(const std::string& text) {
-  if (!text.empty()) fmt::print(stderr, "{}\n", text);
+  if (!text.empty()) std::fputs((text + "\n").c_str(), stderr);
   if (listener()) listener()(text);
 }
 

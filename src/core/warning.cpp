@@ -1,7 +1,5 @@
 #include "src/core/warning.h"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <mutex>
 #include <set>
@@ -14,7 +12,7 @@ void warn(const std::string& text) {
   static std::mutex mutex;
   static std::set<std::string> given;
   const std::lock_guard lock(mutex);
-  if (given.insert(text).second) fmt::print(stderr, "warning: {}\n", one_line(text));
+  if (given.insert(text).second) std::fputs(("warning: " + one_line(text) + "\n").c_str(), stderr);
 }
 
 }  // namespace ricochet

@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 #include "tests/cli/tool.h"
@@ -123,6 +125,57 @@ TEST(Main, ReportsOutputThatIsLost) {
 
 TEST(Main, NeedsNoOutputWhereThereIsNone) {
   EXPECT_EQ(call_with_output("list speeds", ">/dev/full").exit_code, 2);
+}
+
+/// Closed, or full: what is said there is lost, and the command does its work, whichever streams
+/// are closed beside it.
+TEST(Main, NeedsNoStandardError) {
+  const auto folder = fresh_folder();
+  const auto plan = write(folder, "plan.toml",
+                          "name = \"small\"\n[[part]]\nproblems = [\"classic-sphere-5\"]\n"
+                          "solvers = [\"random-search\"]\nbudgets = [20]\ninstances = 2\n");
+  int folders = 0;
+  for (const char* streams : {"2>&-", "2>/dev/full", "2>&- <&-", "2>/dev/full </dev/null"}) {
+    const std::string out = (folder / std::to_string(folders++)).string();
+    const Outcome ran = call("run " + plan.string() + " --out " + out + " " + streams);
+    EXPECT_EQ(ran.exit_code, 0) << streams;
+    EXPECT_THAT(ran.out, HasSubstr("\ndigest ")) << streams;
+    EXPECT_EQ(call("digest " + out + "/runs.sqlite").exit_code, 0) << streams;
+    for (const char* arguments :
+         {"threshold --case C1", "simulate --case C1", "solve mads count-C1 --budget 20",
+          "verify --scenes 10", "report "}) {
+      const bool draws = arguments == std::string("report ");
+      const Outcome outcome = call(arguments + (draws ? out : "") + " " + streams);
+      EXPECT_EQ(outcome.exit_code, 0) << arguments << streams;
+    }
+    EXPECT_EQ(call(std::string("simulate --case C77 ") + streams).exit_code, 2) << streams;
+    EXPECT_EQ(call(std::string("simulate --case C1 >&- ") + streams).exit_code, 1) << streams;
+  }
+}
+
+/// What a command writes on a terminal of this environment, both streams.
+std::string on_terminal(const std::string& environment, const std::string& arguments) {
+  const auto folder = fresh_folder();
+  std::system(fmt::format("env -u NO_COLOR {} script -qec '{} {}' /dev/null </dev/null >{}/shown",
+                          environment, RICOCHET_PROGRAM, arguments, folder.string())
+                  .c_str());
+  return read(folder / "shown");
+}
+
+TEST(Main, SendsEscapesOnlyToATerminalThatTakesThem) {
+  const std::string wrong = "simulate --case C77";
+  const std::string drawn = "solve random-search count-C1 --budget 300";
+  EXPECT_THAT(on_terminal("TERM=xterm", wrong), HasSubstr("\x1b[31m"));
+  EXPECT_THAT(on_terminal("TERM=xterm", drawn), HasSubstr("\x1b[K"));
+  EXPECT_THAT(on_terminal("TERM=xterm NO_COLOR=1", wrong), testing::Not(HasSubstr("\x1b")));
+  for (const char* environment : {"TERM=dumb", "-u TERM", "TERM="}) {
+    for (const std::string& command : {wrong, drawn, std::string("verify --scenes 3000")}) {
+      const std::string shown = on_terminal(environment, command);
+      EXPECT_NE(shown, "");
+      EXPECT_THAT(shown, testing::Not(HasSubstr("\x1b"))) << environment << command;
+    }
+  }
+  EXPECT_THAT(on_terminal("TERM=dumb", wrong + " --color always"), HasSubstr("\x1b[31m"));
 }
 
 TEST(Main, ColoursErrorsWhereAsked) {

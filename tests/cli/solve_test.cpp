@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/cli/tool.h"
 
@@ -44,6 +46,37 @@ TEST(Solve, SaysWhatIsMaximisedWithItsUnitAndWithoutASign) {
   const json data =
       json::parse(call("solve random-search top-speed-C1 --budget 30 --format json").out);
   EXPECT_LT(data["objective"], 0) << "as minimised";
+}
+
+/// The value beside a point is that of the problem as it is stated at that point, also where the
+/// solver had another box or other coordinates.
+TEST(Solve, SaysTheBestPointAsTheProblemHasIt) {
+  for (const std::string problem : {"count-C2", "top-speed-C1", "profile-wear-8-C1",
+                                    "design-count-C1", "classic-rosenbrock-5", "hs-26"}) {
+    for (const std::string how :
+         {"--instance 0", "--instance 2", "--instance 3 --perturbation reflected"}) {
+      const std::string command =
+          "solve random-search " + problem + " --budget 30 " + how + " --format json";
+      const json told = json::parse(call(command).out);
+      const auto point = write(fresh_folder(), "point", told["stated_point"].dump());
+      const json stated = json::parse(call("evaluate " + problem + " <" + point.string()).out);
+      const double objective = stated["true_values"]["objective"];
+      EXPECT_NEAR(told["objective"].get<double>(), objective, 1e-9 * (1 + std::abs(objective)))
+          << command;
+      EXPECT_EQ(told["point"] == told["stated_point"], how == "--instance 0") << command;
+    }
+  }
+}
+
+TEST(Solve, ShowsThePointThatBelongsToItsValue) {
+  const Outcome outcome = call("solve bisection top-speed-C1 --budget 30 --instance 2");
+  std::smatch said;
+  ASSERT_TRUE(std::regex_search(
+      outcome.out, said, std::regex("Best evaluated: ([0-9.]+) rad/s[^]*point: ([0-9.]+)\\.\n")));
+  EXPECT_EQ(said[1], said[2]);
+  EXPECT_THAT(outcome.out, HasSubstr("In the solver's own box: "));
+  EXPECT_THAT(call("solve bisection top-speed-C1 --budget 30").out,
+              testing::Not(HasSubstr("own box")));
 }
 
 TEST(Solve, IsAnotherRunWithAnotherSeedAndTheSameWithTheSame) {

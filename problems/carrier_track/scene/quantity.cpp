@@ -43,7 +43,7 @@ std::optional<double> quantity(std::string_view text, std::string_view unit) {
   if (error != std::errc()) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   const std::size_t blanks = text.find_first_not_of(' ');
-  if (blanks == 0 || blanks == std::string_view::npos) return std::nullopt;
+  if (blanks == std::string_view::npos) return std::nullopt;
   const std::string_view wanted = text.substr(blanks);
   for (const Unit& known : units) {
     if (known.of == unit && known.name == wanted) return number * known.times / known.over;

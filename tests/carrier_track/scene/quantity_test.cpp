@@ -33,9 +33,22 @@ TEST(Quantity, IsInTheSiUnitWhateverUnitItIsGivenIn) {
   EXPECT_EQ(quantity("1e-3  kg", "kg"), 1e-3);  // two blanks
 }
 
+TEST(Quantity, NeedsNoBlank) {
+  EXPECT_EQ(quantity("0.8mm", "m"), 0.8e-3);
+  EXPECT_EQ(quantity("1kg", "kg"), 1.0);
+  EXPECT_EQ(quantity("1e-3m", "m"), 1e-3);
+  EXPECT_EQ(quantity("-5e3mN", "N"), -5.0);
+  EXPECT_EQ(quantity("2.min", "s"), 120.0);
+  EXPECT_EQ(quantity("infm", "m"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(quantity("5mm/s", "m/s"), 5e-3);
+  EXPECT_DOUBLE_EQ(quantity("60rpm", "rad/s").value(), 2 * pi);
+  EXPECT_DOUBLE_EQ(quantity("78g m", "kg m").value(), 0.078);
+}
+
 TEST(Quantity, IsNothingElse) {
-  for (const char* text : {"", " ", "1", "1 ", "kg", "1kg", " 1 kg", "1 kg ", "1 KG", "1 lb", "1 m",
-                           "1,2 kg", "1.2.3 kg", "one kg", "1 kg m", "0x1 kg"}) {
+  for (const char* text : {"",     " ",      "1",        "1 ",     "kg",     " 1 kg", "1kgm",
+                           "1k g", "1e",     "1e kg",    "1..2kg", "1 kg ",  "1 KG",  "1 lb",
+                           "1 m",  "1,2 kg", "1.2.3 kg", "one kg", "1 kg m", "0x1 kg"}) {
     EXPECT_FALSE(quantity(text, "kg").has_value()) << text;
   }
   EXPECT_FALSE(quantity("0.5 1", "1").has_value());

@@ -24,6 +24,7 @@ RecordedSolvers recorded_solvers_of(const CampaignDescription& description) {
     Solver& solver = own[text->second];
     solver.name = stored.name;
     solver.version = stored.version;
+    solver.content = stored.content;
     solver.capabilities.constraints = Capabilities::Constraints::all;
     solver.solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
       throw std::logic_error("a recorded solver was started");

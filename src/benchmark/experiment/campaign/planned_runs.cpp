@@ -1,8 +1,11 @@
 #include "src/benchmark/experiment/campaign/planned_runs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/relocated_optimum.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
@@ -69,6 +72,15 @@ void PlannedRuns::add(const Campaign& campaign, const PlannedCell& cell, int ins
                    length_of(campaign, cell)});
 }
 
+void require_unchanged(const Solver& solver) {
+  const std::string file = solver.changed_file ? solver.changed_file() : "";
+  if (file.empty()) return;
+  throw InputError(fmt::format(
+      "{}: changed while runs of {} were made; if {} itself writes it, it must not be among its "
+      "arguments; otherwise start again, and these runs are made anew",
+      file, solver.name, solver.name));
+}
+
 void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
   const PlannedRuns planned(campaign, shard, store.keys());
   std::vector<Job> jobs;
@@ -79,6 +91,7 @@ void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
   }
   Progress progress("running", std::max(work, 1.0));
   run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
+    require_unchanged(*jobs[j].solver);
     store.add(planned.all()[j].key, record);
     progress.advance(planned.all()[j].length);
   });

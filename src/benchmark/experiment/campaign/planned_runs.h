@@ -50,9 +50,13 @@ class PlannedRuns {
   std::vector<PlannedRun> runs_;
 };
 
+/// Throws InputError if a file of a user's solver has changed since it was loaded: nobody knows
+/// which of the two made a run that has just ended.
+void require_unchanged(const Solver& solver);
+
 /// Makes the runs of a shard that the store lacks, in other processes, and adds each as it ends,
 /// then finishes the store. Except for times, the resulting store does not depend on processes,
-/// shards and interruptions.
+/// shards and interruptions. Throws as require_unchanged() does, and keeps the runs before.
 void make_runs(const Campaign& campaign, const Shard& shard, Store& store);
 
 }  // namespace ricochet

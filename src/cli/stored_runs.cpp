@@ -20,6 +20,7 @@
 #include "src/cli/archive.h"
 #include "src/cli/commands.h"
 #include "src/cli/programs.h"
+#include "src/cli/recorded_campaign.h"
 #include "src/cli/shared_options.h"
 #include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
@@ -140,13 +141,16 @@ int merge_stores(const MergeOptions& options) {
   merge({parts.begin(), parts.end()}, out, united);
   const Store store = Store::open(out, Store::For::reading);
   for (const std::string& part : parts) warn_of_missing_runs(part);
-  fmt::print("{} runs: {}\ndigest {}\n", store.size(), one_line(out), store.digest());
+  const auto completeness = told_completeness(store, out);
+  fmt::print("{}: {}\ndigest {}\n", counted_runs(store, completeness), one_line(out),
+             store.digest());
   return 0;
 }
 
 int print_digest(const std::string& store) {
   const Store opened = Store::open(store, Store::For::reading);
   warn_of_missing_runs(store);
+  told_completeness(opened, store);
   fmt::print("{}\n", opened.digest());
   return 0;
 }
@@ -195,6 +199,22 @@ int replay(const ReplayOptions& options) {
 void warn_of_missing_runs(const std::string& store) {
   const std::string warning = caution(store);
   if (!warning.empty()) warn(warning);
+}
+
+std::optional<Completeness> told_completeness(const Store& store, const std::string& file) {
+  try {
+    const Completeness found = completeness_of(recorded_campaign(store), store);
+    if (found.is_in_doubt()) warn(fmt::format("{}: {}", file, in_words(found)));
+    return found;
+  } catch (const InputError& error) {
+    warn(fmt::format("{}: how many runs were planned cannot be told: {}", file, error.what()));
+    return std::nullopt;
+  }
+}
+
+std::string counted_runs(const Store& store, const std::optional<Completeness>& completeness) {
+  if (!completeness || completeness->missing() == 0) return fmt::format("{} runs", store.size());
+  return fmt::format("{} of {} planned runs", completeness->present, completeness->planned);
 }
 
 std::string repeated(const Store& store, const std::string& file, std::int64_t number,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "ricochet/error.h"
@@ -23,14 +24,8 @@ double length_of(const Campaign& campaign, const PlannedCell& cell) {
 
 }  // namespace
 
-PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
-                         const std::set<RunKey>& done) {
-  struct Place {
-    const PlannedCell* cell;
-    int instance, run;
-    double length;
-  };
-  std::vector<Place> places;
+std::vector<PlannedPlace> planned_places(const Campaign& campaign) {
+  std::vector<PlannedPlace> places;
   for (const PlannedCell& cell : campaign.cells()) {
     const double length = length_of(campaign, cell);
     for (int k = 0; k < cell.instances; ++k) {
@@ -39,13 +34,18 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
     }
   }
   // The longest first, so that the last ones end at about the same time.
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.length > b.length; });
+  std::ranges::stable_sort(places, std::ranges::greater(), &PlannedPlace::length);
+  return places;
+}
+
+PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
+                         const std::set<RunKey>& done) {
+  const std::vector<PlannedPlace> places = planned_places(campaign);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (i % static_cast<std::size_t>(shard.count) != static_cast<std::size_t>(shard.index - 1)) {
       continue;
     }
-    const Place& place = places[i];
+    const PlannedPlace& place = places[i];
     if (done.contains({place.cell->cell, place.instance, place.run})) continue;
     add(campaign, *place.cell, place.instance, place.run);
   }

@@ -21,6 +21,17 @@ struct Shard {
   int count = 1;
 };
 
+/// The place of a run in a campaign.
+struct PlannedPlace {
+  const PlannedCell* cell;
+  int instance, run;
+  double length;  ///< estimated
+};
+
+/// All runs of a campaign, which must outlive them, the longest first. They are dealt to shards in
+/// this order: the I-th of N gets those at I - 1, I - 1 + N, ...
+std::vector<PlannedPlace> planned_places(const Campaign& campaign);
+
 /// A run of a campaign, ready to be made. Runs share problems.
 struct PlannedRun {
   RunKey key;

@@ -64,7 +64,7 @@ StoredCampaign renewed(Store found, const Plan& plan, const Catalogue& catalogue
   Campaign campaign = searched_further(found.description(), plan, catalogue);
   CampaignDescription ours = description_of(campaign, provenance);
   for (const auto& [name, value] : found.description().made) {
-    if (!name.starts_with(StoredCampaign::program_key(""))) ours.made[name] = value;
+    ours.made.try_emplace(name, value);
   }
   TakenOver runs(campaign, ours, TakenOver::Versions::any_of_the_suite);
   Store::replace(file, ours, [&](const Store::AddRun& add) { runs.take(found, add); });
@@ -98,6 +98,29 @@ StoredCampaign resumed(const Plan& plan, const Catalogue& catalogue,
 }
 
 }  // namespace
+
+std::string text_of(const Capabilities& capabilities) {
+  using Constraints = Capabilities::Constraints;
+  std::string text = "constraints ";
+  text += capabilities.constraints == Constraints::none           ? "none"
+          : capabilities.constraints == Constraints::inequalities ? "inequalities"
+                                                                  : "all";
+  if (capabilities.derivatives == Capabilities::Order::gradient) text += ", needs derivatives";
+  if (capabilities.needs_residuals) text += ", needs residuals";
+  return text;
+}
+
+Capabilities capabilities_from(const std::string& text) {
+  using Constraints = Capabilities::Constraints;
+  const auto has = [&](const char* words) { return text.find(words) != std::string::npos; };
+  Capabilities capabilities;
+  capabilities.constraints = has("inequalities")       ? Constraints::inequalities
+                             : has("constraints none") ? Constraints::none
+                                                       : Constraints::all;
+  if (has("derivatives")) capabilities.derivatives = Capabilities::Order::gradient;
+  capabilities.needs_residuals = has("residuals");
+  return capabilities;
+}
 
 void TakenOver::take(const Store& store, const Store::AddRun& add) {
   const CampaignDescription& theirs = store.description();
@@ -141,6 +164,9 @@ CampaignDescription description_of(const Campaign& campaign, const Provenance& p
   description.made = provenance.made;
   for (const auto& [name, text] : campaign.own_texts()) {
     description.made[StoredCampaign::program_key(name)] = text;
+    const auto solver = std::ranges::find(campaign.solvers(), name, &Solver::name);
+    if (solver == campaign.solvers().end()) continue;  // it takes none of the problems
+    description.made[StoredCampaign::capabilities_key(name)] = text_of(solver->capabilities);
   }
   return description;
 }

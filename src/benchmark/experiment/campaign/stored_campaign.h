@@ -21,9 +21,18 @@ struct StoredCampaign {
   /// The key in CampaignDescription::made of the plan's text for a user's solver of this name.
   static std::string program_key(const std::string& solver) { return "program of " + solver; }
 
+  /// The same of what this solver takes, by text_of().
+  static std::string capabilities_key(const std::string& solver) {
+    return "capabilities of " + solver;
+  }
+
   Campaign campaign;
   Store store;
 };
+
+/// What a user's solver takes, as text for a store, and read from it again.
+std::string text_of(const Capabilities& capabilities);
+Capabilities capabilities_from(const std::string& text);
 
 /// The description of the store of a campaign that is made here.
 CampaignDescription description_of(const Campaign& campaign, const Provenance& provenance);

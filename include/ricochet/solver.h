@@ -38,6 +38,11 @@ struct Solver {
   /// be called from several threads at once.
   std::function<SolverTermination(Evaluator&, const Vector& start, Random& random)> solve;
 
+  /// Hash of the files that a user's solver consists of, when it was loaded; empty: of the suite.
+  std::string content = {};
+  /// Returns the file of a user's solver that is another one now; "" if there is none.
+  std::function<std::string()> changed_file = {};
+
   /// Returns true if the solver can run on the problem.
   bool accepts(const Problem& problem) const { return capabilities.accept(problem); }
 };

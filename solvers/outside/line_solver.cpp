@@ -7,10 +7,12 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "ricochet/error.h"
 #include "solvers/outside/claims.h"
+#include "solvers/outside/content.h"
 #include "solvers/outside/conversation.h"
 #include "solvers/outside/line_program.h"
 
@@ -33,7 +35,7 @@ std::vector<std::string> words_of(const std::string& command) {
 /// Started programs that wait for a start, each for the thread that started it.
 class WaitingPrograms {
  public:
-  explicit WaitingPrograms(const std::string& command) : words_(words_of(command)) {}
+  explicit WaitingPrograms(std::vector<std::string> words) : words_(std::move(words)) {}
 
   std::unique_ptr<LineProgram> start(Claims& claims) const {
     auto program = std::make_unique<LineProgram>(words_);
@@ -83,7 +85,9 @@ SolverTermination solve(WaitingPrograms& programs, Evaluator& evaluator, const V
 }  // namespace
 
 Solver line_solver(const std::string& command) {
-  const auto programs = std::make_shared<WaitingPrograms>(command);
+  const std::vector<std::string> words = words_of(command);
+  const Content content = content_of_command(words);  // before it is started
+  const auto programs = std::make_shared<WaitingPrograms>(words);
   Claims claims;
   try {
     programs->give_back(programs->start(claims));
@@ -91,6 +95,8 @@ Solver line_solver(const std::string& command) {
     throw InputError(command + ": " + error.what());
   }
   Solver solver = solver_as_claimed(claims, command);
+  solver.content = content.hash();
+  solver.changed_file = [content] { return content.changed(); };
   solver.solve = [programs, command](Evaluator& evaluator, const Vector& start, Random& random) {
     try {
       return solve(*programs, evaluator, start, random);

@@ -2,16 +2,21 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <link.h>
 #include <ricochet/ricochet.h>
 
 #include <chrono>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "ricochet/error.h"
 #include "solvers/outside/claims.h"
+#include "solvers/outside/content.h"
 #include "solvers/unit_box.h"
 #include "src/core/isolated_call.h"
 #include "src/core/one_line.h"
@@ -47,10 +52,29 @@ const ricochet_solver& exported_by(const std::string& path) {
   return *exported;
 }
 
-/// The claims of a library as JSON text. To be called where a library may do what it likes: its
-/// constructors run, and its pointers are followed.
+/// The files of the shared libraries that this process has loaded, without those of the system.
+std::set<std::string> loaded_libraries() {
+  std::set<std::string> files;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* found) {
+        const std::string name = info->dlpi_name;
+        const bool own = name.find('/') != std::string::npos && !is_of_the_system(name);
+        if (own) static_cast<std::set<std::string>*>(found)->insert(name);
+        return 0;
+      },
+      &files);
+  return files;
+}
+
+/// The claims of a library as JSON text, and the libraries that it brings along. To be called where
+/// a library may do what it likes: its constructors run, and its pointers are followed.
 std::string claims_text(const std::string& path) {
+  const std::set<std::string> before = loaded_libraries();
   const ricochet_solver& exported = exported_by(path);
+  std::vector<std::string> brought;
+  for (const std::string& file : loaded_libraries()) {
+    if (file != path && !before.contains(file)) brought.push_back(file);
+  }
   const Json claims = {
       {"name", exported.name != nullptr ? std::string(exported.name)
                                         : std::filesystem::path(path).stem().string()},
@@ -58,15 +82,18 @@ std::string claims_text(const std::string& path) {
       {"takes_constraints", exported.takes_constraints},
       {"needs_derivatives", exported.needs_derivatives != 0},
       {"needs_residuals", exported.needs_residuals != 0},
-      {"stochastic", exported.stochastic != 0}};
+      {"stochastic", exported.stochastic != 0},
+      {"brought", brought}};
   return claims.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// The claims of a library, which is loaded for this in another process.
-Claims claims_of(const std::string& path) {
+/// The claims of a library, which is loaded for this in another process. Adds the libraries that it
+/// brings along to what the solver consists of.
+Claims claims_of(const std::string& path, Content& content) {
   try {
     const Json claims = Json::parse(
         called_in_isolation([&] { return claims_text(path); }, longest_load, most_memory));
+    for (const Json& file : claims.at("brought")) content.add_file(file.get<std::string>());
     return {claims.at("name").get<std::string>(),      claims.at("version").get<std::string>(),
             claims.at("takes_constraints").get<int>(), claims.at("needs_derivatives").get<bool>(),
             claims.at("needs_residuals").get<bool>(),  claims.at("stochastic").get<bool>()};
@@ -92,7 +119,11 @@ const char* solved(const ricochet_solver& exported, ricochet_problem* problem, V
 }  // namespace
 
 Solver plugin(const std::string& path) {
-  Solver solver = solver_as_claimed(claims_of(path), path);
+  Content content;
+  content.add_file(path);  // before it is loaded
+  Solver solver = solver_as_claimed(claims_of(path, content), path);
+  solver.content = content.hash();
+  solver.changed_file = [content] { return content.changed(); };
   solver.solve = [path](Evaluator& evaluator, const Vector& start, Random& random) {
     return solve_by(exported_by(path), path, evaluator, start, random);
   };

@@ -9,9 +9,11 @@
 #include "src/benchmark/analysis/rating.h"
 #include "src/benchmark/comparison/agreement_data.h"
 #include "src/benchmark/comparison/entry_changes.h"
+#include "src/benchmark/export/json_lines.h"
 #include "src/cli/agreement_text.h"
 #include "src/cli/archive.h"
 #include "src/cli/finished_campaign.h"
+#include "src/cli/stored_runs.h"
 #include "src/core/one_line.h"
 #include "src/core/warning.h"
 
@@ -102,10 +104,16 @@ Json agreements(const Store& first, const Store& second) {
 int compare_stores(const std::string& first, const std::string& second, bool json) {
   const Store one = Store::open(archive_named(first), Store::For::reading);
   const Store other = Store::open(archive_named(second), Store::For::reading);
+  const auto one_has = told_completeness(one, first);
+  const auto other_has = told_completeness(other, second);
   const EntryChanges changes = entry_changes(one, other);
   const Json families = agreements(one, other);
   if (json) {
-    const Json data = {{"families", families},
+    const auto json_of_store = [](const auto& has) {
+      return has ? exports::json_of(*has) : Json();
+    };
+    const Json data = {{"stores", {json_of_store(one_has), json_of_store(other_has)}},
+                       {"families", families},
                        {"entries", report::list_of(changes.entries, json_of)},
                        {"other_problems", changes.other_problems}};
     fmt::print("{}\n", data.dump(2, ' ', false, Json::error_handler_t::replace));

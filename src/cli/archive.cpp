@@ -70,6 +70,7 @@ void check_repeatable(const Store& store, const std::vector<std::int64_t>& runs,
 int submit(const SubmitOptions& options) {
   const Store store = Store::open(options.store, Store::For::reading);
   warn_of_missing_runs(options.store);
+  told_completeness(store, options.store);
   std::vector<std::string> patterns = split_patterns(options.solvers);
   if (patterns.empty()) patterns = own_solvers_of(store.description());
   if (patterns.empty()) {

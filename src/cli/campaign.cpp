@@ -29,6 +29,7 @@
 #include "src/cli/programs.h"
 #include "src/cli/provenance.h"
 #include "src/cli/shared_options.h"
+#include "src/cli/stored_runs.h"
 #include "src/cli/tell.h"
 #include "src/cli/version.h"
 #include "src/core/folder_lock.h"
@@ -126,8 +127,10 @@ int run_plan(const RunOptions& options) {
   } else {
     digest = store.digest();
   }
-  fmt::print("{} runs: {}\ndigest {}\n", store.size(),
-             one_line((std::filesystem::path(options.out) / "runs.sqlite").string()), digest);
+  const std::string file = (std::filesystem::path(options.out) / "runs.sqlite").string();
+  const Completeness completeness = completeness_of(campaign, store);
+  if (completeness.missing() > 0) Progress::announce(in_words(completeness));
+  fmt::print("{}: {}\ndigest {}\n", counted_runs(store, completeness), one_line(file), digest);
   report::require_none(failures);
   return 0;
 }

@@ -52,16 +52,28 @@ void add_rated(const exports::Format& format, const Store& store,
   }
 }
 
+/// What is known of a store whose plan this build cannot read: its runs, and that some may be
+/// missing.
+Completeness unknown_plan(const Store& store) {
+  Completeness known;
+  known.planned = known.present = store.size();
+  for (const StoredSolver& solver : store.description().solvers) {
+    known.unknown_solvers.push_back(solver.name);
+  }
+  return known;
+}
+
 int export_store(const ExportOptions& options) {
   const exports::Format format = named(exports::all_formats(), options.format, "format",
                                        [](const exports::Format& known) { return known.name; });
   const Store store = Store::open(options.store, Store::For::reading);
   warn_of_missing_runs(options.store);
   exports::OutputFolder out(options.out);
-  format.write(store, out.draft());
+  const auto completeness = told_completeness(store, options.store);
+  format.write(store, completeness.value_or(unknown_plan(store)), out.draft());
   if (format.write_rated) add_rated(format, store, out.draft());
   out.commit();
-  fmt::print("{} runs: {}\n", store.size(), one_line(options.out));
+  fmt::print("{}: {}\n", counted_runs(store, completeness), one_line(options.out));
   return 0;
 }
 

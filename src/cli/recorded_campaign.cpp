@@ -15,7 +15,8 @@ namespace {
 
 using RecordedSolvers = std::map<std::string, Solver>;  ///< by the plan's text for each
 
-/// The user's solvers of a store, able to do all that a program or library can say of itself.
+/// The user's solvers of a store, able to do what they said of themselves; where an earlier version
+/// made the store, all that they could say.
 RecordedSolvers recorded_solvers_of(const CampaignDescription& description) {
   RecordedSolvers own;
   for (const StoredSolver& stored : description.solvers) {
@@ -24,7 +25,12 @@ RecordedSolvers recorded_solvers_of(const CampaignDescription& description) {
     Solver& solver = own[text->second];
     solver.name = stored.name;
     solver.version = stored.version;
-    solver.capabilities.constraints = Capabilities::Constraints::all;
+    solver.content = stored.content;
+    const auto taken = description.made.find(StoredCampaign::capabilities_key(stored.name));
+    if (taken != description.made.end())
+      solver.capabilities = capabilities_from(taken->second);
+    else
+      solver.capabilities.constraints = Capabilities::Constraints::all;
     solver.solve = [](Evaluator&, const Vector&, Random&) -> SolverTermination {
       throw std::logic_error("a recorded solver was started");
     };
@@ -79,11 +85,16 @@ Campaign recorded_campaign(const Store& store) {
   };
   const Plan plan = plan_with(own, description, catalogue);
   Campaign campaign = campaign_of(description, plan, catalogue);
-  if (own.empty()) return campaign;
+  const auto is_recorded = [&](const auto& text_and_solver) {
+    const std::string& name = text_and_solver.second.name;
+    return description.made.contains(StoredCampaign::capabilities_key(name));
+  };
+  if (std::ranges::all_of(own, is_recorded)) return campaign;
   std::set<Cell> run;
   for (const RunKey& key : store.keys()) run.insert(key.cell);
-  for (auto& [text, solver] : own) {
-    solver.capabilities = capabilities_of(solver.name, campaign, run);
+  for (auto& entry : own) {
+    if (is_recorded(entry)) continue;
+    entry.second.capabilities = capabilities_of(entry.second.name, campaign, run);
   }
   return campaign_of(description, plan, catalogue);
 }

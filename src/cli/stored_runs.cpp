@@ -20,6 +20,7 @@
 #include "src/cli/archive.h"
 #include "src/cli/commands.h"
 #include "src/cli/programs.h"
+#include "src/cli/recorded_campaign.h"
 #include "src/cli/shared_options.h"
 #include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
@@ -58,8 +59,14 @@ std::vector<std::string> programs_for(const std::string& solver,
   return own != description.made.end() ? std::vector{own->second} : programs_of(plan);
 }
 
+/// A repeated run, and what its solver consists of now.
+struct MadeAgain {
+  RunRecord record;
+  std::string content;
+};
+
 /// Repeats a run; nothing if the plan has no such run. Starts these programs only.
-std::optional<RunRecord> made_again(const CampaignDescription& description, const Plan& plan,
+std::optional<MadeAgain> made_again(const CampaignDescription& description, const Plan& plan,
                                     const RunKey& key, const std::vector<std::string>& programs) {
   Catalogue catalogue = studies::whole_catalogue();
   catalogue.own_solver = [&programs](const std::string& text) {
@@ -68,10 +75,12 @@ std::optional<RunRecord> made_again(const CampaignDescription& description, cons
   };
   const Campaign campaign = campaign_of(description, plan, catalogue);
   const PlannedRuns planned(campaign, key);
-  std::optional<RunRecord> again;
-  if (planned.all().empty()) return again;
-  run_all({planned.all().front().job}, plan.limits,
-          [&](std::size_t, RunRecord record) { again = std::move(record); });
+  if (planned.all().empty()) return std::nullopt;
+  const Job& job = planned.all().front().job;
+  MadeAgain again{{}, job.solver->content};
+  run_all({job}, plan.limits,
+          [&](std::size_t, RunRecord record) { again.record = std::move(record); });
+  require_unchanged(*job.solver);
   return again;
 }
 
@@ -81,6 +90,7 @@ struct Repetition {
   RunKey key;
   RunRecord record;
   std::string differs;
+  bool solver_changed;  ///< a user's solver, since the stored run was made
 };
 
 /// The run with this number, or with this key as address_of() writes it; nothing if there is none.
@@ -111,14 +121,19 @@ Repetition repetition_of(const Store& store, const std::string& file, const std:
   announce_programs(programs, allow_programs, file);
   const auto again = made_again(description, plan, stored->key, programs);
   if (!again) throw InputError(fmt::format("{}: run {} is none of its plan's", file, run));
-  std::string differs = difference(parts_of(*again), parts_of(stored->record));
+  const RunRecord& record = again->record;
+  std::string differs = difference(parts_of(record), parts_of(stored->record));
   if (!differs.empty() && is_archived(description)) {
     const std::vector<StoredProblem>& problems = description.problems;
     const auto problem =
         std::ranges::find(problems, stored->key.cell.problem, &StoredProblem::name);
-    differs = difference(parts_of(thinned(*again, *problem)), parts_of(stored->record));
+    differs = difference(parts_of(thinned(record, *problem)), parts_of(stored->record));
   }
-  return {stored->number, stored->key, *again, differs};
+  const auto solver =
+      std::ranges::find(description.solvers, stored->key.cell.solver, &StoredSolver::name);
+  const bool changed = !solver->content.empty() && solver->content != again->content;
+  if (changed) warn(fmt::format("{} changed since this run was made", solver->name));
+  return {stored->number, stored->key, record, differs, changed};
 }
 
 int merge_stores(const MergeOptions& options) {
@@ -126,13 +141,16 @@ int merge_stores(const MergeOptions& options) {
   merge({parts.begin(), parts.end()}, out, united);
   const Store store = Store::open(out, Store::For::reading);
   for (const std::string& part : parts) warn_of_missing_runs(part);
-  fmt::print("{} runs: {}\ndigest {}\n", store.size(), one_line(out), store.digest());
+  const auto completeness = told_completeness(store, out);
+  fmt::print("{}: {}\ndigest {}\n", counted_runs(store, completeness), one_line(out),
+             store.digest());
   return 0;
 }
 
 int print_digest(const std::string& store) {
   const Store opened = Store::open(store, Store::For::reading);
   warn_of_missing_runs(store);
+  told_completeness(opened, store);
   fmt::print("{}\n", opened.digest());
   return 0;
 }
@@ -142,7 +160,7 @@ int replay(const ReplayOptions& options) {
   const std::string file = archive_named(options.store);
   const Store store = Store::open(file, Store::For::reading);
   warn_of_missing_runs(file);
-  const auto [number, key, again, differs] =
+  const auto [number, key, again, differs, solver_changed] =
       repetition_of(store, file, options.run, options.allow_programs);
   const Cell& cell = key.cell;
   const Json data = {
@@ -159,6 +177,7 @@ int replay(const ReplayOptions& options) {
       {"evaluations", again.ledger.charged},
       {"objective", again.trace.empty() ? Json() : Json(again.trace.back().true_values.objective)},
       {"differs", differs},
+      {"solver_changed", solver_changed},
       {"same", differs.empty()}};
   if (options.json) {
     fmt::print("{}\n", data.dump(2));
@@ -180,6 +199,22 @@ int replay(const ReplayOptions& options) {
 void warn_of_missing_runs(const std::string& store) {
   const std::string warning = caution(store);
   if (!warning.empty()) warn(warning);
+}
+
+std::optional<Completeness> told_completeness(const Store& store, const std::string& file) {
+  try {
+    const Completeness found = completeness_of(recorded_campaign(store), store);
+    if (found.is_in_doubt()) warn(fmt::format("{}: {}", file, in_words(found)));
+    return found;
+  } catch (const InputError& error) {
+    warn(fmt::format("{}: how many runs were planned cannot be told: {}", file, error.what()));
+    return std::nullopt;
+  }
+}
+
+std::string counted_runs(const Store& store, const std::optional<Completeness>& completeness) {
+  if (!completeness || completeness->missing() == 0) return fmt::format("{} runs", store.size());
+  return fmt::format("{} of {} planned runs", completeness->present, completeness->planned);
 }
 
 std::string repeated(const Store& store, const std::string& file, std::int64_t number,

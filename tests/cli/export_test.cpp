@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "src/report/json.h"
 #include "tests/cli/tool.h"
 
 namespace ricochet::cli {
@@ -136,6 +137,109 @@ TEST(Export, RefusesWhatItCannotDo) {
                  "must be a folder that is new or empty");
   expect_refusal("export " + store + ".none --format csv --out " + fresh, ".none");
   EXPECT_FALSE(fs::exists(fresh)) << "nothing was left there";
+}
+
+/// Shards 1 and 3 of 3 of a campaign of 24 runs.
+class IncompleteCampaign : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const int shard : {1, 3}) {
+      const Outcome made = run(shard);
+      EXPECT_THAT(made.out, HasSubstr("8 of 24 planned runs: "));
+      EXPECT_THAT(made.err, HasSubstr("16 are missing"));
+    }
+    merged_ = call(fmt::format("merge {} {} {}", path("all.sqlite"), path("1/runs.sqlite"),
+                               path("3/runs.sqlite")));
+  }
+
+  Outcome run(int shard) const {
+    const fs::path plan = write(folder_, "plan.toml",
+                                "[[part]]\nname = \"low\"\nproblems = [\"classic-sphere-2\"]\n"
+                                "solvers = [\"random-search\", \"nlopt-bobyqa\"]\nbudgets = [20]\n"
+                                "instances = 6\n[[part]]\nname = \"high\"\n"
+                                "problems = [\"classic-sphere-5\"]\nsolvers = [\"random-search\", "
+                                "\"nlopt-bobyqa\"]\nbudgets = [20]\ninstances = 6\n");
+    return call(fmt::format("run {} --out {} --shard {}/3", plan.string(),
+                            path(std::to_string(shard)), shard));
+  }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  const fs::path folder_ = fresh_folder();
+  Outcome merged_;
+};
+
+constexpr auto missing =
+    "16 of 24 planned runs are present, 8 are missing: shard 2 of 3; of classic-sphere-2, "
+    "classic-sphere-5; of nlopt-bobyqa, random-search; on instances 2, 5; 8 of 12 of low; 8 of 12 "
+    "of high";
+
+TEST_F(IncompleteCampaign, IsSaidToBeByEveryReader) {
+  EXPECT_EQ(merged_.exit_code, 0);
+  EXPECT_THAT(merged_.out, HasSubstr("16 of 24 planned runs: "));
+  EXPECT_THAT(merged_.err, HasSubstr(missing));
+  const Outcome digest = call("digest " + path("all.sqlite"));
+  EXPECT_EQ(digest.exit_code, 0);
+  EXPECT_THAT(digest.err, HasSubstr(missing));
+  for (const std::string format : {"csv", "json", "latex", "markdown", "iohanalyzer", "coco"}) {
+    const Outcome outcome = call(
+        fmt::format("export {} --format {} --out {}", path("all.sqlite"), format, path(format)));
+    EXPECT_EQ(outcome.exit_code, 0) << format;
+    EXPECT_THAT(outcome.out, HasSubstr("16 of 24 planned runs: ")) << format;
+    EXPECT_THAT(outcome.err, HasSubstr(missing)) << format;
+  }
+  const Outcome archived =
+      call(fmt::format("submit {} --solvers '*' --out {}", path("all.sqlite"), path("an.archive")));
+  EXPECT_THAT(archived.err, HasSubstr(missing));
+  EXPECT_THAT(call("digest " + path("an.archive")).err, HasSubstr(missing));
+  const Outcome compared = call(fmt::format("compare --stores {} {} --format json",
+                                            path("all.sqlite"), path("1/runs.sqlite")));
+  EXPECT_THAT(compared.err, HasSubstr(missing));
+  const auto stores = report::Json::parse(compared.out)["stores"];
+  EXPECT_EQ(stores[0]["planned"], 24);
+  EXPECT_EQ(stores[0]["present"], 16);
+  EXPECT_EQ(stores[0]["missing"], 8);
+  EXPECT_EQ(stores[1]["missing"], 16);
+}
+
+TEST_F(IncompleteCampaign, IsSaidToBeInWhatIsExported) {
+  for (const std::string format : {"csv", "json", "latex", "markdown", "iohanalyzer", "coco"}) {
+    call(fmt::format("export {} --format {} --out {}", path("all.sqlite"), format, path(format)));
+  }
+  EXPECT_EQ(read(folder_ / "csv" / "completeness.csv"),
+            "part,planned,present,missing\nall,24,16,8\nlow,12,8,4\nhigh,12,8,4\n");
+  const auto campaign = report::Json::parse(read(folder_ / "json" / "campaign.json"));
+  EXPECT_EQ(campaign["planned"], 24);
+  EXPECT_EQ(campaign["present"], 16);
+  EXPECT_EQ(campaign["missing"], 8);
+  EXPECT_EQ(campaign["parts"][1]["part"], "high");
+  EXPECT_EQ(campaign["missing_shards"], "shard 2 of 3");
+  for (const char* file : {"csv/README.txt", "json/README.txt", "latex/table.tex",
+                           "markdown/table.md", "iohanalyzer/README.txt", "coco/README.txt"}) {
+    EXPECT_THAT(read(folder_ / file), HasSubstr("16 of 24 planned runs are present")) << file;
+  }
+  for (const auto& file : fs::recursive_directory_iterator(folder_)) {
+    const std::string name = file.path().filename().string();
+    if (!name.ends_with(".info") && !name.starts_with("IOHprofiler_f1_classic")) continue;
+    if (name.ends_with(".json") || name.ends_with(".info")) {
+      EXPECT_THAT(read(file.path()), HasSubstr("16 of 24 planned runs")) << name;
+    }
+  }
+}
+
+TEST_F(IncompleteCampaign, IsCompleteWithItsLastShardOrMadeFromWhatIsThere) {
+  run(2);
+  const std::string parts =
+      fmt::format("{0}/1/runs.sqlite {0}/2/runs.sqlite {0}/3/runs.sqlite", folder_.string());
+  const Outcome twice = call(fmt::format("merge {0} {1} {1}", path("twice.sqlite"), parts));
+  EXPECT_THAT(twice.out, HasSubstr("24 runs: ")) << "all shards twice";
+  EXPECT_EQ(twice.err, "");
+  const Outcome taken = call(fmt::format("run {} --out {} --from {}", path("plan.toml"),
+                                         path("taken"), path("all.sqlite")));
+  EXPECT_THAT(taken.err, HasSubstr("16 runs are there already"));
+  EXPECT_THAT(taken.out, HasSubstr("24 runs: "));
+  EXPECT_EQ(call("digest " + path("taken/runs.sqlite")).out,
+            call("digest " + path("twice.sqlite")).out);
 }
 
 }  // namespace

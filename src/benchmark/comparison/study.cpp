@@ -146,6 +146,9 @@ Json compute(const Campaign& campaign, const Store& store) {
   data["campaign"] = campaign.plan().name;
   data["compared"] = campaign.plan().name.starts_with("compare");  // true for the command `compare`
   data["runs"] = campaign.runs();
+  data["planned"] = campaign.runs();  // cell_results() throws where runs are missing
+  data["present"] = campaign.runs();
+  data["missing"] = 0;
   data["digest"] = digest.text();
   data["suite"] = suite_version;
   data["lacking"] = lacking_data(campaign.plan(), missing_solvers());

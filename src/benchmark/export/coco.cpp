@@ -52,8 +52,11 @@ std::int64_t after(std::int64_t count) {
 /// Files of one algorithm on one problem.
 class Case {
  public:
-  Case(const comparison::JudgedRun& first, Numbering& numbering, const fs::path& folder)
-      : root_(folder / numbering.algorithm(first.stored.key.cell)),
+  Case(const comparison::JudgedRun& first, const Completeness& completeness, Numbering& numbering,
+       const fs::path& folder)
+      : comment_(completeness.is_in_doubt() ? "of a campaign of ricochet: " + in_words(completeness)
+                                            : "of ricochet"),
+        root_(folder / numbering.algorithm(first.stored.key.cell)),
         id_(numbering.function_id(first.problem.name)),
         variables_(first.problem.variables),
         algorithm_(numbering.algorithm(first.stored.key.cell)),
@@ -91,8 +94,8 @@ class Case {
     write_file(root_ / fmt::format("bbobexp_f{}.info", id_),
                fmt::format("suite = 'bbob-mixint', funcId = {}, DIM = {}, Precision = 1.000e-08, "
                            "algId = '{}', coco_version = '2.8.0', logger = 'bbob', "
-                           "data_format = 'bbob-new2'\n% of ricochet\n{}.dat{}\n",
-                           id_, variables_, algorithm_, stem_, summary_));
+                           "data_format = 'bbob-new2'\n% {}\n{}.dat{}\n",
+                           id_, variables_, algorithm_, comment_, stem_, summary_));
   }
 
  private:
@@ -121,6 +124,7 @@ class Case {
     return values + "\n";
   }
 
+  std::string comment_;
   fs::path root_;
   int id_;
   std::int64_t variables_;
@@ -131,14 +135,14 @@ class Case {
 
 }  // namespace
 
-void write_coco(const Store& store, const fs::path& folder) {
+void write_coco(const Store& store, const Completeness& completeness, const fs::path& folder) {
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
   std::optional<Case> now;
   comparison::each_judged(
       store,
       [&](const comparison::JudgedRun& run) {
-        if (!now) now.emplace(run, numbering, folder);
+        if (!now) now.emplace(run, completeness, numbering, folder);
         now->add(run);
       },
       [&](const comparison::JudgedCell& cell) {
@@ -147,7 +151,7 @@ void write_coco(const Store& store, const fs::path& folder) {
         times.add(cell, numbering);
       });
   times.close();
-  write_file(folder / "README.txt", coco_readme);
+  write_file(folder / "README.txt", coco_readme + ("\n" + as_sentence(completeness)) + "\n");
 }
 
 }  // namespace ricochet::exports

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "src/benchmark/experiment/campaign/completeness.h"
 #include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::exports {
@@ -11,6 +12,7 @@ namespace ricochet::exports {
 /// by COCO's suite bbob-mixint; README.txt, which says what of it can be opened; and
 /// running_times.csv, with expected running times computed by ricochet. See Numbering for the
 /// algorithms, best_so_far for the rows.
-void write_coco(const Store& store, const std::filesystem::path& folder);
+void write_coco(const Store& store, const Completeness& completeness,
+                const std::filesystem::path& folder);
 
 }  // namespace ricochet::exports

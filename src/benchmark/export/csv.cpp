@@ -54,6 +54,8 @@ probability of the least mean rank on problems like these. ecdf.csv: the ECDF of
 them, the share of pairs of problem and target that were reached within so many evaluations per variable,
 with its interval over problems. targets.csv: these targets, optimality gaps. The three are missing where
 runs are. The report beside the store has its other tables as CSV, too.
+completeness.csv: how many runs were planned, are present and are missing, of all and of each part of the
+plan. A run that failed or reached a limit is present.
 problems.csv: one row per problem, with the factors of its machine. Runs of two stores can be compared
 if the problem's hash is the same.
 
@@ -166,6 +168,19 @@ void write_problems(const CampaignDescription& description, const std::filesyste
   write_file(file, text);
 }
 
+void write_completeness(const Completeness& completeness, const std::filesystem::path& file) {
+  std::string text = csv_row({"part", "planned", "present", "missing"});
+  const auto add = [&](const std::string& name, std::int64_t planned, std::int64_t present) {
+    text += csv_row({label_of(name), std::to_string(planned), std::to_string(present),
+                     std::to_string(planned - present)});
+  };
+  add("all", completeness.planned, completeness.present);
+  for (const Completeness::Part& part : completeness.parts) {
+    add(part.name, part.planned, part.present);
+  }
+  write_file(file, text);
+}
+
 /// The points of runs, as rows of as many coordinates as the largest problem has.
 class Points {
  public:
@@ -201,7 +216,8 @@ class Points {
 
 }  // namespace
 
-void write_csv(const Store& store, const std::filesystem::path& folder) {
+void write_csv(const Store& store, const Completeness& completeness,
+               const std::filesystem::path& folder) {
   const std::vector<Column> columns = run_columns();
   std::vector<std::string> fields;
   for (const Column& column : columns) fields.emplace_back(column.name);
@@ -230,7 +246,8 @@ void write_csv(const Store& store, const std::filesystem::path& folder) {
   points.close();
   times.close();
   write_problems(store.description(), folder / "problems.csv");
-  write_file(folder / "README.txt", csv_readme);
+  write_completeness(completeness, folder / "completeness.csv");
+  write_file(folder / "README.txt", csv_readme + ("\n" + as_sentence(completeness)) + "\n");
 }
 
 }  // namespace ricochet::exports

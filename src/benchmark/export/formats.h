@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/benchmark/analysis/rated_family.h"
+#include "src/benchmark/experiment/campaign/completeness.h"
 #include "src/benchmark/experiment/store/store.h"
 
 namespace ricochet::exports {
@@ -14,9 +15,9 @@ namespace ricochet::exports {
 struct Format {
   std::string name;
   std::string about;  ///< one line
-  /// Writes files into the folder, which must exist and be empty. Throws InputError if the store is
-  /// damaged, OutputError if the disk is full.
-  std::function<void(const Store&, const std::filesystem::path& folder)> write;
+  /// Writes files into the folder, which must exist and be empty; they say how complete the runs
+  /// are. Throws InputError if the store is damaged, OutputError if the disk is full.
+  std::function<void(const Store&, const Completeness&, const std::filesystem::path& folder)> write;
   /// Adds files about the ranked entries of a store whose runs are complete; empty if there are
   /// none.
   std::function<void(const std::vector<comparison::RatedFamily>&,

@@ -46,13 +46,13 @@ runs count with all their evaluations, identical runs count once, intervals are 
 class Case {
  public:
   Case(const comparison::JudgedRun& first, const CampaignDescription& campaign,
-       Numbering& numbering, const fs::path& folder)
+       const Completeness& completeness, Numbering& numbering, const fs::path& folder)
       : root_(folder / numbering.algorithm(first.stored.key.cell)),
         stem_(fmt::format("f{}_{}", numbering.function_id(first.problem.name),
                           numbering.function_name(first.problem.name))),
         rows_path_(fmt::format("data_{}/IOHprofiler_f{}_DIM{}.dat", stem_,
                                numbering.function_id(first.problem.name), first.problem.variables)),
-        head_(head_of(first, campaign, numbering)),
+        head_(head_of(first, campaign, completeness, numbering)),
         rows_(made(root_ / rows_path_)) {}
 
   void add(const comparison::JudgedRun& run) {
@@ -91,7 +91,7 @@ class Case {
   }
 
   Json head_of(const comparison::JudgedRun& first, const CampaignDescription& campaign,
-               Numbering& numbering) {
+               const Completeness& completeness, Numbering& numbering) {
     dimension_ = first.problem.variables;
     const Cell& cell = first.stored.key.cell;
     std::string version;
@@ -113,10 +113,12 @@ class Case {
         {"algorithm",
          {{"name", numbering.algorithm(cell)},
           {"info",
-           fmt::format("{} {}, formulation {}, perturbation {}, gradients at {}, {} evaluations "
-                       "for each variable",
-                       cell.solver, version, cell.formulation, cell.perturbation,
-                       cell.gradient_price, cell.budget)}}},
+           fmt::format(
+               "{} {}, formulation {}, perturbation {}, gradients at {}, {} evaluations "
+               "for each variable{}",
+               cell.solver, version, cell.formulation, cell.perturbation, cell.gradient_price,
+               cell.budget,
+               completeness.is_in_doubt() ? "; of the campaign, " + in_words(completeness) : "")}}},
         {"experiment_attributes", attributes},
         {"attributes", {"evaluations", "raw_y", "time_s", "gevals"}}};
   }
@@ -131,14 +133,15 @@ class Case {
 
 }  // namespace
 
-void write_iohanalyzer(const Store& store, const fs::path& folder) {
+void write_iohanalyzer(const Store& store, const Completeness& completeness,
+                       const fs::path& folder) {
   Numbering numbering(store.description());
   RunningTimes times(folder / "running_times.csv");
   std::optional<Case> now;
   comparison::each_judged(
       store,
       [&](const comparison::JudgedRun& run) {
-        if (!now) now.emplace(run, store.description(), numbering, folder);
+        if (!now) now.emplace(run, store.description(), completeness, numbering, folder);
         now->add(run);
       },
       [&](const comparison::JudgedCell& cell) {
@@ -147,7 +150,7 @@ void write_iohanalyzer(const Store& store, const fs::path& folder) {
         times.add(cell, numbering);
       });
   times.close();
-  write_file(folder / "README.txt", readme);
+  write_file(folder / "README.txt", readme + ("\n" + as_sentence(completeness)) + "\n");
 }
 
 }  // namespace ricochet::exports

@@ -18,7 +18,8 @@ constexpr const char* json_lines_readme =
     R"(The stored runs of a campaign of ricochet, as JSON (UTF-8).
 
 campaign.json: the plan, the problems with best known value and tolerance, the solvers, the program and
-the machine.
+the machine; planned, present and missing: numbers of runs, of all and by part of the plan, and of what
+runs are missing. A run that failed or reached a limit is present.
 runs.jsonl: one line, an object, for each run. `number` is the argument of `ricochet replay`; the key says
 which run it is; seconds are of processor time. The verdict is of the best evaluated point, scored on the
 true objective, and of the returned one; optimality gap: objective minus the best known value; solved:
@@ -55,10 +56,12 @@ Json json_of(const CampaignDescription& description) {
       {"plan", description.plan},
       {"problems",
        report::list_of(description.problems, [](const StoredProblem& q) { return json_of(q); })},
-      {"solvers", report::list_of(description.solvers,
-                                  [](const StoredSolver& s) {
-                                    return Json{{"name", label(s.name)}, {"version", s.version}};
-                                  })},
+      {"solvers",
+       report::list_of(
+           description.solvers,
+           [](const StoredSolver& s) {
+             return Json{{"name", label(s.name)}, {"version", s.version}, {"content", s.content}};
+           })},
       {"program", description.program},
       {"made", description.made}};
 }
@@ -123,14 +126,35 @@ Json json_of(const comparison::JudgedRun& run) {
 
 }  // namespace
 
-void write_json(const Store& store, const std::filesystem::path& folder) {
-  write_file(folder / "campaign.json", text_of(json_of(store.description()), 1));
+Json json_of(const Completeness& completeness) {
+  return {{"planned", completeness.planned},
+          {"present", completeness.present},
+          {"missing", completeness.missing()},
+          {"parts", report::list_of(completeness.parts,
+                                    [](const Completeness::Part& part) {
+                                      return Json{{"part", part.name},
+                                                  {"planned", part.planned},
+                                                  {"present", part.present},
+                                                  {"missing", part.planned - part.present}};
+                                    })},
+          {"missing_shards", completeness.missing_shards},
+          {"missing_problems", completeness.missing_problems},
+          {"missing_solvers", completeness.missing_solvers},
+          {"missing_instances", completeness.missing_instances},
+          {"unknown_solvers", completeness.unknown_solvers}};
+}
+
+void write_json(const Store& store, const Completeness& completeness,
+                const std::filesystem::path& folder) {
+  Json campaign = json_of(store.description());
+  campaign.update(json_of(completeness));
+  write_file(folder / "campaign.json", text_of(campaign, 1));
   OutputFile runs(folder / "runs.jsonl");
   comparison::each_judged(
       store, [&](const comparison::JudgedRun& run) { runs.write(text_of(json_of(run))); },
       [](const comparison::JudgedCell&) {});
   runs.close();
-  write_file(folder / "README.txt", json_lines_readme);
+  write_file(folder / "README.txt", json_lines_readme + ("\n" + as_sentence(completeness)) + "\n");
 }
 
 }  // namespace ricochet::exports

@@ -27,7 +27,8 @@ std::string line(const std::vector<std::string>& names, const std::vector<std::s
 
 }  // namespace
 
-void write_latex(const Store& store, const std::filesystem::path& folder) {
+void write_latex(const Store& store, const Completeness& completeness,
+                 const std::filesystem::path& folder) {
   OutputFile file(folder / "table.tex");
   const std::string header = line(summary_names(), summary_figures(), false);
   file.write(
@@ -36,8 +37,9 @@ void write_latex(const Store& store, const std::filesystem::path& folder) {
       "\\begin{longtable}{" +
       std::string(summary_names().size() - 1, 'l') +
       std::string(summary_figures().size() + 1, 'r') + "}\n\\caption{" +
-      latex_text(summary_legend()) + "}\\\\\n\\toprule\n" + header +
-      "\\midrule\n\\endfirsthead\n\\toprule\n" + header +
+      latex_text(summary_legend() +
+                 (completeness.is_in_doubt() ? " " + as_sentence(completeness) : "")) +
+      "}\\\\\n\\toprule\n" + header + "\\midrule\n\\endfirsthead\n\\toprule\n" + header +
       "\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n");
   comparison::each_judged(
       store, [](const comparison::JudgedRun&) {},

@@ -25,9 +25,12 @@ std::string row_of_table(const std::vector<std::string>& names,
 
 }  // namespace
 
-void write_markdown(const Store& store, const std::filesystem::path& folder) {
+void write_markdown(const Store& store, const Completeness& completeness,
+                    const std::filesystem::path& folder) {
   OutputFile file(folder / "table.md");
-  file.write(summary_legend() + "\n\n" + row_of_table(summary_names(), summary_figures(), false));
+  const std::string runs = report::escape_markdown(as_sentence(completeness));
+  file.write((completeness.is_in_doubt() ? "**" + runs + "**" : runs) + "\n\n" + summary_legend() +
+             "\n\n" + row_of_table(summary_names(), summary_figures(), false));
   file.write(row_of_table(std::vector<std::string>(summary_names().size(), ":---"),
                           std::vector<std::string>(summary_figures().size(), "---:"), false));
   comparison::each_judged(

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 using Coco = ExportedStore;
 
 TEST_F(Coco, OpensEveryAlgorithmWithAllOfItsRuns) {
-  write_coco(store, out);
+  write_coco(store, {}, out);
   std::vector<std::string> complaints;
   std::size_t runs = 0;
   int algorithms = 0;
@@ -40,7 +40,7 @@ TEST_F(Coco, OpensEveryAlgorithmWithAllOfItsRuns) {
 }
 
 TEST_F(Coco, RowsAreWhatTheRecordsSay) {
-  write_coco(store, out);
+  write_coco(store, {}, out);
   std::vector<std::string> complaints;
   const auto cases = read_coco(out / "nlopt-cobyla_original_noisy_price-n_budget-30", complaints);
   ASSERT_EQ(cases.size(), 4U);
@@ -74,7 +74,7 @@ TEST_F(Coco, RowsAreWhatTheRecordsSay) {
 }
 
 TEST_F(Coco, HasRowsAtRoundNumbersOfEvaluations) {
-  write_coco(store, out);
+  write_coco(store, {}, out);
   std::vector<std::string> complaints;
   for (const CocoCase& read :
        read_coco(out / "nlopt-cobyla_original_noisy_price-n_budget-30", complaints)) {

@@ -79,7 +79,7 @@ TEST(CsvRow, NumbersReadBackToTheSameBits) {
 using Csv = ExportedStore;
 
 TEST_F(Csv, HasEveryRunWithItsVerdict) {
-  write_csv(store, out);
+  write_csv(store, {}, out);
   const Table runs = table_in(text_of(out / "runs.csv"));
   ASSERT_EQ(runs.size(), records.size());
   auto expected = records.begin();  // a store hands them over in the order of their keys
@@ -120,7 +120,7 @@ TEST_F(Csv, HasEveryRunWithItsVerdict) {
 }
 
 TEST_F(Csv, HasEveryImprovement) {
-  write_csv(store, out);
+  write_csv(store, {}, out);
   std::map<std::string, RunKey> key_of_number;
   store.each([&](const StoredRun& run) { key_of_number[std::to_string(run.number)] = run.key; });
   std::map<RunKey, std::size_t> seen;
@@ -137,7 +137,7 @@ TEST_F(Csv, HasEveryImprovement) {
 
 /// Of 12 variables at most; the made-up runs return the point of their last improvement.
 TEST_F(Csv, HasPointsByTheirCoordinates) {
-  write_csv(store, out);
+  write_csv(store, {}, out);
   std::map<std::string, RunKey> key_of_number;
   store.each([&](const StoredRun& run) { key_of_number[std::to_string(run.number)] = run.key; });
   std::map<std::string, int> seen;
@@ -169,7 +169,7 @@ TEST_F(Csv, HasNoLabelThatIsReadAsAMissingValue) {
   RunRecord record;
   record.failure = "None";
   add({{"wide", "original", "nan", "nlopt-cobyla", 99, "n"}, 1, 0}, record);
-  write_csv(store, out);
+  write_csv(store, {}, out);
   const Table runs = table_in(text_of(out / "runs.csv"));
   const auto added = std::ranges::find_if(
       runs, [](const auto& run) { return run.at("budget_per_variable") == "99"; });
@@ -189,7 +189,7 @@ TEST_F(Csv, HasTheRunningTimeOfEveryCell) {
     if (k > 1) record.trace = {{3 + k, 0.1, {2.0, 0}, Vector::Zero(5)}};
     add({{"profile/5", "original", "plain", "nlopt-cobyla", 7, "n"}, k, 0}, record);
   }
-  write_csv(store, out);
+  write_csv(store, {}, out);
   const Table cells = table_in(text_of(out / "running_times.csv"));
   ASSERT_EQ(cells.size(), 4U * 12 + 1);
   const auto added = std::ranges::find_if(
@@ -202,7 +202,7 @@ TEST_F(Csv, HasTheRunningTimeOfEveryCell) {
 }
 
 TEST_F(Csv, HasTheProblemsWithTheirFactors) {
-  write_csv(store, out);
+  write_csv(store, {}, out);
   const Table problems = table_in(text_of(out / "problems.csv"));
   ASSERT_EQ(problems.size(), 4U);
   EXPECT_EQ(problems[0].at("best_known"), "-8.25");

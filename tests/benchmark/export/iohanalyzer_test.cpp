@@ -20,7 +20,7 @@ using testing::IsEmpty;
 using IohAnalyzer = ExportedStore;
 
 TEST_F(IohAnalyzer, OpensEveryAlgorithmWithAllOfItsRuns) {
-  write_iohanalyzer(store, out);
+  write_iohanalyzer(store, {}, out);
   std::vector<std::string> complaints;
   std::size_t runs = 0;
   int algorithms = 0;
@@ -39,7 +39,7 @@ TEST_F(IohAnalyzer, OpensEveryAlgorithmWithAllOfItsRuns) {
 }
 
 TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
-  write_iohanalyzer(store, out);
+  write_iohanalyzer(store, {}, out);
   std::vector<std::string> complaints;
   const auto cases =
       read_iohanalyzer(out / "nlopt-cobyla_original_noisy_price-n_budget-30", complaints);
@@ -64,7 +64,7 @@ TEST_F(IohAnalyzer, RowsAreWhatTheRecordsSay) {
 }
 
 TEST_F(IohAnalyzer, KnowsTheMachine) {
-  write_iohanalyzer(store, out);
+  write_iohanalyzer(store, {}, out);
   const auto data = nlohmann::json::parse(text_of(
       out / "nlopt-cobyla_original_plain_price-n_budget-2/IOHprofiler_f3_top-speed_C1.json"));
   EXPECT_THAT(data["experiment_attributes"].dump(),
@@ -73,7 +73,7 @@ TEST_F(IohAnalyzer, KnowsTheMachine) {
 
 /// Every rule of the check is broken once: it would see it.
 TEST_F(IohAnalyzer, IsCheckedForEveryRule) {
-  write_iohanalyzer(store, out);
+  write_iohanalyzer(store, {}, out);
   const fs::path root = out / "nlopt-cobyla_original_plain_price-n_budget-30";
   const fs::path head = root / "IOHprofiler_f3_top-speed_C1.json";
   const fs::path rows = root / "data_f3_top-speed_C1/IOHprofiler_f3_DIM1.dat";

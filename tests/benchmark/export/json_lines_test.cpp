@@ -13,7 +13,7 @@ using nlohmann::json;
 using JsonLines = ExportedStore;
 
 TEST_F(JsonLines, HaveEveryRun) {
-  write_json(store, out);
+  write_json(store, {}, out);
   const auto lines = lines_of(text_of(out / "runs.jsonl"));
   ASSERT_EQ(lines.size(), records.size());
   auto expected = records.begin();
@@ -42,7 +42,7 @@ TEST_F(JsonLines, HaveEveryRun) {
 }
 
 TEST_F(JsonLines, ComeWithTheCampaign) {
-  write_json(store, out);
+  write_json(store, {}, out);
   const json campaign = json::parse(text_of(out / "campaign.json"));
   EXPECT_EQ(campaign["plan"], description.plan);
   EXPECT_EQ(campaign["problems"][0]["factors"]["disturbance"], 1.0 / 3);
@@ -53,7 +53,7 @@ TEST_F(JsonLines, AreValidWhateverBytesATextHas) {
   RunRecord record;
   record.failure = "\xff\xfe";
   add({{"wide", "original", "plain", "nlopt-cobyla", 99, "n"}, 1, 0}, record);
-  write_json(store, out);
+  write_json(store, {}, out);
   for (const std::string& line : lines_of(text_of(out / "runs.jsonl"))) {
     EXPECT_TRUE(json::accept(line)) << line;
   }

@@ -13,7 +13,7 @@ using testing::Not;
 using Latex = ExportedStore;
 
 TEST_F(Latex, HasARowForEveryCell) {
-  write_latex(store, out);
+  write_latex(store, {}, out);
   int rows = 0;
   for (const std::string& line : lines_of(text_of(out / "table.tex"))) {
     if (!line.ends_with(" \\\\")) continue;
@@ -27,7 +27,7 @@ TEST_F(Latex, HasARowForEveryCell) {
 }
 
 TEST_F(Latex, ShowsNamesAsTheyAre) {
-  write_latex(store, out);
+  write_latex(store, {}, out);
   EXPECT_THAT(text_of(out / "table.tex"),
               HasSubstr("a\\textbar{}b\\_c\\%d\\{e\\}\\textbackslash{}f\\#g\\$h\\&i"
                         "\\textasciitilde{}j\\textasciicircum{}k-{}-l & original"));
@@ -43,7 +43,7 @@ TEST_F(Latex, SaysWhatWasSolvedAtWhatCostAndWhatFailed) {
     if (k == 3) record.failure = "thrown";
     add({{"profile/5", "*[a", "plain", "nlopt-cobyla", 7, "n"}, k, 0}, record);
   }
-  write_latex(store, out);
+  write_latex(store, {}, out);
   EXPECT_THAT(text_of(out / "table.tex"),
               HasSubstr("\nprofile/5 & nlopt-cobyla & {*}{[}a & plain & n & 7 & 4 & 50 & 15 to 85 "
                         "& 14 & "));

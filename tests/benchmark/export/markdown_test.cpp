@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using Markdown = ExportedStore;
 
 TEST_F(Markdown, HasARowForEveryCell) {
-  write_markdown(store, out);
+  write_markdown(store, {}, out);
   int rows = 0;
   for (const std::string& line : lines_of(text_of(out / "table.md"))) {
     if (!line.starts_with("| ")) continue;
@@ -37,7 +37,7 @@ TEST_F(Markdown, SaysWhatWasSolvedAtWhatCostAndWhatFailed) {
     if (k == 3) record.failure = "thrown";
     add({{"profile/5", "*a*", "plain", "nlopt-cobyla", 7, "n"}, k, 0}, record);
   }
-  write_markdown(store, out);
+  write_markdown(store, {}, out);
   const std::string text = text_of(out / "table.md");
   const std::string begin =
       "| profile/5 | nlopt-cobyla | \\*a\\* | plain | n | 7 | 4 | 50 | 15 to 85 | 14 | ";

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/store/archive.h"
@@ -47,27 +46,6 @@ template <class Entry>
 bool has(const std::vector<Entry>& entries, const Entry& entry) {
   return std::ranges::find(entries, entry) != entries.end();
 }
-
-/// Cells of a campaign whose runs in another may be taken over: of equal problems and solvers.
-class CommonCells {
- public:
-  CommonCells(const CampaignDescription& ours, const CampaignDescription& theirs) {
-    auto hashes = theirs.hashes();
-    for (const StoredProblem& problem : ours.problems) {
-      if (hashes[problem.name] == problem.hash) problems_.insert(problem.name);
-    }
-    for (const StoredSolver& solver : ours.solvers) {
-      if (has(theirs.solvers, solver)) solvers_.insert(solver.name);
-    }
-  }
-
-  bool contain(const Cell& cell) const {
-    return problems_.contains(cell.problem) && solvers_.contains(cell.solver);
-  }
-
- private:
-  std::set<std::string> problems_, solvers_;
-};
 
 /// Adds the solvers of a part to those of another, as far as no pattern fits them.
 void add_solvers(const PlanPart& from, PlanPart& to) {
@@ -114,11 +92,9 @@ void start_against(const Store& archive, const Campaign& campaign, const Provena
   CampaignDescription description = description_of(campaign, provenance);
   check_problems(archive.description(), description);
   mark_archived(description);
-  Store::write(file, description, [&](const Store::AddRun& add) {
-    archive.each([&](const StoredRun& run) {
-      if (campaign.has(run.key)) add(run.key, run.record);
-    });
-  });
+  TakenOver runs(campaign, description, TakenOver::Versions::any_of_the_suite);
+  Store::write(file, description, [&](const Store::AddRun& add) { runs.take(archive, add); });
+  runs.tell_outdated();
 }
 
 void start_from(const std::vector<fs::path>& earlier, const Campaign& campaign,
@@ -134,16 +110,11 @@ void start_from(const std::vector<fs::path>& earlier, const Campaign& campaign,
       description.made["runs taken over from " + place.string()] = "commit " + commit->second;
     }
   }
-  std::set<RunKey> taken;
+  TakenOver runs(campaign, description);
   Store::write(file, description, [&](const Store::AddRun& add) {
-    for (const Store& store : stores) {
-      const CommonCells common(description, store.description());
-      store.each([&](const StoredRun& run) {
-        if (!campaign.has(run.key) || !common.contain(run.key.cell)) return;
-        if (taken.insert(run.key).second) add(run.key, run.record);
-      });
-    }
+    for (const Store& store : stores) runs.take(store, add);
   });
+  runs.tell_outdated();
 }
 
 CampaignDescription united(const CampaignDescription& first, const CampaignDescription& second) {
@@ -163,6 +134,11 @@ CampaignDescription united(const CampaignDescription& first, const CampaignDescr
     } else if (known->version != solver.version) {
       throw InputError(fmt::format("the first has {} in version {}, this in version {}",
                                    solver.name, known->version, solver.version));
+    } else if (known->content != solver.content) {
+      throw InputError(fmt::format(
+          "the first has runs of another {0}, made of other files under the same name and version: "
+          "make the runs of one anew, or give it another name",
+          solver.name));
     }
   }
   all.made.insert(second.made.begin(), second.made.end());

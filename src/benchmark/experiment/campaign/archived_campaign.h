@@ -20,19 +20,20 @@ struct ChangedSolvers {
 };
 ChangedSolvers changed_solvers(const CampaignDescription& archive, const Catalogue& catalogue);
 
-/// Makes the store of such a plan's campaign in a new file, with the runs of the archive. Throws
-/// InputError if problems of the campaign are not those of the archive, by their hashes.
+/// Makes the store of such a plan's campaign in a new file, with the runs of the archive, but not
+/// those of a user's solver that is another one now. Throws InputError if problems of the campaign
+/// are not those of the archive, by their hashes.
 void start_against(const Store& archive, const Campaign& campaign, const Provenance& provenance,
                    const std::filesystem::path& file);
 
 /// Makes the store of a campaign in a new file, with those runs of other stores that are its own,
-/// too: problem by hash, solver by version, then cell, instance and run; of equal ones the first.
-/// Throws InputError if a store cannot be read.
+/// too: problem by hash, solver by version and content, then cell, instance and run; of equal ones
+/// the first. Throws InputError if a store cannot be read.
 void start_from(const std::vector<std::filesystem::path>& earlier, const Campaign& campaign,
                 const Provenance& provenance, const std::filesystem::path& file);
 
 /// The description of two campaigns on the same problems whose solvers differ. Throws InputError if
-/// the second has other problems, by their hashes, or another version of a solver.
+/// the second has other problems, by their hashes, or another version or content of a solver.
 CampaignDescription united(const CampaignDescription& first, const CampaignDescription& second);
 
 }  // namespace ricochet

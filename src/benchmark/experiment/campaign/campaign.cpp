@@ -387,7 +387,7 @@ CampaignDescription Campaign::description() const {
          found == found_.end() ? Findings() : found->second, problem_hash(problem)});
   }
   for (const Solver& solver : solvers_) {
-    description.solvers.push_back({solver.name, solver.version});
+    description.solvers.push_back({solver.name, solver.version, solver.content});
   }
   return description;
 }

@@ -1,8 +1,12 @@
 #include "src/benchmark/experiment/campaign/planned_runs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <functional>
 #include <utility>
 
+#include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/relocated_optimum.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/perturbations/perturbation.h"
@@ -20,14 +24,8 @@ double length_of(const Campaign& campaign, const PlannedCell& cell) {
 
 }  // namespace
 
-PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
-                         const std::set<RunKey>& done) {
-  struct Place {
-    const PlannedCell* cell;
-    int instance, run;
-    double length;
-  };
-  std::vector<Place> places;
+std::vector<PlannedPlace> planned_places(const Campaign& campaign) {
+  std::vector<PlannedPlace> places;
   for (const PlannedCell& cell : campaign.cells()) {
     const double length = length_of(campaign, cell);
     for (int k = 0; k < cell.instances; ++k) {
@@ -36,13 +34,18 @@ PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
     }
   }
   // The longest first, so that the last ones end at about the same time.
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.length > b.length; });
+  std::ranges::stable_sort(places, std::ranges::greater(), &PlannedPlace::length);
+  return places;
+}
+
+PlannedRuns::PlannedRuns(const Campaign& campaign, const Shard& shard,
+                         const std::set<RunKey>& done) {
+  const std::vector<PlannedPlace> places = planned_places(campaign);
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (i % static_cast<std::size_t>(shard.count) != static_cast<std::size_t>(shard.index - 1)) {
       continue;
     }
-    const Place& place = places[i];
+    const PlannedPlace& place = places[i];
     if (done.contains({place.cell->cell, place.instance, place.run})) continue;
     add(campaign, *place.cell, place.instance, place.run);
   }
@@ -69,6 +72,15 @@ void PlannedRuns::add(const Campaign& campaign, const PlannedCell& cell, int ins
                    length_of(campaign, cell)});
 }
 
+void require_unchanged(const Solver& solver) {
+  const std::string file = solver.changed_file ? solver.changed_file() : "";
+  if (file.empty()) return;
+  throw InputError(fmt::format(
+      "{}: changed while runs of {} were made; if {} itself writes it, it must not be among its "
+      "arguments; otherwise start again, and these runs are made anew",
+      file, solver.name, solver.name));
+}
+
 void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
   const PlannedRuns planned(campaign, shard, store.keys());
   std::vector<Job> jobs;
@@ -79,6 +91,7 @@ void make_runs(const Campaign& campaign, const Shard& shard, Store& store) {
   }
   Progress progress("running", std::max(work, 1.0));
   run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
+    require_unchanged(*jobs[j].solver);
     store.add(planned.all()[j].key, record);
     progress.advance(planned.all()[j].length);
   });

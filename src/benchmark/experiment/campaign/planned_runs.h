@@ -21,6 +21,17 @@ struct Shard {
   int count = 1;
 };
 
+/// The place of a run in a campaign.
+struct PlannedPlace {
+  const PlannedCell* cell;
+  int instance, run;
+  double length;  ///< estimated
+};
+
+/// All runs of a campaign, which must outlive them, the longest first. They are dealt to shards in
+/// this order: the I-th of N gets those at I - 1, I - 1 + N, ...
+std::vector<PlannedPlace> planned_places(const Campaign& campaign);
+
 /// A run of a campaign, ready to be made. Runs share problems.
 struct PlannedRun {
   RunKey key;
@@ -50,9 +61,13 @@ class PlannedRuns {
   std::vector<PlannedRun> runs_;
 };
 
+/// Throws InputError if a file of a user's solver has changed since it was loaded: nobody knows
+/// which of the two made a run that has just ended.
+void require_unchanged(const Solver& solver);
+
 /// Makes the runs of a shard that the store lacks, in other processes, and adds each as it ends,
 /// then finishes the store. Except for times, the resulting store does not depend on processes,
-/// shards and interruptions.
+/// shards and interruptions. Throws as require_unchanged() does, and keeps the runs before.
 void make_runs(const Campaign& campaign, const Shard& shard, Store& store);
 
 }  // namespace ricochet

@@ -9,6 +9,7 @@
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/frame.h"
+#include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/record_text.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/core/interruption.h"
@@ -32,6 +33,18 @@ std::vector<Place> places_in(const std::string& message, std::size_t planned) {
     if (place >= planned) throw InputError("the processes have different plans");
   }
   return places;
+}
+
+/// What is sent before a record: its place, and the content of its solver, which another machine
+/// may have in another version.
+constexpr std::size_t length_of_content = 16;
+
+std::string heading(Place place, const Solver& solver) {
+  std::string bytes;
+  append(bytes, place);
+  std::string content = solver.content;
+  content.resize(length_of_content);
+  return bytes + content;
 }
 
 /// Returns true if the record is of this job: its seed depends on all names of the job.
@@ -65,7 +78,12 @@ bool serve_store(const Campaign& campaign, const Shard& shard, Store& store, int
     }
     const Place place = places_in(message->substr(0, sizeof(Place)), planned.all().size()).at(0);
     const PlannedRun& run = planned.all()[place];
-    const RunRecord record = record_from(message->substr(sizeof(Place)));
+    const std::string expected = heading(place, *run.job.solver);
+    if (!message->starts_with(expected)) {
+      throw InputError(
+          fmt::format("the processes have different files of {}", run.job.solver->name));
+    }
+    const RunRecord record = record_from(message->substr(expected.size()));
     if (!is_of(record, run.job)) throw InputError("the processes have different plans");
     if (!done.insert(run.key).second) continue;  // from a rank that was taken for dead
     store.add(run.key, record);
@@ -81,9 +99,9 @@ void serve_runs(const Campaign& campaign, const Shard& shard, int in, int out) {
     std::vector<Job> jobs;
     for (const Place place : places) jobs.push_back(planned.all()[place].job);
     run_all(jobs, campaign.plan().limits, [&](std::size_t j, const RunRecord& record) {
-      std::string answer;
-      append(answer, places[j]);
-      if (!write_frame(out, answer + text_of(record))) throw OutputError("nobody reads the runs");
+      require_unchanged(*jobs[j].solver);
+      const std::string answer = heading(places[j], *jobs[j].solver) + text_of(record);
+      if (!write_frame(out, answer)) throw OutputError("nobody reads the runs");
     });
   }
 }

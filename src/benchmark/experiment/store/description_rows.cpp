@@ -77,6 +77,8 @@ void add_description(SQLite::Database& database, const CampaignDescription& desc
   number = 0;
   for (const StoredSolver& solver : description.solvers) {
     Use(add_solver).with(++number, solver.name, solver.version).execute();
+    if (solver.content.empty()) continue;
+    Use(note).with(std::string("content"), solver.name, solver.content).execute();
   }
 }
 
@@ -100,9 +102,12 @@ CampaignDescription description_in(SQLite::Database& database) {
          numbers_in(database, "factor", problem.integer(0)),
          numbers_in(database, "finding", problem.integer(0)), problem.text(9)});
   }
+  auto contents = notes_in(database, "content");
   SQLite::Statement solvers(database, "SELECT name, version FROM solver ORDER BY number");
   Use solver(solvers);
-  while (solver.next()) description.solvers.push_back({solver.text(0), solver.text(1)});
+  while (solver.next()) {
+    description.solvers.push_back({solver.text(0), solver.text(1), contents[solver.text(0)]});
+  }
   if (static_cast<std::uint64_t>(campaign.integer(1)) != checksum(description)) {
     throw Damage("the description is not what was written");
   }

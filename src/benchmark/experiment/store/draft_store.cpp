@@ -36,8 +36,8 @@ fs::path folder_of(const fs::path& file) {
 
 }  // namespace
 
-DraftStore::DraftStore(fs::path file, const CampaignDescription& description)
-    : file_(std::move(file)), interrupted_([this] { discard(); }) {
+DraftStore::DraftStore(fs::path file, const CampaignDescription& description, Place where)
+    : file_(std::move(file)), where_(where), interrupted_([this] { discard(); }) {
   static std::atomic<int> drafts = 0;
   check_absent();
   if (::access(folder_of(file_).c_str(), W_OK | X_OK) != 0) fail(file_, errno);
@@ -78,7 +78,8 @@ DraftStore::~DraftStore() {
 
 void DraftStore::check_absent() const {
   std::error_code none;
-  if (fs::exists(fs::symlink_status(file_, none))) fail(file_, EEXIST);
+  const bool exists = fs::exists(fs::symlink_status(file_, none));
+  if (exists && where_ == Place::must_be_free) fail(file_, EEXIST);
   // SQLite would apply the changes left by an earlier store of this name to the new one.
   for (const char* ending : {"-wal", "-journal"}) {
     const std::string left = file_.string() + ending;
@@ -96,7 +97,10 @@ void DraftStore::discard() {
 void DraftStore::place() {
   database_.reset();
   const Uninterrupted whole;
-  if (::link(draft_.c_str(), file_.c_str()) != 0) {
+  if (where_ == Place::is_replaced) {
+    check_absent();
+    if (::rename(draft_.c_str(), file_.c_str()) != 0) fail(file_, errno);
+  } else if (::link(draft_.c_str(), file_.c_str()) != 0) {
     if (errno != EPERM && errno != ENOTSUP && errno != ENOSYS) fail(file_, errno);
     check_absent();  // for a file system without links
     if (::rename(draft_.c_str(), file_.c_str()) != 0) fail(file_, errno);

@@ -7,6 +7,8 @@ CREATE TABLE campaign (
   checksum INTEGER NOT NULL  -- of the whole description; that of a run is of its key, too
 );
 
+-- Notes about 'content' have the hash of the files of a user's solver, by its name. (This stands
+-- outside of the definition, which stores of earlier versions must have word for word.)
 CREATE TABLE note (
   about TEXT NOT NULL,  -- 'program', or 'made': where and when
   name TEXT NOT NULL,

@@ -74,9 +74,11 @@ Store Store::create(const fs::path& file, const CampaignDescription& description
   return open(file, For::adding);
 }
 
-void Store::write(const fs::path& file, const CampaignDescription& description,
-                  const std::function<void(const AddRun&)>& fill) {
-  DraftStore draft(file, description);
+namespace {
+
+void write_at(const fs::path& file, DraftStore::Place where, const CampaignDescription& description,
+              const std::function<void(const Store::AddRun&)>& fill) {
+  DraftStore draft(file, description, where);
   try {
     SQLite::Transaction all(draft.database());
     RunRows rows(draft.database());
@@ -86,6 +88,18 @@ void Store::write(const fs::path& file, const CampaignDescription& description,
     throw OutputError(fmt::format("{}: cannot be written: {}", file.string(), error.what()));
   }
   draft.place();
+}
+
+}  // namespace
+
+void Store::write(const fs::path& file, const CampaignDescription& description,
+                  const std::function<void(const AddRun&)>& fill) {
+  write_at(file, DraftStore::Place::must_be_free, description, fill);
+}
+
+void Store::replace(const fs::path& file, const CampaignDescription& description,
+                    const std::function<void(const AddRun&)>& fill) {
+  write_at(fs::canonical(file), DraftStore::Place::is_replaced, description, fill);
 }
 
 Store Store::open(const fs::path& file, For purpose) {

@@ -35,6 +35,7 @@ struct StoredProblem {
 struct StoredSolver {
   std::string name;
   std::string version;
+  std::string content = {};  ///< see Solver::content; empty also if an earlier ricochet made it
 
   bool operator==(const StoredSolver&) const = default;
 };
@@ -79,6 +80,10 @@ class Store {
   using AddRun = std::function<void(const RunKey&, const RunRecord&)>;
   static void write(const std::filesystem::path& file, const CampaignDescription& description,
                     const std::function<void(const AddRun&)>& fill);
+
+  /// The same in place of an existing file, which stays as it is until all is written.
+  static void replace(const std::filesystem::path& file, const CampaignDescription& description,
+                      const std::function<void(const AddRun&)>& fill);
 
   /// Opens a file to read it, which may be an archive, or to add runs. Throws InputError for a file
   /// that is missing, damaged (by SQLite's own integrity and foreign key checks, which take some

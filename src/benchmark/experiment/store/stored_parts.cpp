@@ -124,7 +124,8 @@ std::vector<StoredPart> parts_of(const CampaignDescription& description) {
     parts.push_back({"problem " + problem.name, bytes_of(problem)});
   }
   for (const StoredSolver& solver : description.solvers) {
-    parts.push_back({fmt::format("solver {} of version {}", solver.name, solver.version), ""});
+    parts.push_back(
+        {fmt::format("solver {} of version {}", solver.name, solver.version), solver.content});
   }
   for (const auto& [name, value] : description.program) {
     parts.push_back({fmt::format("program's {}, {}", name, value), ""});

@@ -137,5 +137,15 @@ TEST_F(ArchivedCampaign, TakesInTheRunsOfAnotherSolver) {
   EXPECT_THAT([&] { united(ours, other); }, ThrowsMessage<InputError>(HasSubstr("bowl-1")));
 }
 
+TEST_F(ArchivedCampaign, IsNotJoinedWithOtherFilesOfAUsersSolver) {
+  CampaignDescription first = Store::open(archive_, Store::For::reading).description();
+  first.solvers.push_back({"mine", "1", "a"});
+  CampaignDescription second = first;
+  EXPECT_EQ(united(first, second), first);
+  second.solvers.back().content = "b";
+  EXPECT_THAT([&] { united(first, second); },
+              ThrowsMessage<InputError>(HasSubstr("has runs of another mine")));
+}
+
 }  // namespace
 }  // namespace ricochet

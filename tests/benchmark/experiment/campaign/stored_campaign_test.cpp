@@ -92,5 +92,68 @@ TEST_F(StoredCampaigns, AreReadByAnyProgramWhereNoRunIsMissing) {
   EXPECT_EQ(opened(plan, "2").store.size(), 15);
 }
 
+/// The made-up catalogue, whose user's solver ./mine has this version and content.
+Catalogue with_mine(Catalogue catalogue, const std::string& version, const std::string& content,
+                    Capabilities::Constraints constraints = Capabilities::Constraints::none) {
+  catalogue.own_solver = [=](const std::string& text) -> std::optional<Solver> {
+    if (text != "./mine") return std::nullopt;
+    Solver mine = chance("mine");
+    mine.version = version;
+    mine.content = content;
+    mine.capabilities.constraints = constraints;
+    return mine;
+  };
+  return catalogue;
+}
+
+TEST_F(StoredCampaigns, LeaveRunsOfAChangedUsersSolverToBeMade) {
+  const std::string plan = part_of("\"bowl-1\"", "solvers = [\"chance-a\", \"./mine\"]");
+  const Catalogue base = catalogue_;
+  const auto runs_with = [&](const std::string& version, const std::string& content) {
+    catalogue_ = with_mine(base, version, content);
+    StoredCampaign stored = opened(plan);
+    const std::int64_t kept = stored.store.size();
+    make_runs(stored.campaign, {}, stored.store);
+    EXPECT_EQ(stored.store.size(), 30);
+    return kept;
+  };
+  EXPECT_EQ(runs_with("1", ""), 0);
+  EXPECT_EQ(runs_with("1", "a"), 15) << "an earlier ricochet did not record the content";
+  EXPECT_EQ(runs_with("1", "a"), 30);
+  EXPECT_EQ(runs_with("1", "b"), 15);
+  EXPECT_EQ(runs_with("2", "b"), 15);
+  catalogue_ = with_mine(base, "2", "c");
+  EXPECT_THAT(
+      [&] { opened(plan, "2"); },
+      ThrowsMessage<InputError>(HasSubstr("a solver that has changed, and made by another")));
+  EXPECT_EQ(Store::open(folder_ / "runs.sqlite", Store::For::reading).size(), 30);
+}
+
+TEST_F(StoredCampaigns, SearchWhatOnlyAChangedSolverTakes) {
+  const std::string plan = grid + part_of("\"cup-2\"",
+                                          "solvers = [\"./mine\"]\n"
+                                          "formulations = [\"original\", \"penalised\"]");
+  const Catalogue base = catalogue_;
+  catalogue_ = with_mine(base, "1", "a");
+  EXPECT_EQ(opened(plan).campaign.runs(), 2 * 15 + 15);
+  catalogue_ = with_mine(base, "1", "b", Capabilities::Constraints::all);
+  EXPECT_EQ(opened(plan).campaign.runs(), 2 * 15 + 2 * 15);
+  EXPECT_EQ(*searches_, 2) << "what was found is kept";
+}
+
+TEST_F(StoredCampaigns, KeepWhatAUsersSolverTakes) {
+  using Constraints = Capabilities::Constraints;
+  for (const Constraints constraints :
+       {Constraints::none, Constraints::inequalities, Constraints::all}) {
+    for (const bool more : {false, true}) {
+      Capabilities capabilities;
+      capabilities.constraints = constraints;
+      capabilities.needs_residuals = more;
+      if (more) capabilities.derivatives = Capabilities::Order::gradient;
+      EXPECT_EQ(capabilities_from(text_of(capabilities)), capabilities) << text_of(capabilities);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ricochet

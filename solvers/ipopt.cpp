@@ -270,7 +270,7 @@ SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choi
 Solver made(const Choice& choice, const GivenOptions& given) {
   Solver solver;
   solver.name = choice.name;
-  solver.version = "Ipopt " IPOPT_VERSION;
+  solver.version = "Ipopt " IPOPT_VERSION ", adapter 2";  // the best evaluated point
   solver.capabilities =
       choice.hessian == Hessian::exact ? ipopt_exact_capabilities : ipopt_capabilities;
   solver.solve = [choice, given](Evaluator& evaluator, const Vector& start, Random&) {

@@ -14,13 +14,19 @@ namespace ricochet {
 /// several threads.
 class Progress {
  public:
+  /// When the first line is drawn elsewhere than on a terminal.
+  enum class First { after_ten_seconds, at_once };
+
   /// `work` > 0 is in any unit proportional to time.
-  Progress(std::string what, double work);
+  Progress(std::string what, double work, First first = First::after_ten_seconds);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void advance(double work);
+
+  /// Goes over to other work, of the same amount in other units, of which nothing is done yet.
+  void begin(std::string what);
 
   /// Writes a line of its own that announces the next step.
   static void announce(std::string_view line);

@@ -28,10 +28,12 @@ class TimeLimit {
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;
 
-  bool is_reached() const;
+  /// Looks at the clock, unless it was reached before.
+  bool is_reached();
+  bool was_reached() const { return reached_.load(std::memory_order_relaxed); }
 
   /// What is computed now, such as "regimes", and the share of it that is done, in [0, 1]; nullptr
-  /// before anything is reported. All three may be called from other threads.
+  /// before anything is reported. These may be called from other threads.
   const char* stage() const { return stage_.load(std::memory_order_relaxed); }
   double share() const { return share_.load(std::memory_order_relaxed); }
   void report(const char* stage, double share);
@@ -40,6 +42,7 @@ class TimeLimit {
   std::chrono::steady_clock::time_point end_;
   TimeLimit* outer_;
   TimeLimit* outer_listener_;
+  std::atomic<bool> reached_ = false;
   std::atomic<const char*> stage_ = nullptr;
   std::atomic<double> share_ = 0;
 };

@@ -29,16 +29,18 @@ bool ends_within(std::chrono::milliseconds time, const std::stop_token& end) {
 
 void show(const std::stop_token& end, const TimeLimit& limit) {
   using namespace std::chrono_literals;
+  auto begun = std::chrono::steady_clock::now();
   if (ends_within(1s, end)) return;
-  const char* stage = limit.stage() == nullptr ? "simulation" : limit.stage();
-  Progress progress(stage, 1, Progress::First::at_once);
+  const char* stage = nullptr;
+  Progress progress("simulation", 1, Progress::First::at_once);
   double shown = 0;
   do {
-    if (limit.stage() != nullptr && limit.stage() != stage) {
+    if (limit.stage() != stage) {
       stage = limit.stage();
-      progress.begin(stage);
+      progress.begin(stage, begun);
       shown = 0;
     }
+    begun = std::chrono::steady_clock::now();  // of the next stage
     const double share = limit.share();
     progress.advance(share - shown);
     shown = share;

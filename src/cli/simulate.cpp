@@ -256,7 +256,10 @@ int simulate(const SimulateOptions& options) {
   }
   report::require_none(plot.failures);
   if (recording.certainty.doubt != Doubt::unfinished) return 0;
-  return report_incomplete(options.seconds, recording.certainty.reason);
+  return report_incomplete(
+      options.seconds, recording.complete ? "it is not known whether the count is certain"
+                                          : fmt::format("everything is that of the first {:.6g} s",
+                                                        recording.end.time));
 }
 
 }  // namespace

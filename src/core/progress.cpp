@@ -50,11 +50,11 @@ Progress::~Progress() {
   if (redraws_ && !silent) draw(true);
 }
 
-void Progress::begin(std::string what) {
+void Progress::begin(std::string what, steady_clock::time_point start) {
   const std::lock_guard lock(mutex_);
   what_ = std::move(what);
   done_ = 0;
-  start_ = steady_clock::now();
+  start_ = start;
 }
 
 void Progress::advance(double work) {

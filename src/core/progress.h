@@ -25,8 +25,8 @@ class Progress {
 
   void advance(double work);
 
-  /// Goes over to other work, of the same amount in other units, of which nothing is done yet.
-  void begin(std::string what);
+  /// Goes over to other work, as much in its own unit, that was begun then.
+  void begin(std::string what, std::chrono::steady_clock::time_point start);
 
   /// Writes a line of its own that announces the next step.
   static void announce(std::string_view line);

@@ -30,8 +30,10 @@ TimeLimit::~TimeLimit() {
   here = {outer_, outer_listener_};
 }
 
-bool TimeLimit::is_reached() const {
-  return steady_clock::now() >= end_;
+bool TimeLimit::is_reached() {
+  if (!was_reached() && steady_clock::now() >= end_)
+    reached_.store(true, std::memory_order_relaxed);
+  return was_reached();
 }
 
 void TimeLimit::report(const char* stage, double share) {
@@ -44,8 +46,10 @@ WorkTime& work_time_of_this_thread() {
 }
 
 void check_time_limit() {
-  if (here.limit == nullptr || ++checks % checks_between_readings != 0) return;
-  if (here.limit->is_reached()) throw TimeLimitReached();
+  if (here.limit == nullptr) return;
+  const bool over = ++checks % checks_between_readings == 0 ? here.limit->is_reached()
+                                                            : here.limit->was_reached();
+  if (over) throw TimeLimitReached();
 }
 
 void report_progress(const char* stage, double share) {

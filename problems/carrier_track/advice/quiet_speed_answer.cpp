@@ -217,7 +217,7 @@ std::string text_of(const QuietSpeedAnswer& output) {
     text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
   }
   for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
-  if (!answer.is_of_the_long_run()) text += text_of_steps(answer);
+  if (!answer.is_of_the_long_run() && !answer.reached) text += text_of_steps(answer);
   if (!answer.options.limit && !answer.staircase.steps.empty()) {
     text +=
         "Significance is how much louder times how long both levels last, on logarithmic axes; no "

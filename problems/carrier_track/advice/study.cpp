@@ -151,7 +151,7 @@ Json compute(const AdviceOptions& options) {
     return wear_data(options.scene, found.options.fastest);
   });
   data["regime_rows"] = regime_rows(found.regimes);
-  data["irregular"] = is_irregular(options.scene, found);
+  data["irregular"] = !found.reached && is_irregular(options.scene, found);
   data["changes"] = change_data(answer.sensitivities);
   data["explorer"] = in_time("variants of the machine",
                              [&] { return json_of(design_parameter_grid(options.scene, found)); });

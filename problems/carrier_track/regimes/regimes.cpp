@@ -51,7 +51,7 @@ template <class Motion>
 class Walk {
  public:
   Walk(const Motion& start, double to)
-      : here_(start), margins_(margins_of(start)), from_(start.omega()), to_(to) {}
+      : here_(start), margins_(margins_of(start)), from_(start.omega()), to_(to), covered_(from_) {}
 
   /// The regimes, up to the first in which a turn has more than `at_most` collisions.
   std::vector<Regime> regimes(double at_most) {
@@ -297,7 +297,7 @@ class Walk {
   Margins margins_;
   std::optional<Margins> reached_;  // of the motion that reaches() was last asked for
   double from_, to_;
-  double covered_ = 0;  // the regimes are known up to here
+  double covered_;  // the regimes are known up to here
   double step_ = 0.01;
   double sum_ = 0;  // of the regime's collisions per turn
   int added_ = 0;
@@ -342,6 +342,7 @@ std::vector<Regime> walked(const Scene& scene, const RegimeOptions& options, dou
   Scene turn = slow;
   turn.window = Revolutions{1};
   check(turn, "scene, in a turn at the slowest speed");
+  report_progress("regimes", 0);
   return is_disturbed(scene) ? Walk(disturbed_motion(slow), options.to).regimes(at_most)
                              : Walk(steady_motion(slow), options.to).regimes(at_most);
 }

@@ -41,7 +41,8 @@ enum class Doubt {
   window,     ///< the change moves a feature that counts to or across the end of the window
   graze,      ///< the change makes an impact or a maximum appear or vanish
   sensitive,  ///< the change grows more than 1e6-fold, or its simulation fails
-  endless     ///< infinitely many maxima count, see FeatureTrace
+  endless,    ///< infinitely many maxima count, see FeatureTrace
+  unfinished  ///< a TimeLimit was reached before the end of the simulation or of the comparison
 };
 
 struct Certainty {
@@ -80,6 +81,9 @@ struct Recording {
   int count = 0;
   double surrogate = 0;
   Certainty certainty;  ///< of the count
+  /// Whether the whole window was simulated; if not, because a TimeLimit was reached, all is that
+  /// of the time up to end.time, and end.velocity is NaN.
+  bool complete = true;
   std::vector<Impact> impacts;
   std::vector<Peak> peaks;
   std::vector<Sample> path;

@@ -22,7 +22,8 @@ enum class RegimeEnd {
   flip,            ///< period doubling: an eigenvalue passes -1
   fold,            ///< the orbit meets an unstable one and vanishes: an eigenvalue reaches +1
   irregular,       ///< the motion ceases, or begins, to repeat
-  range            ///< the end of the range asked for
+  range,           ///< the end of the range asked for
+  time_limit       ///< the TimeLimit was reached: what comes next is not known
 };
 
 /// The name as it stands in JSON: "counting-limit".
@@ -53,7 +54,8 @@ struct Regime {
   /// False if the motion does not repeat within some hundred turns: the numbers are averages, and
   /// borders within the regime may be missed. False too for a periodic motion in a range narrower
   /// than 2 % between motions that are not certain, and where a motion jumps within a step of 1e-7:
-  /// others may lie between.
+  /// others may lie between. False where a TimeLimit ended the search; under a disturbance also for
+  /// the regimes before, since later ones may tell of borders there.
   bool certain;
   /// The largest modulus of the eigenvalues of a period: how much of a small disturbance is left
   /// after it, at the regime's fast end. 0 where a rest on a wall erases memory.
@@ -79,11 +81,18 @@ bool has_regimes(const Scene& scene);
 /// is taken as impact).
 void check_regimes_exist(const Scene& scene, const std::string& origin);
 
-/// The regimes of a machine in the long run, by increasing speed, without gaps. The carrier starts
-/// at the scene's start at the slowest speed, and the speed rises slowly: where several motions are
-/// possible at a speed, it keeps the one it has until that ends. The scene's omega and window are
-/// not used. Throws InputError if the scene or an option is invalid, if the speed is a profile, or
-/// as check_regimes_exist() does.
+/// Borders nearer to each other than this, relative to the speed, are one: rounding moves a border
+/// by some 1e-14, and impacts of equal speed, as on both walls of a machine that is its own mirror
+/// image, pass the counting limit at one speed.
+inline constexpr double border_resolution = 1e-12;
+
+/// The regimes of a machine in the long run, by increasing speed, without gaps; none is narrower
+/// than border_resolution. The carrier starts at the scene's start at the slowest speed, and the
+/// speed rises slowly: where several motions are possible at a speed, it keeps the one it has until
+/// that ends. The scene's omega and window are not used. If a TimeLimit is reached, the last regime
+/// ends by it, before options.to. Throws InputError if the scene or an option is invalid, if the
+/// speed is a profile, or as check_regimes_exist() does; TimeLimitReached if not even the motion at
+/// options.from is known.
 std::vector<Regime> regimes_of(const Scene& scene, const RegimeOptions& options = {});
 
 /// The most collisions in a turn in the long run at the scene's constant speed; the mean where the
@@ -92,7 +101,7 @@ double most_per_turn(const Scene& scene);
 
 /// The fastest speed [rad/s] up to which no turn in the long run has more than `at_most`
 /// collisions: the end of the last such regime, before the first that is louder. Nothing if the
-/// first regime is louder; options.to if none is.
+/// first regime is louder; options.to if none is. Throws TimeLimitReached if that is not known.
 std::optional<double> quiet_up_to(const Scene& scene, double at_most,
                                   const RegimeOptions& options = {});
 
@@ -116,6 +125,7 @@ struct BasinOptions {
 /// The motions between which starts divide.
 struct Basins {
   double height, fastest;     ///< [m], [m/s], of the sampled starts
+  int starts;                 ///< sampled: as many as asked for, unless a TimeLimit was reached
   std::vector<Basin> basins;  ///< the most frequent first
 };
 
@@ -123,7 +133,8 @@ struct Basins {
 /// uniform, and lets each settle. Motions with the same period, collisions, energy, fastest impact
 /// and share at rest, all to 1e-6, are one, as mirror images are; all that do not repeat are one.
 /// The same seed gives the same starts. Throws InputError if the scene or an option is invalid, if
-/// a disturbance does not repeat within 16 turns, or as check_regimes_exist() does. In parallel.
+/// a disturbance does not repeat within 16 turns, or as check_regimes_exist() does;
+/// TimeLimitReached if no start has settled by then. In parallel.
 Basins basins_of(const Scene& scene, const BasinOptions& options = {});
 
 }  // namespace ricochet::carrier_track::inline regimes

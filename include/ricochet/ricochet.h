@@ -179,6 +179,16 @@ const char* ricochet_machine_text(const ricochet_machine* machine);
 /** The speed in its file; NaN if that is a profile, and on an error. */
 double ricochet_machine_speed(const ricochet_machine* machine);
 
+/** Sets the time limit [s] of each later call of a machine in this thread: > 0, INFINITY for none;
+ * 60 if it is not set. A call that reaches it returns what it knows: ricochet_simulate a count up
+ * to there that is not certain, ricochet_regimes a last regime that ends by "time-limit",
+ * ricochet_quiet_speed NaN for what is not known; ricochet_counts fails, as do the others if they
+ * know nothing. Results that are there in time do not depend on it. Returns 0, or 1 on an error. */
+int32_t ricochet_limit_seconds(double seconds);
+/** How far the last of these calls in this thread came before the time limit: ricochet_simulate [s]
+ * of the window, ricochet_regimes and ricochet_quiet_speed [rad/s]. NaN if it was complete. */
+double ricochet_reached(void);
+
 /** The collision counts at `size` speeds, one simulation each. Neighbours should be similar, which
  * makes it several times as fast. Neither array may be NULL. Returns 0, or 1 on an error. */
 int32_t ricochet_counts(const ricochet_machine* machine, const double* omegas, int64_t size,
@@ -213,11 +223,12 @@ int64_t ricochet_regime_table(const ricochet_machine* machine, double* from, dou
 const char* ricochet_regime_end(const ricochet_machine* machine, int64_t index);
 
 /** The fastest quiet speed, the first loud one, and the limit that divides them, as `ricochet
- * threshold` finds them; NaN where there is none. Quiet are at most `at_most` of `measure`:
- * "collisions" in the window, "collisions-per-turn", "energy" [J] in the window, "impact-speed";
- * NULL for two collisions per turn in the long run or, of a machine without regimes, for the level
- * below the largest step of its counts. `fastest` ends the range, NaN: 18. Returns 0,
- * or 1 on an error. */
+ * threshold` finds them; NaN where there is none: if no speed is quiet, not even the slowest, there
+ * is no fastest quiet one, and the first loud one is the slowest. Quiet are at most `at_most` of
+ * `measure`: "collisions" in the window, "collisions-per-turn", "energy" [J] in the window,
+ * "impact-speed"; NULL for two collisions per turn in the long run or, of a machine without
+ * regimes, for the level below the largest step of its counts. `fastest` ends the range, NaN: 18.
+ * Returns 0, or 1 on an error. */
 int32_t ricochet_quiet_speed(const ricochet_machine* machine, const char* measure, double at_most,
                              double fastest, double* quiet, double* first_loud, double* limit);
 /** @} */

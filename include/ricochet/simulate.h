@@ -19,14 +19,14 @@ inline constexpr double default_smoothing = 0.25;
 /// parameter of the surrogate, finite and > 0. The path is sampled at the ends of every flight, at
 /// every step in a compliant wall, and evenly in between, about `samples` times in the window; with
 /// 0 there is no path. Costs five simulations, four of them for the certainty; with fidelity
-/// automatic up to fifteen. Throws InputError if the scene or the smoothing parameter is invalid,
-/// or for more than 10,000,000 samples.
+/// automatic up to fifteen. If a TimeLimit is reached, the recording ends there. Throws InputError
+/// if the scene or the smoothing parameter is invalid, or for more than 10,000,000 samples.
 Recording simulate(const Scene& scene, double smoothing = default_smoothing,
                    std::size_t samples = 0);
 
 /// The collision counts of a scene at several constant speeds [rad/s], without their certainty: one
 /// simulation each. Neighbours should be similar, which makes it several times as fast. Throws
-/// InputError if the scene or a speed is invalid.
+/// InputError if the scene or a speed is invalid; TimeLimitReached.
 std::vector<int> counts(const Scene& scene, std::span<const double> speeds);
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -135,14 +135,20 @@ struct QuietSpeed {
   std::optional<double>
       fastest_quiet;               ///< [rad/s], last multiple of the step before the first loud
   std::vector<CountThere> around;  ///< of a window: just below the answer, at it, and just above
+  /// No speed keeps the limit: there is neither a fastest quiet speed nor one that divides.
+  bool loud_everywhere = false;
+  /// [rad/s], if a TimeLimit was reached: nothing is known of faster speeds, and what is said of
+  /// slower ones may be incomplete.
+  std::optional<double> reached;
 
   bool is_of_the_long_run() const { return !regimes.empty(); }
 };
 
 /// The fastest quiet speed of a machine, as `ricochet threshold` finds it: from its regimes if the
 /// limit is one of collisions per turn, else from about 20,000 simulations of its window. The
-/// scene's omega is not used. Throws InputError if the scene or an option is invalid, or if the
-/// scene's speed is a profile.
+/// scene's omega is not used. If a TimeLimit is reached, the answer says up to which speed. Throws
+/// InputError if the scene or an option is invalid, or if the scene's speed is a profile;
+/// TimeLimitReached if nothing is known.
 QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options = {});
 
 }  // namespace ricochet::carrier_track::inline counting

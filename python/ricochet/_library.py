@@ -46,6 +46,8 @@ _FUNCTIONS = {  # name: what it returns, what it takes
     "close_machine": (None, [_handle]),
     "machine_text": (_text, [_handle]),
     "machine_speed": (_number, [_handle]),
+    "limit_seconds": (_int, [_number]),
+    "reached": (_number, []),
     "counts": (_int, [_handle, _vector, _long, _vector]),
     "simulate": (_int, [_handle, _number, _long, _vector, _vector]),
     "doubt": (_text, [_handle]),

@@ -42,6 +42,7 @@ class Simulation:
     doubt: str  #: why it is not certain; "" if it is
     impacts: Impacts
     path: Path
+    reached: Optional[float] = None  #: [s], if the time limit ended it there; then not certain
 
 
 class Regime(NamedTuple):
@@ -55,21 +56,31 @@ class Regime(NamedTuple):
     turns: int  #: of one period; 0 if the motion does not repeat
     rests: bool  #: whether the carrier comes to rest in every period
     certain: bool
-    ends_by: str  #: what ends it at its fast end, such as "counting-limit"
+    #: What ends it at its fast end, such as "counting-limit"; "time-limit": the last one that is
+    #: known.
+    ends_by: str
 
 
-class Threshold(NamedTuple):
-    """The fastest quiet speed of a machine. None where there is none."""
-
+class _Threshold(NamedTuple):
     quiet: Optional[float]  #: [rad/s], the fastest quiet speed
     first_loud: Optional[float]  #: [rad/s]
     limit: Optional[float]  #: of the measure; up to it a speed is quiet
 
 
+class Threshold(_Threshold):
+    """The fastest quiet speed of a machine. None where there is none.
+
+    If no speed is quiet, not even the slowest, quiet is None and first_loud the slowest.
+    """
+
+    reached: Optional[float] = None  #: [rad/s], if the time limit ended the search there
+
+
 class Scene:
     """A machine: one yarn carrier in its clearance, from `Scene.load` or `Scene.parse`.
 
-    Several threads may use it at once. It can be pickled.
+    Several threads may use it at once. It can be pickled. A call that takes longer than its
+    seconds, 60 by default, returns what it knows by then, and says so; math.inf: no limit.
 
     >>> scene = ricochet.Scene.load("machine.toml")
     >>> scene.simulate(7.0).count
@@ -127,10 +138,11 @@ class Scene:
         omega: float = library().ricochet_machine_speed(self._machine)
         return None if math.isnan(omega) else omega
 
-    def counts(self, omegas: ArrayLike) -> NDArray[numpy.int32]:
+    def counts(self, omegas: ArrayLike, seconds: float = 60.0) -> NDArray[numpy.int32]:
         """The collision counts at speeds [rad/s], in an array of their shape.
 
-        One simulation each; if neighbours are similar, several run side by side.
+        One simulation each; if neighbours are similar, several run side by side. Raises Error if
+        they take longer than `seconds`.
 
         >>> scene = ricochet.Scene.load("machine.toml")
         >>> scene.counts(numpy.linspace(5.0, 7.0, 5))
@@ -138,17 +150,21 @@ class Scene:
         """
         speeds = numpy.array(omegas, dtype=float, order="C")
         counts = numpy.empty(speeds.shape, numpy.int32)
+        _limit(seconds)
         if library().ricochet_counts(
             self._machine, speeds.ctypes.data, speeds.size, counts.ctypes.data
         ):
             raise Error(last_error())
         return counts
 
-    def simulate(self, omega: Optional[float] = None, samples: int = 0) -> Simulation:
+    def simulate(
+        self, omega: Optional[float] = None, samples: int = 0, seconds: float = 60.0
+    ) -> Simulation:
         """One simulation at a speed [rad/s], or at the speed, or profile, of the file.
 
         samples: of the path, about so many, from 0 (no path) to 10,000,000. Costs as much as
-        five counts: the others say whether the count is certain.
+        five counts: the others say whether the count is certain. If it takes longer than
+        `seconds`, everything is that of the time up to `reached`.
 
         >>> found = ricochet.Scene.load("machine.toml").simulate(7.0, samples=1000)
         >>> found.count, found.certain, len(found.impacts.times), len(found.path.times)
@@ -158,6 +174,7 @@ class Scene:
         """
         ask, count, certain = library(), ctypes.c_int32(), ctypes.c_int32()
         speed = math.nan if omega is None else _finite("omega", omega)
+        _limit(seconds)
         with self._lock:
             if ask.ricochet_simulate(
                 self._machine, speed, samples, ctypes.byref(count), ctypes.byref(certain)
@@ -167,11 +184,21 @@ class Scene:
             path = self._columns(ask.ricochet_path, "ddd")
             doubt: bytes = ask.ricochet_doubt(self._machine)
         return Simulation(
-            count.value, bool(certain.value), doubt.decode(), Impacts(*impacts), Path(*path)
+            count.value,
+            bool(certain.value),
+            doubt.decode(),
+            Impacts(*impacts),
+            Path(*path),
+            _or_none(ask.ricochet_reached()),
         )
 
-    def regimes(self, lowest: float = 0.01, highest: float = 18.0) -> List[Regime]:
+    def regimes(
+        self, lowest: float = 0.01, highest: float = 18.0, seconds: float = 60.0
+    ) -> List[Regime]:
         """What the machine does in the long run over the speeds [rad/s], by increasing speed.
+
+        If it takes longer than `seconds`, the last regime ends by "time-limit", before `highest`,
+        and is not certain.
 
         >>> for regime in ricochet.Scene.load("machine.toml").regimes()[:3]:
         ...     print(f"to {regime.highest:.3f}: {regime.most_per_turn:g} ({regime.ends_by})")
@@ -180,6 +207,7 @@ class Scene:
         to 6.312: 2 (counting-limit)
         """
         ask = library()
+        _limit(seconds)
         with self._lock:
             if ask.ricochet_regimes(self._machine, lowest, highest) < 0:
                 raise Error(last_error())
@@ -195,13 +223,15 @@ class Scene:
         measure: Optional[str] = None,
         at_most: Optional[float] = None,
         fastest: float = 18.0,
+        seconds: float = 60.0,
     ) -> Threshold:
         """The fastest quiet speed up to `fastest` [rad/s], as `ricochet threshold` finds it.
 
         measure: what must be `at_most`: "collisions" in the window, "collisions-per-turn" in the
         long run, "energy" [J] in the window, "impact-speed" [m/s]; None for two collisions per
         turn or, of a machine without regimes, for the level below the largest step of its counts.
-        Takes up to some seconds.
+        Takes up to some seconds. If it takes longer than `seconds`, `reached` says up to which
+        speed is known what is said.
 
         >>> scene = ricochet.Scene.load("machine.toml")
         >>> scene.threshold("collisions", 10)
@@ -210,6 +240,7 @@ class Scene:
         if (measure is None) != (at_most is None):
             raise ValueError("measure and at_most: give both or neither")
         found = [ctypes.c_double() for _ in Threshold._fields]
+        _limit(seconds)
         if library().ricochet_quiet_speed(
             self._machine,
             None if measure is None else measure.encode(),
@@ -218,7 +249,9 @@ class Scene:
             *map(ctypes.byref, found),
         ):
             raise Error(last_error())
-        return Threshold(*(None if math.isnan(each.value) else each.value for each in found))
+        threshold = Threshold(*(_or_none(each.value) for each in found))
+        threshold.reached = _or_none(library().ricochet_reached())
+        return threshold
 
     def _columns(self, function: Any, kinds: str) -> Tuple[NDArray[Any], ...]:
         """What a function writes into one array for each kind: d is double, i is int32."""
@@ -237,6 +270,16 @@ class Scene:
 
     def __repr__(self) -> str:
         return f"<ricochet.Scene at {self.omega} rad/s>"
+
+
+def _limit(seconds: float) -> None:
+    """Limits the calls of this thread."""
+    if library().ricochet_limit_seconds(seconds):
+        raise Error(last_error())
+
+
+def _or_none(number: float) -> Optional[float]:
+    return None if math.isnan(number) else number
 
 
 def _finite(what: str, number: float) -> float:

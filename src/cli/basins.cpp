@@ -5,6 +5,7 @@
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
 #include "src/benchmark/statistics/wilson_interval.h"
+#include "src/cli/limited.h"
 #include "src/report/json.h"
 
 namespace ricochet::cli {
@@ -29,25 +30,25 @@ void print(const std::string& name, double omega, const Basins& found,
       "{} at {:.4g} rad/s: {} starts lead to {} motion{}.\n"
       "Starts are uniform: up to {:.4g} mm above the lower wall, velocity up to {:.4g} mm/s either "
       "way, any phase; seed {}.\n",
-      name, omega, *options.starts, found.basins.size(), found.basins.size() == 1 ? "" : "s",
+      name, omega, found.starts, found.basins.size(), found.basins.size() == 1 ? "" : "s",
       1e3 * found.height, 1e3 * found.fastest, options.sampled.seed);
   fmt::print("{:>7}{:>11}{:>20}{:>12}{:>11}{:>12}{:>10}{:>8}\n", "starts", "share", "95 % interval",
              "collisions", "period", "energy", "fastest", "rest");
   fmt::print("{:>7}{:>11}{:>20}{:>12}{:>11}{:>12}{:>10}{:>8}\n", "", "", "", "a turn", "turns",
              "mJ a turn", "mm/s", "");
-  for (const Basin& basin : found.basins) fmt::print("{}", line_of(basin, *options.starts));
+  for (const Basin& basin : found.basins) fmt::print("{}", line_of(basin, found.starts));
 }
 
 report::Json json_of(const Basins& found, double omega, const RegimesOptions& options) {
   return {{"omega", omega},
-          {"starts", *options.starts},
+          {"starts", found.starts},
           {"seed", options.sampled.seed},
           {"height", found.height},
           {"fastest_start", found.fastest},
           {"motions", report::list_of(found.basins, [&](const Basin& basin) {
-             const Interval share = wilson_interval(basin.starts, *options.starts);
+             const Interval share = wilson_interval(basin.starts, found.starts);
              return report::Json{{"starts", basin.starts},
-                                 {"share", static_cast<double>(basin.starts) / *options.starts},
+                                 {"share", static_cast<double>(basin.starts) / found.starts},
                                  {"share_lower", share.lower},
                                  {"share_upper", share.upper},
                                  {"collisions_per_turn", basin.motion.collisions_per_turn},
@@ -69,13 +70,15 @@ int basins(const RegimesOptions& options) {
   }
   BasinOptions sampled = options.sampled;
   sampled.starts = *options.starts;
-  const Basins found = basins_of(chosen.scene, sampled);
+  const Basins found = limited(options.seconds, [&] { return basins_of(chosen.scene, sampled); });
   if (options.json) {
     fmt::print("{}\n", json_of(found, chosen.scene.omega, options).dump(2));
   } else {
     print(chosen.name, chosen.scene.omega, found, options);
   }
-  return 0;
+  if (found.starts == *options.starts) return 0;
+  return report_incomplete(
+      options.seconds, fmt::format("{} of {} starts were sampled", found.starts, *options.starts));
 }
 
 }  // namespace ricochet::cli

@@ -34,8 +34,8 @@ constexpr int failure = 1;
 constexpr int bad_input = 2;
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 done; 1 a failure, as of a full disk; 2 bad input; 130 and 143 interrupted, by\n"
-    "Ctrl-C and by SIGTERM.";
+    "Exit codes: 0 done; 1 a failure, as of a full disk, or a result that is not complete; 2 bad\n"
+    "input; 130 and 143 interrupted, by Ctrl-C and by SIGTERM.";
 
 /// A file that is opened must never take the descriptor of a standard stream that was closed. The
 /// replacement rejects all input and output, so that lost output is noticed; messages on standard

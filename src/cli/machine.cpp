@@ -6,6 +6,7 @@
 #include "problems/carrier_track/scene/scene_doubts.h"
 #include "ricochet/scene.h"
 #include "src/cli/commands.h"
+#include "src/cli/limited.h"
 #include "src/cli/quiet_speed_request.h"
 #include "src/cli/scene_choice.h"
 #include "src/cli/tell.h"
@@ -43,10 +44,15 @@ int advise_machine(const AdviseOptions& options) {
   const QuietSpeedRequest& asked = options.asked;
   const ChosenScene chosen = choose_scene(options.machine);
   carrier_track::check_constant_speed(chosen.scene, chosen.name);
-  const studies::Study study = studies::advice_study(
+  studies::Study study = studies::advice_study(
       {chosen.name, chosen.scene, options_of(asked), asked.tolerance / 100, chosen.source});
-  tell(studies::run(study, false, options.out));
-  return 0;
+  study.compute = [compute = study.compute, seconds = asked.seconds](bool quick) {
+    return limited(seconds, [&] { return compute(quick); });
+  };
+  const studies::Finished finished = studies::run(study, false, options.out);
+  tell(finished);
+  const report::Json& missing = finished.data["missing"];
+  return missing.is_null() ? 0 : report_incomplete(asked.seconds, missing);
 }
 
 }  // namespace
@@ -74,6 +80,7 @@ void add_machine(CommandLine& line) {
   advise->add_option("--out", options->out, "Folder for the page")
       ->type_name("FOLDER")
       ->capture_default_str();
+  options->asked.seconds = 300;  // for all parts of the page
   add_request(advise, options->asked);
   line.on_call(advise, [options] { return advise_machine(*options); });
 }

@@ -7,6 +7,7 @@
 
 #include "ricochet/error.h"
 #include "ricochet/threshold.h"
+#include "src/cli/limited.h"
 
 namespace ricochet::cli {
 namespace {
@@ -37,6 +38,7 @@ std::optional<Limit> limit_of(const QuietSpeedRequest& request) {
 }  // namespace
 
 void add_request(CLI::App* command, QuietSpeedRequest& asked) {
+  add_seconds(command, asked.seconds);
   command->add_option("--fastest", asked.fastest, "End of the speed range [rad/s]")
       ->capture_default_str();
   command->add_option("--allow", asked.allow, "Limit: collisions in the window");

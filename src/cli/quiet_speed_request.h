@@ -15,6 +15,7 @@ struct QuietSpeedRequest {
   std::optional<double> allow_energy;    ///< [J], in the window
   std::optional<double> allow_speed;     ///< [m/s], of the fastest impact
   double tolerance = 0;                  ///< [%], of every model parameter
+  double seconds = 60;                   ///< time limit
 };
 
 /// Adds the options of a request.

@@ -11,6 +11,7 @@
 #include "problems/carrier_track/regimes/orbit_map.h"
 #include "problems/carrier_track/scene/scene_file.h"
 #include "src/cli/constant_range.h"
+#include "src/cli/limited.h"
 #include "src/cli/output_files.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
@@ -72,8 +73,10 @@ int regime_curves(const RegimesOptions& options) {
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
   refuse_same_file("--plot", options.plot, options.csv, "that of --csv");
   const ConstantRange range = constant_range_of(options.over);
-  const RegimeMap map = regime_map(
-      chosen.scene, {range.constant, range.from, range.to, options.values, options.range});
+  const RegimeMap map = limited(options.seconds, [&] {
+    return regime_map(chosen.scene,
+                      {range.constant, range.from, range.to, options.values, options.range});
+  });
   std::deque<TextDraft> drafts;
   if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(map));
   report::Plot plot;

@@ -8,6 +8,7 @@
 #include "problems/carrier_track/regimes/regime_map.h"
 #include "src/cli/basins.h"
 #include "src/cli/commands.h"
+#include "src/cli/limited.h"
 #include "src/cli/output_files.h"
 #include "src/cli/regime_curves.h"
 #include "src/cli/shared_options.h"
@@ -23,7 +24,8 @@ int regimes(const RegimesOptions& options) {
   if (options.starts) return basins(options);
   const ChosenScene chosen = choose_scene(options.scene);
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
-  const auto found = carrier_track::regimes_of(chosen.scene, options.range);
+  const auto found = limited(
+      options.seconds, [&] { return carrier_track::regimes_of(chosen.scene, options.range); });
   report::Plot plot;
   if (!options.plot.empty()) {
     carrier_track::QuietSpeed drawn;
@@ -40,7 +42,9 @@ int regimes(const RegimesOptions& options) {
                studies::advice::text_of(found, std::nullopt));
   }
   report::require_none(plot.failures);
-  return 0;
+  if (found.back().ends_by != carrier_track::RegimeEnd::time_limit) return 0;
+  return report_incomplete(options.seconds, fmt::format("nothing is known from {:.6g} to {} rad/s",
+                                                        found.back().to, options.range.to));
 }
 
 }  // namespace
@@ -56,6 +60,7 @@ void add_regimes(CommandLine& line) {
   const auto options = std::make_shared<RegimesOptions>();
   add_scene_choice(command, options->scene);
   add_format(command, options->json);
+  add_seconds(command, options->seconds);
   command->add_option("--from", options->range.from, "Start of the speed range [rad/s]")
       ->capture_default_str();
   command->add_option("--to", options->range.to, "End of the speed range [rad/s]")

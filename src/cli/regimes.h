@@ -12,7 +12,8 @@ struct RegimesOptions {
   SceneChoice scene;
   carrier_track::RegimeOptions range;
   bool json = false;
-  std::string plot;  ///< SVG file for a chart; empty: none
+  double seconds = 60;  ///< time limit
+  std::string plot;     ///< SVG file for a chart; empty: none
 
   std::string over;           ///< CONSTANT=FROM..TO: borders over it; empty: none
   std::optional<int> values;  ///< of that constant

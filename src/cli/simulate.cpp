@@ -18,6 +18,7 @@
 #include "ricochet/error.h"
 #include "ricochet/recording.h"
 #include "src/cli/commands.h"
+#include "src/cli/limited.h"
 #include "src/cli/output_files.h"
 #include "src/cli/scene_choice.h"
 #include "src/cli/shared_options.h"
@@ -37,8 +38,9 @@ struct SimulateOptions {
   std::string fidelity;         ///< replaces the scene's; empty: the scene's
   double smoothing = 0.25;      ///< smoothing parameter of the surrogate that is printed
   bool json = false;
-  std::string csv;   ///< file for the path; empty: none
-  std::string plot;  ///< SVG file for the path; empty: none
+  double seconds = 60;  ///< time limit
+  std::string csv;      ///< file for the path; empty: none
+  std::string plot;     ///< SVG file for the path; empty: none
 };
 
 const char* name_of(Wall wall) {
@@ -75,6 +77,8 @@ Json frame_of(const Recording& recording) {
   return {{"count", recording.count},
           {"surrogate", recording.surrogate},
           {"certain", recording.certainty.certain},
+          {"complete", recording.certainty.doubt != Doubt::unfinished},
+          {"reached", recording.complete ? Json() : Json(recording.end.time)},
           {"margin", recording.certainty.margin},
           {"graze", json_of(recording.certainty.graze)},
           {"growth", recording.certainty.growth},
@@ -172,7 +176,17 @@ void print_features(const Scene& scene, const Recording& recording) {
   }
 }
 
-void print(const ChosenScene& chosen, const Recording& recording) {
+/// What the start causes; nothing if that is not known, or there is no time for it.
+std::optional<Anatomy> anatomy_in_time(const Scene& scene, const Recording& recording) {
+  try {
+    if (recording.complete) return carrier_track::anatomy_of(scene, recording.impacts);
+  } catch (const TimeLimitReached&) {
+  }
+  return std::nullopt;
+}
+
+void print(const ChosenScene& chosen, const Recording& recording,
+           const std::optional<Anatomy>& anatomy) {
   const Certainty& certainty = recording.certainty;
   fmt::print("{} at {}: {} collisions in {:.4g} s ({}; surrogate {:.4f})\n", chosen.name,
              speed_of(chosen.scene), recording.count, recording.end.time,
@@ -190,7 +204,7 @@ void print(const ChosenScene& chosen, const Recording& recording) {
     fmt::print("nearest missed wall: the {}, by {:.3g} m at {:.6g} s\n",
                name_of(certainty.graze->wall), certainty.graze->distance, certainty.graze->time);
   }
-  if (const auto anatomy = carrier_track::anatomy_of(chosen.scene, recording.impacts)) {
+  if (anatomy) {
     fmt::print(
         "{} of the collisions are the start's and do not come again; {} are of the long run, "
         "which has {:.4g} a turn\n",
@@ -223,8 +237,12 @@ int simulate(const SimulateOptions& options) {
   }
   refuse_same_files(options);
   const bool path = !options.csv.empty() || !options.plot.empty();
-  const Recording recording =
-      carrier_track::simulate(chosen.scene, options.smoothing, path ? 2000 : 0);
+  Recording recording;
+  std::optional<Anatomy> anatomy;
+  limited(options.seconds, [&] {
+    recording = carrier_track::simulate(chosen.scene, options.smoothing, path ? 2000 : 0);
+    if (!options.json) anatomy = anatomy_in_time(chosen.scene, recording);
+  });
   std::deque<TextDraft> drafts;
   if (!options.csv.empty()) drafts.emplace_back(options.csv, csv_of(recording));
   report::Plot plot;
@@ -234,10 +252,14 @@ int simulate(const SimulateOptions& options) {
   if (options.json) {
     print_json(recording);
   } else {
-    print(chosen, recording);
+    print(chosen, recording, anatomy);
   }
   report::require_none(plot.failures);
-  return 0;
+  if (recording.certainty.doubt != Doubt::unfinished) return 0;
+  return report_incomplete(
+      options.seconds, recording.complete ? "it is not known whether the count is certain"
+                                          : fmt::format("everything is that of the first {:.6g} s",
+                                                        recording.end.time));
 }
 
 }  // namespace
@@ -251,6 +273,7 @@ void add_simulate(CommandLine& line) {
   const auto options = std::make_shared<SimulateOptions>();
   add_scene_choice(command, options->scene);
   add_format(command, options->json);
+  add_seconds(command, options->seconds);
   command->add_option("--omega", options->omega, "Speed [rad/s] in place of the scene's");
   std::set<std::string> levels;
   for (const auto& [name, level] : fidelity_names()) levels.emplace(name);

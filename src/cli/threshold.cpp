@@ -13,11 +13,11 @@
 #include "ricochet/error.h"
 #include "ricochet/threshold.h"
 #include "src/cli/commands.h"
+#include "src/cli/limited.h"
 #include "src/cli/output_files.h"
 #include "src/cli/quiet_speed_request.h"
 #include "src/cli/scene_choice.h"
 #include "src/cli/shared_options.h"
-#include "src/core/progress.h"
 #include "src/core/text_file.h"
 #include "src/report/drawn_chart.h"
 #include "src/report/json.h"
@@ -66,7 +66,16 @@ Json json_of(const ChosenScene& chosen, const Score& score) {
           {"interpretation", chosen.interpretation},
           {"evaluations", score.evaluations},
           {"seconds", score.seconds},
+          {"complete", true},
           {"examples", examples}};
+}
+
+/// The row of a case for which there was no time.
+Json unknown_row(const ChosenScene& chosen) {
+  Json row = json_of(chosen, Score{});
+  for (const char* key : {"misclassified", "quiet_count", "evaluations", "seconds"}) row[key] = {};
+  row["complete"] = false;
+  return row;
 }
 
 void print_header() {
@@ -118,27 +127,36 @@ void print_paper_rule(const ChosenScene& chosen, const Score& score, const ScanO
   }
 }
 
-int threshold_of_all(const ScanOptions& scan, bool json) {
-  const std::vector<ChosenScene> scenes = every_case();
+/// The scores of as many cases as there is time for.
+std::vector<Score> scores_of(const std::vector<ChosenScene>& scenes, const ScanOptions& scan) {
   std::vector<Score> scores;
-  {
-    Progress progress("scanning speeds", static_cast<double>(scenes.size()));
+  try {
     for (const ChosenScene& chosen : scenes) {
       scores.push_back(score(chosen.scene, chosen.claim, scan));
-      progress.advance(1);
     }
+  } catch (const TimeLimitReached&) {
+    // The rows say so.
   }
+  return scores;
+}
+
+int threshold_of_all(const ScanOptions& scan, bool json, double seconds) {
+  const std::vector<ChosenScene> scenes = every_case();
+  const std::vector<Score> scores = limited(seconds, [&] { return scores_of(scenes, scan); });
   Json rows = Json::array();
   if (!json) print_header();
   for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const bool known = i < scores.size();
     if (json) {
-      rows.push_back(json_of(scenes[i], scores[i]));
-    } else {
+      rows.push_back(known ? json_of(scenes[i], scores[i]) : unknown_row(scenes[i]));
+    } else if (known) {
       print_row(scenes[i], scores[i]);
     }
   }
   if (json) fmt::print("{}\n", rows.dump(2));
-  return 0;
+  if (scores.size() == scenes.size()) return 0;
+  return report_incomplete(seconds,
+                           fmt::format("{} of {} cases are known", scores.size(), scenes.size()));
 }
 
 /// Returns the score that corresponds to the answer for a machine.
@@ -175,18 +193,27 @@ int threshold(const ThresholdOptions& options) {
       throw InputError("--all is by the paper's rule: it takes no limit and no tolerance");
     }
     if (!options.plot.empty()) throw InputError("--all has no picture: it takes no --plot");
-    return threshold_of_all(scan, options.json);
+    return threshold_of_all(scan, options.json, options.asked.seconds);
   }
   const ChosenScene chosen = choose_scene(options.scene);
   carrier_track::check_constant_speed(chosen.scene, chosen.name);
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
   const auto start = std::chrono::steady_clock::now();
-  const QuietSpeedAnswer output = answer_quiet_speed(chosen.name, chosen.scene, asked,
-                                                     options.asked.tolerance / 100, chosen.source);
-  const bool by_the_paper =
+  bool by_the_paper =
       !asked.limit && !options.scene.case_id.empty() && options.scene.settings.empty();
-  Score score = by_the_paper ? carrier_track::score(chosen.scene, chosen.claim, scan)
-                             : score_of(output.answer);
+  QuietSpeedAnswer output;
+  Score score;
+  limited(options.asked.seconds, [&] {
+    output = answer_quiet_speed(chosen.name, chosen.scene, asked, options.asked.tolerance / 100,
+                                chosen.source);
+    score = score_of(output.answer);
+    try {
+      if (by_the_paper) score = carrier_track::score(chosen.scene, chosen.claim, scan);
+    } catch (const TimeLimitReached&) {
+      output.left_out.emplace_back("paper's rule");
+      by_the_paper = false;
+    }
+  });
   score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::Plot plot;
   if (!options.plot.empty()) plot = plot_of(chosen, output.answer);
@@ -200,7 +227,8 @@ int threshold(const ThresholdOptions& options) {
     if (by_the_paper) print_paper_rule(chosen, score, scan);
   }
   report::require_none(plot.failures);
-  return 0;
+  if (output.is_complete()) return 0;
+  return report_incomplete(options.asked.seconds, studies::advice::known_part_of(output));
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
+constexpr std::chrono::seconds between_lines{10};  // elsewhere than on a terminal
+
 std::atomic<bool> silent = false;
 
 /// The columns of the terminal that standard error is; many if it does not say.
@@ -42,12 +44,12 @@ void Progress::silence() {
   silent = true;
 }
 
-Progress::Progress(std::string what, double work)
+Progress::Progress(std::string what, double work, First first)
     : what_(std::move(what)),
       work_(work),
       redraws_(redraws()),
       start_(steady_clock::now()),
-      drawn_(start_),
+      drawn_(first == First::at_once ? start_ - between_lines : start_),
       interrupted_([this] {
         if (!silent.exchange(true) && redraws_) std::fputs("\n", stderr);  // the bar stays
       }) {}
@@ -56,11 +58,18 @@ Progress::~Progress() {
   if (redraws_ && !silent) draw(true);
 }
 
+void Progress::begin(std::string what, steady_clock::time_point start) {
+  const std::lock_guard lock(mutex_);
+  what_ = std::move(what);
+  done_ = 0;
+  start_ = start;
+}
+
 void Progress::advance(double work) {
   using namespace std::chrono_literals;
   const std::lock_guard lock(mutex_);
   done_ += work;
-  if (silent || steady_clock::now() - drawn_ < (redraws_ ? 100ms : 10s)) return;
+  if (silent || steady_clock::now() - drawn_ < (redraws_ ? 100ms : between_lines)) return;
   drawn_ = steady_clock::now();
   draw(false);
 }
@@ -71,7 +80,8 @@ void Progress::draw(bool last) const {
   const double elapsed = std::chrono::duration<double>(steady_clock::now() - start_).count();
   const std::string time =
       last ? fmt::format("{:.1f} s", elapsed)
-           : (share > 0 ? fmt::format("{:.0f} s left", elapsed * (1 - share) / share) : "");
+           : (share > 0 ? fmt::format("{:.0f} s left", elapsed * (1 - share) / share)
+                        : fmt::format("{:.0f} s", elapsed));
   if (redraws_) {
     const auto filled = static_cast<std::size_t>(share * width);
     const std::string bar = std::string(filled, '=') + std::string(width - filled, ' ');

@@ -14,13 +14,19 @@ namespace ricochet {
 /// ends no command. advance() may be called from several threads.
 class Progress {
  public:
+  /// When the first line is drawn elsewhere than on a terminal.
+  enum class First { after_ten_seconds, at_once };
+
   /// `work` > 0 is in any unit proportional to time.
-  Progress(std::string what, double work);
+  Progress(std::string what, double work, First first = First::after_ten_seconds);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void advance(double work);
+
+  /// Goes over to other work, as much in its own unit, that was begun then.
+  void begin(std::string what, std::chrono::steady_clock::time_point start);
 
   /// Writes a line of its own that announces the next step.
   static void announce(std::string_view line);

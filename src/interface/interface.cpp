@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "ricochet/error.h"
 #include "ricochet/families.h"
 #include "ricochet/scene.h"
+#include "ricochet/time_limit.h"
 #include "src/core/instance.h"
 #include "src/core/near_names.h"
 #include "src/interface/exported.h"
@@ -23,6 +25,8 @@
 /// How external programs open and close problems.
 namespace ricochet::interface {
 namespace {
+
+constexpr double longest_threshold = 60;  // [s]
 
 using Problems = std::shared_ptr<const std::vector<Problem>>;
 
@@ -45,9 +49,16 @@ Problems problems_of(const std::string& scene) {
   const std::string text = scene_text(scene);
   const std::lock_guard lock(last.mutex);
   if (!last.problems || last.scene != scene || last.text != text) {
-    last.problems =
-        std::make_shared<const std::vector<Problem>>(every_problem(carrier_track::families_of(
-            {carrier_track::machine_of(carrier_track::parse_scene(text, scene), scene)})));
+    const TimeLimit limit(longest_threshold);
+    try {
+      last.problems =
+          std::make_shared<const std::vector<Problem>>(every_problem(carrier_track::families_of(
+              {carrier_track::machine_of(carrier_track::parse_scene(text, scene), scene)})));
+    } catch (const TimeLimitReached&) {
+      throw std::runtime_error(
+          fmt::format("{}: its problems need its threshold, which is not known after {} s", scene,
+                      longest_threshold));
+    }
     last.scene = scene;
     last.text = text;
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "ricochet/error.h"
 #include "ricochet/simulate.h"
 #include "ricochet/threshold.h"
+#include "ricochet/time_limit.h"
 #include "src/interface/exported.h"
 #include "src/interface/last_error.h"
 #include "src/interface/open_handles.h"
@@ -53,6 +55,24 @@ Measure measure_named(const std::string& name) {
     names.push_back(each);
   }
   throw InputError(fmt::format("measure {}: must be {}", name, fmt::join(names, ", ")));
+}
+
+thread_local double limit_seconds = 60;
+/// How far the last call of this thread came before that limit; NaN if it was complete.
+thread_local double reached = std::numeric_limits<double>::quiet_NaN();
+
+/// Returns what `work` returns under the time limit of this thread. Throws std::runtime_error if
+/// that throws TimeLimitReached.
+template <class Work>
+auto in_time(const Work& work) {
+  reached = std::numeric_limits<double>::quiet_NaN();
+  const TimeLimit limit(limit_seconds);
+  try {
+    return work();
+  } catch (const TimeLimitReached&) {
+    throw std::runtime_error(fmt::format(
+        "the time limit of {} s was reached; ricochet_limit_seconds sets another", limit_seconds));
+  }
 }
 
 std::int64_t size_of(const auto& list) {
@@ -99,13 +119,29 @@ RICOCHET_EXPORTED double ricochet_machine_speed(const ricochet_machine* machine)
       });
 }
 
+RICOCHET_EXPORTED std::int32_t ricochet_limit_seconds(double seconds) {
+  return succeeds([&] {
+    if (!(seconds > 0)) throw InputError(fmt::format("seconds {}: must be > 0", seconds));
+    limit_seconds = seconds;
+  })
+             ? 0
+             : 1;
+}
+
+RICOCHET_EXPORTED double ricochet_reached(void) {
+  return reached;
+}
+
 RICOCHET_EXPORTED std::int32_t ricochet_simulate(ricochet_machine* machine, double omega,
                                                  std::int64_t samples, std::int32_t* count,
                                                  std::int32_t* certain) {
   return open_machines().ask(machine, 1, [&](OpenedMachine& at) {
     if (samples < 0) throw InputError(fmt::format("samples {}: must be >= 0", samples));
-    at.recording = simulate(std::isnan(omega) ? at.scene : at_speed(at.scene, omega),
-                            default_smoothing, static_cast<std::size_t>(samples));
+    at.recording = in_time([&] {
+      return simulate(std::isnan(omega) ? at.scene : at_speed(at.scene, omega), default_smoothing,
+                      static_cast<std::size_t>(samples));
+    });
+    if (at.recording.certainty.doubt == Doubt::unfinished) reached = at.recording.end.time;
     if (count) *count = at.recording.count;
     if (certain) *certain = at.recording.certainty.certain ? 1 : 0;
     return 0;
@@ -145,8 +181,8 @@ RICOCHET_EXPORTED std::int32_t ricochet_counts(const ricochet_machine* machine,
   return open_machines().ask(machine, 1, [&](OpenedMachine& at) {
     if (size < 0) throw InputError(fmt::format("{} speeds: must be >= 0", size));
     if (size > 0 && !(speeds && found)) throw InputError("the speeds or the counts are NULL");
-    const std::vector<int> all =
-        counts(at.scene, std::span(speeds, static_cast<std::size_t>(size)));
+    const std::vector<int> all = in_time(
+        [&] { return counts(at.scene, std::span(speeds, static_cast<std::size_t>(size))); });
     std::ranges::copy(all, found);
     return 0;
   });
@@ -154,7 +190,9 @@ RICOCHET_EXPORTED std::int32_t ricochet_counts(const ricochet_machine* machine,
 
 RICOCHET_EXPORTED std::int64_t ricochet_regimes(ricochet_machine* machine, double from, double to) {
   return open_machines().ask(machine, std::int64_t{-1}, [&](OpenedMachine& at) {
-    at.regimes = regimes_of(at.scene, {from, to});
+    at.regimes = in_time([&] { return regimes_of(at.scene, {from, to}); });
+    const Regime& last = at.regimes.back();
+    if (last.ends_by == RegimeEnd::time_limit) reached = last.to;
     at.regime_ends.clear();
     for (const Regime& regime : at.regimes) at.regime_ends.push_back(name_of(regime.ends_by));
     return size_of(at.regimes);
@@ -200,7 +238,8 @@ RICOCHET_EXPORTED std::int32_t ricochet_quiet_speed(const ricochet_machine* mach
     QuietSpeedOptions options;
     if (measure) options.limit = Limit{measure_named(measure), at_most};
     if (!std::isnan(fastest)) options.fastest = fastest;
-    const QuietSpeed answer = quiet_speed(at.scene, options);
+    const QuietSpeed answer = in_time([&] { return quiet_speed(at.scene, options); });
+    if (answer.reached) reached = *answer.reached;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     if (quiet) *quiet = answer.fastest_quiet.value_or(none);
     if (first_loud) *first_loud = answer.split.first_loud.value_or(none);

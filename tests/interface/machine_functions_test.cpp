@@ -26,6 +26,14 @@ using OpenedMachine = std::unique_ptr<ricochet_machine, Closer>;
 const std::string file = RICOCHET_SOURCE "/examples/machine.toml";
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// The text of the machine with more lines in its table [scene].
+std::string scene_with(const std::string& lines) {
+  const OpenedMachine opened(ricochet_open_machine(file.c_str()));
+  std::string text = ricochet_machine_text(opened.get());
+  text.insert(text.find("[window]"), lines);
+  return text;
+}
+
 OpenedMachine machine() {
   OpenedMachine opened(ricochet_open_machine(file.c_str()));
   EXPECT_TRUE(opened) << ricochet_error();
@@ -258,6 +266,39 @@ TEST(MachineFunctions, AreUsedByManyThreadsAtOnce) {
   for (std::thread& thread : threads) thread.join();
   EXPECT_THAT(wrong, testing::Each(0));
   EXPECT_THAT(expected, testing::Contains(testing::Ne(expected[0])));
+}
+
+TEST(MachineFunctions, SayHowFarTheyCameBeforeTheTimeLimit) {
+  const std::string text = scene_with("disturbance = 3.0\ndisturbance_frequency = 7.3\n");
+  const OpenedMachine opened(ricochet_parse_machine(text.c_str()));
+  ASSERT_TRUE(opened) << ricochet_error();
+  EXPECT_EQ(ricochet_limit_seconds(0), 1);
+  EXPECT_THAT(ricochet_error(), HasSubstr("seconds 0: must be > 0"));
+  ASSERT_EQ(ricochet_limit_seconds(0.2), 0);
+  const std::int64_t regimes = ricochet_regimes(opened.get(), 0.01, 18);
+  if (regimes < 0) {
+    EXPECT_THAT(ricochet_error(), HasSubstr("the time limit of 0.2 s was reached"));
+  } else {
+    EXPECT_EQ(ricochet_regime_end(opened.get(), regimes - 1), std::string("time-limit"));
+    EXPECT_LT(ricochet_reached(), 18);
+  }
+  std::thread([&] { EXPECT_TRUE(std::isnan(ricochet_reached())) << "of another thread"; }).join();
+  const OpenedMachine usual = machine();
+  ASSERT_EQ(ricochet_limit_seconds(INFINITY), 0);
+  EXPECT_GT(ricochet_regimes(usual.get(), 0.01, 18), 0);
+  EXPECT_TRUE(std::isnan(ricochet_reached()));
+  ricochet_limit_seconds(60);
+}
+
+TEST(MachineFunctions, TellNoQuietSpeedWhereEverySpeedIsLoud) {
+  const std::string text = scene_with("disturbance = 3.0\ndisturbance_frequency = 40.3\n");
+  const OpenedMachine opened(ricochet_parse_machine(text.c_str()));
+  ASSERT_TRUE(opened) << ricochet_error();
+  double quiet = 0, loud = 0;
+  ASSERT_EQ(ricochet_quiet_speed(opened.get(), nullptr, none, 0.1, &quiet, &loud, nullptr), 0)
+      << ricochet_error();
+  EXPECT_TRUE(std::isnan(quiet)) << quiet;
+  EXPECT_EQ(loud, 0.01);
 }
 
 }  // namespace

@@ -33,6 +33,38 @@ def answer(*command):
 class Scene(unittest.TestCase):
     scene = ricochet.Scene.load(FILE)
 
+    def test_ends_at_the_time_limit(self):
+        text = self.scene.text
+        endless = text.replace("[window]", "disturbance = 3.0\ndisturbance_frequency = 7.3\n[window]")
+        try:
+            last = ricochet.Scene.parse(endless).regimes(seconds=0.5)[-1]
+            self.assertEqual(last.ends_by, "time-limit")
+            self.assertFalse(last.certain)
+            self.assertLess(last.highest, 18)
+        except ricochet.Error as error:  # not even the slowest motion is known
+            self.assertIn("time limit of 0.5 s", str(error))
+        long = ricochet.Scene.parse(text.replace("revolutions = 10", "revolutions = 100000000"))
+        found = long.simulate(8.0, seconds=0.5)
+        self.assertFalse(found.certain)
+        self.assertGreater(found.reached, 0)
+        self.assertIn("the time limit was reached", found.doubt)
+        threshold = long.threshold("collisions", 1e12, seconds=0.5)
+        self.assertIsNone(threshold.quiet)
+        self.assertLess(threshold.reached, 18)
+        with self.assertRaisesRegex(ricochet.Error, "time limit of 0.5 s"):
+            long.counts([8.0], seconds=0.5)
+        with self.assertRaisesRegex(ricochet.Error, "seconds 0: must be > 0"):
+            long.counts([8.0], seconds=0)
+        self.assertIsNone(self.scene.simulate(8.0).reached)
+        self.assertIsNone(self.scene.threshold().reached)
+
+    def test_has_no_quiet_speed_where_every_speed_is_loud(self):
+        loud = self.scene.text.replace(
+            "[window]", "disturbance = 3.0\ndisturbance_frequency = 40.3\n[window]"
+        )
+        threshold = ricochet.Scene.parse(loud).threshold(fastest=0.1)
+        self.assertEqual(tuple(threshold), (None, 0.01, 2.0))
+
     def test_simulates_as_the_program_does(self):
         for omega in (5.0, 6.5, 7.0, 15.0):
             told = answer("simulate", "--omega", str(omega))

@@ -1,7 +1,5 @@
 #include "problems/carrier_track/advice/design_parameter_grid.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -12,6 +10,7 @@
 #include "problems/carrier_track/counting/limit.h"
 #include "problems/carrier_track/counting/threshold.h"
 #include "ricochet/threshold.h"
+#include "src/core/in_parallel.h"
 
 namespace ricochet::studies::advice {
 namespace {
@@ -195,7 +194,7 @@ std::optional<DesignParameterGrid> design_parameter_grid(const Scene& scene,
   grid.own = quiet_range(scene, *answer.limit, grid.scan);
   const std::size_t of_lines =
       grid.design_parameters.size() * DesignParameterGrid::points_of_a_line;
-  tbb::parallel_for(std::size_t{0}, combinations + of_lines, [&](std::size_t i) {
+  in_parallel("variants of the machine", combinations + of_lines, [&](std::size_t i) {
     if (i < combinations) {
       grid.combinations[i] = quiet_range(turned(scene, grid, i), *answer.limit, grid.scan);
       return;

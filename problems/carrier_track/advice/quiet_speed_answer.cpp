@@ -7,6 +7,7 @@
 #include "problems/carrier_track/advice/regime_table.h"
 #include "problems/carrier_track/scene/release.h"
 #include "ricochet/threshold.h"
+#include "ricochet/time_limit.h"
 
 namespace ricochet::carrier_track {
 
@@ -95,6 +96,15 @@ std::vector<double> speeds_beside(const QuietSpeed& answer) {
   return speeds;
 }
 
+/// Why there is no fastest quiet speed; null if there is one.
+Json reason_of(const QuietSpeed& answer) {
+  if (answer.fastest_quiet) return {};
+  if (answer.loud_everywhere) return "loud at every speed";
+  if (answer.split.first_loud) return "loud from the slowest speed on";
+  if (answer.reached) return "the time limit was reached";
+  return "the count makes no step";
+}
+
 std::string text_of_steps(const QuietSpeed& answer) {
   if (answer.staircase.steps.empty()) {
     return "The staircase has no step by half or more.\n";
@@ -112,9 +122,33 @@ std::string text_of_steps(const QuietSpeed& answer) {
 
 }  // namespace
 
+std::string known_part_of(const QuietSpeedAnswer& output) {
+  const QuietSpeed& answer = output.answer;
+  std::string known;
+  if (answer.reached && *answer.reached < answer.options.fastest) {
+    if (answer.limit && !answer.split.first_loud) {
+      known = fmt::format("up to {} it is quiet, {}; ", both_units(*answer.reached),
+                          text_of(*answer.limit));
+    }
+    known += fmt::format("nothing is known from {:.6g} to {} rad/s", *answer.reached,
+                         answer.options.fastest);
+  } else if (answer.reached) {
+    known = "the speeds are scanned, but not all that is said of them";
+  }
+  if (!output.left_out.empty()) {
+    known +=
+        fmt::format("{}left out: {}", known.empty() ? "" : "; ", fmt::join(output.left_out, ", "));
+  }
+  return known;
+}
+
 std::string headline_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   const std::string range = fmt::format("up to {} rad/s", answer.options.fastest);
+  if (answer.reached && !answer.fastest_quiet && !answer.split.first_loud) {
+    return fmt::format("{}: the fastest quiet speed is not known: {}.", output.name,
+                       known_part_of(output));
+  }
   if (!answer.limit) {
     const auto& level = answer.staircase.levels.front();
     return fmt::format(
@@ -124,6 +158,10 @@ std::string headline_of(const QuietSpeedAnswer& output) {
   }
   if (!answer.split.first_loud) {
     return fmt::format("{}: every speed {} is quiet: {}.", output.name, range,
+                       text_of(*answer.limit));
+  }
+  if (answer.loud_everywhere) {
+    return fmt::format("{}: loud at every speed {}: {} is exceeded everywhere.", output.name, range,
                        text_of(*answer.limit));
   }
   if (!answer.fastest_quiet) {
@@ -141,24 +179,37 @@ std::optional<double> rounded(const std::optional<double>& speed) {
 QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
                                     const QuietSpeedOptions& options, double tolerance,
                                     const SceneFile& file) {
-  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}, {}, {}};
+  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}, {}, {}, {}};
   const QuietSpeed& answer = output.answer;
+  const auto in_time = [&](const char* part, const auto& compute) {
+    try {
+      compute();
+    } catch (const TimeLimitReached&) {
+      output.left_out.emplace_back(part);
+    }
+  };
   if (!answer.is_of_the_long_run()) {
-    output.start = largest_start_share(scene, speeds_beside(answer));
+    in_time("share of the start",
+            [&] { output.start = largest_start_share(scene, speeds_beside(answer)); });
   }
   if (!answer.limit || !answer.split.speed) return output;
+  const Limit& limit = *answer.limit;
   const double divide = *answer.split.speed;
-  output.sensitivities = sensitivities(scene, *answer.limit, divide);
+  in_time("sensitivities", [&] { output.sensitivities = sensitivities(scene, limit, divide); });
   if (tolerance > 0) {
-    output.range = tolerance_range(scene, *answer.limit, divide, tolerance, drawn_machines, 1);
+    in_time("tolerance", [&] {
+      output.range = tolerance_range(scene, limit, divide, tolerance, drawn_machines, 1);
+    });
   }
-  output.uncertain = uncertain_divide(file, *answer.limit, divide, drawn_machines, 1);
+  in_time("uncertainties",
+          [&] { output.uncertain = uncertain_divide(file, limit, divide, drawn_machines, 1); });
   return output;
 }
 
 std::string text_of(const QuietSpeedAnswer& output) {
   const QuietSpeed& answer = output.answer;
   std::string text = headline_of(output) + "\n";
+  if (!output.is_complete()) text += "Not complete: " + known_part_of(output) + ".\n";
   if (answer.is_of_the_long_run()) {
     text += fmt::format("In the long run: {}.\n{}", summary_of(answer.regimes),
                         text_of(answer.regimes, answer.split.first_loud));
@@ -166,7 +217,7 @@ std::string text_of(const QuietSpeedAnswer& output) {
     text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
   }
   for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
-  if (!answer.is_of_the_long_run()) text += text_of_steps(answer);
+  if (!answer.is_of_the_long_run() && !answer.reached) text += text_of_steps(answer);
   if (!answer.options.limit && !answer.staircase.steps.empty()) {
     text +=
         "Significance is how much louder times how long both levels last, on logarithmic axes; no "
@@ -218,6 +269,10 @@ report::Json json_of(const QuietSpeedAnswer& output) {
                {"levels", answer.staircase.levels},
                {"around", around},
                {"percent_for_one", moves},
+               {"reason", reason_of(answer)},
+               {"complete", output.is_complete()},
+               {"reached", answer.reached},
+               {"left_out", output.left_out},
                {"with_tolerance", Json()},
                {"with_uncertainties", Json()}};
   if (answer.fastest_quiet) json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;

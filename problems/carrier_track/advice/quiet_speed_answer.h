@@ -21,17 +21,24 @@ struct QuietSpeedAnswer {
   double tolerance = 0;
   std::optional<carrier_track::ToleranceRange> range;
   std::optional<carrier_track::UncertainDivide> uncertain;  ///< by the file's own uncertainties
-  std::optional<StartShare> start;  ///< at the quiet or the first loud speed
+  std::optional<StartShare> start;    ///< at the quiet or the first loud speed
+  std::vector<std::string> left_out;  ///< parts for which the TimeLimit left no time
+
+  bool is_complete() const { return !answer.reached && left_out.empty(); }
 };
 
 /// Computes the answer and all that is reported; with `tolerance` 0 no machines are drawn for it.
-/// `file` is where the scene comes from, for the uncertainties of its numbers.
+/// `file` is where the scene comes from, for the uncertainties of its numbers. If a TimeLimit is
+/// reached, the answer says what it leaves out; see quiet_speed().
 QuietSpeedAnswer answer_quiet_speed(const std::string& name, const carrier_track::Scene& scene,
                                     const carrier_track::QuietSpeedOptions& options,
                                     double tolerance, const carrier_track::SceneFile& file = {});
 
 /// A speed of a scan, a multiple of its step, without rounding errors in its last digits.
 std::optional<double> rounded(const std::optional<double>& speed);
+
+/// What is known if the answer is not complete, such as "nothing is known from 3.2 to 18 rad/s".
+std::string known_part_of(const QuietSpeedAnswer& output);
 
 /// The answer in one or two sentences.
 std::string headline_of(const QuietSpeedAnswer& output);

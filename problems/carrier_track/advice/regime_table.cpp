@@ -43,7 +43,10 @@ std::string line_of(const Regime& regime, bool marked) {
                      regime.from, regime.to, regime.to * rpm, counts_of(regime),
                      1e3 * regime.last.energy_per_turn, 1e3 * regime.last.fastest_impact,
                      100 * regime.last.share_at_rest, name_of(regime.ends_by),
-                     regime.certain ? "" : ", not periodic", marked ? "  <-" : "");
+                     regime.certain      ? ""
+                     : regime.turns == 0 ? ", not periodic"
+                                         : ", not certain",
+                     marked ? "  <-" : "");
 }
 
 /// A range of speeds up to which no turn has more collisions.

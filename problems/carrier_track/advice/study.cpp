@@ -1,7 +1,5 @@
 #include "problems/carrier_track/advice/study.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +15,8 @@
 #include "problems/carrier_track/scene/scene_doubts.h"
 #include "ricochet/recording.h"
 #include "ricochet/threshold.h"
+#include "ricochet/time_limit.h"
+#include "src/core/in_parallel.h"
 
 namespace ricochet::studies {
 namespace {
@@ -56,7 +56,7 @@ Json wear_data(const std::vector<Regime>& regimes) {
 Json wear_data(const Scene& scene, double fastest) {
   constexpr std::size_t speeds = 300;
   std::vector<Json> rows(speeds);
-  tbb::parallel_for(std::size_t{0}, speeds, [&](std::size_t k) {
+  in_parallel("wear", speeds, [&](std::size_t k) {
     const double omega = fastest * static_cast<double>(k + 1) / speeds;
     const Scene there = at_speed(scene, omega);
     rows[k] = {{"speed", omega},
@@ -123,13 +123,19 @@ Json change_data(const std::vector<Sensitivity>& all) {
 }
 
 Json compute(const AdviceOptions& options) {
-  const QuietSpeedAnswer answer = answer_quiet_speed(
-      options.name, options.scene, options.quiet_speed, options.tolerance, options.source);
+  QuietSpeedAnswer answer = answer_quiet_speed(options.name, options.scene, options.quiet_speed,
+                                               options.tolerance, options.source);
+  const auto in_time = [&](const char* part, const auto& part_of_page) -> Json {
+    try {
+      return part_of_page();
+    } catch (const TimeLimitReached&) {
+      answer.left_out.emplace_back(part);
+      return {};
+    }
+  };
   const QuietSpeed& found = answer.answer;
-  Json data = json_of(answer);
+  Json data;
   data["name"] = options.name;
-  data["text"] = text_of(answer);
-  data["answer"] = headline_of(answer);
   data["divide"] = found.split.speed;
   data["fastest"] = found.options.fastest;
   data["doubts"] = doubts_about(options.scene);
@@ -141,13 +147,15 @@ Json compute(const AdviceOptions& options) {
   }
   data["most"] = 1 + 1.1 * most;
   data["when"] = found.is_of_the_long_run() ? "a turn, in the long run" : "in the window";
-  data["wear"] = found.is_of_the_long_run() ? wear_data(found.regimes)
-                                            : wear_data(options.scene, found.options.fastest);
+  data["wear"] = found.is_of_the_long_run() ? wear_data(found.regimes) : in_time("wear", [&] {
+    return wear_data(options.scene, found.options.fastest);
+  });
   data["regime_rows"] = regime_rows(found.regimes);
-  data["irregular"] = is_irregular(options.scene, found);
+  data["irregular"] = !found.reached && is_irregular(options.scene, found);
   data["changes"] = change_data(answer.sensitivities);
-  data["explorer"] = json_of(design_parameter_grid(options.scene, found));
-  data["model"] = model_choice(options.scene, found);
+  data["explorer"] = in_time("variants of the machine",
+                             [&] { return json_of(design_parameter_grid(options.scene, found)); });
+  data["model"] = in_time("planar model", [&] { return model_choice(options.scene, found); });
   data["paths"] = Json::array();
   if (found.fastest_quiet) {
     data["paths"].push_back(path_data(in_the_long_run(options.scene, found, *found.fastest_quiet),
@@ -158,6 +166,10 @@ Json compute(const AdviceOptions& options) {
     data["paths"].push_back(path_data(in_the_long_run(options.scene, found, loud), loud, "loud",
                                       "first speed that is louder"));
   }
+  data.update(json_of(answer));
+  data["text"] = text_of(answer);
+  data["answer"] = headline_of(answer);
+  data["missing"] = answer.is_complete() ? Json() : Json(known_part_of(answer));
   return data;
 }
 

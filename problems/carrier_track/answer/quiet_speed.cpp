@@ -15,6 +15,7 @@
 #include "ricochet/error.h"
 #include "ricochet/recording.h"
 #include "ricochet/threshold.h"
+#include "ricochet/time_limit.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -67,40 +68,75 @@ void check(const QuietSpeedOptions& options) {
   }
 }
 
+/// The split of the speeds that were scanned; one of all speeds has also the speed that divides
+/// them best.
+Split split_of(QuietSpeed& answer, const SpeedScan& scan, double limit) {
+  Split split = best_split(scan, limit);
+  answer.loud_everywhere = !split.speed && split.first_loud == scan.omega(0);
+  if (extends_to(scan, answer.options.fastest)) return split;
+  answer.reached = scan.step * static_cast<double>(scan.counts.size());
+  return {{}, split.first_loud, 0};
+}
+
+/// Divides the speeds by the limit of the window, given or by the staircase.
+void divide_window(QuietSpeed& answer, const Scene& scene) {
+  const QuietSpeedOptions& options = answer.options;
+  answer.fine = scan_slowest_speeds(scene, options.step, options.fastest);
+  if (answer.fine.counts.empty()) throw TimeLimitReached();
+  if (options.limit) {
+    answer.limit = options.limit;
+    answer.split =
+        options.limit->measure == Measure::collisions
+            ? split_of(answer, answer.fine, options.limit->at_most)
+            : split_of(answer, scan_by(scene, *options.limit, options.step, options.fastest), 0.5);
+  }
+  if (!extends_to(answer.fine, options.fastest)) {
+    answer.reached = options.step * static_cast<double>(answer.fine.counts.size());
+    return;
+  }
+  answer.scan = scan_logarithmically(scene, slowest_scanned, judged_share * options.fastest);
+  answer.staircase = staircase_of(answer.scan, options.fastest);
+  for (Step& step : answer.staircase.steps) step = located(step, answer.fine);
+  if (options.limit) return;
+  if (const auto main = answer.staircase.main_step()) {
+    answer.limit = {Measure::collisions, std::floor(main->limit())};
+    answer.split = split_of(answer, answer.fine, main->limit());
+    answer.split.speed = main->omega;  // from the speeds around it, not from the range
+  }
+}
+
 /// The answer by a limit of the collisions in a window, or of what else is measured in it.
 QuietSpeed quiet_in_the_window(const Scene& scene, const QuietSpeedOptions& options) {
   QuietSpeed answer;
   answer.options = options;
-  answer.scan = scan_logarithmically(scene, slowest_scanned, judged_share * options.fastest);
-  answer.staircase = staircase_of(answer.scan, options.fastest);
-  answer.fine = scan_speeds(scene, options.step, options.fastest);
-  for (Step& step : answer.staircase.steps) step = located(step, answer.fine);
-  answer.limit = options.limit;
-  if (options.limit) {
-    answer.split = options.limit->measure == Measure::collisions
-                       ? best_split(answer.fine, options.limit->at_most)
-                       : split_by(scene, *options.limit, options.step, options.fastest);
-  } else if (const auto main = answer.staircase.main_step()) {
-    answer.limit = {Measure::collisions, std::floor(main->limit())};
-    answer.split = best_split(answer.fine, main->limit());
-    answer.split.speed = main->omega;  // from the speeds around it, not from the range
+  try {
+    divide_window(answer, scene);
+  } catch (const TimeLimitReached&) {
+    if (answer.fine.counts.empty()) throw;
+    answer.reached = answer.reached.value_or(options.fastest);
   }
   if (!answer.limit) return answer;
+  if (answer.reached && !answer.split.first_loud) return answer;
   // A range without a loud speed is quiet up to its end.
   double loud = answer.split.first_loud.value_or(options.fastest + options.step);
-  if (answer.limit->measure == Measure::collisions) {
-    const double limit =
-        options.limit ? options.limit->at_most : answer.staircase.main_step()->limit();
-    answer.stepped_over = stepped_over(scene, options, limit, loud);
-  }
-  if (answer.stepped_over) {
-    answer.split.first_loud = answer.stepped_over->from;
-    loud = std::ceil(answer.stepped_over->from / options.step) * options.step;
-  }
-  if (loud > 1.5 * options.step) answer.fastest_quiet = loud - options.step;
-  const double at = answer.fastest_quiet.value_or(loud);
-  for (const double omega : {at - options.step, at, at + options.step}) {
-    if (omega > options.step / 2) answer.around.push_back(count_there(scene, omega));
+  try {
+    if (answer.limit->measure == Measure::collisions) {
+      const double limit =
+          options.limit ? options.limit->at_most : answer.staircase.main_step()->limit();
+      answer.stepped_over = stepped_over(scene, options, limit, loud);
+    }
+    if (answer.stepped_over) {
+      answer.split.first_loud = answer.stepped_over->from;
+      loud = std::ceil(answer.stepped_over->from / options.step) * options.step;
+    }
+    if (loud > 1.5 * options.step) answer.fastest_quiet = loud - options.step;
+    const double at = answer.fastest_quiet.value_or(loud);
+    for (const double omega : {at - options.step, at, at + options.step}) {
+      if (omega > options.step / 2) answer.around.push_back(count_there(scene, omega));
+    }
+  } catch (const TimeLimitReached&) {
+    if (loud > 1.5 * options.step) answer.fastest_quiet = loud - options.step;
+    answer.reached = answer.reached.value_or(options.fastest);
   }
   return answer;
 }
@@ -112,16 +148,22 @@ QuietSpeed quiet_in_the_long_run(const Scene& scene, const QuietSpeedOptions& op
   answer.options = options;
   answer.limit = limit;
   answer.regimes = regimes_of(scene, {slowest_of_a_range, options.fastest});
-  const auto louder =
-      std::find_if(answer.regimes.begin(), answer.regimes.end(),
-                   [&](const Regime& regime) { return regime.most_per_turn > limit.at_most; });
+  const Regime& last = answer.regimes.back();
+  if (last.ends_by == RegimeEnd::time_limit) answer.reached = last.to;
+  const auto is_louder = [&](const Regime& regime) { return regime.most_per_turn > limit.at_most; };
+  const auto louder = std::ranges::find_if(answer.regimes, is_louder);
   if (louder == answer.regimes.end()) {
-    answer.fastest_quiet = options.fastest;
+    if (!answer.reached) answer.fastest_quiet = options.fastest;
     return answer;
   }
-  answer.split.speed = answer.split.first_loud = louder->from;
+  answer.split.first_loud = louder->from;
+  if (louder == answer.regimes.begin()) {
+    answer.loud_everywhere = !answer.reached && std::ranges::all_of(answer.regimes, is_louder);
+    return answer;
+  }
+  answer.split.speed = louder->from;
   const double steps = std::ceil(louder->from / options.step) - 1;
-  if (steps >= 1) answer.fastest_quiet = steps * options.step;
+  if (steps * options.step >= slowest_of_a_range) answer.fastest_quiet = steps * options.step;
   return answer;
 }
 

@@ -1,7 +1,6 @@
 #include "problems/carrier_track/answer/sensitivity.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include "ricochet/error.h"
 #include "ricochet/random.h"
 #include "ricochet/threshold.h"
+#include "src/core/in_parallel.h"
 
 namespace ricochet::carrier_track::inline answer {
 namespace {
@@ -144,7 +144,7 @@ std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, d
   constexpr double percent = 0.01;
   const std::vector<std::string> keys = constants_of(scene);
   std::vector<std::optional<double>> divides(2 * keys.size());
-  tbb::parallel_for(std::size_t{0}, divides.size(), [&](std::size_t i) {
+  in_parallel("sensitivities", divides.size(), [&](std::size_t i) {
     const double factor = i % 2 == 0 ? 1 - percent : 1 + percent;
     divides[i] = divide_near(scaled(scene, keys[i / 2], factor), limit, omega);
   });
@@ -166,8 +166,8 @@ std::vector<Sensitivity> sensitivities(const Scene& scene, const Limit& limit, d
 std::optional<ToleranceRange> divide_range(const std::vector<Scene>& machines, const Limit& limit,
                                            double omega) {
   std::vector<std::optional<double>> divides(machines.size());
-  tbb::parallel_for(std::size_t{0}, machines.size(),
-                    [&](std::size_t i) { divides[i] = divide_near(machines[i], limit, omega); });
+  in_parallel("machines within the tolerance", machines.size(),
+              [&](std::size_t i) { divides[i] = divide_near(machines[i], limit, omega); });
   const int all = static_cast<int>(machines.size());
   ToleranceRange range{std::numeric_limits<double>::infinity(), 0, all, 0};
   for (const std::optional<double>& speed : divides) {

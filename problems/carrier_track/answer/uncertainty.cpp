@@ -1,11 +1,10 @@
 #include "problems/carrier_track/answer/uncertainty.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "ricochet/random.h"
+#include "src/core/in_parallel.h"
 
 namespace ricochet::carrier_track::inline answer {
 
@@ -24,7 +23,7 @@ std::optional<UncertainDivide> uncertain_divide(const SceneFile& file, const Lim
   const std::optional<ToleranceRange> range = divide_range(drawn, limit, omega);
   if (!range) return std::nullopt;
   std::vector<std::optional<double>> divides(2 * numbers);
-  tbb::parallel_for(std::size_t{0}, divides.size(), [&](std::size_t i) {
+  in_parallel("uncertainties", divides.size(), [&](std::size_t i) {
     std::vector<double> one(numbers, 0);
     one[i / 2] = i % 2 == 0 ? -1 : 1;
     divides[i] = divide_near(file.at(one), limit, omega);

@@ -88,6 +88,7 @@ std::string sentence(const Scene& scene, const Suspect& s, const std::optional<G
     case Doubt::graze:
       return graze ? graze_sentence(*graze, graze_is_given) : unsure_sentence(what, s.time);
     case Doubt::endless:
+    case Doubt::unfinished:
       break;  // the same for all changed scenes
     case Doubt::sensitive:
       return fmt::format("a change in the tenth digit grows {:.2g}-fold by {:.6g} s", growth,

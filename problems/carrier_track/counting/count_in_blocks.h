@@ -1,29 +1,37 @@
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "src/core/in_parallel.h"
+
 namespace ricochet::carrier_track::inline counting {
 
-/// Fills the counts of a scan in parallel; `counts_at(speeds)` counts a block of neighbouring
-/// speeds.
+/// Fills the counts of a scan in parallel, the slowest speeds first; `counts_at(speeds)` counts a
+/// block of neighbouring speeds. Returns how many of the slowest speeds are counted: all of them,
+/// unless the time limit is reached.
 template <class Scan, class CountsAt>
-void count_in_blocks(Scan& scan, const CountsAt& counts_at) {
+std::size_t count_in_blocks(Scan& scan, const CountsAt& counts_at) {
   constexpr std::size_t block = 32;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scan.counts.size(), block),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      std::vector<double> speeds;
-                      for (auto k = range.begin(); k != range.end(); ++k) {
-                        speeds.push_back(scan.omega(k));
-                      }
-                      const std::vector<int> counts = counts_at(std::span<const double>(speeds));
-                      std::copy(counts.begin(), counts.end(), &scan.counts[range.begin()]);
-                    });
+  const std::size_t size = scan.counts.size();
+  std::vector<char> counted((size + block - 1) / block, 0);
+  in_parallel("scan of the speeds", counted.size(), [&](std::size_t i) {
+    std::vector<double> speeds;
+    for (std::size_t k = i * block; k < std::min(size, (i + 1) * block); ++k) {
+      speeds.push_back(scan.omega(k));
+    }
+    try {
+      const std::vector<int> counts = counts_at(std::span<const double>(speeds));
+      std::copy(counts.begin(), counts.end(), &scan.counts[i * block]);
+      counted[i] = 1;
+    } catch (const TimeLimitReached&) {
+      // The blocks after this one will not be counted, either.
+    }
+  });
+  const auto first_not = std::find(counted.begin(), counted.end(), 0);
+  return std::min(size, static_cast<std::size_t>(first_not - counted.begin()) * block);
 }
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -8,6 +8,7 @@
 #include "problems/carrier_track/scene/window.h"
 #include "ricochet/recording.h"
 #include "ricochet/threshold.h"
+#include "ricochet/time_limit.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -50,11 +51,17 @@ std::vector<double> measured_at(const Scene& scene, Measure measure,
   return result;
 }
 
-Split split_by(const Scene& scene, const Limit& limit, double step, double highest) {
+SpeedScan scan_by(const Scene& scene, const Limit& limit, double step, double highest) {
   const auto loud = [&](double omega) {
     return measured(at_speed(scene, omega), limit.measure) > limit.at_most ? 1 : 0;
   };
-  return best_split(scan_speeds(loud, step, highest), 0.5);
+  return scan_slowest_speeds(loud, step, highest);
+}
+
+Split split_by(const Scene& scene, const Limit& limit, double step, double highest) {
+  const SpeedScan scan = scan_by(scene, limit, step, highest);
+  if (!extends_to(scan, highest)) throw TimeLimitReached();
+  return best_split(scan, 0.5);
 }
 
 }  // namespace ricochet::carrier_track::inline counting

@@ -7,6 +7,7 @@
 
 #include "problems/carrier_track/scene/perturbation.h"
 #include "ricochet/recording.h"
+#include "ricochet/time_limit.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -56,6 +57,8 @@ void Neighbours::simulate_side(std::size_t side) {
   for (Neighbour* n : sound_ones(side)) {
     try {
       n->end_with(simulate(n->scene, n->trace), nullptr);
+    } catch (const TimeLimitReached&) {
+      throw;
     } catch (...) {
       n->failure = std::current_exception();
     }

@@ -13,6 +13,7 @@
 #include "ricochet/error.h"
 #include "ricochet/recording.h"
 #include "ricochet/simulate.h"
+#include "ricochet/time_limit.h"
 
 namespace ricochet::carrier_track::inline counting {
 namespace {
@@ -20,23 +21,33 @@ namespace {
 class Recorder : public Observer {
  public:
   Recorder(const Scene& scene, Recording& recording, double spacing)
-      : recording_(recording), trace_(scene), spacing_(spacing) {}
+      : scene_(scene),
+        recording_(recording),
+        trace_(scene),
+        spacing_(spacing),
+        last_{0, scene.start_position} {}
 
   void impact(double time, Wall wall, double speed) {
+    last_ = {time, wall == Wall::upper ? scene_.wall_upper : scene_.wall_lower};
     trace_.impact(time, wall, speed);
     recording_.impacts.push_back({time, wall, speed});
   }
 
   void peak(double time, double position) {
+    last_ = {time, position};
     trace_.peak(time, position);
     recording_.peaks.push_back({time, position});
   }
 
-  void turn(double time, double position, Wall ahead) { trace_.turn(time, position, ahead); }
+  void turn(double time, double position, Wall ahead) {
+    last_ = {time, position};
+    trace_.turn(time, position, ahead);
+  }
 
   void hops(double time, Wall wall) { trace_.hops(time, wall); }
 
   void contact(double time, double position, double velocity) {
+    last_ = {time, position};
     trace_.contact(time, position, velocity);
     if (std::isfinite(spacing_)) sample({time, position, velocity});
   }
@@ -57,7 +68,16 @@ class Recorder : public Observer {
 
   const FeatureTrace& trace() const { return trace_; }
 
+  /// Where the body was at the last event; its velocity is not known.
+  End<double> last() const {
+    return {last_.time, last_.position, std::numeric_limits<double>::quiet_NaN(), 0};
+  }
+
  private:
+  struct Place {
+    double time, position;
+  };
+
   /// Keeps a sample. Where one flight ends and another begins, both have the same.
   void sample(const Sample& added) {
     if (!recording_.path.empty()) {
@@ -70,10 +90,36 @@ class Recorder : public Observer {
     recording_.path.push_back(added);
   }
 
+  const Scene& scene_;
   Recording& recording_;
   FeatureTrace trace_;
   double spacing_;
+  Place last_;
 };
+
+/// The scene at the level of the model that it needs; at the cheapest if there is no time to
+/// choose.
+Scene resolved_in_time(Scene scene) {
+  try {
+    return resolve_fidelity(scene);
+  } catch (const TimeLimitReached&) {
+    scene.fidelity = Fidelity::impact;
+    return scene;
+  }
+}
+
+/// That a count is not certain because the time limit was reached.
+Certainty unfinished(const Recording& recording, double duration) {
+  Certainty certainty;
+  certainty.certain = false;
+  certainty.doubt = Doubt::unfinished;
+  certainty.reason =
+      recording.complete
+          ? "the time limit was reached before its certainty was known"
+          : fmt::format("the time limit was reached at {:.6g} s of the {:.6g} s of the window",
+                        recording.end.time, duration);
+  return certainty;
+}
 
 }  // namespace
 
@@ -84,14 +130,19 @@ Recording record(const Scene& asked, double smoothing, std::size_t samples) {
   if (samples > most_samples) {
     throw InputError(fmt::format("samples = {}: must be at most {}", samples, most_samples));
   }
-  const Scene scene = resolve_fidelity(asked);
+  const Scene scene = resolved_in_time(asked);
   Recording recording;
   recording.fidelity = scene.fidelity;
   const double spacing = samples > 0 ? duration_of(scene) / static_cast<double>(samples)
                                      : std::numeric_limits<double>::infinity();
   Recorder recorder(scene, recording, spacing);
   Neighbours neighbours(scene);
-  recording.end = neighbours.simulate_with(scene, recorder);
+  try {
+    recording.end = neighbours.simulate_with(scene, recorder);
+  } catch (const TimeLimitReached&) {
+    recording.complete = false;
+    recording.end = recorder.last();
+  }
   const auto weigh = [&](double z, double left) {
     recording.count += static_cast<int>(weight(z, left, 0.0));
     recording.surrogate += weight(z, left, smoothing);
@@ -99,7 +150,12 @@ Recording record(const Scene& asked, double smoothing, std::size_t samples) {
   Features<double, decltype(weigh)> features(scene, weigh);
   for (const Impact& i : recording.impacts) features.impact(i.time, i.wall, i.speed);
   for (const Peak& p : recording.peaks) features.peak(p.time, p.position);
-  recording.certainty = certainty_of(scene, recorder.trace(), neighbours);
+  try {
+    if (!recording.complete) throw TimeLimitReached();
+    recording.certainty = certainty_of(scene, recorder.trace(), neighbours);
+  } catch (const TimeLimitReached&) {
+    recording.certainty = unfinished(recording, duration_of(scene));
+  }
   return recording;
 }
 

@@ -82,7 +82,7 @@ LogarithmicScan scan_logarithmic_blocks(double lowest, double highest, const Cou
   scan.first = static_cast<int>(std::ceil(per_e_fold * std::log(lowest)));
   const int last = static_cast<int>(std::floor(per_e_fold * std::log(highest)));
   scan.counts.resize(static_cast<std::size_t>(std::max(0, last - scan.first + 1)));
-  count_in_blocks(scan, counts_at);
+  if (count_in_blocks(scan, counts_at) < scan.counts.size()) throw TimeLimitReached();
   return scan;
 }
 

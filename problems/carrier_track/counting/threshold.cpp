@@ -64,11 +64,17 @@ std::vector<Example> judge_examples(const CountAt& count_at, const Figure& figur
   return examples;
 }
 
-/// Scans in parallel, in blocks of neighbouring speeds.
+/// Scans in parallel, in blocks of neighbouring speeds, as many of the slowest as there is time
+/// for.
 template <class CountsAt>
 SpeedScan scan_in_blocks(double step, double highest, const CountsAt& counts_at) {
   SpeedScan scan{step, std::vector<int>(static_cast<std::size_t>(std::llround(highest / step)))};
-  count_in_blocks(scan, counts_at);
+  scan.counts.resize(count_in_blocks(scan, counts_at));
+  return scan;
+}
+
+SpeedScan whole(SpeedScan scan, double highest) {
+  if (!extends_to(scan, highest)) throw TimeLimitReached();
   return scan;
 }
 
@@ -83,7 +89,11 @@ int count_at(const Scene& scene, double omega) {
   return static_cast<int>(objective(at_speed(scene, omega), 0.0));
 }
 
-SpeedScan scan_speeds(const CountAt& count, double step, double highest) {
+bool extends_to(const SpeedScan& scan, double highest) {
+  return scan.counts.size() >= static_cast<std::size_t>(std::llround(highest / scan.step));
+}
+
+SpeedScan scan_slowest_speeds(const CountAt& count, double step, double highest) {
   return scan_in_blocks(step, highest, [&](std::span<const double> speeds) {
     std::vector<int> counts;
     for (const double omega : speeds) counts.push_back(count(omega));
@@ -91,9 +101,17 @@ SpeedScan scan_speeds(const CountAt& count, double step, double highest) {
   });
 }
 
-SpeedScan scan_speeds(const Scene& scene, double step, double highest) {
+SpeedScan scan_slowest_speeds(const Scene& scene, double step, double highest) {
   return scan_in_blocks(step, highest,
                         [&](std::span<const double> speeds) { return counts_at(scene, speeds); });
+}
+
+SpeedScan scan_speeds(const CountAt& count, double step, double highest) {
+  return whole(scan_slowest_speeds(count, step, highest), highest);
+}
+
+SpeedScan scan_speeds(const Scene& scene, double step, double highest) {
+  return whole(scan_slowest_speeds(scene, step, highest), highest);
 }
 
 SpeedScan thinned(const SpeedScan& scan, std::size_t stride) {

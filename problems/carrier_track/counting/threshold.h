@@ -22,6 +22,14 @@ SpeedScan scan_speeds(const CountAt& count, double step, double highest);
 /// The same for a valid scene, whose omega is not used.
 SpeedScan scan_speeds(const Scene& scene, double step, double highest);
 
+/// The same, of as many of the slowest speeds as the TimeLimit allows; scan_speeds() throws
+/// TimeLimitReached.
+SpeedScan scan_slowest_speeds(const CountAt& count, double step, double highest);
+SpeedScan scan_slowest_speeds(const Scene& scene, double step, double highest);
+
+/// Whether a scan has all its speeds up to the highest [rad/s].
+bool extends_to(const SpeedScan& scan, double highest);
+
 /// Every `stride`-th speed of a scan.
 SpeedScan thinned(const SpeedScan& scan, std::size_t stride);
 

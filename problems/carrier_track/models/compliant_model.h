@@ -12,6 +12,7 @@
 #include "problems/carrier_track/models/impact_model.h"
 #include "ricochet/recording.h"
 #include "ricochet/scene.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline models {
 
@@ -47,7 +48,8 @@ class CompliantModel {
   /// contact_step_limit steps.
   template <class SomeObserver>
   End<double> run(SomeObserver& observer) {
-    while (time_ < duration_) {
+    for (std::uint32_t events = 0; time_ < duration_; ++events) {
+      if (events % events_between_checks == 0) check_time_limit();
       if (direction_ == 0) {
         rest(observer);
       } else if (in_contact_) {

@@ -34,6 +34,9 @@ double resting_speed_of(const BasicScene<Scalar>& scene) {
 /// A simulation with more impacts than this throws std::runtime_error: its count is of no use.
 inline constexpr std::int64_t impact_limit = 10'000'000;
 
+/// Events of a simulation between two looks at its time limit: less than a millisecond.
+inline constexpr std::uint32_t events_between_checks = 1024;
+
 /// Counts an impact; throws std::runtime_error past impact_limit.
 inline void count_impact(std::int64_t& impacts) {
   if (++impacts > impact_limit) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "problems/carrier_track/models/impact_model.h"
 #include "problems/carrier_track/models/lanes.h"
 #include "ricochet/recording.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline models {
 
@@ -30,7 +32,8 @@ class ImpactLanes {
   std::vector<LaneOutcome> run() {
     while (next_ < outcomes_.size()) {
       fill();
-      while (busy_ > 0) {
+      for (std::uint32_t events = 0; busy_ > 0; ++events) {
+        if (events % events_between_checks == 0) check_time_limit();
         fly(lanes_);
         for (std::size_t k = 0; k < Lanes::size; ++k) {
           if (models_[k]) follow(k);
@@ -98,7 +101,7 @@ inline bool fits_lanes(const Scene& scene) {
 
 /// Gives the same bits as `model_at(i).run(observer_at(i))` for i = 0, 1, ..., size - 1, several
 /// times as fast. `model_at` returns an ImpactModel<double>, `observer_at` a reference to its
-/// observer. Similar scenes should be neighbours.
+/// observer. Similar scenes should be neighbours. Throws TimeLimitReached for all of them together.
 template <class ModelAt, class ObserverAt>
 std::vector<LaneOutcome> run_in_lanes(std::size_t size, const ModelAt& model_at,
                                       const ObserverAt& observer_at) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "problems/carrier_track/flight/applied_forces.h"
@@ -9,6 +10,7 @@
 #include "problems/carrier_track/scene/window.h"
 #include "ricochet/recording.h"
 #include "ricochet/scene.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline models {
 
@@ -31,11 +33,15 @@ class ImpactModel : HardWallMotion<Scalar, Forces> {
              Forces(scene), {scene.friction * scene.normal_force / scene.mass}, duration_of(scene),
              resting) {}
 
-  /// Simulates the window once. Throws std::runtime_error past impact_limit impacts.
+  /// Simulates the window once. Throws std::runtime_error past impact_limit impacts, and as
+  /// check_time_limit() does.
   template <class SomeObserver>
   End<Scalar> run(SomeObserver& observer) {
     begin();
-    while (goes_on()) step(observer);
+    for (std::uint32_t events = 0; goes_on(); ++events) {
+      if (events % events_between_checks == 0) check_time_limit();
+      step(observer);
+    }
     return this->end();
   }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "problems/carrier_track/models/planar_axis.h"
 #include "ricochet/recording.h"
 #include "ricochet/scene.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline models {
 
@@ -39,7 +41,9 @@ class PlanarModel {
   End<double> run(SomeObserver& observer) {
     AcrossImpacts<SomeObserver> across(observer);
     go_on(0, observer, across);
+    std::uint32_t events = 0;
     for (double now = next(); std::isfinite(now); now = next()) {
+      if (events++ % events_between_checks == 0) check_time_limit();
       const double impulse_x = x_.reach(now, observer);
       const double impulse_y = y_.reach(now, across);
       x_.apply_friction_impulse(now, impulse_y, observer);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "ricochet/error.h"
 #include "ricochet/random.h"
 #include "ricochet/regimes.h"
+#include "src/core/in_parallel.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -102,9 +102,16 @@ Basins basins_of(const Scene& scene, const BasinOptions& options) {
                 result.height * hard.omega}));
   const std::vector<Scene> starts = random_starts(hard, options, result);
   std::vector<std::optional<SettledStart>> settled(starts.size());
-  tbb::parallel_for(std::size_t{0}, starts.size(),
-                    [&](std::size_t i) { settled[i] = settled_from(starts[i]); });
+  in_parallel("starts", starts.size(), [&](std::size_t i) {
+    try {
+      settled[i] = settled_from(starts[i]);
+    } catch (const TimeLimitReached&) {
+      // The starts before the first that has no time are a fair sample.
+    }
+  });
   for (const std::optional<SettledStart>& start : settled) {
+    if (!start) break;
+    ++result.starts;
     const auto known = std::ranges::find_if(result.basins, [&](const Basin& basin) {
       return start->is_like({basin.motion, basin.turns});
     });
@@ -114,6 +121,7 @@ Basins basins_of(const Scene& scene, const BasinOptions& options) {
       ++known->starts;
     }
   }
+  if (result.starts == 0) throw TimeLimitReached();
   std::ranges::stable_sort(result.basins, std::greater{}, &Basin::starts);
   return result;
 }

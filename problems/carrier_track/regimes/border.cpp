@@ -97,14 +97,16 @@ const Scene& machine_of(const DisturbedMotion& motion) {
   return motion.machine;
 }
 
-/// The speed at which the carrier of a motion without motion starts to move.
+/// The speed at which the carrier of a motion without motion starts to move; nothing if rounding
+/// hides where.
 template <class Motion>
-double release_speed(const Motion& still, double until) {
+std::optional<double> release_speed(const Motion& still, double until) {
   const auto margin = [&](double omega) {
     return release_margin(at_speed(machine_of(still), omega), position_of(still));
   };
   const double low = std::min(still.omega(), until);
   const double high = std::max(still.omega(), until);
+  if ((margin(low) > 0) == (margin(high) > 0)) return std::nullopt;
   std::uintmax_t evaluations = 100;
   const auto [a, b] = boost::math::tools::toms748_solve(margin, low, high, margin(low),
                                                         margin(high), is_narrow, evaluations);
@@ -113,10 +115,15 @@ double release_speed(const Motion& still, double until) {
 
 template <class Motion>
 Border<Motion> release(const Bracket<Motion>& bracket) {
-  const double omega = release_speed(bracket.before, bracket.to());
+  const std::optional<double> omega = release_speed(bracket.before, bracket.to());
+  if (!omega) {
+    const Bracket<Motion> end =
+        change(bracket, [](const Signature& there) { return !there.moves; });
+    return {end.to(), RegimeEnd::release, end.before, end.after};
+  }
   const double away = bracket.upwards() ? 1 : -1;
-  return {omega, RegimeEnd::release, followed(bracket.before, omega * (1 - 1e-12 * away)),
-          followed(bracket.before, omega * (1 + just_beyond * away))};
+  return {*omega, RegimeEnd::release, followed(bracket.before, *omega * (1 - 1e-12 * away)),
+          followed(bracket.before, *omega * (1 + just_beyond * away))};
 }
 
 /// What changes between motions of different kind, if it is no bifurcation of an orbit.

@@ -24,6 +24,8 @@ std::string name_of(RegimeEnd end) {
       return "irregular";
     case RegimeEnd::range:
       return "range";
+    case RegimeEnd::time_limit:
+      return "time-limit";
   }
   return "";
 }

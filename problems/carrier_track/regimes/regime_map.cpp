@@ -1,7 +1,6 @@
 #include "problems/carrier_track/regimes/regime_map.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +12,13 @@
 #include "problems/carrier_track/regimes/orbit_map.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
+#include "src/core/in_parallel.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
 
 constexpr int finest = 16;  // parts of the distance of two values, where regimes are refined
 constexpr int at_most = 4;  // times as many columns as values
-constexpr double least_width = 1e-9;  // relative, of a regime
 constexpr int most_values = 10'000;
 
 Scene machine_at(const Scene& machine, const std::string& constant, double value) {
@@ -27,20 +26,6 @@ Scene machine_at(const Scene& machine, const std::string& constant, double value
   set_constant(scene, constant, value);
   scene.start_position = std::clamp(scene.start_position, scene.wall_lower, scene.wall_upper);
   return scene;
-}
-
-/// Without regimes of no width: where impacts of one speed pass the counting limit, rounding makes
-/// one border two.
-std::vector<Regime> of_some_width(std::vector<Regime> regimes) {
-  for (std::size_t i = 1; i + 1 < regimes.size();) {
-    if (regimes[i].to - regimes[i].from > least_width * regimes[i].to) {
-      ++i;
-      continue;
-    }
-    regimes[i + 1].from = regimes[i].from;
-    regimes.erase(regimes.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-  return regimes;
 }
 
 void check_options(const Scene& machine, const RegimeMapOptions& options) {
@@ -129,9 +114,10 @@ class MapMaker {
 
   void solve(const std::vector<double>& values) {
     std::vector<MapColumn> solved(values.size());
-    tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
+    in_parallel("regimes", values.size(), [&](std::size_t i) {
       const Scene scene = machine_at(machine_, options_.constant, values[i]);
-      solved[i] = {values[i], of_some_width(regimes_of(scene, options_.speeds))};
+      solved[i] = {values[i], regimes_of(scene, options_.speeds)};
+      if (solved[i].regimes.back().ends_by == RegimeEnd::time_limit) throw TimeLimitReached();
     });
     for (MapColumn& column : solved) columns_[column.constant] = std::move(column);
     std::vector<std::pair<const MapColumn*, const MapColumn*>> open;
@@ -142,7 +128,7 @@ class MapMaker {
       open.emplace_back(&left->second, &right->second);
     }
     std::vector<Strip> strips(open.size());
-    tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
+    in_parallel("borders", open.size(), [&](std::size_t i) {
       const auto& [left, right] = open[i];
       strips[i] = {right->constant, strip_links(*left, *right, options_, map_.followed), {}};
       strips[i].regions = strip_regions(*left, *right, strips[i].links, options_);

@@ -73,7 +73,7 @@ struct RegimeMap {
 /// regimes at more values between are solved. Under a disturbance, and beside motions that do not
 /// repeat, borders of one kind and count are joined by straight lines. Throws InputError for an
 /// unknown constant, an invalid range, a range that leaves the valid machines, or as regimes_of()
-/// does. In parallel.
+/// does; TimeLimitReached. In parallel.
 RegimeMap regime_map(const Scene& machine, const RegimeMapOptions& options);
 
 }  // namespace ricochet::carrier_track::inline regimes

@@ -14,6 +14,7 @@
 #include "problems/carrier_track/regimes/walk_rules.h"
 #include "problems/carrier_track/scene/scene_check.h"
 #include "ricochet/error.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -49,16 +50,23 @@ void doubt_islands(std::vector<Regime>& regimes) {
 template <class Motion>
 class Walk {
  public:
-  Walk(const Motion& start, double to) : here_(start), margins_(margins_of(start)), to_(to) {}
+  Walk(const Motion& start, double to)
+      : here_(start), margins_(margins_of(start)), from_(start.omega()), to_(to), covered_(from_) {}
 
   /// The regimes, up to the first in which a turn has more than `at_most` collisions.
   std::vector<Regime> regimes(double at_most) {
-    open(here_, here_.omega());
-    while (here_.omega() < to_ && !(regimes_.back().most_per_turn > at_most)) {
-      if (!advance()) step_ /= 2;
+    try {
+      open(here_, here_.omega());
+      while (here_.omega() < to_ && !(regimes_.back().most_per_turn > at_most)) {
+        report_progress("regimes", std::log(here_.omega() / from_) / std::log(to_ / from_));
+        if (!advance()) step_ /= 2;
+        covered_ = here_.omega();
+      }
+      end();
+    } catch (const TimeLimitReached&) {
+      if (regimes_.empty()) throw;
+      cut();
     }
-    if (here_.omega() < to_) to_ = here_.omega();
-    close(here_, to_, RegimeEnd::range);
     doubt_islands(regimes_);
     return regimes_;
   }
@@ -113,10 +121,43 @@ class Walk {
     return true;
   }
 
+  /// Ends the walk at the end of the range, or here if it has met what it looked for.
+  void end() {
+    if (here_.omega() >= to_ && regimes_.size() > 1 && is_one(to_, regimes_.back().from)) {
+      // The last border and the end of the range are one.
+      regimes_.pop_back();
+      regimes_.back().to = to_;
+      regimes_.back().ends_by = RegimeEnd::range;
+      return;
+    }
+    if (here_.omega() < to_) to_ = here_.omega();
+    close(here_, to_, RegimeEnd::range);
+  }
+
+  /// Ends the walk at the speed up to which it is known, wherever it was interrupted.
+  void cut() {
+    Regime& last = regimes_.back();
+    const bool is_open = last.to == 0;
+    if (is_open && here_.omega() == covered_) {
+      close(here_, covered_, RegimeEnd::time_limit);
+    } else if (is_open) {
+      last.to = covered_;
+      last.last = last.first;
+    }
+    last.ends_by = RegimeEnd::time_limit;
+    last.certain = false;
+    if (may_have_others(here_)) return;
+    // The walk might have gone back to any of them.
+    for (Regime& regime : regimes_) regime.certain = false;
+  }
+
   /// Goes on beyond a border, which may be before the regime here: what began there was not seen.
   void cross(const Border<Motion>& border, const Motion& next) {
     const bool one_motion = !may_have_others(here_);
-    if (border.omega > (one_motion ? here_.omega() : regimes_.back().from)) {
+    if (!one_motion && is_one(border.omega, regimes_.back().from) &&
+        is_one(here_.omega(), regimes_.back().from)) {
+      join_borders(border.after);
+    } else if (border.omega > (one_motion ? here_.omega() : regimes_.back().from)) {
       close(border.before, border.omega, border.kind);
       open(border.after, border.omega);
     } else if (!one_motion) {
@@ -131,6 +172,25 @@ class Walk {
       margins_ = margins_of(here_);
       add(here_);
     }
+  }
+
+  /// Takes back the regime here, which is narrower than borders can be told apart: that at its
+  /// start and the next one are one border, beyond which there is the motion `after`.
+  void join_borders(const Motion& after) {
+    const double from = regimes_.back().from;
+    regimes_.pop_back();
+    first_.pop_back();
+    if (regimes_.empty() || !(signature_of(after) == signature_of(first_.back()))) {
+      return open(after, from);
+    }
+    // An impact came and went: the regime before goes on.
+    regimes_.back().to = 0;
+    sum_ = regimes_.back().collisions_per_turn;
+    added_ = 1;
+    here_ = after;
+    observe(here_);
+    margins_ = margins_of(here_);
+    add(here_);
   }
 
   /// Walks all again that comes after an earlier border.
@@ -153,6 +213,9 @@ class Walk {
       open(followed(after, start), start);
     }
   }
+
+  /// Whether borders at these speeds are one.
+  static bool is_one(double omega, double from) { return omega <= from * (1 + border_resolution); }
 
   bool is_certain() const { return regimes_.back().certain; }
 
@@ -233,7 +296,8 @@ class Walk {
   Motion here_;
   Margins margins_;
   std::optional<Margins> reached_;  // of the motion that reaches() was last asked for
-  double to_;
+  double from_, to_;
+  double covered_;  // the regimes are known up to here
   double step_ = 0.01;
   double sum_ = 0;  // of the regime's collisions per turn
   int added_ = 0;
@@ -278,6 +342,7 @@ std::vector<Regime> walked(const Scene& scene, const RegimeOptions& options, dou
   Scene turn = slow;
   turn.window = Revolutions{1};
   check(turn, "scene, in a turn at the slowest speed");
+  report_progress("regimes", 0);
   return is_disturbed(scene) ? Walk(disturbed_motion(slow), options.to).regimes(at_most)
                              : Walk(steady_motion(slow), options.to).regimes(at_most);
 }
@@ -302,6 +367,7 @@ double most_per_turn(const Scene& scene) {
 std::optional<double> quiet_up_to(const Scene& scene, double at_most,
                                   const RegimeOptions& options) {
   const Regime last = walked(scene, options, at_most).back();
+  if (last.ends_by == RegimeEnd::time_limit) throw TimeLimitReached();
   if (!(last.most_per_turn > at_most)) return last.to;
   return last.from > options.from ? std::optional(last.from) : std::nullopt;
 }

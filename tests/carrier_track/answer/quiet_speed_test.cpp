@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "problems/carrier_track/check/oracle/random_scenes.h"
 #include "problems/carrier_track/counting/collisions.h"
@@ -9,6 +10,7 @@
 #include "problems/carrier_track/problems/default_machine.h"
 #include "ricochet/error.h"
 #include "ricochet/threshold.h"
+#include "ricochet/time_limit.h"
 #include "tests/carrier_track/problems/planar_second_case.h"
 
 namespace ricochet::carrier_track {
@@ -34,6 +36,56 @@ TEST(QuietSpeed, IsTheSameWhereverTheRangeEnds) {
     EXPECT_EQ(other.fastest_quiet, answer.fastest_quiet) << fastest;
     EXPECT_NEAR(*other.split.speed, *answer.split.speed, 1e-10) << fastest;
   }
+}
+
+TEST(QuietSpeed, IsMissingWhereEverySpeedIsLoud) {
+  int members = 0;
+  for (const auto& [restitution, clearance, force, per_turn] : {std::tuple(0.5, 0.8e-3, 3.0, 2.0),
+                                                                {0.1, 0.8e-3, 4.0, 2.0},
+                                                                {0.9, 1e-3, 5.0, 1.0},
+                                                                {0.3, 2e-3, 3.5, 0.0},
+                                                                {0.5, 0.5e-3, 8.0, 4.0}}) {
+    Scene scene = case_scene("C1");
+    scene.restitution_lower = scene.restitution_upper = restitution;
+    scene.wall_upper = scene.wall_lower + clearance;
+    scene.friction = 0.1;
+    scene.normal_force = 11.8;
+    scene.pull = 0;
+    scene.counting_limit = 1e-3;
+    scene.disturbance = force;
+    // It repeats with the driver plate at no speed of a range as short as this.
+    scene.disturbance_frequency = 40.3;
+    const QuietSpeed answer =
+        quiet_speed(scene, {Limit{Measure::collisions_per_turn, per_turn}, 1e-3, 0.1});
+    ASSERT_FALSE(answer.reached);
+    EXPECT_TRUE(answer.loud_everywhere);
+    EXPECT_FALSE(answer.fastest_quiet) << *answer.fastest_quiet;
+    EXPECT_FALSE(answer.split.speed);
+    EXPECT_EQ(answer.split.first_loud, 0.01) << "the slowest speed of the range";
+    ++members;
+  }
+  EXPECT_EQ(members, 5);
+  // By a window, too.
+  const QuietSpeed window = quiet_speed(case_scene("C3"), {Limit{Measure::collisions, 0}, 1e-3, 4});
+  EXPECT_FALSE(window.fastest_quiet);
+  EXPECT_FALSE(window.split.speed);
+  // Loud from the slowest speed on is not loud everywhere.
+  const QuietSpeed quiet = quiet_speed(case_scene("C1"), {});
+  EXPECT_FALSE(quiet.loud_everywhere);
+}
+
+TEST(QuietSpeed, SaysUpToWhereItIsKnownAtTheTimeLimit) {
+  Scene scene = case_scene("C2");
+  scene.window = Revolutions{2000};
+  const QuietSpeedOptions options{Limit{Measure::collisions, 1e9}, 1e-3, 18};
+  const TimeLimit limit(0.3);
+  const QuietSpeed answer = quiet_speed(scene, options);
+  ASSERT_TRUE(answer.reached);
+  EXPECT_GT(*answer.reached, 0);
+  EXPECT_LT(*answer.reached, 18);
+  EXPECT_FALSE(answer.fastest_quiet);
+  EXPECT_FALSE(answer.split.speed);
+  EXPECT_FALSE(answer.loud_everywhere);
 }
 
 TEST(QuietSpeed, IsTheEndOfTwoCollisionsATurnInTheLongRun) {

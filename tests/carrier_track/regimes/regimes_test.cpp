@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "problems/carrier_track/counting/wear.h"
 #include "problems/carrier_track/problems/default_machine.h"
@@ -16,6 +18,7 @@
 #include "problems/carrier_track/regimes/steady_motion.h"
 #include "problems/carrier_track/scene/window.h"
 #include "ricochet/error.h"
+#include "ricochet/time_limit.h"
 #include "tests/carrier_track/regimes/long_simulation.h"
 #include "tests/carrier_track/regimes/random_machine.h"
 
@@ -45,6 +48,115 @@ TEST(Regimes, OfTheDefaultMachineAreALadder) {
   EXPECT_NEAR(regimes[3].to, 8.08, 0.005);
   EXPECT_EQ(regimes.back().to, 18);
   EXPECT_EQ(regimes.back().ends_by, RegimeEnd::range);
+}
+
+/// Machines that are their own mirror image, turned by half a turn: impacts come in pairs of one
+/// speed, one on each wall.
+std::vector<Scene> mirror_images() {
+  Scene first;
+  first.mass = 1.2;
+  first.wall_upper = 0.8e-3;
+  first.restitution_lower = first.restitution_upper = 0.5;
+  first.friction = 0.2;
+  first.normal_force = 11.8;
+  first.centrifugal_mass_radius = 1.2 * 0.065;
+  first.counting_limit = 5e-3;
+  first.start_position = 0;
+  std::vector<Scene> all(7, first);
+  all[1].start_position = 0.4e-3;
+  all[2].restitution_lower = all[2].restitution_upper = 0.9;
+  all[3].friction = 0.05;
+  all[4].slider_mass_radius = 1e-3;
+  all[5].pull = 1;
+  all[5].pull_rotates = true;
+  all[6].restitution_lower = all[6].restitution_upper = 0.72;
+  all[6].wall_upper = 3.9e-3;
+  all[6].counting_limit = 1.35e-4;
+  return all;
+}
+
+TEST(Regimes, OfAMirrorImageHaveBordersOfPairs) {
+  for (const Scene& machine : mirror_images()) {
+    const auto regimes = regimes_of(machine);
+    ASSERT_GT(regimes.size(), 4U);
+    for (std::size_t i = 0; i < regimes.size(); ++i) {
+      const Regime& regime = regimes[i];
+      EXPECT_GT(regime.to / regime.from - 1, border_resolution);
+      ASSERT_TRUE(regime.certain);
+      EXPECT_EQ(std::fmod(regime.collisions_per_turn, 2), 0) << "from " << regime.from;
+      // Beside both borders, by simulations.
+      for (const double omega : {regime.from * (1 + 1e-9), regime.to * (1 - 1e-9)}) {
+        EXPECT_EQ(collisions_in_the_long_run(
+                      omega < regime.last.orbit.omega ? regime.first.orbit : regime.last.orbit,
+                      omega, 300, whole_periods(regime)),
+                  regime.collisions_per_turn)
+            << omega;
+      }
+    }
+  }
+}
+
+TEST(Regimes, ThatBeginOrEndAtABorderHaveNoOtherBeforeOrBeyond) {
+  const Scene machine = mirror_images()[0];
+  const auto whole = regimes_of(machine);
+  const double border = whole[2].to;
+  for (const double end : {border, border * (1 + 1e-14), border * (1 - 1e-14)}) {
+    for (const Regime& regime : regimes_of(machine, {end, 18})) {
+      EXPECT_GT(regime.to / regime.from - 1, border_resolution);
+    }
+    const auto until = regimes_of(machine, {0.01, end});
+    EXPECT_EQ(until.back().to, end);
+    EXPECT_EQ(until.back().ends_by, RegimeEnd::range);
+    for (const Regime& regime : until) {
+      EXPECT_GT(regime.to / regime.from - 1, border_resolution);
+    }
+  }
+}
+
+TEST(Regimes, AreKnownUpToTheTimeLimit) {
+  const Scene machine = mirror_images()[6];
+  const RegimeOptions far{0.01, 1000};
+  const auto whole = regimes_of(machine, far);
+  ASSERT_NE(whole.back().ends_by, RegimeEnd::time_limit);
+  std::vector<Regime> cut;
+  {
+    const TimeLimit limit(0.02);
+    cut = regimes_of(machine, far);
+  }
+  const Regime& last = cut.back();
+  EXPECT_EQ(last.ends_by, RegimeEnd::time_limit);
+  EXPECT_FALSE(last.certain);
+  EXPECT_LT(last.to, far.to);
+  EXPECT_GE(last.to, last.from);
+  for (std::size_t i = 0; i + 1 < cut.size(); ++i) {
+    EXPECT_EQ(cut[i].to, whole[i].to);
+    EXPECT_EQ(cut[i].ends_by, whole[i].ends_by);
+    EXPECT_EQ(cut[i].last.energy_per_turn, whole[i].last.energy_per_turn);
+  }
+  const TimeLimit enough(1e3);
+  const auto same = regimes_of(machine, far);
+  ASSERT_EQ(same.size(), whole.size());
+  for (std::size_t i = 0; i < same.size(); ++i) EXPECT_EQ(same[i].to, whole[i].to);
+}
+
+TEST(Regimes, UnderADisturbanceAboveFrictionEndAtTheTimeLimit) {
+  for (const auto& [force, frequency] :
+       {std::pair(3.0, 7.3), {5.0, 31.0}, {2.5, 1.7}, {3.0, 113.0}, {10.0, 7.3}}) {
+    Scene machine = mirror_images()[0];
+    machine.disturbance = force;
+    machine.disturbance_frequency = frequency;
+    const auto start = std::chrono::steady_clock::now();
+    const TimeLimit limit(0.3);
+    try {
+      const auto regimes = regimes_of(machine);
+      EXPECT_EQ(regimes.back().ends_by, RegimeEnd::time_limit);
+      for (const Regime& regime : regimes) EXPECT_FALSE(regime.certain);
+    } catch (const TimeLimitReached&) {
+      // Not even the motion at the slowest speed is known.
+    }
+    EXPECT_THROW(quiet_up_to(machine, 1e9), TimeLimitReached);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  }
 }
 
 /// Compares both sides of every border of a machine with long simulations; returns how many.

@@ -1,13 +1,23 @@
-// What the simulation takes from the machine that it runs on, where there is no clock of the
-// processor and no vector of eight numbers.
+// What the simulation takes from the machine that it runs on, where there is no clock and no vector
+// of eight numbers.
 #include "problems/carrier_track/models/lanes.h"
 #include "src/core/processor_time.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet {
 
 /// No time passes: a race is bounded by its evaluations.
 double processor_seconds() {
   return 0;
+}
+
+/// No time passes: there is no limit.
+void check_time_limit() {}
+void report_progress(const char* /*stage*/, double /*share*/) {}
+void TimeLimit::report(const char* /*stage*/, double /*share*/) {}
+WorkTime& work_time_of_this_thread() {
+  static WorkTime none;
+  return none;
 }
 
 }  // namespace ricochet

@@ -3,9 +3,9 @@
 /// oneTBB's loop, for a machine of one thread.
 namespace tbb {
 
-template <class Range, class Body>
-void parallel_for(const Range& range, const Body& body) {
-  body(range);
+template <class Index, class Body>
+void parallel_for(Index begin, Index end, const Body& body) {
+  for (Index i = begin; i < end; ++i) body(i);
 }
 
 }  // namespace tbb

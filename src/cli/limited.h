@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <thread>
+
+#include "ricochet/time_limit.h"
+#include "src/cli/command_line.h"
+
+namespace ricochet::cli {
+
+/// Adds --seconds, the time after which a command ends with what it knows.
+void add_seconds(CLI::App* command, double& seconds);
+
+/// A time limit, and its progress on standard error from the first second on.
+class Limited {
+ public:
+  /// Throws InputError unless 0 < seconds.
+  explicit Limited(double seconds);
+
+  /// That nothing is known yet, and how far the work was: exit code 1.
+  std::runtime_error reached() const;
+
+ private:
+  double seconds_;
+  TimeLimit limit_;
+  std::jthread shown_;
+};
+
+/// Returns what `work` returns, under a limit. Throws a std::runtime_error if that throws
+/// TimeLimitReached.
+template <class Work>
+auto limited(double seconds, const Work& work) {
+  const Limited limit(seconds);
+  try {
+    return work();
+  } catch (const TimeLimitReached&) {
+    throw limit.reached();
+  }
+}
+
+/// Says on standard error that a result is not complete, and why. Returns the exit code.
+int report_incomplete(double seconds, const std::string& what_is_known);
+
+}  // namespace ricochet::cli

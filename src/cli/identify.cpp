@@ -38,12 +38,13 @@ const std::vector<std::string> held_fixed = {
     "mass",          "normal_force", "pull", "centrifugal_mass_radius", "slider_mass_radius",
     "counting_limit"};
 
-Json json_of(const Estimate& e) {
+/// Without `trusted` there is no interval.
+Json json_of(const Estimate& e, bool trusted) {
   Json json = {{"name", e.name},
                {"unit", e.unit},
                {"value", e.value},
-               {"lower", e.lower},
-               {"upper", e.upper}};
+               {"lower", trusted ? Json(e.lower) : Json()},
+               {"upper", trusted ? Json(e.upper) : Json()}};
   if (e.assumed) json["in_file"] = *e.assumed;
   return json;
 }
@@ -63,21 +64,26 @@ Json json_of(const IdentifiedMachine& machine, const KnockLoss& loss, const std:
             {"relative_deviation_now", machine.next->now},
             {"relative_deviation_then", machine.next->deviation}};
   }
+  const bool trusted = machine.contradictions.empty();
   return {{"knocks", loss.record().knocks.size()},
           {"seconds", loss.record().duration()},
-          {"constants",
-           report::list_of(machine.constants, [](const Estimate& e) { return json_of(e); })},
-          {"safe_speed", machine.safe_speed ? json_of(*machine.safe_speed) : Json()},
+          {"constants", report::list_of(machine.constants,
+                                        [&](const Estimate& e) { return json_of(e, trusted); })},
+          {"safe_speed", machine.safe_speed ? json_of(*machine.safe_speed, trusted) : Json()},
           {"correlations", correlations},
           {"sensor",
            {{"jitter", found.jitter},
             {"missed_share", machine.missed_share},
             {"spurious_share", 1 - machine.explained_share},
+            {"lag", found.lag},
+            {"drift", found.drift},
+            {"dead_time", loss.record().dead_time},
             {"detection_limit", found.detection_limit / found.gain}}},
           {"plate",
            {{"marks", loss.record().plate.has_value()},
             {"phase", found.phase},
             {"speed_factor", found.speed_factor}}},
+          {"contradictions", machine.contradictions},
           {"remarks", machine.remarks},
           {"next_speed", next},
           {"held_fixed", held_fixed},
@@ -86,9 +92,10 @@ Json json_of(const IdentifiedMachine& machine, const KnockLoss& loss, const std:
           {"evaluations", machine.fit.evaluations}};
 }
 
-void print_estimate(const Estimate& e, double unit, const std::string& unit_name) {
-  fmt::print("  {:<12} {:>9.4g} {:<5}  95 %: {:.4g} to {:.4g}{}\n", e.name, e.value / unit,
-             unit_name, e.lower / unit, e.upper / unit,
+void print_estimate(const Estimate& e, double unit, const std::string& unit_name, bool trusted) {
+  fmt::print("  {:<12} {:>9.4g} {:<5}  {}{}\n", e.name, e.value / unit, unit_name,
+             trusted ? fmt::format("95 %: {:.4g} to {:.4g}", e.lower / unit, e.upper / unit)
+                     : "no interval",
              e.assumed ? fmt::format("  (file: {:.4g})", *e.assumed / unit) : "");
 }
 
@@ -99,12 +106,15 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
   fmt::print("{}: fitted to {} knocks in {:.4g} s, {} strengths, the plate's angle {}\n", name,
              record.knocks.size(), record.duration(), record.has_strengths() ? "with" : "without",
              record.plate ? "known from marks" : "unknown");
+  const bool trusted = machine.contradictions.empty();
+  for (const std::string& sentence : machine.contradictions) fmt::print("{}\n", sentence);
+  if (!trusted) fmt::print("The values below are the best fit of a model that does not hold:\n");
   for (const Estimate& e : machine.constants) {
     const bool is_length = e.unit == "m";
-    print_estimate(e, is_length ? 1e-3 : 1, is_length ? "mm" : "");
+    print_estimate(e, is_length ? 1e-3 : 1, is_length ? "mm" : "", trusted);
   }
   if (machine.safe_speed) {
-    print_estimate(*machine.safe_speed, 1, "rad/s");
+    print_estimate(*machine.safe_speed, 1, "rad/s", trusted);
     fmt::print("Safe speed: the fastest with at most two collisions a turn in steady motion.\n");
   } else {
     fmt::print("No safe speed: every speed of the range is safe, or the border is out of reach.\n");
@@ -114,8 +124,12 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
       "spurious; it detects impacts from {:.2g} mm/s on.\n",
       1e3 * found.jitter, 100 * machine.missed_share, 100 * (1 - machine.explained_share),
       1e3 * found.detection_limit / found.gain);
+  if (record.lag_deviation > 0) {
+    fmt::print("Clock of the knocks: {:.2g} ms late, {:.0f} ppm fast, as fitted.\n",
+               1e3 * found.lag, 1e6 * found.drift);
+  }
   for (const std::string& remark : machine.remarks) fmt::print("Note: {}\n", remark);
-  if (machine.next) {
+  if (machine.next && trusted) {
     fmt::print(
         "Record next: {:.3g} rad/s for {:.0f} s. The standard deviation of the {} would "
         "fall from {:.2g} % to {:.2g} %.\n",
@@ -137,8 +151,12 @@ void refuse_same_files(const IdentifyOptions& options) {
 }
 
 std::string machine_text(const IdentifiedMachine& machine, const std::string& knocks) {
-  return fmt::format("# Restitution, friction and clearance are fitted to the knocks of {}.\n{}",
-                     std::filesystem::path(knocks).filename().string(), write_scene(machine.scene));
+  return fmt::format("# Restitution, friction and clearance are fitted to the knocks of {}.\n{}{}",
+                     std::filesystem::path(knocks).filename().string(),
+                     machine.contradictions.empty()
+                         ? ""
+                         : "# The record contradicts the model: do not rely on them.\n",
+                     write_scene(machine.scene));
 }
 
 int identify(const IdentifyOptions& options) {
@@ -173,7 +191,7 @@ int identify(const IdentifyOptions& options) {
     print(machine, loss, std::filesystem::path(options.scene_file).stem().string(), solver.name);
   }
   report::require_none(plot.failures);
-  return 0;
+  return machine.contradictions.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -199,6 +217,14 @@ void add_identify(CommandLine& line) {
   command->add_option("--marks", options->files.marks, "CSV file: time [s] of marks on the plate")
       ->type_name("FILE");
   command->add_option("--mark-angle", options->files.mark_angle, "Angle alpha [rad] at a mark")
+      ->capture_default_str();
+  command
+      ->add_option("--mark-deviation", options->files.mark_deviation,
+                   "Standard deviation [rad] of --mark-angle; 0: exact")
+      ->capture_default_str();
+  command
+      ->add_option("--lag-deviation", options->files.lag_deviation,
+                   "Standard deviation [s] of the lag between two files; 0: one clock")
       ->capture_default_str();
   command->add_option("--solver", options->solver, "Solver that takes gradients")
       ->type_name("SOLVER")

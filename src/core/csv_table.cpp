@@ -82,8 +82,10 @@ void CsvTable::refuse(std::size_t row, const std::string& name, double number,
 
 CsvTable parse_csv_table(const std::string& text, const std::string& origin,
                          const std::vector<std::string>& known) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // that spreadsheets write
   CsvTable table{origin, {}, {}, {}};
-  std::istringstream stream(text);
+  std::istringstream stream(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
+                                                              : text);
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;

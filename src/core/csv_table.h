@@ -34,8 +34,8 @@ struct CsvTable {
 };
 
 /// Reads a file with a header line of names from `known`, and lines of as many finite numbers,
-/// separated by commas. Blank lines, and lines that begin with #, are skipped. Throws InputError,
-/// one line with file, line and column, for anything else.
+/// separated by commas. Blank lines, lines that begin with # and a byte order mark are skipped.
+/// Throws InputError, one line with file, line and column, for anything else.
 CsvTable read_csv_table(const std::string& path, const std::vector<std::string>& known);
 
 /// The same from a text.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/identification/safe_speed.h"
+#include "src/identification/fit_check.h"
 
 namespace ricochet::studies::identification {
 
@@ -118,11 +119,12 @@ std::vector<std::string> remarks_of(const IdentifiedMachine& machine, const Knoc
 }
 
 void add_warnings(IdentifiedMachine& machine) {
-  if (machine.explained_share < 0.7 || machine.missed_share > 0.4) {
+  const KnockUnknowns at = unknowns_at(machine.fit.x);
+  if (std::abs(at.recorded_share - at.upper_share) > 0.2) {
     machine.remarks.push_back(fmt::format(
-        "The machine explains only {:.0f} % of the knocks, and {:.0f} % of the impacts that it "
-        "predicts are missing: the model or the speed does not fit this record.",
-        100 * machine.explained_share, 100 * machine.missed_share));
+        "The sensor records {:.0f} % of the impacts on the lower wall and {:.0f} % of those on the "
+        "upper one.",
+        100 * at.recorded_share, 100 * at.upper_share));
   }
   if (machine.fit.excess > 0.1) {
     machine.remarks.push_back("The fit has not converged: the intervals are too narrow.");
@@ -164,8 +166,12 @@ IdentifiedMachine identify(const KnockLoss& loss, const Solver& solver, double f
   const double knocks = static_cast<double>(loss.record().knocks.size());
   machine.explained_share =
       std::max(0.0, 1 - found.spurious_rate * loss.record().duration() / knocks);
-  machine.missed_share = 1 - found.recorded_share;
-  machine.remarks = remarks_of(machine, loss.record());
+  machine.missed_share = 1 - (found.recorded_share + found.upper_share) / 2;
+  machine.contradictions = contradictions(loss, fit, solver);
+  machine.remarks = loss.record().notes;
+  for (std::string& remark : remarks_of(machine, loss.record())) {
+    machine.remarks.push_back(std::move(remark));
+  }
   add_warnings(machine);
   const std::optional<SafeSpeed> safe = safe_speed_of(loss.scene(), fit, fastest);
   if (safe) machine.safe_speed = estimate_of(*safe, fit.covariance);

@@ -24,13 +24,15 @@ struct IdentifiedMachine {
   carrier_track::Scene scene;       ///< the machine with the fitted constants
   std::vector<Estimate> constants;  ///< restitution, friction, clearance
   std::optional<Estimate> safe_speed;
-  Matrix correlations;               ///< 3 x 3, of the constants
+  Matrix correlations;  ///< 3 x 3, of the constants
+  /// What the record contradicts, one sentence each: with any, no interval can be trusted.
+  std::vector<std::string> contradictions;
   std::vector<std::string> remarks;  ///< what the record cannot tell, one sentence each
   std::optional<carrier_track::NextSpeed> next;
   std::string next_target;  ///< what the next speed would make more certain
 
   double explained_share;  ///< of the knocks: those that are not spurious, as fitted
-  double missed_share;     ///< of the impacts above the detection limit, as fitted
+  double missed_share;     ///< of the impacts above the detection limit, as fitted, of both walls
 };
 
 /// Fits a record. The safe speed and the next one are searched up to `fastest` [rad/s].

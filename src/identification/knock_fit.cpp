@@ -31,6 +31,7 @@ std::vector<Eigen::Index> of_motion(const KnockLoss& loss) {
   std::vector<Eigen::Index> result = {coordinate::restitution, coordinate::friction,
                                       coordinate::clearance, coordinate::phase,
                                       coordinate::speed_factor};
+  if (loss.record().lag_deviation > 0) result.push_back(coordinate::lag);
   if (loss.record().has_strengths()) result.push_back(coordinate::gain);
   return result;
 }
@@ -108,6 +109,11 @@ double descend(const KnockLoss& loss, Search& search, Vector& x,
 }
 
 }  // namespace
+
+double refine(const KnockLoss& loss, const Solver& solver, Vector& x) {
+  Search search(loss, solver);
+  return converge(search, x);
+}
 
 KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t starts) {
   Random random(1);

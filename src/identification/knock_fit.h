@@ -21,4 +21,8 @@ struct KnockFit {
 KnockFit fit_knocks(const carrier_track::KnockLoss& loss, const Solver& solver,
                     std::size_t starts = 8);
 
+/// Improves x without a search from elsewhere, such as after a change of the loss. Returns the
+/// loss.
+double refine(const carrier_track::KnockLoss& loss, const Solver& solver, Vector& x);
+
 }  // namespace ricochet::studies::identification

@@ -29,6 +29,15 @@ TEST(CsvTable, HasColumnsOfNumbers) {
   EXPECT_EQ(table.find("strength"), nullptr);
 }
 
+TEST(CsvTable, MayBeginWithAByteOrderMark) {
+  const std::string mark = "\xef\xbb\xbf";
+  for (const char* text : {"time\n1\n", "time\r\n1\r\n", "# note\ntime\n1\n", "\n time\n1\n"}) {
+    EXPECT_THAT(parse_csv_table(mark + text, "f.csv", {"time"}).column("time"), ElementsAre(1));
+  }
+  EXPECT_THAT(complaint(mark), HasSubstr("must have a header"));
+  EXPECT_THAT(complaint("time\n" + mark + "1\n"), HasSubstr("f.csv:2: column time"));
+}
+
 TEST(CsvTable, IsRefusedWithFileLineAndColumn) {
   EXPECT_THAT(complaint(""), HasSubstr("f.csv: must have a header"));
   EXPECT_THAT(complaint("time\n"), HasSubstr("lines of numbers"));

@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/identification/knock_file.h"
 #include "problems/carrier_track/identification/safe_speed.h"
+#include "problems/carrier_track/identification/sensor_faults.h"
 #include "problems/carrier_track/identification/synthetic_knocks.h"
 #include "ricochet/solvers.h"
 #include "src/core/processor_time.h"
@@ -24,8 +26,10 @@
 ///   ricochet_identify_coverage MACHINE TRIALS [THREADS [KIND [SOLVER [FIRST]]]]
 ///   ricochet_identify_coverage MACHINE FOLDER
 ///
-/// KIND is one or more of marks, strengths, and constant or steps in place of a ramp, joined by +.
-/// The second form writes a record as files instead: knocks.csv, speed.csv, marks.csv.
+/// KIND is one or more of marks, strengths, and constant or steps in place of a ramp, and one of
+/// the faults of a measurement below, joined by +. A record whose intervals are refused counts as
+/// such, not as covered or not. The second form writes a record as files instead: knocks.csv,
+/// speed.csv, marks.csv.
 namespace ricochet::studies::identification {
 namespace {
 
@@ -36,10 +40,34 @@ constexpr double outlying = 5;  // deviations, at which a trial is named
 
 struct Kind {
   bool marks, strengths, constant, steps;
+  SensorModel sensor = {};
+  double mark_error = 0;  ///< [rad]
+};
+
+/// What is wrong with a measurement.
+struct Fault {
+  const char* name;
+  void (*apply)(Kind&);
+};
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr Fault faults[] = {
+    {"lag-0.5ms", [](Kind& k) { k.sensor.lag = 0.5e-3; }},
+    {"lag-2ms", [](Kind& k) { k.sensor.lag = 2e-3; }},
+    {"lag-10ms", [](Kind& k) { k.sensor.lag = 10e-3; }},
+    {"mark-0.5deg", [](Kind& k) { k.mark_error = 0.5 * degree; }},
+    {"mark-1deg", [](Kind& k) { k.mark_error = 1 * degree; }},
+    {"mark-3deg", [](Kind& k) { k.mark_error = 3 * degree; }},
+    {"echoes", [](Kind& k) { k.sensor.echo_delay = 4e-3; }},
+    {"drift-100ppm", [](Kind& k) { k.sensor.drift = 1e-4; }},
+    {"dead-time-10ms", [](Kind& k) { k.sensor.dead_time = 10e-3; }},
+    {"one-wall", [](Kind& k) { k.sensor.upper_gain = 0.01; }},
+    {"saturated", [](Kind& k) { k.sensor.saturation = 0.06; }},
 };
 
 struct Trial {
   bool failed = false;
+  bool refused = false;        ///< the record contradicts the model: there are no intervals
   std::vector<double> errors;  ///< relative, of the constants and the safe speed
   std::vector<double> scores;  ///< errors over standard deviations, on the scale of the interval
   std::vector<bool> covered;
@@ -63,11 +91,17 @@ std::vector<SpeedKnot<double>> speeds(const Kind& kind) {
   return knots;
 }
 
-SensorModel sensor(const Kind& kind) {
-  SensorModel sensor;
-  sensor.strengths = kind.strengths;
-  if (kind.marks) sensor.mark_jitter = 1e-3;
-  return sensor;
+/// A record as read_knock_record() has it.
+KnockRecord record_of(const Scene& truth, Kind kind, Random& random) {
+  kind.sensor.strengths = kind.strengths;
+  KnockRecord record = synthetic_knocks(truth, speeds(kind), kind.sensor, random);
+  record.lag_deviation = usual_lag_deviation;
+  if (kind.marks) {
+    record.plate = plate_measurement(record, mark_times(truth, record, 1e-3, random),
+                                     kind.mark_error, usual_mark_deviation);
+  }
+  take_out_sensor_faults(record);
+  return record;
 }
 
 /// A guess within 30 % of restitution and clearance, 20 % of friction.
@@ -92,13 +126,17 @@ Vector truth_near(Vector x, const Scene& truth) {
 Trial trial(Scene truth, const Kind& kind, const Solver& solver, std::uint64_t seed) {
   Random random(seed);
   truth.phase = 2 * std::numbers::pi * uniform(random);
-  const KnockRecord record = synthetic_knocks(truth, speeds(kind), sensor(kind), random);
+  const KnockRecord record = record_of(truth, kind, random);
   const Scene guess = guess_near(truth, random);
   Trial result;
   const double start = processor_seconds();
   try {
     const KnockLoss loss(guess, record);
     const IdentifiedMachine machine = identify(loss, solver, 18);
+    for (const std::string& sentence : machine.contradictions) {
+      fmt::print(stderr, "trial {}: {}\n", seed, sentence);
+    }
+    result.refused = !machine.contradictions.empty();
     result.missed = loss.at(truth_near(machine.fit.x, truth), 0) < machine.fit.loss;
     std::vector<Estimate> estimates = machine.constants;
     std::vector<double> truths = {truth.restitution_lower, truth.friction,
@@ -127,25 +165,29 @@ Trial trial(Scene truth, const Kind& kind, const Solver& solver, std::uint64_t s
 }
 
 void print(const std::vector<Trial>& trials) {
-  fmt::print("{:<12} {:>6} {:>16} {:>10} {:>10} {:>10} {:>8}\n", "", "trials", "covered [%]",
-             "within 2 %", "within 1 %", "error [%]", "score");
+  fmt::print("{:<12} {:>6} {:>16} {:>10} {:>10} {:>10} {:>17} {:>8}\n", "", "trials", "covered [%]",
+             "within 2 %", "within 1 %", "error [%]", "bias [%]", "score");
   const char* names[] = {"restitution", "friction", "clearance", "safe speed"};
   for (std::size_t i = 0; i < 4; ++i) {
-    double n = 0, covered = 0, near = 0, nearer = 0, squares = 0, scores = 0;
+    double n = 0, covered = 0, near = 0, nearer = 0, squares = 0, scores = 0, sum = 0;
     for (const Trial& t : trials) {
-      if (t.errors.size() <= i) continue;
+      if (t.refused || t.errors.size() <= i) continue;
       ++n;
       covered += t.covered[i] ? 1 : 0;
       near += std::abs(t.errors[i]) <= 0.02 ? 1 : 0;
       nearer += std::abs(t.errors[i]) <= 0.01 ? 1 : 0;
+      sum += t.errors[i];
       squares += t.errors[i] * t.errors[i];
       scores += t.scores[i] * t.scores[i];
     }
     if (n == 0) continue;
     const double share = covered / n;
-    fmt::print("{:<12} {:>6} {:>8.1f} +- {:<4.1f} {:>10.1f} {:>10.1f} {:>10.3f} {:>8.2f}\n",
-               names[i], n, 100 * share, 196 * std::sqrt(share * (1 - share) / n), 100 * near / n,
-               100 * nearer / n, 100 * std::sqrt(squares / n), std::sqrt(scores / n));
+    fmt::print(
+        "{:<12} {:>6} {:>8.1f} +- {:<4.1f} {:>10.1f} {:>10.1f} {:>10.3f} {:>8.3f} +- {:<5.3f} "
+        "{:>8.2f}\n",
+        names[i], n, 100 * share, 196 * std::sqrt(share * (1 - share) / n), 100 * near / n,
+        100 * nearer / n, 100 * std::sqrt(squares / n), 100 * sum / n,
+        196 * std::sqrt(std::max(squares - sum * sum / n, 0.0)) / n, std::sqrt(scores / n));
   }
   std::vector<double> times;
   for (const Trial& t : trials) times.push_back(t.seconds);
@@ -153,15 +195,19 @@ void print(const std::vector<Trial>& trials) {
   const auto failed = std::ranges::count_if(trials, &Trial::failed);
   const auto missed = std::ranges::count_if(trials, &Trial::missed);
   fmt::print(
-      "{} failed; {} explain less than the truth does; processor time of a trial: median {:.2f} s, "
+      "{} failed; {} refused; {} explain less than the truth does; processor time of a trial: "
+      "median {:.2f} s, "
       "longest {:.2f} s\n",
-      failed, missed, times[times.size() / 2], times.back());
+      failed, std::ranges::count_if(trials, &Trial::refused), missed, times[times.size() / 2],
+      times.back());
 }
 
 void write_record(Scene truth, const std::string& folder) {
   Random random(7);
   truth.phase = 1;
-  SensorModel model = sensor({true, true, false, false});
+  SensorModel model;
+  model.strengths = true;
+  model.mark_jitter = 1e-3;
   const auto speed = speeds({});
   const KnockRecord record = synthetic_knocks(truth, speed, model, random);
   std::string knocks = "# Synthetic: simulated knocks, with errors of the sensor.\ntime,strength\n";
@@ -191,7 +237,10 @@ int run(const std::vector<std::string>& arguments) {
   };
   const std::string name = argument(3, "marks");
   const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
-  const Kind kind{has("marks"), has("strengths"), has("constant"), has("steps")};
+  Kind kind{has("marks"), has("strengths"), has("constant"), has("steps")};
+  for (const Fault& fault : faults) {
+    if (has(fault.name)) fault.apply(kind);
+  }
   const Solver solver = solver_named(argument(4, usual_solver));
   const auto first = static_cast<std::uint64_t>(std::stoll(argument(5, "1")));
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,

@@ -27,12 +27,12 @@ double range_of(const KnockRecord& record, bool strengths) {
   return std::max(0.1, std::log(*most.strength / *least.strength));
 }
 
-void add(Vector* slopes, const PredictedImpact& impact, double by_time, double by_log_speed) {
-  for (Eigen::Index i = 0; i < motion_unknowns; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    (*slopes)[i] += by_time * impact.time_slopes[k] + by_log_speed * impact.log_speed_slopes[k];
-  }
+Eigen::Index share_of(Wall wall) {
+  return wall == Wall::lower ? coordinate::recorded_share : coordinate::upper_share;
 }
+
+/// A knock is that of an impact up to this many jitters before it: the sensor is deaf to others.
+constexpr double own = 4;
 
 }  // namespace
 
@@ -58,8 +58,44 @@ double KnockDensity::margin(const PredictedImpact& impact) const {
   return (std::log(at_.gain / at_.detection_limit) + impact.log_speed) / at_.scatter;
 }
 
+double KnockDensity::wall_share(const PredictedImpact& impact) const {
+  return impact.wall == Wall::lower ? at_.recorded_share : at_.upper_share;
+}
+
 double KnockDensity::recorded_share(const PredictedImpact& impact) const {
-  return at_.recorded_share * share_below(margin(impact));
+  return wall_share(impact) * share_below(margin(impact));
+}
+
+void KnockDensity::add(Vector* slopes, const PredictedImpact& impact, double by_time,
+                       double by_log_speed) const {
+  for (Eigen::Index i = 0; i < motion_unknowns; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    (*slopes)[i] += by_time * impact.time_slopes[k] + by_log_speed * impact.log_speed_slopes[k];
+  }
+  (*slopes)[coordinate::lag] += by_time;
+  (*slopes)[coordinate::drift] +=
+      by_time * (impact.time - record_.from - at_.lag) / (1 + at_.drift);
+}
+
+KnockDensity::Heard KnockDensity::heard(const PredictedImpact& impact) const {
+  const double begin = (impact.time - record_.from) / at_.jitter;
+  const double end = (impact.time - record_.to) / at_.jitter;
+  Heard result{share_below(begin) - share_below(end),
+               (gaussian(begin) - gaussian(end)) / at_.jitter,
+               end * gaussian(end) - begin * gaussian(begin)};
+  if (record_.dead_time <= own * at_.jitter || blur_ > 0) return result;
+  const double earliest = impact.time - reach * at_.jitter - record_.dead_time;
+  for (auto knock = std::ranges::lower_bound(record_.knocks, earliest, {}, &Knock::time);
+       knock != record_.knocks.end(); ++knock) {
+    const double from = (knock->time - impact.time) / at_.jitter + own;
+    if (from > reach) break;
+    const double to = (knock->time + record_.dead_time - impact.time) / at_.jitter;
+    result.part -= share_below(to) - share_below(from);
+    result.by_time += (gaussian(to) - gaussian(from)) / at_.jitter;
+    result.by_jitter += to * gaussian(to) - (from - own) * gaussian(from);
+  }
+  result.part = std::max(result.part, 0.0);
+  return result;
 }
 
 double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) const {
@@ -73,12 +109,20 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
   for (auto impact = first; impact != impacts_.end(); ++impact) {
     const double z = (knock.time - impact->time) / width;
     if (z < -reach) break;
-    double bump = at_.recorded_share * gaussian(z) / width;
+    const double recorded = wall_share(*impact);
+    double bump = recorded * gaussian(z) / width;
     double by_log_speed = 0;
     double by_scatter = 0;
     double by_limit = 0;
     const double above = margin(*impact);
-    if (strengths_) {
+    if (strengths_ && *knock.strength >= record_.saturation) {
+      const double u = (impact->log_speed - std::log(record_.saturation / at_.gain)) / at_.scatter;
+      const double share = share_below(u);
+      if (share == 0) continue;
+      bump *= share;
+      by_log_speed = gaussian(u) / share / at_.scatter;
+      by_scatter = -u * gaussian(u) / share;
+    } else if (strengths_) {
       const double u = (std::log(*knock.strength / at_.gain) - impact->log_speed) / at_.scatter;
       bump *= gaussian(u) / at_.scatter;
       by_log_speed = u / at_.scatter;
@@ -94,7 +138,7 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
     if (slopes == nullptr) continue;
     add(&sum, *impact, bump * z / width, bump * by_log_speed);
     sum[coordinate::jitter] += bump * (z * z - 1) * narrowing;
-    sum[coordinate::recorded_share] += bump * (1 - at_.recorded_share);
+    sum[share_of(impact->wall)] += bump * (1 - recorded);
     sum[coordinate::detection_limit] += bump * by_limit;
     sum[coordinate::gain] += bump * by_log_speed;
     sum[coordinate::scatter] += bump * by_scatter;
@@ -107,20 +151,21 @@ double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) c
 }
 
 double KnockDensity::expected(Vector* slopes) const {
-  double sum = at_.spurious_rate * record_.duration();
+  const double deaf =
+      blur_ > 0 ? 0 : record_.dead_time * static_cast<double>(record_.knocks.size());
+  double sum = at_.spurious_rate * (record_.duration() - deaf);
   if (slopes != nullptr) (*slopes)[coordinate::spurious_rate] += sum;
   for (const PredictedImpact& impact : impacts_) {
-    const double begin = (impact.time - record_.from) / at_.jitter;
-    const double end = (impact.time - record_.to) / at_.jitter;
-    const double within = share_below(begin) - share_below(end);
+    const Heard heard = this->heard(impact);
     const double above = margin(impact);
-    const double share = at_.recorded_share * share_below(above);
-    sum += share * within;
+    const double recorded = wall_share(impact);
+    const double share = recorded * share_below(above);
+    sum += share * heard.part;
     if (slopes == nullptr) continue;
-    const double steepness = at_.recorded_share * gaussian(above) / at_.scatter * within;
-    add(slopes, impact, share * (gaussian(begin) - gaussian(end)) / at_.jitter, steepness);
-    (*slopes)[coordinate::recorded_share] += share * within * (1 - at_.recorded_share);
-    (*slopes)[coordinate::jitter] -= share * (begin * gaussian(begin) - end * gaussian(end));
+    const double steepness = recorded * gaussian(above) / at_.scatter * heard.part;
+    add(slopes, impact, share * heard.by_time, steepness);
+    (*slopes)[share_of(impact.wall)] += share * heard.part * (1 - recorded);
+    (*slopes)[coordinate::jitter] += share * heard.by_jitter;
     (*slopes)[coordinate::detection_limit] -= steepness;
     (*slopes)[coordinate::gain] += steepness;
     if (strengths_) (*slopes)[coordinate::scatter] -= steepness * above * at_.scatter;
@@ -141,7 +186,8 @@ KnockDensity::Information KnockDensity::information() const {
     if (recorded_share(impact) < 1e-6) continue;
     if (impact.time < record_.from || impact.time > record_.to) continue;
     // With strengths the sum below leaves out what is not detected.
-    const double share = strengths_ ? at_.recorded_share : recorded_share(impact);
+    const double share =
+        (strengths_ ? wall_share(impact) : recorded_share(impact)) * heard(impact).part;
     Vector mean = Vector::Zero(knock_unknowns);
     for (double z = -end; z <= end; z += step) {
       for (double u = -last_strength; u <= last_strength; u += step_of_strength) {
@@ -149,7 +195,8 @@ KnockDensity::Information KnockDensity::information() const {
         double weight = gaussian(z) * step;
         if (strengths_) {
           if (u < -margin(impact)) continue;  // not detected
-          knock.strength = at_.gain * std::exp(impact.log_speed + u * at_.scatter);
+          knock.strength =
+              std::min(at_.gain * std::exp(impact.log_speed + u * at_.scatter), record_.saturation);
           weight *= gaussian(u) * step_of_strength;
         }
         slopes.setZero();

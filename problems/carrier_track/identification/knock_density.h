@@ -11,6 +11,8 @@ namespace ricochet::carrier_track::inline identification {
 /// The density of knocks per second, and per unit of log strength if strengths are recorded, that
 /// a point of the unknowns predicts: spurious ones at a uniform rate, and around every predicted
 /// impact a Gaussian of the jitter, which holds the share of records in which the impact appears.
+/// While the sensor is deaf after a knock nothing is expected but that knock itself. Of a strength
+/// at the record's saturation only that it is reached is known.
 ///
 /// `blur` [rad] >= 0, an angle of the driver plate, widens the Gaussians, to sqrt(jitter^2 + (blur
 /// / speed)^2): far from the solution a wide density is what a solver can follow.
@@ -42,6 +44,16 @@ class KnockDensity {
 
  private:
   double margin(const PredictedImpact& impact) const;
+  double wall_share(const PredictedImpact& impact) const;
+
+  /// The part of an impact's Gaussian that the sensor hears, with its derivatives by the impact's
+  /// time [1/s] and by the logarithm of the jitter.
+  struct Heard {
+    double part, by_time, by_jitter;
+  };
+  Heard heard(const PredictedImpact& impact) const;
+  void add(Vector* slopes, const PredictedImpact& impact, double by_time,
+           double by_log_speed) const;
   double width(double time) const;
 
   const KnockRecord& record_;

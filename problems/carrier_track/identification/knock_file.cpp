@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problems/carrier_track/identification/sensor_faults.h"
 #include "problems/carrier_track/scene/scene_fields.h"
 #include "ricochet/error.h"
 #include "src/core/csv_table.h"
@@ -68,10 +69,69 @@ std::vector<SpeedKnot<double>> speed_of(const KnockFiles& files, const CsvTable&
   return speeds_of(table);
 }
 
+/// What a speed in another unit would be: `factor` is the speed as recorded over that in rad/s.
+std::string unit_of(double factor) {
+  struct Unit {
+    double factor;
+    const char* name;
+  };
+  constexpr double turn = 2 * std::numbers::pi;
+  constexpr Unit units[] = {
+      {60 / turn, "rpm"}, {1 / turn, "turns per second"}, {360 / turn, "degrees per second"}};
+  for (const Unit& unit : units) {
+    if (std::abs(std::log(factor / unit.factor)) < 0.1) {
+      return fmt::format(": are the speeds in {}, not in rad/s?", unit.name);
+    }
+  }
+  return factor > 0.4 && factor < 0.6 ? ": are there two marks on the plate?"
+                                      : ": are the speeds in rad/s?";
+}
+
+/// Most turns between marks may miss one or two; none may be far from a whole turn.
+void check_marks(const KnockFiles& files, const KnockRecord& record,
+                 const std::vector<double>& marks) {
+  std::vector<double> turns;
+  for (std::size_t i = 1; i < marks.size(); ++i) {
+    turns.push_back(angle_between(record.speed, marks[i - 1], marks[i]) / (2 * std::numbers::pi));
+  }
+  std::ranges::nth_element(turns, turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 2));
+  const double turn = turns[turns.size() / 2];
+  const double whole = std::clamp(std::round(turn), 1.0, 3.0);
+  if (std::abs(turn / whole - 1) <= 0.15) return;
+  throw InputError(
+      fmt::format("{}: from mark to mark the plate makes {:.3g} turns by its speeds: must be "
+                  "within 0.85..1.15{}",
+                  files.marks, turn, unit_of(turn)));
+}
+
+/// Of the knocks at least half must be between these times of another file.
+void check_overlap(const KnockFiles& files, const std::vector<double>& knocks,
+                   const std::string& other, double from, double to) {
+  const auto within =
+      std::ranges::count_if(knocks, [&](double time) { return time >= from && time <= to; });
+  if (2 * static_cast<std::size_t>(within) >= knocks.size()) return;
+  throw InputError(fmt::format(
+      "{}: only {} of {} knocks ({:.6g} to {:.6g} s) are within the times of {} ({:.6g} to "
+      "{:.6g} s): must be at least half: do the clocks differ?",
+      files.knocks, within, knocks.size(), knocks.front(), knocks.back(), other, from, to));
+}
+
+void check_deviations(const KnockFiles& files) {
+  if (!(files.mark_deviation >= 0 && files.mark_deviation <= 0.5)) {
+    throw InputError(
+        fmt::format("--mark-deviation {}: must be within 0..0.5 rad", files.mark_deviation));
+  }
+  if (!(files.lag_deviation >= 0 && files.lag_deviation <= 0.1)) {
+    throw InputError(
+        fmt::format("--lag-deviation {}: must be within 0..0.1 s", files.lag_deviation));
+  }
+}
+
 void add_marks(const KnockFiles& files, KnockRecord& record, const std::vector<double>& marks) {
   if (!std::isfinite(files.mark_angle)) throw InputError("--mark-angle: must be a finite number");
   if (marks.size() < 3) throw InputError(files.marks + ": must have at least three marks");
-  record.plate = plate_measurement(record, marks, files.mark_angle);
+  check_marks(files, record, marks);
+  record.plate = plate_measurement(record, marks, files.mark_angle, files.mark_deviation);
 }
 
 void check_turns(const KnockFiles& files, const KnockRecord& record) {
@@ -81,9 +141,25 @@ void check_turns(const KnockFiles& files, const KnockRecord& record) {
                                files.knocks, turns, record.duration()));
 }
 
+/// A carrier that is thrown knocks at least twice a turn.
+void check_knocks_a_turn(const KnockFiles& files, const KnockRecord& record,
+                         const std::vector<double>& knocks) {
+  constexpr double fewest = 1;
+  const double turns =
+      angle_between(record.speed, knocks.front(), knocks.back()) / (2 * std::numbers::pi);
+  const double a_turn = static_cast<double>(knocks.size()) / turns;
+  if (a_turn >= fewest) return;
+  throw InputError(fmt::format(
+      "{}: {} knocks in {:.4g} turns of the plate are {:.2g} a turn: must be at least {}: are the "
+      "speeds of {} in rad/s, not in rpm or degrees per second? Leave out times without knocks",
+      files.knocks, knocks.size(), turns, a_turn, fewest,
+      files.omega ? "--omega" : (files.speed.empty() ? files.knocks : files.speed)));
+}
+
 }  // namespace
 
 KnockRecord read_knock_record(const KnockFiles& files) {
+  check_deviations(files);
   const CsvTable table = read_csv_table(files.knocks, {"time", "strength", "omega"});
   check_times(table, 0);
   const std::vector<double>& times = table.column("time");
@@ -97,6 +173,7 @@ KnockRecord read_knock_record(const KnockFiles& files) {
         "strength", [](auto, double x) { return x > 0; }, "> 0");
   }
   KnockRecord record;
+  record.lag_deviation = files.lag_deviation;
   for (std::size_t i = 0; i < times.size(); ++i) {
     record.knocks.push_back({times[i]});
     if (strengths != nullptr) record.knocks.back().strength = (*strengths)[i];
@@ -104,16 +181,29 @@ KnockRecord read_knock_record(const KnockFiles& files) {
   record.speed = speed_of(files, table);
   record.from = std::min(times.front(), record.speed.front().time);
   record.to = std::max(times.back(), record.speed.back().time);
+  if (record.speed.size() > 1) {
+    check_overlap(files, times, files.speed.empty() ? files.knocks : files.speed,
+                  record.speed.front().time, record.speed.back().time);
+  }
   std::vector<double> marks;
   if (!files.marks.empty()) {
     const CsvTable marked = read_csv_table(files.marks, {"time"});
     check_times(marked, shortest_gap);
     marks = marked.column("time");
+    check_overlap(files, times, files.marks, marks.front(), marks.back());
     record.from = std::min(record.from, marks.front());
     record.to = std::max(record.to, marks.back());
   }
   check_turns(files, record);
   if (!files.marks.empty()) add_marks(files, record, marks);
+  check_knocks_a_turn(files, record, times);
+  take_out_sensor_faults(record);
+  if (record.knocks.size() < fewest_knocks) {
+    throw InputError(
+        fmt::format("{}: {} knocks without echoes and rows at one time: must have at "
+                    "least {}",
+                    files.knocks, record.knocks.size(), fewest_knocks));
+  }
   return record;
 }
 

@@ -10,13 +10,14 @@ namespace {
 /// Limits of the coordinates of KnockUnknowns: beyond them a simulation may take very long.
 Vector lowest() {
   Vector x(knock_unknowns);
-  x << -5, std::log(1e-4), std::log(1e-7), -100, -0.2, std::log(1e-7), -5, -20, -20, -40, -7;
+  x << -5, std::log(1e-4), std::log(1e-7), -100, -0.2, std::log(1e-7), -5, -20, -20, -40, -7, -12,
+      -0.1, -1e-3;
   return x;
 }
 
 Vector highest() {
   Vector x(knock_unknowns);
-  x << 4, std::log(0.999), std::log(1.0), 100, 0.2, 0, 10, 10, 20, 40, 1;
+  x << 4, std::log(0.999), std::log(1.0), 100, 0.2, 0, 10, 10, 20, 40, 1, 10, 0.1, 1e-3;
   return x;
 }
 

@@ -38,9 +38,9 @@ double angle_between(const std::vector<SpeedKnot<double>>& speed, double from, d
 }
 
 PlateMeasurement plate_measurement(const KnockRecord& record, const std::vector<double>& marks,
-                                   double mark_angle) {
+                                   double mark_angle, double angle_deviation) {
   const auto n = static_cast<Eigen::Index>(marks.size());
-  Matrix design(n, 2);
+  Matrix design(n, 3);
   Vector alpha(n);
   const double first = marks.front();
   double turned = first >= record.from ? angle_between(record.speed, record.from, first)
@@ -51,15 +51,42 @@ PlateMeasurement plate_measurement(const KnockRecord& record, const std::vector<
         i == 0 ? 0 : angle_between(record.speed, marks[static_cast<std::size_t>(i - 1)], time);
     const double turns = std::max(i == 0 ? 0.0 : 1.0, std::round(since_last / turn));
     turned += since_last;
-    design.row(i) << 1, turned;
+    design.row(i) << 1, turned, -speed_at(record.speed, time);
     alpha[i] = (i == 0 ? mark_angle : alpha[i - 1]) + turn * turns;
   }
-  const Vector line = design.colPivHouseholderQr().solve(alpha);
-  const double squares = (alpha - design * line).squaredNorm();
-  const double variance = std::max(squares / static_cast<double>(n - 2), 1e-12);
+  Vector line = Vector::Zero(3);
+  line.head(2) = design.leftCols(2).colPivHouseholderQr().solve(alpha);
+  const auto variance = [&] {
+    const double squares = (alpha - design * line).squaredNorm();
+    return std::max(squares / static_cast<double>(n - 2), 1e-12);
+  };
+  double of_mark = variance();
+  if (record.lag_deviation > 0) {
+    // The lag is one more measurement of the line: 0, in units of a mark's deviation.
+    constexpr int rounds = 5;  // the variance is that about the line with the lag
+    for (int round = 0; round < rounds; ++round) {
+      Matrix rows(n + 1, 3);
+      rows << design, 0, 0, std::sqrt(of_mark) / record.lag_deviation;
+      Vector right(n + 1);
+      right << alpha, 0;
+      line = rows.colPivHouseholderQr().solve(right);
+      of_mark = variance();
+    }
+  }
   // The second unknown is a logarithm: its slope is the factor itself.
   design.col(1) *= line[1];
-  return {line[0], std::log(line[1]), design.transpose() * design / variance, std::sqrt(variance)};
+  Matrix information = design.leftCols(2).transpose() * design.leftCols(2) / of_mark;
+  if (record.lag_deviation > 0) {
+    const Vector with_lag = design.leftCols(2).transpose() * design.col(2) / of_mark;
+    const double of_lag =
+        design.col(2).squaredNorm() / of_mark + 1 / (record.lag_deviation * record.lag_deviation);
+    information -= with_lag * with_lag.transpose() / of_lag;
+  }
+  // An unknown angle of the mark: (information^-1 + variance of the phase)^-1.
+  const Vector of_phase = information.col(0);
+  const double spread = angle_deviation * angle_deviation;
+  information -= of_phase * of_phase.transpose() * (spread / (1 + spread * of_phase[0]));
+  return {line[0], std::log(line[1]), information, std::sqrt(of_mark)};
 }
 
 }  // namespace ricochet::carrier_track::inline identification

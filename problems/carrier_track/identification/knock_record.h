@@ -1,6 +1,8 @@
 #pragma once
 
+#include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ricochet/scene.h"
@@ -29,6 +31,13 @@ struct KnockRecord {
   double from = 0, to = 0;               ///< [s], when the sensor listened
   /// What marks on the plate say; without it the angle is unknown.
   std::optional<PlateMeasurement> plate = {};
+  /// [s], standard deviation of the lag of the knocks behind the speeds; 0: both have one clock.
+  double lag_deviation = 0;
+  /// [s], for which the sensor is deaf after each knock.
+  double dead_time = 0;
+  /// Stronger knocks are recorded with this strength.
+  double saturation = std::numeric_limits<double>::infinity();
+  std::vector<std::string> notes = {};  ///< what was taken out of it, one sentence each
 
   double duration() const { return to - from; }  ///< [s]
   bool has_strengths() const { return !knocks.empty() && knocks.front().strength.has_value(); }
@@ -42,8 +51,9 @@ double angle_between(const std::vector<SpeedKnot<double>>& speed, double from, d
 
 /// What marks say of the plate: at each of these times [s], at least three and rising, alpha is
 /// `mark_angle` [rad], turns apart. Marks may be missed. The record's speeds may be wrong by a
-/// common factor of up to 10 %.
+/// common factor of up to 10 %. `mark_angle` is known to `angle_deviation` [rad], and the marks lag
+/// the speeds by 0 +- `record.lag_deviation`.
 PlateMeasurement plate_measurement(const KnockRecord& record, const std::vector<double>& marks,
-                                   double mark_angle);
+                                   double mark_angle, double angle_deviation = 0);
 
 }  // namespace ricochet::carrier_track::inline identification

@@ -20,7 +20,8 @@ Vector point_of(const KnockUnknowns& u) {
   Vector x(knock_unknowns);
   x << logit(u.restitution), std::log(u.friction), std::log(u.clearance), u.phase,
       std::log(u.speed_factor), std::log(u.jitter), logit(u.recorded_share),
-      std::log(u.spurious_rate), std::log(u.detection_limit), std::log(u.gain), std::log(u.scatter);
+      std::log(u.spurious_rate), std::log(u.detection_limit), std::log(u.gain), std::log(u.scatter),
+      logit(u.upper_share), u.lag, u.drift;
   return x;
 }
 
@@ -35,7 +36,10 @@ KnockUnknowns unknowns_at(const Vector& x) {
           .spurious_rate = std::exp(x[7]),
           .detection_limit = std::exp(x[8]),
           .gain = std::exp(x[9]),
-          .scatter = std::exp(x[10])};
+          .scatter = std::exp(x[10]),
+          .upper_share = share_at(x[11]),
+          .lag = x[12],
+          .drift = x[13]};
 }
 
 Vector slopes_at(const Vector& x) {

@@ -11,22 +11,25 @@ namespace ricochet::carrier_track::inline identification {
 /// What recorded knocks are explained by: constants of the machine, then what is unknown of the
 /// plate, then what is unknown of the sensor.
 struct KnockUnknowns {
-  double restitution;      ///< in (0, 1), of both walls
-  double friction;         ///< > 0
-  double clearance;        ///< [m], > 0
-  double phase;            ///< [rad], alpha at the record's start
-  double speed_factor;     ///< > 0, true over recorded speed of the driver plate
-  double jitter;           ///< [s], > 0, standard deviation of a recorded time
-  double recorded_share;   ///< in (0, 1), of the impacts that are strong enough
-  double spurious_rate;    ///< [1/s], > 0
-  double detection_limit;  ///< > 0, impacts that are weaker are missed; in units of strength
-  double gain;             ///< > 0, strength over impact speed [1/(m/s)]
-  double scatter;          ///< > 0, standard deviation of the logarithm of a strength
+  double restitution;        ///< in (0, 1), of both walls
+  double friction;           ///< > 0
+  double clearance;          ///< [m], > 0
+  double phase;              ///< [rad], alpha at the record's start
+  double speed_factor;       ///< > 0, true over recorded speed of the driver plate
+  double jitter;             ///< [s], > 0, standard deviation of a recorded time
+  double recorded_share;     ///< in (0, 1), of the impacts on the lower wall that are strong enough
+  double spurious_rate;      ///< [1/s], > 0
+  double detection_limit;    ///< > 0, impacts that are weaker are missed; in units of strength
+  double gain;               ///< > 0, strength over impact speed [1/(m/s)]
+  double scatter;            ///< > 0, standard deviation of the logarithm of a strength
+  double upper_share = 0.9;  ///< in (0, 1), as recorded_share, of the impacts on the upper wall
+  double lag = 0;            ///< [s], how late the knocks' clock is at the record's start
+  double drift = 0;  ///< > -1, how much faster the knocks' clock runs than that of the speed
 };
 
 /// A point of the fit: the unknowns in this order on scales without bounds: logarithms, logits of
-/// restitution and recorded_share, the phase itself.
-inline constexpr Eigen::Index knock_unknowns = 11;
+/// restitution and the shares; phase, lag and drift themselves.
+inline constexpr Eigen::Index knock_unknowns = 14;
 
 /// The index of each unknown's coordinate.
 namespace coordinate {
@@ -41,7 +44,10 @@ enum : Eigen::Index {
   spurious_rate,
   detection_limit,
   gain,
-  scatter
+  scatter,
+  upper_share,
+  lag,
+  drift
 };
 }
 

@@ -59,6 +59,7 @@ std::optional<NextSpeed> next_speed(const KnockLoss& loss, const Vector& x, cons
     const double omega = lowest * std::pow(highest / lowest, k / (speeds - 1.0));
     KnockRecord step{{}, {{0, omega}}, 0, next_step_seconds};
     step.knocks = record.knocks;  // they say whether there are strengths, and of which range
+    step.saturation = record.saturation;
     Vector there = x;
     there[coordinate::phase] += turned;
     const KnockDensity density(

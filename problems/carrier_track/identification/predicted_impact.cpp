@@ -18,23 +18,24 @@ double settling_time(const KnockRecord& record) {
   return omega > 0 ? settling_turns * 2 * std::numbers::pi / omega : 0;
 }
 
-/// Collects impacts, on a clock that began `earlier` than the record.
+/// Collects impacts, with their times on the clock of the knocks.
 template <class Scalar>
 class Collector : public Observer {
  public:
-  Collector(double shift, double from, double slowest)
-      : shift_(shift), from_(from), slowest_(slowest) {}
+  Collector(double settling, double from, double slowest, const KnockUnknowns& at)
+      : settling_(settling), from_(from), slowest_(slowest), lag_(at.lag), rate_(1 + at.drift) {}
 
   static constexpr bool hears_stretches() { return false; }
 
-  void impact(const Scalar& time, Wall /*wall*/, const Scalar& speed) {
+  void impact(const Scalar& time, Wall wall, const Scalar& speed) {
     if (value(speed) <= slowest_) return;
-    PredictedImpact impact{value(time) + shift_, std::log(value(speed))};
+    PredictedImpact impact{from_ + (value(time) - settling_) * rate_ + lag_, std::log(value(speed)),
+                           wall};
     if (impact.time < from_) return;
     if constexpr (Dual<Scalar>) {
       for (int i = 0; i < motion_unknowns; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        impact.time_slopes[k] = time.v[i];
+        impact.time_slopes[k] = time.v[i] * rate_;
         impact.log_speed_slopes[k] = speed.v[i] / value(speed);
       }
     }
@@ -44,7 +45,7 @@ class Collector : public Observer {
   std::vector<PredictedImpact> impacts;
 
  private:
-  double shift_, from_, slowest_;
+  double settling_, from_, slowest_, lag_, rate_;
 };
 
 /// The unknowns of the motion as scalars that carry derivatives by the coordinates.
@@ -83,8 +84,9 @@ std::vector<PredictedImpact> impacts_of(const Scene& plain, const KnockRecord& r
     }
     scene.profile.push_back({time, constant<Scalar>(knot.omega) * factor});
   }
-  scene.window = Seconds{settling + record.duration()};
-  Collector<Scalar> collector(record.from - settling, record.from, slowest);
+  const KnockUnknowns at = unknowns_at(x);
+  scene.window = Seconds{settling + (record.duration() - at.lag) / (1 + at.drift)};
+  Collector<Scalar> collector(settling, record.from, slowest, at);
   // Rebounds far below what is asked for are summed: two thirds of all impacts, and of the time.
   const double resting = 0.02 * slowest;
   if (record.speed.size() == 1) {

@@ -11,10 +11,12 @@
 namespace ricochet::carrier_track::inline identification {
 
 /// An impact that a simulation predicts, with derivatives by the motion's unknowns, i.e. by the
-/// first coordinates of a point, see KnockUnknowns.
+/// first coordinates of a point, see KnockUnknowns. By the lag the time has the slope 1, by the
+/// drift the time since the record's start on the clock of the speeds.
 struct PredictedImpact {
   double time;       ///< [s], of the record's clock
   double log_speed;  ///< ln of the approach speed [m/s]
+  Wall wall = Wall::lower;
   std::array<double, motion_unknowns> time_slopes = {};
   std::array<double, motion_unknowns> log_speed_slopes = {};
 };

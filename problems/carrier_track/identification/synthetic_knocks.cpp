@@ -30,11 +30,19 @@ KnockRecord synthetic_knocks(const Scene& scene, const std::vector<SpeedKnot<dou
   const auto gauss = [&random] { return normal(1, random)[0]; };
   std::vector<double> strengths;
   const auto keep = [&](double time, double strength) {
-    if (time >= record.from && time <= record.to) record.knocks.push_back({time, strength});
+    do {
+      if (time < record.from || time > record.to) return;
+      record.knocks.push_back({time, std::min(strength, sensor.saturation)});
+      time += sensor.echo_delay;
+      strength *= sensor.echo_ratio;
+    } while (sensor.echo_delay > 0 && strength >= sensor.detection_limit);
   };
-  for (const PredictedImpact& impact :
-       plain_impacts(scene, record, point_of(guess_of(scene)), slowest)) {
-    const double strength = std::exp(impact.log_speed + sensor.scatter * gauss());
+  KnockUnknowns truth = guess_of(scene);
+  truth.lag = sensor.lag;
+  truth.drift = sensor.drift;
+  for (const PredictedImpact& impact : plain_impacts(scene, record, point_of(truth), slowest)) {
+    const double gain = impact.wall == Wall::upper ? sensor.upper_gain : 1;
+    const double strength = gain * std::exp(impact.log_speed + sensor.scatter * gauss());
     if (strength < sensor.detection_limit) continue;
     strengths.push_back(strength);
     const double time = impact.time + sensor.jitter * gauss();
@@ -51,6 +59,12 @@ KnockRecord synthetic_knocks(const Scene& scene, const std::vector<SpeedKnot<dou
     keep(time, strengths[any]);
   }
   std::ranges::sort(record.knocks, {}, &Knock::time);
+  double heard = record.from - sensor.dead_time;
+  std::erase_if(record.knocks, [&](const Knock& knock) {
+    if (knock.time < heard + sensor.dead_time) return true;
+    heard = knock.time;
+    return false;
+  });
   if (!sensor.strengths) {
     for (Knock& knock : record.knocks) knock.strength.reset();
   }

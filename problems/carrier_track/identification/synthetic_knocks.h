@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,13 @@ struct SensorModel {
   bool strengths = false;         ///< whether it records strengths, in m/s
   /// [s], standard deviation of the time of a mark at alpha = 0; nothing: there are no marks.
   std::optional<double> mark_jitter = {};
+  double lag = 0;         ///< [s], how late the clock of the knocks is
+  double drift = 0;       ///< how much faster that clock runs
+  double echo_delay = 0;  ///< [s], after which a knock rings again, and again; 0: never
+  double echo_ratio = 0.6;
+  double dead_time = 0;   ///< [s], without any knock after a recorded one
+  double upper_gain = 1;  ///< strength on the upper wall over that on the lower one
+  double saturation = std::numeric_limits<double>::infinity();  ///< largest strength [m/s]
 };
 
 /// Knocks as a sensor would record them from 0 s until the last knot of a speed profile. The

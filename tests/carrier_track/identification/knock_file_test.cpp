@@ -110,6 +110,45 @@ TEST_F(KnockFile, IsRefusedWithItsPlace) {
   EXPECT_THAT(complaint(files), HasSubstr("slow.csv:2: column omega: -1"));
 }
 
+/// Speeds in another unit, clocks apart: doubted before anything is fitted.
+TEST_F(KnockFile, IsDoubtedIfFilesContradictEachOther) {
+  KnockFiles files;
+  files.knocks = write("knocks.csv", knocks("time", ""));
+  std::string marks = "time\n";  // at 4 rad/s
+  for (int k = 1; k < 19; ++k) marks += fmt::format("{}\n", k * 1.5708);
+  const auto with_speed = [&](double omega) {
+    files.speed = write("speed.csv", fmt::format("time,omega\n0,{}\n30,{}\n", omega, omega));
+    return complaint(files);
+  };
+  EXPECT_EQ(with_speed(4), "");
+  EXPECT_THAT(with_speed(38.2), HasSubstr("0.17 a turn: must be at least 1"));
+  EXPECT_THAT(with_speed(229), HasSubstr("a turn: must be at least 1"));
+  files.marks = write("marks.csv", marks);
+  EXPECT_EQ(with_speed(4), "");
+  EXPECT_EQ(with_speed(4.3), "");
+  EXPECT_THAT(with_speed(38.2), HasSubstr("in rpm"));
+  EXPECT_THAT(with_speed(229), HasSubstr("in degrees per second"));
+  EXPECT_THAT(with_speed(0.6366), HasSubstr("in turns per second"));
+  EXPECT_THAT(with_speed(2), HasSubstr("two marks"));
+  EXPECT_THAT(with_speed(5), HasSubstr("1.25 turns"));
+  for (const double apart : {16.0, 100.0, -1e4}) {
+    files.marks = "";
+    files.speed = write("far.csv", fmt::format("time,omega\n{},4\n{},4\n", apart, apart + 30));
+    EXPECT_THAT(complaint(files), HasSubstr("do the clocks differ?")) << apart;
+    files.speed = write("speed.csv", "time,omega\n0,4\n30,4\n");
+    std::string far = "time\n";
+    for (int k = 0; k < 19; ++k) far += fmt::format("{}\n", apart + k * 1.5708);
+    files.marks = write("marks.csv", far);
+    EXPECT_THAT(complaint(files), HasSubstr("do the clocks differ?")) << apart;
+  }
+  files.marks = "";
+  files.lag_deviation = 1;
+  EXPECT_THAT(complaint(files), HasSubstr("--lag-deviation 1"));
+  files.lag_deviation = 0;
+  files.mark_deviation = -1;
+  EXPECT_THAT(complaint(files), HasSubstr("--mark-deviation -1"));
+}
+
 TEST(KnockFiles, OfOtherMachinesSayNothing) {
   const auto complaint = [](auto change) -> std::string {
     Scene scene = knocking_machine();

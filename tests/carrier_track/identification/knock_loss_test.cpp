@@ -20,7 +20,9 @@ void expect_exact_slopes(const KnockRecord& record, Vector x, double blur) {
   Vector slopes;
   loss.at(x, blur, &slopes);
   for (const Eigen::Index i : loss.free()) {
-    const double step = i == 4 ? 1e-9 : 1e-6;
+    const double step = i == coordinate::speed_factor || i == coordinate::drift ? 1e-9
+                        : i == coordinate::lag                                  ? 1e-8
+                                                                                : 1e-6;
     Vector up = x, down = x;
     up[i] += step;
     down[i] -= step;
@@ -42,6 +44,30 @@ TEST(KnockLoss, HasExactSlopesWithStrengthsAndMarks) {
   Vector x = example_point(record);
   x.segment(3, 2) << record.plate->phase + 1e-3, record.plate->log_speed;
   expect_exact_slopes(record, x, 0);
+}
+
+/// Lag, drift, a deaf sensor, a wall each, saturated strengths.
+TEST(KnockLoss, HasExactSlopesOfEachFaultOfAMeasurement) {
+  for (const bool strengths : {false, true}) {
+    SensorModel sensor;
+    sensor.strengths = strengths;
+    sensor.mark_jitter = 1e-3;
+    sensor.lag = 2e-3;
+    sensor.drift = 1e-4;
+    sensor.dead_time = 12e-3;
+    sensor.saturation = 0.06;
+    KnockRecord record = example_record(sensor);
+    record.lag_deviation = 5e-3;
+    record.dead_time = sensor.dead_time;
+    if (strengths) record.saturation = sensor.saturation;
+    Vector x = example_point(record);
+    x.segment(3, 2) << record.plate->phase + 1e-3, record.plate->log_speed;
+    x[coordinate::lag] = 1.5e-3;
+    x[coordinate::drift] = 5e-5;
+    x[coordinate::upper_share] = 1;
+    expect_exact_slopes(record, x, 0);
+    expect_exact_slopes(record, x, 0.02);
+  }
 }
 
 TEST(KnockLoss, FitsWhatTheSensorTells) {

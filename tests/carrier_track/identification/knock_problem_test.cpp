@@ -15,12 +15,12 @@ TEST(KnockProblem, HasTheLossOfItsCoordinates) {
   const Vector centre = example_point(record);
   const KnockCoordinates coordinates = knock_coordinates(loss, centre, 0, loss.free());
   const Problem problem = knock_problem(loss, coordinates, 0);
-  ASSERT_EQ(problem.dimension(), 9);
+  ASSERT_EQ(problem.dimension(), 10);
   EXPECT_EQ(problem.evaluate(problem.start).objective, loss.at(centre, 0));
-  const Vector z = Vector::Constant(9, 0.1);
+  const Vector z = Vector::Constant(10, 0.1);
   EXPECT_EQ(problem.evaluate(z).objective, loss.at(coordinates.at(z), 0));
   const Derivatives there = problem.differentiate(z);
-  for (Eigen::Index i = 0; i < 9; ++i) {
+  for (Eigen::Index i = 0; i < 10; ++i) {
     Vector up = z, down = z;
     up[i] += 1e-4;
     down[i] -= 1e-4;
@@ -36,7 +36,7 @@ TEST(KnockProblem, IsScaledByTheInformation) {
   const KnockCoordinates coordinates = knock_coordinates(loss, centre, 0, loss.free());
   const Matrix scaled = coordinates.directions.transpose() * loss.information(centre).information *
                         coordinates.directions;
-  EXPECT_LT((scaled - Matrix::Identity(9, 9)).cwiseAbs().maxCoeff(), 1e-4);
+  EXPECT_LT((scaled - Matrix::Identity(10, 10)).cwiseAbs().maxCoeff(), 1e-4);
 }
 
 TEST(KnockProblem, StaysWhereASimulationEnds) {

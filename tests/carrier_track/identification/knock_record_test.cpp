@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +42,25 @@ TEST(KnockRecord, FindsPhaseAndSpeedFromMarks) {
   EXPECT_NEAR(
       std::remainder(plate_measurement(record, marks_of(0), 0.5).phase - 0.8, 2 * std::numbers::pi),
       0, 1e-9);
+}
+
+/// Marks on a ramp that lag the speeds by 3 ms shift neither phase nor speed, if lags are allowed
+/// for; the phase is known no better than the angle at a mark.
+TEST(KnockRecord, AllowsForALagAndAnUncertainAngleOfMarks) {
+  KnockRecord record{{}, {{0, 2}, {40, 12}}, 0, 40, {}};
+  std::vector<double> marks;
+  for (int k = 1; k < 40; ++k) {
+    const double angle = 2 * std::numbers::pi * k - 0.3;
+    marks.push_back(-8 + std::sqrt(64 + 8 * angle) + 3e-3 + (k % 2 == 0 ? 1e-4 : -1e-4));
+  }
+  const PlateMeasurement exact = plate_measurement(record, marks, 0);
+  record.lag_deviation = 5e-3;
+  const PlateMeasurement lagging = plate_measurement(record, marks, 0, 0.05);
+  EXPECT_NEAR(std::remainder(lagging.phase - 0.3, 2 * std::numbers::pi), 0, 1e-3);
+  EXPECT_NEAR(lagging.log_speed, 0, 1e-5);
+  EXPECT_GT(std::abs(exact.log_speed), 1e-5);
+  EXPECT_NEAR(lagging.information.inverse()(0, 0), 0.05 * 0.05, 0.05 * 0.05 * 0.01);
+  EXPECT_LT(lagging.deviation, 2e-3);
 }
 
 TEST(KnockRecord, KnowsThePlateAsWellAsTheMarksAgree) {

@@ -1,0 +1,141 @@
+#include "problems/carrier_track/identification/sensor_faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ricochet::carrier_track::inline identification {
+namespace {
+
+constexpr double longest_delay = 0.05;  // [s], of an echo
+constexpr double window = 0.6e-3;       // [s], in which the delays of an echo are
+constexpr double fewest_echoes = 0.15;  // over the number of knocks
+constexpr double sharpest_peak = 5;     // delays in the window over those expected from beside it
+constexpr double same_ratio = 0.35;     // of logarithms of the ratio of strengths
+constexpr double steady = 1.05;         // highest over lowest speed, at most
+constexpr int most_echoes = 5;
+
+void merge_duplicates(KnockRecord& record) {
+  std::vector<Knock> merged;
+  for (const Knock& knock : record.knocks) {
+    if (merged.empty() || knock.time > merged.back().time) {
+      merged.push_back(knock);
+    } else if (knock.strength > merged.back().strength) {
+      merged.back() = knock;
+    }
+  }
+  const std::size_t twice = record.knocks.size() - merged.size();
+  if (twice == 0) return;
+  record.notes.push_back(fmt::format(
+      "{} rows have the time of the row before: of each time the strongest knock is kept.", twice));
+  record.knocks = std::move(merged);
+}
+
+struct Pair {
+  double delay;
+  double ratio;  ///< ln of the strength over that of the knock before; 0 without strengths
+  std::size_t second;
+};
+
+std::vector<Pair> pairs_of(const std::vector<Knock>& knocks) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < knocks.size(); ++i) {
+    for (std::size_t j = i + 1; j < knocks.size(); ++j) {
+      const double delay = knocks[j].time - knocks[i].time;
+      if (delay > longest_delay) break;
+      const double ratio =
+          knocks[i].strength ? std::log(*knocks[j].strength / *knocks[i].strength) : 0;
+      pairs.push_back({delay, ratio, j});
+    }
+  }
+  std::ranges::sort(pairs, {}, &Pair::delay);
+  return pairs;
+}
+
+/// The pairs of the sharpest peak among the delays, if it is an echo's: more than rebounds give.
+std::vector<Pair> echo_among(const std::vector<Pair>& pairs, std::size_t knocks) {
+  const auto from = [&](double delay) {
+    return std::ranges::lower_bound(pairs, delay, {}, &Pair::delay);
+  };
+  std::vector<Pair> most;
+  for (auto first = pairs.begin(); first != pairs.end(); ++first) {
+    const auto last = from(first->delay + window);
+    if (static_cast<std::size_t>(last - first) > most.size()) most.assign(first, last);
+  }
+  if (most.empty()) return {};
+  std::ranges::nth_element(most, most.begin() + static_cast<std::ptrdiff_t>(most.size() / 2), {},
+                           &Pair::ratio);
+  const double ratio = most[most.size() / 2].ratio;
+  std::erase_if(most, [&](const Pair& p) { return std::abs(p.ratio - ratio) > same_ratio; });
+  const double begin = std::ranges::min(most, {}, &Pair::delay).delay;
+  // Delays beside the peak, in windows as wide as it; none are shorter than 0.
+  const double below = std::min(5 * window, begin);
+  const auto beside = static_cast<double>((from(begin) - from(begin - below)) +
+                                          (from(begin + 6 * window) - from(begin + window)));
+  const double expected = beside * window / (below + 5 * window);
+  const auto found = static_cast<double>(most.size());
+  if (found < fewest_echoes * static_cast<double>(knocks)) return {};
+  if (found < sharpest_peak * (expected + 1)) return {};
+  return most;
+}
+
+bool take_out_echo(KnockRecord& record) {
+  std::vector<Pair> echoes = echo_among(pairs_of(record.knocks), record.knocks.size());
+  if (echoes.empty()) return false;
+  const auto [slow, fast] = std::ranges::minmax(record.speed, {}, &SpeedKnot<double>::omega);
+  const double delay = 1e3 * echoes[echoes.size() / 2].delay;
+  if (fast.omega < steady * slow.omega) {
+    record.notes.push_back(
+        fmt::format("{} knocks follow another after {:.3g} ms: at one speed of the plate "
+                    "echoes of a sensor cannot be told from rebounds. Change the speed.",
+                    echoes.size(), delay));
+    return false;
+  }
+  std::vector<bool> is_echo(record.knocks.size(), false);
+  for (const Pair& pair : echoes) is_echo[pair.second] = true;
+  const auto removed = std::ranges::count(is_echo, true);
+  record.notes.push_back(fmt::format(
+      "{} knocks are echoes of the sensor and are left out: each follows another after {:.3g} "
+      "ms{}.",
+      removed, delay,
+      record.has_strengths()
+          ? fmt::format(", at {:.0f} % of its strength", 100 * std::exp(echoes.front().ratio))
+          : ""));
+  std::vector<Knock> kept;
+  for (std::size_t i = 0; i < is_echo.size(); ++i) {
+    if (!is_echo[i]) kept.push_back(record.knocks[i]);
+  }
+  record.knocks = std::move(kept);
+  return true;
+}
+
+void find_saturation(KnockRecord& record) {
+  if (!record.has_strengths()) return;
+  const double most = *std::ranges::max(record.knocks, {}, &Knock::strength).strength;
+  const auto equal =
+      std::ranges::count_if(record.knocks, [&](const Knock& k) { return *k.strength == most; });
+  if (equal < 3 || 100 * static_cast<std::size_t>(equal) < record.knocks.size()) return;
+  record.saturation = most;
+  record.notes.push_back(fmt::format(
+      "{} knocks have the largest strength, {:.4g}: the sensor is taken to saturate there.", equal,
+      most));
+}
+
+}  // namespace
+
+void take_out_sensor_faults(KnockRecord& record) {
+  merge_duplicates(record);
+  for (int k = 0; k < most_echoes && take_out_echo(record); ++k) {
+  }
+  find_saturation(record);
+  // The most likely dead time is the longest that no interval contradicts.
+  record.dead_time = record.duration();
+  for (std::size_t i = 1; i < record.knocks.size(); ++i) {
+    record.dead_time =
+        std::min(record.dead_time, record.knocks[i].time - record.knocks[i - 1].time);
+  }
+}
+
+}  // namespace ricochet::carrier_track::inline identification

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <IpCompoundVector.hpp>
 #include <IpIpoptApplication.hpp>
+#include <IpIpoptCalculatedQuantities.hpp>
+#include <IpIpoptData.hpp>
+#include <IpOrigIpoptNLP.hpp>
 #include <IpRegOptions.hpp>
 #include <IpTNLP.hpp>
+#include <IpTNLPAdapter.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -146,9 +151,23 @@ class UnitProblem : public Ipopt::TNLP {
     return done(finite);
   }
 
-  bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number, Number, Number, Number, Number,
-                             Number, Number, Number, Index, const Ipopt::IpoptData*,
-                             Ipopt::IpoptCalculatedQuantities*) override {
+  /// Keeps the iterate, which is what Ipopt returns where `max_iter` ends it here: if it is stopped
+  /// within a step, it tells none. While feasibility is restored, it has more variables than ours.
+  bool intermediate_callback(Ipopt::AlgorithmMode mode, Index, Number, Number, Number, Number,
+                             Number, Number, Number, Number, Index, const Ipopt::IpoptData* data,
+                             Ipopt::IpoptCalculatedQuantities* quantities) override {
+    if (mode == Ipopt::RegularMode) {
+      auto* const scaled = dynamic_cast<Ipopt::OrigIpoptNLP*>(GetRawPtr(quantities->GetIpoptNLP()));
+      scaled_ = scaled;
+    }
+    Ipopt::SmartPtr<const Ipopt::Vector> iterate = data->curr()->x();
+    if (mode == Ipopt::RestorationPhaseMode) {
+      iterate = dynamic_cast<const Ipopt::CompoundVector&>(*iterate).GetComp(0);
+    }
+    iterate = scaled_->NLP_scaling()->unapply_vector_scaling_x(iterate);
+    Vector u(start_.size());
+    dynamic_cast<Ipopt::TNLPAdapter&>(*scaled_->nlp()).ResortX(*iterate, u.data());
+    final_ = box_.from_unit(u);
     return !box_.over();
   }
 
@@ -159,7 +178,7 @@ class UnitProblem : public Ipopt::TNLP {
     if (last.allFinite()) final_ = box_.from_unit(last);
   }
 
-  /// The last point of Ipopt; nothing if it was stopped within a step.
+  /// The last iterate of Ipopt; nothing if there is none.
   const std::optional<Vector>& final_point() const { return final_; }
 
  private:
@@ -173,6 +192,7 @@ class UnitProblem : public Ipopt::TNLP {
   Eigen::Index constraints_, equalities_;
   Hessian hessian_;
   std::optional<Vector> final_;
+  Ipopt::OrigIpoptNLP* scaled_ = nullptr;  // Ipopt's own view of this problem
 };
 
 std::string in_words(Ipopt::ApplicationReturnStatus status) {
@@ -261,18 +281,16 @@ SolverTermination minimise(Evaluator& evaluator, const Vector& start, const Choi
   const std::lock_guard lock(ipopt_mutex);
   const Ipopt::SmartPtr<UnitProblem> problem = new UnitProblem(evaluator, start, choice.hessian);
   const Ipopt::ApplicationReturnStatus status = solve(problem, choice, given);
-  // Ipopt has no limit of evaluations: where it is stopped within a step or its restoration, what
-  // it has is no point to return.
-  if (evaluator.over()) return {stopped_by_evaluator};
-  return {in_words(status), problem->final_point()};
+  return {evaluator.over() ? stopped_by_evaluator : in_words(status), problem->final_point()};
 }
 
 Solver made(const Choice& choice, const GivenOptions& given) {
   Solver solver;
   solver.name = choice.name;
-  solver.version = "Ipopt " IPOPT_VERSION ", adapter 2";  // the best evaluated point
+  solver.version = "Ipopt " IPOPT_VERSION ", adapter 2";
   solver.capabilities =
       choice.hessian == Hessian::exact ? ipopt_exact_capabilities : ipopt_capabilities;
+  solver.at_limit = AtLimit::own_point;
   solver.solve = [choice, given](Evaluator& evaluator, const Vector& start, Random&) {
     return minimise(evaluator, start, choice, given);
   };

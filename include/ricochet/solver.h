@@ -21,14 +21,17 @@ struct SolverTermination {
 
 /// What a solver returns once the evaluator refuses.
 enum class AtLimit {
-  best_evaluated,  ///< the best point that it evaluated; so where a library has no limit of its own
-  own_point  ///< what its library returns at a limit of its own, of evaluations or iterations
+  best_evaluated,  ///< the best point that it evaluated
+  own_point        ///< what its library returns at the largest limit of its own, of evaluations or
+                   ///< iterations, that the budget allows; the best evaluated one if it allows none
 };
 
 /// A solver of box-bounded minimisation problems.
 struct Solver {
-  std::string name;     ///< e.g. "nlopt-cobyla"
-  std::string version;  ///< of the library behind it
+  std::string name;  ///< e.g. "nlopt-cobyla"
+  /// Of the library behind it. Where an adapter returns other points than before, it says so here,
+  /// as ", adapter 2": stored runs are taken over only if their solver has the same version.
+  std::string version;
   bool stochastic = false;
   Capabilities capabilities = {};
   AtLimit at_limit = AtLimit::best_evaluated;

@@ -58,22 +58,21 @@ NloptSearch::Outcome NloptSearch::optimise(const Vector& start, std::int64_t mos
   if (algorithm_.local) nlopt_set_local_optimizer(nlopt, made(*algorithm_.local).get());
   nlopt_set_maxeval(nlopt, static_cast<int>(most_evaluations));
   nlopt_srand(seed_);  // the state belongs to this thread and is left over from its last run
-  Outcome outcome{NLOPT_FAILURE, start, 0};
+  Outcome outcome{NLOPT_FAILURE, start};
   double lowest = 0;
   outcome.result = nlopt_optimize(nlopt, outcome.u.data(), &lowest);
-  outcome.evaluations = nlopt_get_numevals(nlopt);
   return outcome;
 }
 
 /// What NLopt returns with the largest `maxeval` at which it requests no more than was answered;
-/// nothing if it requests more at each. Some algorithms look at their limit only after a line
-/// search or a generation, so the largest one is searched.
-std::optional<Vector> NloptSearch::repeated(const Vector& start, std::int64_t evaluations) {
+/// nothing if it requests more at each. Most algorithms request as many as their limit; some look
+/// at it only after a line search or a generation, so the largest one is searched.
+std::optional<Vector> NloptSearch::repeated(const Vector& start) {
   if (numbers_.size() > most_numbers) return std::nullopt;
   repeating_ = true;
   std::optional<Vector> returned;
-  // AGS counts its evaluations only where it ends by itself.
-  std::int64_t kept = 0, exceeded = std::max<std::int64_t>(evaluations, std::ssize(answers_)) + 1;
+  // AGS also counts the points that it finds infeasible, whose objective it does not request.
+  std::int64_t kept = 0, exceeded = std::max<std::int64_t>(objectives_, std::ssize(answers_)) + 1;
   for (std::int64_t back = 1; exceeded - kept > 1; back *= 2) {
     const std::int64_t limit =
         returned ? std::midpoint(kept, exceeded) : std::max<std::int64_t>(1, exceeded - back);
@@ -196,7 +195,9 @@ Derivatives NloptSearch::no_number() const {
 }
 
 double NloptSearch::objective(unsigned n, const double* u, double* gradient, void* self) {
-  const Derivatives seen = static_cast<NloptSearch*>(self)->look(u, gradient, Part::objective);
+  auto& search = *static_cast<NloptSearch*>(self);
+  const Derivatives seen = search.look(u, gradient, Part::objective);
+  if (!search.repeating_ && search.ended_.empty()) ++search.objectives_;
   if (gradient) Eigen::Map<Vector>(gradient, n) = seen.gradient;
   return seen.values.objective;
 }
@@ -247,7 +248,7 @@ SolverTermination NloptSearch::from(const Vector& start) {
   const Outcome outcome = optimise(u, direct ? left + 1 : 10 * left + 10);
   if (thrown_) std::rethrow_exception(thrown_);
   if (ended_.empty()) return {in_words(outcome.result), box_.from_unit(outcome.u)};
-  const std::optional<Vector> returned = repeated(u, outcome.evaluations);
+  const std::optional<Vector> returned = repeated(u);
   return {ended_, returned ? std::optional(box_.from_unit(*returned)) : std::nullopt};
 }
 

@@ -35,12 +35,10 @@ class NloptSearch {
  private:
   using Handle = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
 
-  /// How NLopt ended, the point in the unit cube that it returned, and how many evaluations it
-  /// counted.
+  /// How NLopt ended, and the point in the unit cube that it returned.
   struct Outcome {
     nlopt_result result;
     Vector u;
-    std::int64_t evaluations;
   };
 
   static double objective(unsigned n, const double* u, double* gradient, void* self);
@@ -51,7 +49,7 @@ class NloptSearch {
                            double* jacobian, void* self);
   Handle made(nlopt_algorithm id) const;
   Outcome optimise(const Vector& start, std::int64_t most_evaluations);
-  std::optional<Vector> repeated(const Vector& start, std::int64_t evaluations);
+  std::optional<Vector> repeated(const Vector& start);
   void constrain();
   std::optional<Derivatives> answered(const double* point, bool slopes);
   void keep(const double* point, bool slopes, const Derivatives& seen);
@@ -76,7 +74,8 @@ class NloptSearch {
   };
   std::vector<Place> answers_;
   std::vector<double> numbers_;
-  std::size_t next_ = 0;  ///< of the answers, when they are repeated
+  std::int64_t objectives_ = 0;  ///< answered requests of the objective
+  std::size_t next_ = 0;         ///< of the answers, when they are repeated
   bool repeating_ = false;
   bool beyond_ = false;  ///< a repetition requested what was not answered
 };

@@ -247,7 +247,7 @@ TEST_F(CampaignCommands, WarnOfRunsThatMayBeMissing) {
   }
   const std::string err = digest_after_kill("long").err;
   EXPECT_THAT(err, Not(HasSubstr("runs may be missing")));
-  EXPECT_THAT(err, HasSubstr(" of 100000 planned runs are present, "));
+  EXPECT_THAT(err, HasSubstr(" of 200000 planned runs are present, "));
   EXPECT_EQ(files_of_store("long"), std::vector<std::string>{"runs.sqlite"});
 }
 

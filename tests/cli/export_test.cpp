@@ -154,7 +154,7 @@ class IncompleteCampaign : public testing::Test {
 
   Outcome run(int shard) const {
     const fs::path plan = write(folder_, "plan.toml",
-                                "[[part]]\nname = \"low\"\nproblems = [\"classic-sphere-2\"]\n"
+                                "[[part]]\nname = \"low\"\nproblems = [\"classic-ellipsoid-5\"]\n"
                                 "solvers = [\"random-search\", \"nlopt-bobyqa\"]\nbudgets = [20]\n"
                                 "instances = 6\n[[part]]\nname = \"high\"\n"
                                 "problems = [\"classic-sphere-5\"]\nsolvers = [\"random-search\", "
@@ -170,7 +170,7 @@ class IncompleteCampaign : public testing::Test {
 };
 
 constexpr auto missing =
-    "16 of 24 planned runs are present, 8 are missing: shard 2 of 3; of classic-sphere-2, "
+    "16 of 24 planned runs are present, 8 are missing: shard 2 of 3; of classic-ellipsoid-5, "
     "classic-sphere-5; of nlopt-bobyqa, random-search; on instances 2, 5; 8 of 12 of low; 8 of 12 "
     "of high";
 

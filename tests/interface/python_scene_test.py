@@ -59,10 +59,9 @@ class Scene(unittest.TestCase):
         self.assertIsNone(self.scene.threshold().reached)
 
     def test_has_no_quiet_speed_where_every_speed_is_loud(self):
-        loud = self.scene.text.replace(
-            "[window]", "disturbance = 3.0\ndisturbance_frequency = 40.3\n[window]"
-        )
-        threshold = ricochet.Scene.parse(loud).threshold(fastest=0.1)
+        loud = self.scene.text.replace("friction = 0.2", "friction = 0")
+        loud = loud.replace('"5 mm/s"', "1e-6")
+        threshold = ricochet.Scene.parse(loud).threshold(fastest=5)
         self.assertEqual(tuple(threshold), (None, 0.01, 2.0))
 
     def test_simulates_as_the_program_does(self):

@@ -102,13 +102,12 @@ Basins basins_of(const Scene& scene, const BasinOptions& options) {
                 result.height * hard.omega}));
   const std::vector<Scene> starts = random_starts(hard, options, result);
   std::vector<std::optional<SettledStart>> settled(starts.size());
-  in_parallel("starts", starts.size(), [&](std::size_t i) {
-    try {
-      settled[i] = settled_from(starts[i]);
-    } catch (const TimeLimitReached&) {
-      // The starts before the first that has no time are a fair sample.
-    }
-  });
+  try {
+    in_parallel("starts", starts.size(),
+                [&](std::size_t i) { settled[i] = settled_from(starts[i]); });
+  } catch (const TimeLimitReached&) {
+    // The starts before the first that had no time are taken.
+  }
   for (const std::optional<SettledStart>& start : settled) {
     if (!start) break;
     ++result.starts;

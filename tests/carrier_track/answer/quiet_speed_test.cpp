@@ -39,32 +39,24 @@ TEST(QuietSpeed, IsTheSameWhereverTheRangeEnds) {
 }
 
 TEST(QuietSpeed, IsMissingWhereEverySpeedIsLoud) {
-  int members = 0;
-  for (const auto& [restitution, clearance, force, per_turn] : {std::tuple(0.5, 0.8e-3, 3.0, 2.0),
-                                                                {0.1, 0.8e-3, 4.0, 2.0},
-                                                                {0.9, 1e-3, 5.0, 1.0},
-                                                                {0.3, 2e-3, 3.5, 0.0},
-                                                                {0.5, 0.5e-3, 8.0, 4.0}}) {
+  for (const auto& [restitution, clearance, per_turn] : {std::tuple(0.5, 0.8e-3, 2.0),
+                                                         {0.9, 1e-3, 2.0},
+                                                         {0.1, 2e-3, 0.0},
+                                                         {0.7, 0.5e-3, 1.0},
+                                                         {0.3, 4e-3, 1.0}}) {
     Scene scene = case_scene("C1");
     scene.restitution_lower = scene.restitution_upper = restitution;
     scene.wall_upper = scene.wall_lower + clearance;
-    scene.friction = 0.1;
-    scene.normal_force = 11.8;
+    scene.friction = 0;
     scene.pull = 0;
-    scene.counting_limit = 1e-3;
-    scene.disturbance = force;
-    // It repeats with the driver plate at no speed of a range as short as this.
-    scene.disturbance_frequency = 40.3;
-    const QuietSpeed answer =
-        quiet_speed(scene, {Limit{Measure::collisions_per_turn, per_turn}, 1e-3, 0.1});
-    ASSERT_FALSE(answer.reached);
-    EXPECT_TRUE(answer.loud_everywhere);
+    scene.counting_limit = 1e-6;
+    const QuietSpeed answer = quiet_speed(scene, {Limit{Measure::collisions_per_turn, per_turn}});
+    EXPECT_TRUE(answer.loud_everywhere) << restitution;
     EXPECT_FALSE(answer.fastest_quiet) << *answer.fastest_quiet;
     EXPECT_FALSE(answer.split.speed);
     EXPECT_EQ(answer.split.first_loud, 0.01) << "the slowest speed of the range";
-    ++members;
+    EXPECT_FALSE(answer.reached);
   }
-  EXPECT_EQ(members, 5);
   // By a window, too.
   const QuietSpeed window = quiet_speed(case_scene("C3"), {Limit{Measure::collisions, 0}, 1e-3, 4});
   EXPECT_FALSE(window.fastest_quiet);

@@ -4,13 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/store/store.h"
 #include "src/cli/commands.h"
+#include "src/cli/stored_runs.h"
 #include "src/core/folder_lock.h"
 #include "src/core/one_line.h"
+#include "src/core/warning.h"
+#include "src/report/data_text.h"
 #include "src/report/json.h"
 #include "src/report/site/site.h"
 
@@ -21,6 +27,29 @@ struct ReportOptions {
   std::string from;
   std::string out;  ///< empty: where the reports are
 };
+
+/// Says if the store beside a report has other runs than those of the report, such as after an edit
+/// of a user's solver.
+void warn_of_other_runs(const std::filesystem::path& folder) {
+  const std::filesystem::path store = folder / "runs.sqlite";
+  std::ifstream in(folder / "data.json");
+  if (!in || !std::filesystem::exists(store)) return;
+  try {
+    const report::Json data = report::data_in({std::istreambuf_iterator<char>(in), {}});
+    if (!data.contains("digest")) return;
+    const Store runs = Store::open(store, Store::For::reading);
+    told_completeness(runs, store.string());
+    if (runs.digest() == data["digest"]) return;
+    warn(fmt::format(
+        "{}: has other runs than this report: make the report again by the command that "
+        "made it",
+        store.string()));
+  } catch (const InputError& error) {
+    warn(fmt::format("the runs beside the report are not read: {}", error.what()));
+  } catch (const report::Json::exception&) {
+    return;  // whoever draws the report says so
+  }
+}
 
 /// Says what it has drawn. Returns a line, which begins with a file, for all that could not be
 /// drawn.
@@ -43,6 +72,7 @@ int draw_again(const ReportOptions& options) {
   const std::string& folder = options.out.empty() ? from : options.out;
   const FolderLock alone(folder);
   std::vector<std::string> failures;
+  warn_of_other_runs(from);
   try {
     failures = drawn_again(from, folder);
   } catch (const std::logic_error& error) {  // the data do not fit the template

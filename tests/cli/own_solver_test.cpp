@@ -346,7 +346,14 @@ TEST_F(EditedSolver, IsComparedAnew) {
       script(), path("out"));
   EXPECT_EQ(call(compare).exit_code, 0);
   edit_script();
+  std::filesystem::copy(folder_ / "out" / "data.json", folder_ / "earlier.json");
+  EXPECT_EQ(call("report " + path("out")).err, "");
   EXPECT_THAT(call(compare).err, HasSubstr("mine changed since these runs: "));
+  const auto overwrite = std::filesystem::copy_options::overwrite_existing;
+  std::filesystem::copy(folder_ / "out" / "data.json", folder_ / "later.json");
+  std::filesystem::copy(folder_ / "earlier.json", folder_ / "out" / "data.json", overwrite);
+  EXPECT_THAT(call("report " + path("out")).err, HasSubstr("has other runs than this report"));
+  std::filesystem::copy(folder_ / "later.json", folder_ / "out" / "data.json", overwrite);
   const std::string archive = path("out.archive");
   ASSERT_EQ(call(fmt::format("submit {}/runs.sqlite --solvers '*' --out {} --allow-programs",
                              path("out"), archive))

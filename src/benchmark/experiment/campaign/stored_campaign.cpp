@@ -1,6 +1,7 @@
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -148,14 +149,16 @@ void TakenOver::take(const Store& store, const Store::AddRun& add) {
 }
 
 void TakenOver::tell_outdated() const {
-  std::map<std::string, int> runs;
+  std::set<std::string> solvers;
+  int runs = 0;
   for (const RunKey& key : outdated_) {
-    if (!taken_.contains(key)) ++runs[key.cell.solver];
+    if (taken_.contains(key)) continue;
+    solvers.insert(key.cell.solver);
+    ++runs;
   }
-  for (const auto& [solver, number] : runs) {
-    Progress::announce(fmt::format("{} changed since these runs: {} run{} made anew", solver,
-                                   number, number == 1 ? " is" : "s are"));
-  }
+  if (runs == 0) return;
+  Progress::announce(fmt::format("{} changed since these runs: {} run{} made anew",
+                                 fmt::join(solvers, ", "), runs, runs == 1 ? " is" : "s are"));
 }
 
 CampaignDescription description_of(const Campaign& campaign, const Provenance& provenance) {

@@ -9,6 +9,7 @@
 #include "ricochet/error.h"
 #include "ricochet/solvers.h"
 #include "src/cli/commands.h"
+#include "src/cli/limited.h"
 #include "src/cli/output_files.h"
 #include "src/cli/shared_options.h"
 #include "src/core/text_file.h"
@@ -28,7 +29,8 @@ struct IdentifyOptions {
   carrier_track::KnockFiles files;
   std::string scene_file;
   std::string solver = studies::identification::usual_solver;
-  double fastest = 18;  ///< [rad/s], end of the range of speeds
+  double fastest = 18;   ///< [rad/s], end of the range of speeds
+  double seconds = 300;  ///< time limit
   bool json = false;
   std::string out;   ///< machine file (TOML) with the fitted constants; empty: none
   std::string plot;  ///< SVG file of residuals; empty: none
@@ -64,13 +66,13 @@ Json json_of(const IdentifiedMachine& machine, const KnockLoss& loss, const std:
             {"relative_deviation_now", machine.next->now},
             {"relative_deviation_then", machine.next->deviation}};
   }
-  const bool trusted = machine.contradictions.empty();
+  const bool trusted = is_trusted(machine);
   return {{"knocks", loss.record().knocks.size()},
           {"seconds", loss.record().duration()},
           {"constants", report::list_of(machine.constants,
                                         [&](const Estimate& e) { return json_of(e, trusted); })},
           {"safe_speed", machine.safe_speed ? json_of(*machine.safe_speed, trusted) : Json()},
-          {"correlations", correlations},
+          {"correlations", machine.complete ? correlations : Json()},
           {"sensor",
            {{"jitter", found.jitter},
             {"missed_share", machine.missed_share},
@@ -83,6 +85,7 @@ Json json_of(const IdentifiedMachine& machine, const KnockLoss& loss, const std:
            {{"marks", loss.record().plate.has_value()},
             {"phase", found.phase},
             {"speed_factor", found.speed_factor}}},
+          {"complete", machine.complete},
           {"contradictions", machine.contradictions},
           {"remarks", machine.remarks},
           {"next_speed", next},
@@ -106,9 +109,11 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
   fmt::print("{}: fitted to {} knocks in {:.4g} s, {} strengths, the plate's angle {}\n", name,
              record.knocks.size(), record.duration(), record.has_strengths() ? "with" : "without",
              record.plate ? "known from marks" : "unknown");
-  const bool trusted = machine.contradictions.empty();
+  const bool trusted = is_trusted(machine);
   for (const std::string& sentence : machine.contradictions) fmt::print("{}\n", sentence);
-  if (!trusted) fmt::print("The values below are the best fit of a model that does not hold:\n");
+  if (!machine.contradictions.empty()) {
+    fmt::print("The values below are the best fit of a model that does not hold:\n");
+  }
   for (const Estimate& e : machine.constants) {
     const bool is_length = e.unit == "m";
     print_estimate(e, is_length ? 1e-3 : 1, is_length ? "mm" : "", trusted);
@@ -116,7 +121,7 @@ void print(const IdentifiedMachine& machine, const KnockLoss& loss, const std::s
   if (machine.safe_speed) {
     print_estimate(*machine.safe_speed, 1, "rad/s", trusted);
     fmt::print("Safe speed: the fastest with at most two collisions a turn in steady motion.\n");
-  } else {
+  } else if (machine.complete) {
     fmt::print("No safe speed: every speed of the range is safe, or the border is out of reach.\n");
   }
   fmt::print(
@@ -153,9 +158,10 @@ void refuse_same_files(const IdentifyOptions& options) {
 std::string machine_text(const IdentifiedMachine& machine, const std::string& knocks) {
   return fmt::format("# Restitution, friction and clearance are fitted to the knocks of {}.\n{}{}",
                      std::filesystem::path(knocks).filename().string(),
-                     machine.contradictions.empty()
+                     is_trusted(machine)
                          ? ""
-                         : "# The record contradicts the model: do not rely on them.\n",
+                         : "# Do not rely on them: the record contradicts the model, or the fit "
+                           "was not complete.\n",
                      write_scene(machine.scene));
 }
 
@@ -175,8 +181,9 @@ int identify(const IdentifyOptions& options) {
         "--solver {}: must need gradients and nothing else, such as nlopt-lbfgs", options.solver));
   }
   const KnockLoss loss(scene, record);
-  const IdentifiedMachine machine =
-      studies::identification::identify(loss, solver, options.fastest);
+  const IdentifiedMachine machine = limited(options.seconds, [&] {
+    return studies::identification::identify(loss, solver, options.fastest);
+  });
   report::Plot plot;
   if (!options.plot.empty()) plot = report::plot_of(knock_charts(loss, machine.fit.x));
   std::deque<TextDraft> drafts;
@@ -191,7 +198,10 @@ int identify(const IdentifyOptions& options) {
     print(machine, loss, std::filesystem::path(options.scene_file).stem().string(), solver.name);
   }
   report::require_none(plot.failures);
-  return machine.contradictions.empty() ? 0 : 1;
+  if (!machine.complete) {
+    return report_incomplete(options.seconds, "the best fit so far has no intervals");
+  }
+  return is_trusted(machine) ? 0 : 1;
 }
 
 }  // namespace
@@ -231,6 +241,7 @@ void add_identify(CommandLine& line) {
       ->capture_default_str();
   command->add_option("--fastest", options->fastest, "End of the speed range [rad/s]")
       ->capture_default_str();
+  add_seconds(command, options->seconds);
   command->add_option("--out", options->out, "Machine file (TOML) for the fitted machine")
       ->type_name("FILE");
   command->add_option("--plot", options->plot, "SVG file for a chart of the residuals")

@@ -20,8 +20,8 @@ constexpr std::size_t groups = 2 * speeds;
 constexpr double most_chi_square = 41.3;
 
 /// Deviations from prior knowledge, and units of the log likelihood that doing without it may gain:
-/// exceeded with a probability of 1e-4 or less.
-constexpr double most_deviations = 4;
+/// exceeded with a probability of 0.003 and 1e-4.
+constexpr double most_deviations = 3;
 constexpr double most_gain = 8;
 
 struct Residual {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/carrier_track/identification/safe_speed.h"
+#include "ricochet/time_limit.h"
 #include "src/identification/fit_check.h"
 
 namespace ricochet::studies::identification {
@@ -162,20 +163,28 @@ IdentifiedMachine identify(const KnockLoss& loss, const Solver& solver, double f
   const KnockUnknowns found = unknowns_at(fit.x);
   machine.scene = with_constants(loss.scene(), found);
   machine.constants = constants_of(fit, guess_of(loss.scene()));
-  machine.correlations = correlations_of(fit.covariance);
+  machine.correlations = fit.complete ? correlations_of(fit.covariance)
+                                      : Matrix::Identity(machine_constants, machine_constants);
   const double knocks = static_cast<double>(loss.record().knocks.size());
   machine.explained_share =
       std::max(0.0, 1 - found.spurious_rate * loss.record().duration() / knocks);
   machine.missed_share = 1 - (found.recorded_share + found.upper_share) / 2;
-  machine.contradictions = contradictions(loss, fit, solver);
   machine.remarks = loss.record().notes;
+  machine.complete = fit.complete;
+  if (!machine.complete) return machine;
   for (std::string& remark : remarks_of(machine, loss.record())) {
     machine.remarks.push_back(std::move(remark));
   }
   add_warnings(machine);
-  const std::optional<SafeSpeed> safe = safe_speed_of(loss.scene(), fit, fastest);
-  if (safe) machine.safe_speed = estimate_of(*safe, fit.covariance);
-  add_next_speed(machine, loss, safe, fastest);
+  try {
+    machine.contradictions = contradictions(loss, fit, solver);
+    const std::optional<SafeSpeed> safe = safe_speed_of(loss.scene(), fit, fastest);
+    if (safe) machine.safe_speed = estimate_of(*safe, fit.covariance);
+    add_next_speed(machine, loss, safe, fastest);
+  } catch (const TimeLimitReached&) {
+    machine.complete = false;
+    machine.safe_speed.reset();
+  }
   return machine;
 }
 

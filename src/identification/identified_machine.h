@@ -25,6 +25,8 @@ struct IdentifiedMachine {
   std::vector<Estimate> constants;  ///< restitution, friction, clearance
   std::optional<Estimate> safe_speed;
   Matrix correlations;  ///< 3 x 3, of the constants
+  /// Otherwise the time limit was reached: no interval is known, and perhaps no safe speed.
+  bool complete = true;
   /// What the record contradicts, one sentence each: with any, no interval can be trusted.
   std::vector<std::string> contradictions;
   std::vector<std::string> remarks;  ///< what the record cannot tell, one sentence each
@@ -34,6 +36,11 @@ struct IdentifiedMachine {
   double explained_share;  ///< of the knocks: those that are not spurious, as fitted
   double missed_share;     ///< of the impacts above the detection limit, as fitted, of both walls
 };
+
+/// Returns true if the intervals may be shown.
+inline bool is_trusted(const IdentifiedMachine& machine) {
+  return machine.complete && machine.contradictions.empty();
+}
 
 /// Fits a record. The safe speed and the next one are searched up to `fastest` [rad/s].
 IdentifiedMachine identify(const carrier_track::KnockLoss& loss, const Solver& solver,

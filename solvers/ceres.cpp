@@ -99,7 +99,7 @@ Solver lbfgs(const GivenOptions& given) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-lbfgs";
-  solver.version = "Ceres " CERES_VERSION_STRING ", adapter 2";
+  solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
   solver.capabilities = ceres_lbfgs_capabilities;
   solver.at_limit = AtLimit::own_point;
   solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,

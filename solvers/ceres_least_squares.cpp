@@ -95,7 +95,7 @@ Solver least_squares(const GivenOptions& given) {
   silence_ceres();
   Solver solver;
   solver.name = "ceres-trust-region";
-  solver.version = "Ceres " CERES_VERSION_STRING ", adapter 2";
+  solver.version = "Ceres " CERES_VERSION_STRING " (adapter 2)";
   solver.capabilities = ceres_least_squares_capabilities;
   solver.at_limit = AtLimit::own_point;
   solver.solve = [options = options_with(given)](Evaluator& evaluator, const Vector& start,

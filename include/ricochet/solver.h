@@ -30,7 +30,7 @@ enum class AtLimit {
 struct Solver {
   std::string name;  ///< e.g. "nlopt-cobyla"
   /// Of the library behind it. Where an adapter returns other points than before, it says so here,
-  /// as ", adapter 2": stored runs are taken over only if their solver has the same version.
+  /// as "(adapter 2)": stored runs are taken over only if their solver has the same version.
   std::string version;
   bool stochastic = false;
   Capabilities capabilities = {};

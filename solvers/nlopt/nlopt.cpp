@@ -17,7 +17,7 @@ Solver solver_of(const NloptAlgorithm& algorithm) {
   nlopt_version(&version[0], &version[1], &version[2]);
   Solver solver;
   solver.name = fmt::format("nlopt-{}", algorithm.name);
-  solver.version = fmt::format("NLopt {}, adapter 2", fmt::join(version, "."));
+  solver.version = fmt::format("NLopt {} (adapter 2)", fmt::join(version, "."));
   solver.stochastic = algorithm.draws;
   solver.capabilities = algorithm.capabilities;
   solver.at_limit = AtLimit::own_point;

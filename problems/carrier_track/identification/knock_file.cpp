@@ -104,16 +104,15 @@ void check_marks(const KnockFiles& files, const KnockRecord& record,
                   files.marks, turn, unit_of(turn)));
 }
 
-/// Of the knocks at least half must be between these times of another file.
+/// Of the shorter of two files at least half must be within the times of the other.
 void check_overlap(const KnockFiles& files, const std::vector<double>& knocks,
                    const std::string& other, double from, double to) {
-  const auto within =
-      std::ranges::count_if(knocks, [&](double time) { return time >= from && time <= to; });
-  if (2 * static_cast<std::size_t>(within) >= knocks.size()) return;
+  const double both = std::min(to, knocks.back()) - std::max(from, knocks.front());
+  if (both >= std::min(to - from, knocks.back() - knocks.front()) / 2) return;
   throw InputError(fmt::format(
-      "{}: only {} of {} knocks ({:.6g} to {:.6g} s) are within the times of {} ({:.6g} to "
-      "{:.6g} s): must be at least half: do the clocks differ?",
-      files.knocks, within, knocks.size(), knocks.front(), knocks.back(), other, from, to));
+      "{}: the knocks ({:.6g} to {:.6g} s) and {} ({:.6g} to {:.6g} s) have {:.4g} s in common: "
+      "must be at least half of the shorter one: do the clocks differ?",
+      files.knocks, knocks.front(), knocks.back(), other, from, to, std::max(both, 0.0)));
 }
 
 void check_deviations(const KnockFiles& files) {

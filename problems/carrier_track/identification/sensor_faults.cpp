@@ -15,8 +15,9 @@ constexpr double fewest_echoes = 0.15;  // over the number of knocks
 constexpr double sharpest_peak = 5;     // delays in the window over those expected from beside it
 // Without strengths the pairs of an impact and the echo of another cannot be left out.
 constexpr double sharpest_without = 2.5;
-constexpr double same_ratio = 0.35;  // of logarithms of the ratio of strengths
-constexpr double steady = 1.05;      // highest over lowest speed, at most
+constexpr double fewest_followed = 0.45;  // of the knocks that are no echoes
+constexpr double same_ratio = 0.35;       // of logarithms of the ratio of strengths
+constexpr double steady = 1.05;           // highest over lowest speed, at most
 constexpr int most_echoes = 5;
 
 void merge_duplicates(KnockRecord& record) {
@@ -97,21 +98,40 @@ std::vector<Pair> echo_among(const std::vector<Pair>& pairs, const KnockRecord& 
   return most;
 }
 
+/// Returns true if pairs are an echo's, not rebounds: most knocks have it, whatever they are, and
+/// its delay does not change with the speed of the plate, as that of rebounds does.
+bool is_echo_of(const std::vector<Pair>& echoes, std::size_t others, const KnockRecord& record) {
+  const auto n = static_cast<double>(echoes.size());
+  if (n < fewest_followed * static_cast<double>(others)) return false;
+  const auto [slow, fast] = std::ranges::minmax(record.speed, {}, &SpeedKnot<double>::omega);
+  if (fast.omega < steady * slow.omega) return false;
+  double sums[5] = {};
+  for (const Pair& pair : echoes) {
+    const double x = speed_at(record.speed, record.knocks[pair.second].time);
+    const double y = 1e3 * (pair.delay - echoes.front().delay);
+    const double terms[] = {x, y, x * x, x * y, y * y};
+    for (std::size_t k = 0; k < 5; ++k) sums[k] += terms[k] / n;
+  }
+  const double together = sums[3] - sums[0] * sums[1];
+  const double apart = (sums[2] - sums[0] * sums[0]) * (sums[4] - sums[1] * sums[1]);
+  // A correlation that chance exceeds once in a thousand times; rounding is none.
+  return together * together * n <= 11 * apart + 1e-9;
+}
+
 bool take_out_echo(KnockRecord& record) {
   std::vector<Pair> echoes = echo_among(pairs_of(record.knocks), record);
   if (echoes.empty()) return false;
-  const auto [slow, fast] = std::ranges::minmax(record.speed, {}, &SpeedKnot<double>::omega);
-  const double delay = 1e3 * median(echoes, &Pair::delay);
-  if (fast.omega < steady * slow.omega) {
-    record.notes.push_back(
-        fmt::format("{} knocks follow another after {:.3g} ms: at one speed of the plate "
-                    "echoes of a sensor cannot be told from rebounds. Change the speed.",
-                    echoes.size(), delay));
-    return false;
-  }
   std::vector<bool> is_echo(record.knocks.size(), false);
   for (const Pair& pair : echoes) is_echo[pair.second] = true;
-  const auto removed = std::ranges::count(is_echo, true);
+  const auto removed = static_cast<std::size_t>(std::ranges::count(is_echo, true));
+  const double delay = 1e3 * median(echoes, &Pair::delay);
+  if (!is_echo_of(echoes, record.knocks.size() - removed, record)) {
+    record.notes.push_back(fmt::format(
+        "{} knocks follow another after {:.3g} ms: they are taken for rebounds, and may be "
+        "echoes of the sensor. Change the speed by more, or record strengths.",
+        echoes.size(), delay));
+    return false;
+  }
   record.notes.push_back(fmt::format(
       "{} knocks are echoes of the sensor and are left out: each follows another after {:.3g} "
       "ms{}.",
@@ -147,7 +167,7 @@ void take_out_sensor_faults(KnockRecord& record) {
   }
   find_saturation(record);
   // The most likely dead time is the longest that no interval contradicts.
-  record.dead_time = record.duration();
+  record.dead_time = longest_delay;
   for (std::size_t i = 1; i < record.knocks.size(); ++i) {
     record.dead_time =
         std::min(record.dead_time, record.knocks[i].time - record.knocks[i - 1].time);

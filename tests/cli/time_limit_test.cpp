@@ -46,7 +46,7 @@ TEST(TimeLimit, EndsEveryCommandThatComputesAMachine) {
       "threshold" + scene + " --set window.revolutions=20000 --allow 1000000000",
       "threshold" + scene + " --set window.revolutions=20000 --allow-energy 1e9",
       "simulate" + scene + " --set window.revolutions=900000 --omega 8",
-      "regimes" + scene + " --starts 10000000 --omega 8"};
+      "regimes" + scene + " --starts 1000000 --omega 8"};
   for (const std::string& member : members) call_limited(member, 1);
 }
 

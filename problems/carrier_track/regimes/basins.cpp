@@ -75,8 +75,11 @@ std::vector<Scene> random_starts(const Scene& scene, const BasinOptions& options
   const double period =
       2 * std::numbers::pi / scene.omega * static_cast<double>(forcing_turns(scene));
   Random random(options.seed);
-  std::vector<Scene> starts(static_cast<std::size_t>(options.starts), scene);
-  for (Scene& start : starts) {
+  std::vector<Scene> starts;
+  starts.reserve(static_cast<std::size_t>(options.starts));
+  for (int k = 0; k < options.starts; ++k) {
+    check_time_limit();
+    Scene& start = starts.emplace_back(scene);
     const double time = period * uniform(random);
     constexpr double turn = 2 * std::numbers::pi;
     start.phase = std::remainder(scene.phase + scene.omega * time, turn);

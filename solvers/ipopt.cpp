@@ -174,6 +174,7 @@ class UnitProblem : public Ipopt::TNLP {
   void finalize_solution(Ipopt::SolverReturn, Index n, const Number* u, const Number*,
                          const Number*, Index, const Number*, const Number*, Number,
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+    if (box_.over()) return;  // a step that it has not finished
     const Vector last = Eigen::Map<const Vector>(u, n);
     if (last.allFinite()) final_ = box_.from_unit(last);
   }

@@ -11,8 +11,9 @@
  * be NULL unless said otherwise. No exception may pass through these functions. After an error,
  * ricochet_error has the reason.
  *
- * Several threads may use one problem of ricochet_open or ricochet_open_scene at once: its functions
- * take turns. Only one thread at a time may use a machine, or the problem that a solver was given.
+ * Several threads may use one problem of ricochet_open or ricochet_open_scene at once: its
+ * functions take turns. Only one thread at a time may use a machine, or the problem that a solver
+ * was given.
  */
 
 #include <stdint.h>

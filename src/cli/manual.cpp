@@ -69,7 +69,8 @@ std::string manual(const Json& commands) {
       "line is no point.\n"
       ".TP\n2\nBad input.\n"
       ".TP\n130, 143\nInterrupted, by Ctrl\\-C and by SIGTERM.\n"
-      ".SH ENVIRONMENT\n.TP\nNO_COLOR\nIf it is set, errors are not coloured on a terminal.\n.TP\nTERM\nIf it is \"dumb\" or not set, nothing is coloured or drawn again.\n";
+      ".SH ENVIRONMENT\n.TP\nNO_COLOR\nIf it is set, errors are not coloured on a "
+      "terminal.\n.TP\nTERM\nIf it is \"dumb\" or not set, nothing is coloured or drawn again.\n";
   return text;
 }
 

@@ -29,8 +29,8 @@ TEST(Simulate, PrintsTheJsonOfTheContract) {
   ASSERT_EQ(outcome.exit_code, 0);
   const auto json = ordered_json::parse(outcome.out);
   EXPECT_THAT(keys_of(json),
-              ElementsAre("count", "surrogate", "certain", "margin", "graze", "growth", "doubt",
-                          "impacts", "peaks", "end", "evaluations", "fidelity"));
+              ElementsAre("count", "surrogate", "certain", "complete", "reached", "margin", "graze",
+                          "growth", "doubt", "impacts", "peaks", "end", "evaluations", "fidelity"));
   EXPECT_EQ(json["certain"], true);
   EXPECT_EQ(json["fidelity"], "impact");
   EXPECT_THAT(keys_of(json["impacts"][0]), ElementsAre("time", "wall", "speed"));

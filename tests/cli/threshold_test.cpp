@@ -37,7 +37,8 @@ TEST(Threshold, PrintsTheJsonOfTheContractForEveryCase) {
                 testing::ElementsAre("case", "restitution", "friction", "disturbance",
                                      "paper_threshold", "threshold", "first_loud", "misclassified",
                                      "purity", "loudness", "paper_quiet_count", "quiet_count",
-                                     "interpretation", "evaluations", "seconds", "examples"));
+                                     "interpretation", "evaluations", "seconds", "complete",
+                                     "examples"));
   }
   EXPECT_EQ(json[0]["paper_threshold"], 9.0);
   EXPECT_TRUE(json[10]["paper_threshold"].is_null());

@@ -64,7 +64,8 @@ TEST(AllSolvers, NameTheLibraryBehindThemAndItsVersion) {
   for (const Solver& solver : all_solvers()) {
     EXPECT_THAT(solver.version,
                 testing::MatchesRegex(
-                    "(ricochet|NLopt|Ipopt|Ceres|pagmo|dlib|PETSc) [0-9]+\\.[0-9]+\\.[0-9]+"))
+                    "(ricochet|NLopt|Ipopt|Ceres|pagmo|dlib|PETSc) [0-9]+\\.[0-9]+\\.[0-9]+"
+                    "( \\(adapter [0-9]+\\))?"))
         << solver.name;
   }
 }

@@ -323,7 +323,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"mass", "mass = inf", "scene.mass = inf", "finite"},
         Wrong{"mass", "mass = \"heavy\"", "scene.mass", "a number"},
         Wrong{"mass", "mass = \"1 lb\"", "scene.mass = '1 lb'", "with a unit of kg, g"},
-        Wrong{"mass", "mass = \"1kg\"", "scene.mass = '1kg'", "with a unit of kg, g"},
+        Wrong{"mass", "mass = \"1lb\"", "scene.mass = '1lb'", "with a unit of kg, g"},
         Wrong{"friction", "friction = \"0.1 N\"", "scene.friction = '0.1 N'", "a number"},
         Wrong{"stiffness", "stiffness = \"1 N\"", "model.stiffness = '1 N'", "a number"},
         Wrong{"mass", "", "scene.mass", "missing"},

@@ -12,6 +12,7 @@ namespace ricochet::cli {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Main, NamesEveryCommandInItsHelp) {
   const Outcome help = call("--help");
@@ -125,6 +126,27 @@ TEST(Main, ReportsOutputThatIsLost) {
 
 TEST(Main, NeedsNoOutputWhereThereIsNone) {
   EXPECT_EQ(call_with_output("list speeds", ">/dev/full").exit_code, 2);
+}
+
+/// As spreadsheets and editors of Windows write it before a text.
+TEST(Main, SkipsAByteOrderMarkInWhateverTextItReads) {
+  const auto folder = fresh_folder();
+  const std::string mark = "\xef\xbb\xbf";
+  const auto marked = [&](const std::string& name, const std::string& command) {
+    const Outcome text = call(command);
+    EXPECT_EQ(text.exit_code, 0) << command;
+    return write(folder, name, mark + text.out).string();
+  };
+  const std::string machine = marked("machine.toml", "machine new");
+  const std::string plan = marked("plan.toml", "plan new");
+  const auto points = write(folder, "points", mark + R"({"x": [0.5, 0.25]})" + "\n").string();
+  for (const std::string& arguments :
+       {"machine check " + machine, "simulate --scene " + machine, "plan check " + plan,
+        "evaluate classic-rosenbrock-2 < " + points}) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
+    EXPECT_THAT(outcome.out, Not(HasSubstr("error"))) << arguments;
+  }
 }
 
 /// Closed, or full: what is said there is lost, and the command does its work, whichever streams

@@ -33,12 +33,12 @@ TEST(Threshold, PrintsTheJsonOfTheContractForEveryCase) {
   const auto json = ordered_json::parse(outcome.out);
   ASSERT_EQ(json.size(), 12U);
   for (const auto& row : json) {
-    EXPECT_THAT(keys_of(row),
-                testing::ElementsAre("case", "restitution", "friction", "disturbance",
-                                     "paper_threshold", "threshold", "first_loud", "misclassified",
-                                     "purity", "loudness", "paper_quiet_count", "quiet_count",
-                                     "interpretation", "evaluations", "seconds", "complete",
-                                     "examples"));
+    EXPECT_THAT(
+        keys_of(row),
+        testing::ElementsAre("case", "restitution", "friction", "disturbance", "paper_threshold",
+                             "threshold", "first_loud", "misclassified", "purity", "loudness",
+                             "paper_quiet_count", "quiet_count", "interpretation", "evaluations",
+                             "seconds", "complete", "examples"));
   }
   EXPECT_EQ(json[0]["paper_threshold"], 9.0);
   EXPECT_TRUE(json[10]["paper_threshold"].is_null());

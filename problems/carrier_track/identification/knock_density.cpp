@@ -31,9 +31,6 @@ Eigen::Index share_of(Wall wall) {
   return wall == Wall::lower ? coordinate::recorded_share : coordinate::upper_share;
 }
 
-/// A knock is that of an impact up to this many jitters before it: the sensor is deaf to others.
-constexpr double own = 4;
-
 }  // namespace
 
 KnockDensity::KnockDensity(const KnockRecord& record, std::vector<PredictedImpact> impacts,
@@ -77,71 +74,98 @@ void KnockDensity::add(Vector* slopes, const PredictedImpact& impact, double by_
       by_time * (impact.time - record_.from - at_.lag) / (1 + at_.drift);
 }
 
-KnockDensity::Heard KnockDensity::heard(const PredictedImpact& impact) const {
+std::vector<KnockDensity::Explained> KnockDensity::explained(bool slopes) const {
+  if (record_.dead_time <= at_.jitter || blur_ > 0) return {};
+  std::vector<Explained> result;
+  for (const Knock& knock : record_.knocks) {
+    Explained& knock_explained = result.emplace_back();
+    if (slopes) knock_explained.slopes = Vector::Zero(knock_unknowns);
+    knock_explained.log_density = log_at(knock, slopes ? &knock_explained.slopes : nullptr);
+  }
+  return result;
+}
+
+KnockDensity::Heard KnockDensity::heard(const PredictedImpact& impact,
+                                        const std::vector<Explained>& explained) const {
   const double begin = (impact.time - record_.from) / at_.jitter;
   const double end = (impact.time - record_.to) / at_.jitter;
   Heard result{share_below(begin) - share_below(end),
                (gaussian(begin) - gaussian(end)) / at_.jitter,
-               end * gaussian(end) - begin * gaussian(begin)};
-  if (record_.dead_time <= own * at_.jitter || blur_ > 0) return result;
+               end * gaussian(end) - begin * gaussian(begin),
+               {}};
+  if (explained.empty()) return result;
+  const bool slopes = explained.front().slopes.size() > 0;
+  if (slopes) result.by_owner = Vector::Zero(knock_unknowns);
   const double earliest = impact.time - reach * at_.jitter - record_.dead_time;
-  for (auto knock = std::ranges::lower_bound(record_.knocks, earliest, {}, &Knock::time);
-       knock != record_.knocks.end(); ++knock) {
-    const double from = (knock->time - impact.time) / at_.jitter + own;
+  auto knock = std::ranges::lower_bound(record_.knocks, earliest, {}, &Knock::time);
+  for (; knock != record_.knocks.end(); ++knock) {
+    const double from = (knock->time - impact.time) / at_.jitter;
     if (from > reach) break;
     const double to = (knock->time + record_.dead_time - impact.time) / at_.jitter;
-    result.part -= share_below(to) - share_below(from);
-    result.by_time += (gaussian(to) - gaussian(from)) / at_.jitter;
-    result.by_jitter += to * gaussian(to) - (from - own) * gaussian(from);
+    const double window = share_below(to) - share_below(from);
+    const Explained& all = explained[static_cast<std::size_t>(knock - record_.knocks.begin())];
+    const double density = std::exp(all.log_density);
+    Vector of_bump = Vector::Zero(slopes ? knock_unknowns : 0);
+    const double own =
+        from < -reach ? 0 : bump(*knock, impact, slopes ? &of_bump : nullptr) / density;
+    result.part -= (1 - own) * window;
+    result.by_time += (1 - own) * (gaussian(to) - gaussian(from)) / at_.jitter;
+    result.by_jitter += (1 - own) * (to * gaussian(to) - from * gaussian(from));
+    if (slopes) result.by_owner += window * (of_bump / density - own * all.slopes);
   }
   result.part = std::max(result.part, 0.0);
   return result;
+}
+
+double KnockDensity::bump(const Knock& knock, const PredictedImpact& impact, Vector* slopes) const {
+  const double width = this->width(knock.time);
+  const double narrowing = at_.jitter * at_.jitter / (width * width);
+  const double z = (knock.time - impact.time) / width;
+  const double recorded = wall_share(impact);
+  double bump = recorded * gaussian(z) / width;
+  double by_log_speed = 0;
+  double by_scatter = 0;
+  double by_limit = 0;
+  const double above = margin(impact);
+  if (strengths_ && *knock.strength >= record_.saturation) {
+    const double u = (impact.log_speed - std::log(record_.saturation / at_.gain)) / at_.scatter;
+    const double share = share_below(u);
+    if (share == 0) return 0;
+    bump *= share;
+    by_log_speed = gaussian(u) / share / at_.scatter;
+    by_scatter = -u * gaussian(u) / share;
+  } else if (strengths_) {
+    const double u = (std::log(*knock.strength / at_.gain) - impact.log_speed) / at_.scatter;
+    bump *= gaussian(u) / at_.scatter;
+    by_log_speed = u / at_.scatter;
+    by_scatter = u * u - 1;
+  } else {
+    const double share = share_below(above);
+    if (share == 0) return 0;
+    bump *= share;
+    by_log_speed = gaussian(above) / share / at_.scatter;
+    by_limit = -by_log_speed;
+  }
+  if (slopes == nullptr) return bump;
+  add(slopes, impact, bump * z / width, bump * by_log_speed);
+  (*slopes)[coordinate::jitter] += bump * (z * z - 1) * narrowing;
+  (*slopes)[share_of(impact.wall)] += bump * (1 - recorded);
+  (*slopes)[coordinate::detection_limit] += bump * by_limit;
+  (*slopes)[coordinate::gain] += bump * by_log_speed;
+  (*slopes)[coordinate::scatter] += bump * by_scatter;
+  return bump;
 }
 
 double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) const {
   const double spurious = at_.spurious_rate / strength_range_;
   double density = spurious;
   const double width = this->width(knock.time);
-  const double narrowing = at_.jitter * at_.jitter / (width * width);
   const auto first =
       std::ranges::lower_bound(impacts_, knock.time - reach * width, {}, &PredictedImpact::time);
   Vector sum = Vector::Zero(slopes != nullptr ? knock_unknowns : 0);
   for (auto impact = first; impact != impacts_.end(); ++impact) {
-    const double z = (knock.time - impact->time) / width;
-    if (z < -reach) break;
-    const double recorded = wall_share(*impact);
-    double bump = recorded * gaussian(z) / width;
-    double by_log_speed = 0;
-    double by_scatter = 0;
-    double by_limit = 0;
-    const double above = margin(*impact);
-    if (strengths_ && *knock.strength >= record_.saturation) {
-      const double u = (impact->log_speed - std::log(record_.saturation / at_.gain)) / at_.scatter;
-      const double share = share_below(u);
-      if (share == 0) continue;
-      bump *= share;
-      by_log_speed = gaussian(u) / share / at_.scatter;
-      by_scatter = -u * gaussian(u) / share;
-    } else if (strengths_) {
-      const double u = (std::log(*knock.strength / at_.gain) - impact->log_speed) / at_.scatter;
-      bump *= gaussian(u) / at_.scatter;
-      by_log_speed = u / at_.scatter;
-      by_scatter = u * u - 1;
-    } else {
-      const double share = share_below(above);
-      if (share == 0) continue;
-      bump *= share;
-      by_log_speed = gaussian(above) / share / at_.scatter;
-      by_limit = -by_log_speed;
-    }
-    density += bump;
-    if (slopes == nullptr) continue;
-    add(&sum, *impact, bump * z / width, bump * by_log_speed);
-    sum[coordinate::jitter] += bump * (z * z - 1) * narrowing;
-    sum[share_of(impact->wall)] += bump * (1 - recorded);
-    sum[coordinate::detection_limit] += bump * by_limit;
-    sum[coordinate::gain] += bump * by_log_speed;
-    sum[coordinate::scatter] += bump * by_scatter;
+    if (knock.time - impact->time < -reach * width) break;
+    density += bump(knock, *impact, slopes != nullptr ? &sum : nullptr);
   }
   if (slopes != nullptr) {
     sum[coordinate::spurious_rate] += spurious;
@@ -155,8 +179,9 @@ double KnockDensity::expected(Vector* slopes) const {
       blur_ > 0 ? 0 : record_.dead_time * static_cast<double>(record_.knocks.size());
   double sum = at_.spurious_rate * (record_.duration() - deaf);
   if (slopes != nullptr) (*slopes)[coordinate::spurious_rate] += sum;
+  const std::vector<Explained> explained = this->explained(slopes != nullptr);
   for (const PredictedImpact& impact : impacts_) {
-    const Heard heard = this->heard(impact);
+    const Heard heard = this->heard(impact, explained);
     const double above = margin(impact);
     const double recorded = wall_share(impact);
     const double share = recorded * share_below(above);
@@ -164,6 +189,7 @@ double KnockDensity::expected(Vector* slopes) const {
     if (slopes == nullptr) continue;
     const double steepness = recorded * gaussian(above) / at_.scatter * heard.part;
     add(slopes, impact, share * heard.by_time, steepness);
+    if (heard.by_owner.size() > 0) *slopes += share * heard.by_owner;
     (*slopes)[share_of(impact.wall)] += share * heard.part * (1 - recorded);
     (*slopes)[coordinate::jitter] += share * heard.by_jitter;
     (*slopes)[coordinate::detection_limit] -= steepness;
@@ -182,12 +208,13 @@ KnockDensity::Information KnockDensity::information() const {
   const double last_strength = strengths_ ? 4 : 0;
   double covered = 0;
   Vector slopes(knock_unknowns);
+  const std::vector<Explained> explained = this->explained(false);
   for (const PredictedImpact& impact : impacts_) {
     if (recorded_share(impact) < 1e-6) continue;
     if (impact.time < record_.from || impact.time > record_.to) continue;
     // With strengths the sum below leaves out what is not detected.
     const double share =
-        (strengths_ ? wall_share(impact) : recorded_share(impact)) * heard(impact).part;
+        (strengths_ ? wall_share(impact) : recorded_share(impact)) * heard(impact, explained).part;
     Vector mean = Vector::Zero(knock_unknowns);
     for (double z = -end; z <= end; z += step) {
       for (double u = -last_strength; u <= last_strength; u += step_of_strength) {

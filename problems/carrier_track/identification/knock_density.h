@@ -11,8 +11,8 @@ namespace ricochet::carrier_track::inline identification {
 /// The density of knocks per second, and per unit of log strength if strengths are recorded, that
 /// a point of the unknowns predicts: spurious ones at a uniform rate, and around every predicted
 /// impact a Gaussian of the jitter, which holds the share of records in which the impact appears.
-/// While the sensor is deaf after a knock nothing is expected but that knock itself. Of a strength
-/// at the record's saturation only that it is reached is known.
+/// While the sensor is deaf after a knock nothing is expected but the impact of that knock. Of a
+/// strength at the record's saturation only that it is reached is known.
 ///
 /// `blur` [rad] >= 0, an angle of the driver plate, widens the Gaussians, to sqrt(jitter^2 + (blur
 /// / speed)^2): far from the solution a wide density is what a solver can follow.
@@ -46,12 +46,28 @@ class KnockDensity {
   double margin(const PredictedImpact& impact) const;
   double wall_share(const PredictedImpact& impact) const;
 
+  /// What an impact adds to the density at a knock. Adds its derivatives to `slopes`.
+  double bump(const Knock& knock, const PredictedImpact& impact, Vector* slopes) const;
+
+  /// log_at() a knock with its derivatives, which may be empty.
+  struct Explained {
+    double log_density;
+    Vector slopes;
+  };
+
+  /// Of all knocks if the sensor has a dead time; otherwise empty.
+  std::vector<Explained> explained(bool slopes) const;
+
   /// The part of an impact's Gaussian that the sensor hears, with its derivatives by the impact's
-  /// time [1/s] and by the logarithm of the jitter.
+  /// time [1/s] and by the logarithm of the jitter, and by all unknowns through the shares of the
+  /// knocks that are its own.
   struct Heard {
     double part, by_time, by_jitter;
+    Vector by_owner;
   };
-  Heard heard(const PredictedImpact& impact) const;
+
+  /// A knock makes the sensor deaf to an impact by the probability that it is another's.
+  Heard heard(const PredictedImpact& impact, const std::vector<Explained>& explained) const;
   void add(Vector* slopes, const PredictedImpact& impact, double by_time,
            double by_log_speed) const;
   double width(double time) const;

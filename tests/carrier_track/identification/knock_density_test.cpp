@@ -49,6 +49,24 @@ TEST(KnockDensity, ExpectsAsManyKnocksAsItIntegratesTo) {
   EXPECT_NEAR(integral, density.expected(nullptr), 1e-6);
 }
 
+/// After a knock the sensor is deaf: the impact that it is of has been heard, and another, even one
+/// that follows within a jitter or two, is not expected. Of two that may be it, one is.
+TEST(KnockDensity, ExpectsNoOtherImpactInTheDeadTimeAfterAKnock) {
+  KnockRecord record = silent;
+  record.knocks = {{1.0}};
+  record.dead_time = 0.02;
+  const double spurious = 0.5 * (10 - record.dead_time);
+  for (const double later : {0.003, 0.006, 0.015}) {
+    const std::vector<PredictedImpact> impacts = {{1.0, std::log(0.1)}, {1 + later, std::log(0.1)}};
+    const KnockDensity density(record, impacts, point_of(unknowns), 0);
+    EXPECT_NEAR(density.expected(nullptr), spurious + 0.8, 0.02) << later;
+  }
+  const std::vector<PredictedImpact> alike = {{1.0, std::log(0.1)}, {1.0, std::log(0.1)}};
+  const KnockDensity either(record, alike, point_of(unknowns), 0);
+  // Half of the second is before the knock, where the sensor would have heard it.
+  EXPECT_NEAR(either.expected(nullptr), spurious + 0.8 * 1.5, 0.02);
+}
+
 TEST(KnockDensity, IsWiderByABlurOfThePlatesAngle) {
   const KnockDensity density(silent, two_impacts(), point_of(unknowns), 0.05);
   const double width = std::hypot(1e-3, 0.01);

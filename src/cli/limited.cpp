@@ -14,6 +14,8 @@
 namespace ricochet::cli {
 namespace {
 
+constexpr double seconds_to_sample = 5;
+
 double checked(double seconds) {
   if (seconds > 0) return seconds;
   throw InputError(fmt::format("--seconds {}: must be > 0 [s]; inf: no limit", seconds));
@@ -68,6 +70,12 @@ std::runtime_error Limited::reached() const {
           : fmt::format(" at {:.0f} % of: {}", 100 * limit_.share(), limit_.stage());
   return std::runtime_error(
       fmt::format("the time limit of {} s was reached{}; --seconds gives more", seconds_, place));
+}
+
+std::vector<carrier_track::SampledTurns> sampled_in_time(const carrier_track::Scene& scene,
+                                                         double from, double to) {
+  const TimeLimit limit(seconds_to_sample);
+  return carrier_track::sampled_turns(scene, from, to);
 }
 
 int report_incomplete(double seconds, const std::string& what_is_known) {

@@ -2,7 +2,9 @@
 
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "problems/carrier_track/regimes/sampled_turns.h"
 #include "ricochet/time_limit.h"
 #include "src/cli/command_line.h"
 
@@ -37,6 +39,11 @@ auto limited(double seconds, const Work& work) {
     throw limit.reached();
   }
 }
+
+/// What simulation alone tells, in some seconds, of the speeds of a machine that the time limit
+/// left out.
+std::vector<carrier_track::SampledTurns> sampled_in_time(const carrier_track::Scene& scene,
+                                                         double from, double to);
 
 /// Says on standard error that a result is not complete, and why. Returns the exit code.
 int report_incomplete(double seconds, const std::string& what_is_known);

@@ -19,15 +19,24 @@
 namespace ricochet::cli {
 namespace {
 
+using carrier_track::RegimeEnd;
+
 int regimes(const RegimesOptions& options) {
   if (!options.over.empty()) return regime_curves(options);
   if (options.starts) return basins(options);
   const ChosenScene chosen = choose_scene(options.scene);
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
-  const auto found = limited(
-      options.seconds, [&] { return carrier_track::regimes_of(chosen.scene, options.range); });
+  const auto found = limited(options.seconds, [&]() -> std::vector<carrier_track::Regime> {
+    try {
+      return carrier_track::regimes_of(chosen.scene, options.range);
+    } catch (const TimeLimitReached&) {
+      return {};  // not even the first one is known
+    }
+  });
+  const double reached = found.empty() ? options.range.from : found.back().to;
+  const bool complete = !found.empty() && found.back().ends_by != RegimeEnd::time_limit;
   report::Plot plot;
-  if (!options.plot.empty()) {
+  if (!options.plot.empty() && !found.empty()) {
     carrier_track::QuietSpeed drawn;
     drawn.options.fastest = options.range.to;
     drawn.regimes = found;
@@ -38,13 +47,19 @@ int regimes(const RegimesOptions& options) {
   if (options.json) {
     fmt::print("{}\n", studies::advice::json_of(found).dump(2));
   } else {
-    fmt::print("{}: {}.\n{}", chosen.name, studies::advice::summary_of(found),
-               studies::advice::text_of(found, std::nullopt));
+    if (!found.empty()) {
+      fmt::print("{}: {}.\n{}", chosen.name, studies::advice::summary_of(found),
+                 studies::advice::text_of(found, std::nullopt));
+    }
+    if (!complete) {
+      fmt::print(
+          "{}", studies::advice::text_of(sampled_in_time(chosen.scene, reached, options.range.to)));
+    }
   }
   report::require_none(plot.failures);
-  if (found.back().ends_by != carrier_track::RegimeEnd::time_limit) return 0;
+  if (complete) return 0;
   return report_incomplete(options.seconds, fmt::format("nothing is known from {:.6g} to {} rad/s",
-                                                        found.back().to, options.range.to));
+                                                        reached, options.range.to));
 }
 
 }  // namespace

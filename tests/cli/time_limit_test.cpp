@@ -74,6 +74,27 @@ TEST(TimeLimit, SaysInJsonWhatIsNotComplete) {
   EXPECT_GE(simulated["reached"], simulated["impacts"].back()["time"]);
 }
 
+/// What is not known in time is simulated at some speeds, whatever the command and the format.
+TEST(TimeLimit, SaysWhatSimulationAloneTellsOfTheRest) {
+  for (const std::string command : {"threshold", "regimes"}) {
+    const std::string out = call_limited(command + disturbed, 1).out;
+    EXPECT_THAT(out, HasSubstr("By simulation alone, not certain")) << command;
+    EXPECT_THAT(out, HasSubstr("\n  18.000   171.89  ")) << command;
+  }
+  const auto json = ordered_json::parse(call_limited("threshold --format json" + disturbed, 1).out);
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_EQ(json["reached"], 0.01);
+  EXPECT_TRUE(json["fastest_quiet"].is_null());
+  ASSERT_GT(json["sampled"].size(), 10U);
+  EXPECT_EQ(json["sampled"].back()["omega"], 18.0);
+  for (const auto& sampled : json["sampled"]) {
+    EXPECT_GT(sampled["mean_per_turn"], 0);
+    EXPECT_GE(sampled["most_per_turn"], sampled["mean_per_turn"]);
+  }
+  EXPECT_EQ(call_limited("regimes --format json" + disturbed, 1).out, "[]\n");
+  EXPECT_TRUE(ordered_json::parse(call("threshold --format json" + scene).out)["sampled"].empty());
+}
+
 TEST(TimeLimit, ShowsProgressAfterASecondAndNoneBefore) {
   EXPECT_THAT(call_limited("regimes" + disturbed, 3).err, HasSubstr("regimes: "));
   EXPECT_THAT(call_limited("regimes --quiet" + disturbed, 3).err, Not(HasSubstr("regimes: ")));

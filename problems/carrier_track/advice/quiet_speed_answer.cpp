@@ -179,7 +179,8 @@ std::optional<double> rounded(const std::optional<double>& speed) {
 QuietSpeedAnswer answer_quiet_speed(const std::string& name, const Scene& scene,
                                     const QuietSpeedOptions& options, double tolerance,
                                     const SceneFile& file) {
-  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}, {}, {}, {}};
+  QuietSpeedAnswer output{name, scene, quiet_speed(scene, options), {}, tolerance, {}, {}, {},
+                          {},   {}};
   const QuietSpeed& answer = output.answer;
   const auto in_time = [&](const char* part, const auto& compute) {
     try {
@@ -216,6 +217,7 @@ std::string text_of(const QuietSpeedAnswer& output) {
   } else if (answer.split.speed) {
     text += fmt::format("Quiet and loud divide best at {}.\n", both_units(*answer.split.speed));
   }
+  text += text_of(output.sampled);
   for (const CountThere& there : answer.around) text += "  " + text_of(there) + "\n";
   if (!answer.is_of_the_long_run() && !answer.reached) text += text_of_steps(answer);
   if (!answer.options.limit && !answer.staircase.steps.empty()) {
@@ -273,6 +275,7 @@ report::Json json_of(const QuietSpeedAnswer& output) {
                {"complete", output.is_complete()},
                {"reached", answer.reached},
                {"left_out", output.left_out},
+               {"sampled", json_of(output.sampled)},
                {"with_tolerance", Json()},
                {"with_uncertainties", Json()}};
   if (answer.fastest_quiet) json["fastest_quiet_rpm"] = *answer.fastest_quiet * rpm;

@@ -6,6 +6,7 @@
 #include "problems/carrier_track/advice/answer_notes.h"
 #include "problems/carrier_track/answer/sensitivity.h"
 #include "problems/carrier_track/answer/uncertainty.h"
+#include "problems/carrier_track/regimes/sampled_turns.h"
 #include "ricochet/threshold.h"
 #include "src/report/json.h"
 
@@ -23,6 +24,8 @@ struct QuietSpeedAnswer {
   std::optional<carrier_track::UncertainDivide> uncertain;  ///< by the file's own uncertainties
   std::optional<StartShare> start;    ///< at the quiet or the first loud speed
   std::vector<std::string> left_out;  ///< parts for which the TimeLimit left no time
+  /// Of a limit in the long run that is not complete: of the speeds of which nothing is known.
+  std::vector<carrier_track::SampledTurns> sampled = {};
 
   bool is_complete() const { return !answer.reached && left_out.empty(); }
 };

@@ -129,4 +129,26 @@ Json json_of(const std::vector<Regime>& regimes) {
   });
 }
 
+std::string text_of(const std::vector<SampledTurns>& sampled) {
+  if (sampled.empty()) return "";
+  std::string text = fmt::format(
+      "By simulation alone, not certain ({} turns at each speed, after as many to settle; under a "
+      "disturbance from {} of its phases):\n{:>8} {:>8}  collisions a turn\n{:>8} {:>8}  "
+      "{:<10}most\n",
+      sampled_turns_each, sampled_phases, "speed", "speed", "rad/s", "rpm", "mean");
+  for (const SampledTurns& turns : sampled) {
+    text += fmt::format("{:>8.3f} {:>8.2f}  {:<10.4g}{}\n", turns.omega, turns.omega * rpm,
+                        turns.mean_per_turn, turns.most_per_turn);
+  }
+  return text;
+}
+
+Json json_of(const std::vector<SampledTurns>& sampled) {
+  return report::list_of(sampled, [](const SampledTurns& turns) {
+    return Json{{"omega", turns.omega},
+                {"mean_per_turn", turns.mean_per_turn},
+                {"most_per_turn", turns.most_per_turn}};
+  });
+}
+
 }  // namespace ricochet::studies::advice

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "problems/carrier_track/regimes/sampled_turns.h"
 #include "ricochet/regimes.h"
 #include "src/report/json.h"
 
@@ -29,5 +30,10 @@ std::string text_of(const std::vector<carrier_track::Regime>& regimes,
 
 /// All regimes; energies, speeds and shares are those at the fast end.
 report::Json json_of(const std::vector<carrier_track::Regime>& regimes);
+
+/// A table, with a sentence on what it is; empty if there is none.
+std::string text_of(const std::vector<carrier_track::SampledTurns>& sampled);
+
+report::Json json_of(const std::vector<carrier_track::SampledTurns>& sampled);
 
 }  // namespace ricochet::studies::advice

@@ -6,6 +6,9 @@
 /// Limits that are about the motion in the long run, and not about a window after a start.
 namespace ricochet::carrier_track::inline answer {
 
+/// [rad/s], where the speeds of a limit in the long run begin.
+inline constexpr double slowest_of_a_range = 0.01;
+
 /// Whether a limit of this scene is about the long run; see Measure.
 inline bool is_of_the_long_run(const Scene& scene, const Limit& limit) {
   return limit.measure == Measure::collisions_per_turn && has_regimes(scene);

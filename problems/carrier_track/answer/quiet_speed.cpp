@@ -20,8 +20,6 @@
 namespace ricochet::carrier_track::inline counting {
 namespace {
 
-constexpr double slowest_of_a_range = 0.01;  // [rad/s]
-
 /// The step located between two neighbours of the fine scan, with its first loud speed.
 Step located(Step step, const SpeedScan& fine) {
   const auto speeds = static_cast<double>(fine.counts.size());

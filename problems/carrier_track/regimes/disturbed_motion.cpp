@@ -28,13 +28,6 @@ constexpr std::array erasing_turns = {2, 8, 32};
 constexpr double same_end = 1e-6;     // of the clearance and of the counting limit
 constexpr int irregular_turns = 120;  // observed where they do not, after as many
 
-/// Lets the turns of the plate begin where its force passes zero from above: a carrier that rests
-/// in every half turn then rests.
-void begin_turns_at_rest(Scene& scene) {
-  const auto plate = AppliedForces<double>(scene).flight(0, 0, 0).harmonic[0];
-  scene.phase += std::numbers::pi / 2 - std::atan2(plate.sine, plate.cosine);
-}
-
 /// All phases, evenly spaced.
 std::vector<double> even_phases(double first) {
   std::vector<double> even;
@@ -210,6 +203,11 @@ DisturbedMotion motion_like(const Scene& scene, const DisturbedMotion* before) {
 }
 
 }  // namespace
+
+void begin_turns_at_rest(Scene& scene) {
+  const auto plate = AppliedForces<double>(scene).flight(0, 0, 0).harmonic[0];
+  scene.phase += std::numbers::pi / 2 - std::atan2(plate.sine, plate.cosine);
+}
 
 DisturbedTurn turn_at(const DisturbedMotion& motion, double phase) {
   return turns_at_phases(motion.machine, std::span(&phase, 1), motion.turns_before).front();

@@ -55,6 +55,10 @@ inline bool is_disturbed(const Scene& scene) {
 /// The motion of a valid scene of fidelity impact at its constant speed > 0, with forcing_turns 0.
 DisturbedMotion disturbed_motion(const Scene& scene);
 
+/// Lets the turns of the plate begin where its force passes zero from above: a carrier that rests
+/// in every half turn then rests.
+void begin_turns_at_rest(Scene& scene);
+
 /// The same at another speed [rad/s], near that of `motion`; at other even phases, and at those at
 /// which `motion` has its fewest and its most collisions.
 DisturbedMotion followed(const DisturbedMotion& motion, double omega);

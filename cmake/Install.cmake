@@ -18,18 +18,27 @@ function(ricochet_missing component target)
     endif()" COMPONENT ${component})
 endfunction()
 
+# ricochet_installed_runpath(TARGET...): built with the RUNPATH that they are installed with. CMake would
+# end another one by a colon, to change it when installing: an empty entry, which is the current folder.
+function(ricochet_installed_runpath)
+  set_target_properties(${ARGN} PROPERTIES BUILD_WITH_INSTALL_RPATH ON)
+endfunction()
+
 # The programs, and the plugin with TAO's solvers.
+ricochet_installed_runpath(ricochet ricochet_reproduce ricochet_studies ricochet_interface)
 install(TARGETS ricochet ricochet_reproduce ricochet_studies OPTIONAL COMPONENT ricochet)
 foreach(program ricochet ricochet_reproduce ricochet_studies)
   ricochet_missing(ricochet ${program})
 endforeach()
 if(TARGET ricochet_mpi)
   set_target_properties(ricochet_mpi PROPERTIES INSTALL_RPATH_USE_LINK_PATH OFF)
+  ricochet_installed_runpath(ricochet_mpi)
   install(TARGETS ricochet_mpi OPTIONAL COMPONENT ricochet-mpi)
   ricochet_missing(ricochet-mpi ricochet_mpi)
 endif()
 if(TARGET ricochet_tao)
   set_target_properties(ricochet_tao PROPERTIES INSTALL_RPATH_USE_LINK_PATH OFF)
+  ricochet_installed_runpath(ricochet_tao)
   install(TARGETS ricochet_tao OPTIONAL
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/ricochet COMPONENT ricochet-tao)
   ricochet_missing(ricochet-tao ricochet_tao)

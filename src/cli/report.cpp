@@ -47,7 +47,7 @@ void warn_of_other_runs(const std::filesystem::path& folder) {
   } catch (const InputError& error) {
     warn(fmt::format("the runs beside the report are not read: {}", error.what()));
   } catch (const report::Json::exception&) {
-    return;  // whoever draws the report says so
+    return;  // drawing the report says so
   }
 }
 

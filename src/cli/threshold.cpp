@@ -204,8 +204,7 @@ int threshold(const ThresholdOptions& options) {
       !asked.limit && !options.scene.case_id.empty() && options.scene.settings.empty();
   QuietSpeedAnswer output;
   Score score;
-  const bool of_the_long_run = is_of_the_long_run(
-      chosen.scene, asked.limit.value_or(Limit{Measure::collisions_per_turn, quiet_per_turn}));
+  const bool of_the_long_run = is_of_the_long_run(chosen.scene, limit_of(asked));
   limited(options.asked.seconds, [&] {
     try {
       output = answer_quiet_speed(chosen.name, chosen.scene, asked, options.asked.tolerance / 100,

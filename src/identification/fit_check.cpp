@@ -177,23 +177,23 @@ void add_priors(std::vector<std::string>& found, const KnockLoss& loss, const Ve
 /// Does a fit with another lag, clock or mark angle explain the record much better?
 void add_without(std::vector<std::string>& found, const KnockLoss& loss, const KnockFit& fit,
                  const Solver& solver) {
-  const auto gain = [&](const KnockRecord& record, Vector& x) {
-    const KnockLoss other(loss.scene(), record);
-    return fit.loss - refine(other, solver, x);
+  const auto add_if_better = [&](const KnockRecord& changed, const auto& sentence) {
+    const KnockLoss other(loss.scene(), changed);
+    Vector x = fit.x;
+    const double better = fit.loss - refine(other, solver, x);
+    if (better > most_gain) found.push_back(sentence(x, better));
   };
   const KnockRecord& record = loss.record();
   if (record.lag_deviation == 0) {
     KnockRecord lagging = record;
     lagging.lag_deviation = 0.02;
-    Vector x = fit.x;
-    const double better = gain(lagging, x);
-    if (better > most_gain) {
-      found.push_back(fmt::format(
+    add_if_better(lagging, [](const Vector& x, double better) {
+      return fmt::format(
           "The record contradicts one clock of knocks and speeds: with a lag of {:.3g} ms and a "
           "drift of {:.0f} ppm the logarithm of the likelihood is better by {:.0f}. Give "
           "--lag-deviation.",
-          1e3 * x[coordinate::lag], 1e6 * x[coordinate::drift], better));
-    }
+          1e3 * x[coordinate::lag], 1e6 * x[coordinate::drift], better);
+    });
   }
   if (record.plate) {
     KnockRecord turned = record;
@@ -201,15 +201,12 @@ void add_without(std::vector<std::string>& found, const KnockLoss& loss, const K
     constexpr double spread = 0.3 * 0.3;  // [rad^2]
     turned.plate->information -=
         of_phase * of_phase.transpose() * (spread / (1 + spread * of_phase[0]));
-    Vector x = fit.x;
-    const double better = gain(turned, x);
-    if (better > most_gain) {
-      found.push_back(fmt::format(
+    add_if_better(turned, [&](const Vector& x, double better) {
+      return fmt::format(
           "The record contradicts the marks' angle: with marks {:.2g} degrees away the logarithm "
-          "of "
-          "the likelihood is better by {:.0f}. Check --mark-angle, or raise --mark-deviation.",
-          (x[coordinate::phase] - record.plate->phase) * 180 / std::numbers::pi, better));
-    }
+          "of the likelihood is better by {:.0f}. Check --mark-angle, or raise --mark-deviation.",
+          (x[coordinate::phase] - record.plate->phase) * 180 / std::numbers::pi, better);
+    });
   }
 }
 

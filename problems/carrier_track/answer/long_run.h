@@ -14,4 +14,9 @@ inline bool is_of_the_long_run(const Scene& scene, const Limit& limit) {
   return limit.measure == Measure::collisions_per_turn && has_regimes(scene);
 }
 
+/// The limit that quiet_speed() begins with: the one that is asked for, or that of a turn.
+inline Limit limit_of(const QuietSpeedOptions& options) {
+  return options.limit.value_or(Limit{Measure::collisions_per_turn, quiet_per_turn});
+}
+
 }  // namespace ricochet::carrier_track::inline answer

@@ -171,7 +171,7 @@ QuietSpeed quiet_speed(const Scene& scene, const QuietSpeedOptions& options) {
   check(scene, "scene");
   check_constant_speed(scene, "scene");
   check(options);
-  const Limit limit = options.limit.value_or(Limit{Measure::collisions_per_turn, quiet_per_turn});
+  const Limit limit = limit_of(options);
   return is_of_the_long_run(scene, limit) ? quiet_in_the_long_run(scene, options, limit)
                                           : quiet_in_the_window(scene, options);
 }

@@ -80,7 +80,7 @@ std::vector<KnockDensity::Explained> KnockDensity::explained(bool slopes) const 
   for (const Knock& knock : record_.knocks) {
     Explained& knock_explained = result.emplace_back();
     if (slopes) knock_explained.slopes = Vector::Zero(knock_unknowns);
-    knock_explained.log_density = log_at(knock, slopes ? &knock_explained.slopes : nullptr);
+    knock_explained.density = std::exp(log_at(knock, slopes ? &knock_explained.slopes : nullptr));
   }
   return result;
 }
@@ -104,14 +104,13 @@ KnockDensity::Heard KnockDensity::heard(const PredictedImpact& impact,
     const double to = (knock->time + record_.dead_time - impact.time) / at_.jitter;
     const double window = share_below(to) - share_below(from);
     const Explained& all = explained[static_cast<std::size_t>(knock - record_.knocks.begin())];
-    const double density = std::exp(all.log_density);
     Vector of_bump = Vector::Zero(slopes ? knock_unknowns : 0);
     const double own =
-        from < -reach ? 0 : bump(*knock, impact, slopes ? &of_bump : nullptr) / density;
+        from < -reach ? 0 : bump(*knock, impact, slopes ? &of_bump : nullptr) / all.density;
     result.part -= (1 - own) * window;
     result.by_time += (1 - own) * (gaussian(to) - gaussian(from)) / at_.jitter;
     result.by_jitter += (1 - own) * (to * gaussian(to) - from * gaussian(from));
-    if (slopes) result.by_owner += window * (of_bump / density - own * all.slopes);
+    if (slopes) result.by_owner += window * (of_bump / all.density - own * all.slopes);
   }
   result.part = std::max(result.part, 0.0);
   return result;

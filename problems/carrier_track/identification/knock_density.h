@@ -49,9 +49,9 @@ class KnockDensity {
   /// What an impact adds to the density at a knock. Adds its derivatives to `slopes`.
   double bump(const Knock& knock, const PredictedImpact& impact, Vector* slopes) const;
 
-  /// log_at() a knock with its derivatives, which may be empty.
+  /// The density at a knock, and the derivatives of its logarithm, which may be empty.
   struct Explained {
-    double log_density;
+    double density;
     Vector slopes;
   };
 

@@ -31,8 +31,8 @@ struct TurnCounts : Observer {
   }
 };
 
-SampledTurns turns_at(Scene scene, double omega) {
-  scene.omega = omega;
+SampledTurns turns_at(const Scene& machine, double omega) {
+  Scene scene = at_speed(machine, omega);
   scene.fidelity = Fidelity::impact;
   begin_turns_at_rest(scene);
   scene.window = Revolutions{2 * sampled_turns_each};
@@ -73,7 +73,7 @@ std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double 
       sampled.push_back(turns_at(scene, omega));
     }
   } catch (const TimeLimitReached&) {
-    // What there is goes back.
+    // The speeds that had time are returned.
   }
   std::ranges::reverse(sampled);
   return sampled;

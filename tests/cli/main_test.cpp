@@ -178,9 +178,10 @@ TEST(Main, NeedsNoStandardError) {
 /// What a command writes on a terminal of this environment, both streams.
 std::string on_terminal(const std::string& environment, const std::string& arguments) {
   const auto folder = fresh_folder();
-  std::system(fmt::format("env -u NO_COLOR {} script -qec '{} {}' /dev/null </dev/null >{}/shown",
-                          environment, RICOCHET_PROGRAM, arguments, folder.string())
-                  .c_str());
+  std::system(
+      fmt::format("cd {3} && env -u NO_COLOR {0} script -qec '{1} {2}' /dev/null </dev/null >shown",
+                  environment, RICOCHET_PROGRAM, arguments, folder.string())
+          .c_str());
   return read(folder / "shown");
 }
 

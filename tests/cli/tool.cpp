@@ -14,11 +14,14 @@ namespace ricochet::cli {
 
 namespace {
 
+/// In a working folder of the test: what a command writes where its user stands is no other test's.
 Outcome call_in_shell(const std::string& command) {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string stem =
       testing::TempDir() + fmt::format("ricochet_cli_{}_{}", test->test_suite_name(), test->name());
-  const int status = std::system(fmt::format("({}) >{}.out 2>{}.err", command, stem, stem).c_str());
+  std::filesystem::create_directories(stem + ".here");
+  const int status = std::system(
+      fmt::format("cd {}.here && ({}) >{}.out 2>{}.err", stem, command, stem, stem).c_str());
   return {WEXITSTATUS(status), read(stem + ".out"), read(stem + ".err")};
 }
 

@@ -12,8 +12,9 @@
  * ricochet_error has the reason.
  *
  * Several threads may use one problem of ricochet_open or ricochet_open_scene at once: its
- * functions take turns. Only one thread at a time may use a machine, or the problem that a solver
- * was given.
+ * functions take turns. Only one thread at a time may use a machine. The problem that a solver was
+ * given is answered in the thread in which ricochet called solve; calls from others fail, and so
+ * does the run.
  */
 
 #include <stdint.h>

@@ -18,6 +18,7 @@
 #include "solvers/outside/claims.h"
 #include "solvers/outside/content.h"
 #include "solvers/unit_box.h"
+#include "src/core/floating_point.h"
 #include "src/core/isolated_call.h"
 #include "src/core/one_line.h"
 #include "src/interface/seen_problem.h"
@@ -36,6 +37,7 @@ constexpr double most_memory = 2000;  // [MB]
 
 const ricochet_solver& exported_by(const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  reset_floating_point();  // its constructors may have changed it
   if (library == nullptr) {
     const std::string reason = dlerror();
     throw InputError(reason.starts_with(path) ? reason : path + ": " + reason);
@@ -133,9 +135,13 @@ Solver plugin(const std::string& path) {
 SolverTermination solve_by(const ricochet_solver& exported, const std::string& path,
                            Evaluator& evaluator, const Vector& start, Random& random) {
   interface::SeenProblem problem(evaluator, start, random);
+  problem.answer_this_thread_only();
   Vector point = start;
   const char* said = solved(exported, &problem, point, path);
   if (problem.failure()) std::rethrow_exception(problem.failure());
+  if (problem.was_asked_by_others()) {
+    throw std::runtime_error(path + ": asked its problem from a second thread");
+  }
   SolverTermination exit{said != nullptr ? one_line(said) : "done"};
   if (evaluator.over()) exit.reason = stopped_by_evaluator;
   // A point left as it was is none, but for a solver that requested residuals only.

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "src/core/floating_point.h"
 #include "src/core/instance.h"
 #include "src/core/scorer.h"
 #include "src/core/seed.h"
@@ -95,6 +96,7 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
     while (!evaluator.over() && idle < idle_starts) {
       const std::int64_t before = evaluator.ledger().charged;
       SolverTermination exit = solver.solve(evaluator, start, random);
+      reset_floating_point();
       if (evaluator.ledger().charged == before) {
         exit.point.reset();  // a start that evaluated nothing has nothing to return
       } else if (!exit.point && evaluator.best_shown() != nullptr) {
@@ -106,6 +108,7 @@ RunRecord run(const Problem& problem, const Solver& solver, const Budget& budget
     }
   } catch (...) {
     failure = std::current_exception();
+    reset_floating_point();
   }
   record.ledger = evaluator.ledger();
   record.termination_reason = evaluator.termination_reason();

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -187,10 +188,14 @@ bool SupervisedProcess::ends_within(int milliseconds) {
 
 int SupervisedProcess::end() {
   if (!ended_) {
-    kill(supervisor_, SIGTERM);
-    while (waitpid(supervisor_, &status_, 0) < 0 && errno == EINTR) {
-    }
-    ended_ = true;
+    // The child may have stopped it, again and again: a clock of our own ends that.
+    const auto limit = std::chrono::steady_clock::now() + 2 * killing_limit;
+    int pause = 0;
+    do {
+      kill(supervisor_, std::chrono::steady_clock::now() < limit ? SIGTERM : SIGKILL);
+      kill(supervisor_, SIGCONT);
+      pause = std::min(pause + 10, 200);
+    } while (!ends_within(pause));
   }
   return status_;
 }

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "src/core/floating_point.h"
+
 namespace ricochet::interface {
 
 /// The last error in this thread, in one line; "" if there was none. Valid until the next error in
@@ -12,9 +14,11 @@ const char* last_error() noexcept;
 /// Stores the exception's message as the last error; does nothing for null.
 void keep_error(const std::exception_ptr& failure) noexcept;
 
-/// Does the work and stores its exception, if any. Returns true if nothing was thrown.
+/// Does the work, whatever the caller's rounding is, and stores its exception, if any. Returns true
+/// if nothing was thrown.
 template <class Work>
 bool succeeds(Work&& work) noexcept {
+  const DefaultFloatingPoint ours;
   try {
     std::forward<Work>(work)();
     return true;

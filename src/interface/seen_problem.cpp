@@ -1,7 +1,10 @@
 #include "src/interface/seen_problem.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
+
+#include "src/core/floating_point.h"
 
 namespace ricochet::interface {
 namespace {
@@ -64,8 +67,16 @@ SeenProblem::SeenProblem(Evaluator& evaluator, const Vector& from, Random& rando
   uniform = next_uniform;
 }
 
+bool SeenProblem::is_answered_here() {
+  if (!thread_ || *thread_ == std::this_thread::get_id()) return true;
+  asked_by_others_ = true;
+  return false;
+}
+
 template <class Ask>
 auto SeenProblem::told(const double* x, Ask ask) -> decltype(ask(Vector())) {
+  if (!is_answered_here()) return std::nullopt;
+  const DefaultFloatingPoint ours;
   try {
     if (!x) throw std::invalid_argument("the point asked for is NULL");
     point_ = Eigen::Map<const Vector>(x, evaluator_.dimension());
@@ -105,6 +116,7 @@ std::int32_t SeenProblem::derivatives_at(ricochet_problem* problem, const double
 
 std::int32_t SeenProblem::count_residuals_at(ricochet_problem* problem, const double* x) {
   SeenProblem& self = seen(problem);
+  if (!self.is_answered_here()) return 0;
   if (self.count_ > 0) return self.count_;
   const auto told = self.told(
       x, [&](const Vector& at) { return self.evaluator_.residual_values(at, Part::nothing); });
@@ -134,11 +146,15 @@ std::int32_t SeenProblem::residuals_at(ricochet_problem* problem, const double* 
 }
 
 std::int64_t SeenProblem::evaluations_left(ricochet_problem* problem) {
-  return seen(problem).evaluator_.remaining();
+  SeenProblem& self = seen(problem);
+  return self.is_answered_here() ? self.evaluator_.remaining() : 0;
 }
 
 double SeenProblem::next_uniform(ricochet_problem* problem) {
-  return ricochet::uniform(seen(problem).random_);
+  SeenProblem& self = seen(problem);
+  if (!self.is_answered_here()) return std::numeric_limits<double>::quiet_NaN();
+  const DefaultFloatingPoint ours;
+  return ricochet::uniform(self.random_);
 }
 
 }  // namespace ricochet::interface

@@ -2,7 +2,10 @@
 
 #include <ricochet/ricochet.h>
 
+#include <atomic>
 #include <exception>
+#include <optional>
+#include <thread>
 
 #include "ricochet/evaluator.h"
 #include "ricochet/random.h"
@@ -27,6 +30,10 @@ class SeenProblem : public ricochet_problem {
   /// evaluator's failure instead.
   std::exception_ptr failure() const { return failure_; }
 
+  /// From now on the calls of other threads fail; uniform() returns NaN to them.
+  void answer_this_thread_only() { thread_ = std::this_thread::get_id(); }
+  bool was_asked_by_others() const { return asked_by_others_; }
+
  protected:
   static std::int32_t values_at(ricochet_problem* problem, const double* x, double* objective,
                                 double* constraints);
@@ -43,6 +50,7 @@ class SeenProblem : public ricochet_problem {
   template <class Ask>
   auto told(const double* x, Ask ask) -> decltype(ask(Vector()));
 
+  bool is_answered_here();
   void keep_count(Eigen::Index count) { count_ = static_cast<std::int32_t>(count); }
 
   Evaluator& evaluator_;
@@ -51,6 +59,8 @@ class SeenProblem : public ricochet_problem {
   Vector point_;                  // the last one, kept so that no call allocates another
   std::int32_t count_ = 0;        // of residuals, once known
   std::exception_ptr failure_;
+  std::optional<std::thread::id> thread_;  // the only one that is answered; empty: all are
+  std::atomic<bool> asked_by_others_ = false;
 };
 
 }  // namespace ricochet::interface

@@ -14,6 +14,7 @@
 
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/campaign/record_text.h"
+#include "src/benchmark/experiment/store/possible_record.h"
 #include "src/core/open_files.h"
 #include "src/core/resource_limits.h"
 #include "src/core/seed.h"
@@ -194,15 +195,22 @@ std::string Worker::kill_and_wait() {
 }
 
 RunRecord Worker::record() {
+  const Job& job = jobs_[job_];
+  std::string wrong;
   if (record_) {
     record_->trace = std::move(trace_);
-    return *std::move(record_);
+    wrong = impossibility(*record_);
+    if (wrong.empty()) return *std::move(record_);
+    trace_.clear();
   }
-  const Job& job = jobs_[job_];
   RunRecord record = nothing_run_of(job);
   record.ledger.charged = job.budget.evaluations;
   record.trace = std::move(trace_);
   record.failure = kill_and_wait();
+  if (wrong.empty()) wrong = impossibility(record);
+  if (wrong.empty()) return record;
+  record.trace.clear();
+  record.failure = "its record says what cannot be: " + wrong;
   return record;
 }
 

@@ -1,5 +1,8 @@
 #include "src/benchmark/experiment/store/description_rows.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -39,6 +42,21 @@ std::map<std::string, double> numbers_in(SQLite::Database& database, const std::
   row.with(problem);
   while (row.next()) numbers[row.text(0)] = row.number(1);
   return numbers;
+}
+
+/// Throws Damage for what no problem has.
+void check(const StoredProblem& problem) {
+  if (problem.variables == 0) throw Damage("variables is 0: must be >= 1");
+  if (problem.equalities > problem.constraints) {
+    throw Damage(fmt::format("equalities is {}: must be from 0 to {}, the number of constraints",
+                             problem.equalities, problem.constraints));
+  }
+  if (!(problem.tolerance >= 0) || !std::isfinite(problem.tolerance)) {
+    throw Damage(fmt::format("tolerance is {}: must be >= 0", problem.tolerance));
+  }
+  if (!std::isfinite(problem.best_known)) {
+    throw Damage(fmt::format("best_known is {}: must be a number", problem.best_known));
+  }
 }
 
 }  // namespace
@@ -86,7 +104,7 @@ CampaignDescription description_in(SQLite::Database& database) {
   CampaignDescription description;
   SQLite::Statement campaigns(database, "SELECT plan, checksum FROM campaign");
   Use campaign(campaigns);
-  if (!campaign.next()) throw Damage("the description is missing");
+  if (!campaign.next()) throw Damage("table campaign has no row");
   description.plan = campaign.text(0);
   description.program = notes_in(database, "program");
   description.made = notes_in(database, "made");
@@ -96,11 +114,15 @@ CampaignDescription description_in(SQLite::Database& database) {
       "equalities, tolerance, best_known, hash FROM problem ORDER BY number");
   Use problem(problems);
   while (problem.next()) {
-    description.problems.push_back(
-        {problem.text(1), problem.text(2), problem.text(3), problem.integer(4), problem.integer(5),
-         problem.integer(6), problem.number(7), problem.number(8),
-         numbers_in(database, "factor", problem.integer(0)),
-         numbers_in(database, "finding", problem.integer(0)), problem.text(9)});
+    const std::int64_t number = problem.integer(0);
+    in_row("problem", number, [&] {
+      description.problems.push_back({problem.text(1), problem.text(2), problem.text(3),
+                                      problem.count(4), problem.count(5), problem.count(6),
+                                      problem.number(7), problem.number(8),
+                                      numbers_in(database, "factor", number),
+                                      numbers_in(database, "finding", number), problem.text(9)});
+      check(description.problems.back());
+    });
   }
   auto contents = notes_in(database, "content");
   SQLite::Statement solvers(database, "SELECT name, version FROM solver ORDER BY number");
@@ -109,8 +131,9 @@ CampaignDescription description_in(SQLite::Database& database) {
     description.solvers.push_back({solver.text(0), solver.text(1), contents[solver.text(0)]});
   }
   if (static_cast<std::uint64_t>(campaign.integer(1)) != checksum(description)) {
-    throw Damage("the description is not what was written");
+    throw Damage("table campaign: the description is not what was written");
   }
+  if (campaign.next()) throw Damage("table campaign has more than one row");
   return description;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/store/possible_record.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 
 namespace ricochet {
@@ -105,6 +106,9 @@ std::int64_t RunRows::reason(const std::string& text) {
 }
 
 void RunRows::add(const RunKey& key, const RunRecord& record) {
+  if (const std::string wrong = impossibility(record); !wrong.empty()) {
+    throw InputError(fmt::format("{} says what cannot be: {}", name_of(key), wrong));
+  }
   const std::vector<RepeatedTermination> terminations = repeated(record.terminations);
   const Ledger& ledger = record.ledger;
   const Vector* best_x = record.trace.empty() ? nullptr : &record.trace.back().x;
@@ -138,9 +142,13 @@ std::map<Cell, std::int64_t> RunRows::cells() {
   std::map<Cell, std::int64_t> cells;
   Use row(cells_there_);
   while (row.next()) {
-    const Cell cell = {row.text(0), row.text(1),    row.text(2),
-                       row.text(3), row.integer(4), row.text(5)};
-    cells[cell] = row.integer(6);
+    const std::int64_t number = row.integer(6);
+    in_row("cell", number, [&] {
+      const Cell cell = {row.text(0), row.text(1),    row.text(2),
+                         row.text(3), row.integer(4), row.text(5)};
+      if (cell.budget < 0) throw Damage(fmt::format("budget is {}: must be >= 0", cell.budget));
+      cells[cell] = number;
+    });
   }
   return cells;
 }
@@ -151,8 +159,8 @@ std::set<RunKey> RunRows::keys() {
     Use row(keys_of_cell_);
     row.with(number);
     while (row.next()) {
-      const auto instance = static_cast<int>(row.integer(0));
-      keys.insert(keys.end(), {cell, instance, static_cast<int>(row.integer(1))});
+      const int instance = row.count(0);
+      keys.insert(keys.end(), {cell, instance, row.count(1)});
     }
   }
   return keys;
@@ -190,8 +198,13 @@ std::optional<StoredRun> RunRows::find(const RunKey& key) {
 }
 
 StoredRun RunRows::read(const Use& row, const Cell& cell) {
-  const auto small = [&row](int column) { return static_cast<int>(row.integer(column)); };
-  StoredRun stored = {row.integer(23), {cell, small(1), small(2)}, {}};
+  const std::int64_t number = row.integer(23);
+  return in_row("run", number, [&] { return read(number, row, cell); });
+}
+
+StoredRun RunRows::read(std::int64_t number, const Use& row, const Cell& cell) {
+  const auto small = [&row](int column) { return row.count(column); };
+  StoredRun stored = {number, {cell, small(1), small(2)}, {}};
   RunRecord& record = stored.record;
   record.problem = row.text(3);
   record.solver = row.text(4);
@@ -211,9 +224,17 @@ StoredRun RunRows::read(const Use& row, const Cell& cell) {
   const std::vector<RepeatedTermination> ended = terminations(stored.number);
   // Before the terminations are expanded: the number of starts may be damaged.
   if (static_cast<std::uint64_t>(row.integer(22)) != checksum(stored.key, record, ended)) {
-    throw Damage(fmt::format("run {} is not what was added", stored.number));
+    throw Damage("it is not what was added");
+  }
+  std::int64_t starts = 0;
+  for (const RepeatedTermination& exit : ended) {
+    if (exit.starts < 1 || exit.starts > most_starts - starts) {
+      throw Damage(fmt::format("starts: must be >= 1, and of one run at most {}", most_starts));
+    }
+    starts += exit.starts;
   }
   record.terminations = expanded(ended);
+  if (const std::string wrong = impossibility(record); !wrong.empty()) throw Damage(wrong);
   return stored;
 }
 
@@ -222,7 +243,9 @@ std::vector<Improvement> RunRows::trace(std::int64_t run) {
   Use row(trace_);
   row.with(run);
   while (row.next()) {
-    trace.push_back({row.integer(0), row.number(1), {row.number(2), row.number(3)}, {}});
+    in_row("improvement of run", run, [&] {
+      trace.push_back({row.integer(0), row.number(1), {row.number(2), row.number(3)}, {}});
+    });
   }
   return trace;
 }
@@ -231,7 +254,11 @@ std::vector<RepeatedTermination> RunRows::terminations(std::int64_t run) {
   std::vector<RepeatedTermination> terminations;
   Use row(exits_);
   row.with(run);
-  while (row.next()) terminations.push_back({row.text(0), row.integer(1)});
+  while (row.next()) {
+    in_row("termination of run", run, [&] {
+      terminations.push_back({row.text(0), row.integer(1)});
+    });
+  }
   return terminations;
 }
 

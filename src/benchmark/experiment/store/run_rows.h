@@ -43,6 +43,7 @@ class RunRows {
   std::optional<std::int64_t> known_cell(const Cell& cell);
   std::int64_t cell(const Cell& cell);
   std::int64_t reason(const std::string& text);
+  StoredRun read(std::int64_t number, const Use& row, const Cell& cell);
   StoredRun read(const Use& row, const Cell& cell);
   std::vector<Improvement> trace(std::int64_t run);
   std::vector<RepeatedTermination> terminations(std::int64_t run);

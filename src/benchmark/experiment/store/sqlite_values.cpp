@@ -1,8 +1,11 @@
 #include "src/benchmark/experiment/store/sqlite_values.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace ricochet {
 namespace {
@@ -34,6 +37,14 @@ std::int64_t Use::integer(int column) const {
   const SQLite::Column value = statement_.getColumn(column);
   if (!value.isInteger()) damaged(value);
   return value.getInt64();
+}
+
+int Use::count(int column) const {
+  const std::int64_t number = integer(column);
+  if (number >= 0 && number <= std::numeric_limits<int>::max()) return static_cast<int>(number);
+  throw Damage(
+      std::string(statement_.getColumn(column).getName()) +
+      fmt::format(" is {}: must be from 0 to {}", number, std::numeric_limits<int>::max()));
 }
 
 double Use::number(int column) const {

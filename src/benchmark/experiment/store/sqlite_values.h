@@ -17,6 +17,19 @@ class Damage : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Returns what `work` returns. Throws its Damage with the table and the number of the row, in
+/// which an inner call has named another.
+template <class Work>
+auto in_row(const char* table, std::int64_t row, const Work& work) {
+  try {
+    return work();
+  } catch (const Damage& damage) {
+    const std::string reason = damage.what();
+    if (reason.starts_with("table ")) throw;
+    throw Damage("table " + std::string(table) + ", row " + std::to_string(row) + ": " + reason);
+  }
+}
+
 /// One use of a prepared statement. It resets the statement first, even after a failure.
 class Use {
  public:
@@ -36,9 +49,10 @@ class Use {
   bool next() { return statement_.executeStep(); }
   void execute() { statement_.exec(); }
 
-  // A value of the row, columns counted from 0. Throws Damage if it has another type, which only
-  // happens in a damaged file.
+  // A value of the row, columns counted from 0. Throws Damage if it has another type or range,
+  // which only happens in a damaged file.
   std::int64_t integer(int column) const;
+  int count(int column) const;  ///< >= 0
   double number(int column) const;
   std::string text(int column) const;
   Vector point(int column) const;

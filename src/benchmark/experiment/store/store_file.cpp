@@ -21,10 +21,14 @@
 #include "embedded/schema.h"
 #include "ricochet/error.h"
 #include "src/benchmark/experiment/store/archive.h"
+#include "src/benchmark/experiment/store/description_rows.h"
+#include "src/benchmark/experiment/store/run_rows.h"
 #include "src/benchmark/experiment/store/sqlite_values.h"
 #include "src/benchmark/experiment/store/store.h"
+#include "src/benchmark/experiment/store/write_ahead_log.h"
 #include "src/benchmark/experiment/store/writer_lock.h"
 #include "src/core/interruption.h"
+#include "src/core/scratch_folder.h"
 #include "src/core/suite_version.h"
 
 namespace ricochet {
@@ -32,12 +36,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int patience = 10'000;  // [ms], while others have the file locked
+constexpr int patience = 10'000;            // [ms], while others have the file locked
+constexpr int longest_value = 100'000'000;  // bytes, of a text or of points
 constexpr const char* first_look = "SELECT count(*) FROM sqlite_schema";
+
+/// A file may be a stranger's: nothing that it brings along runs, and nothing in it is endless.
+std::unique_ptr<SQLite::Database> guarded(std::unique_ptr<SQLite::Database> database) {
+  sqlite3* const handle = database->getHandle();
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, longest_value);
+  return database;
+}
 
 /// Absolute, so that SQLite takes no path for one of its special names.
 std::unique_ptr<SQLite::Database> opened(const fs::path& file, int flags) {
-  return std::make_unique<SQLite::Database>(fs::absolute(file).string(), flags, patience);
+  return guarded(std::make_unique<SQLite::Database>(fs::absolute(file).string(), flags, patience));
 }
 
 /// Opens it as an immutable file: without locks, recovery and files beside it.
@@ -48,8 +64,8 @@ std::unique_ptr<SQLite::Database> opened_as_it_is(const fs::path& file) {
     address +=
         std::isalnum(byte) != 0 || c == '/' ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
-  return std::make_unique<SQLite::Database>(address + "?immutable=1",
-                                            SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience);
+  return guarded(std::make_unique<SQLite::Database>(
+      address + "?immutable=1", SQLite::OPEN_READONLY | SQLite::OPEN_URI, patience));
 }
 
 /// Called before SQLite opens the file: SQLite would block on a pipe, and take an empty file for a
@@ -125,8 +141,20 @@ bool lacks_its_log(const fs::path& file) {
   return header_of(file).is_open && !is_beside(file, "-wal") && !is_beside(file, "-lock");
 }
 
+/// Throws Damage if what is beside the file is none of SQLite's: it would write through a link.
+void check_what_is_beside(const fs::path& file) {
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    const fs::path beside = fs::canonical(file).string() + ending;
+    std::error_code none;
+    const fs::file_status status = fs::symlink_status(beside, none);
+    if (!fs::exists(status) || fs::is_regular_file(status)) continue;
+    throw Damage(beside.filename().string() + " beside it is a link, folder, device or pipe");
+  }
+}
+
 void check_identity(const fs::path& file, const SQLite::Database& model) {
   check_kind(file);
+  check_what_is_beside(file);
   const Header header = header_of(file);
   if (header.application_id != pragma(model, "application_id")) {
     throw Damage("another program made it");
@@ -141,8 +169,14 @@ void check_identity(const fs::path& file, const SQLite::Database& model) {
 
 void check_whole(const SQLite::Database& database, const SQLite::Database& model) {
   const auto there = tables(database);
-  for (const auto& table : tables(model)) {
+  const auto ours = tables(model);
+  for (const auto& table : ours) {
     if (!there.contains(table)) throw Damage("it lacks the table or view " + std::get<1>(table));
+  }
+  for (const auto& [type, name, text] : there) {
+    if (!ours.contains({type, name, text})) {
+      throw Damage(fmt::format("it has a {} {} that no store has", type, name));
+    }
   }
   SQLite::Statement integrity(database, "PRAGMA integrity_check(1)");
   Use finding(integrity);
@@ -158,6 +192,27 @@ bool has_pending_changes(const fs::path& file) {
   return fs::exists(log, none) && fs::file_size(log, none) > 0;
 }
 
+/// Reads all: a damaged store is not added to.
+void check_runs(SQLite::Database& database) {
+  description_in(database);
+  RunRows(database).each([](const StoredRun&) {});
+}
+
+/// Applies to a copy what a killed writer has left beside the file, and reads all of it: only a
+/// whole store is changed so. Throws Damage.
+void rehearse(const fs::path& file) {
+  const ScratchFolder folder;
+  const fs::path copy = folder.path() / "runs.sqlite";
+  for (const char* ending : {"", "-wal", "-journal"}) {
+    const fs::path left = fs::canonical(file).string() + ending;
+    if (fs::exists(left)) fs::copy_file(left, copy.string() + ending);
+  }
+  check_log(copy.string() + "-wal");
+  const auto database = opened(copy, SQLite::OPEN_READWRITE);
+  check_whole(*database, *empty_store());
+  check_runs(*database);
+}
+
 /// The database for readers, after its identity is checked.
 std::unique_ptr<SQLite::Database> readable(const fs::path& file) {
   if (lacks_its_log(file)) return opened_as_it_is(file);  // else SQLite would make an empty one
@@ -168,6 +223,7 @@ std::unique_ptr<SQLite::Database> readable(const fs::path& file) {
   database.reset();
   if (reason == SQLITE_READONLY_ROLLBACK || reason == SQLITE_READONLY_RECOVERY) {
     // The writer was killed while it was changing the file to its closed state.
+    rehearse(file);
     opened(file, SQLite::OPEN_READWRITE)->tryExec(first_look);
     return opened(file, SQLite::OPEN_READONLY);
   }
@@ -181,6 +237,7 @@ std::unique_ptr<SQLite::Database> readable(const fs::path& file) {
 std::unique_ptr<SQLite::Database> checked(const fs::path& file) {
   const auto model = empty_store();
   check_identity(file, *model);
+  if (!WriterLock::is_taken(file)) check_log(fs::canonical(file).string() + "-wal");
   auto database = readable(file);
   check_whole(*database, *model);
   return database;
@@ -199,7 +256,13 @@ std::unique_ptr<SQLite::Database> writable(const fs::path& file) {
 void close_what_is_left(const fs::path& file) {
   const Uninterrupted whole;
   const auto lock = WriterLock::taken_if_free(file);
-  if (lock && ::access(file.c_str(), W_OK) == 0) close(*opened(file, SQLite::OPEN_READWRITE));
+  if (!lock || ::access(file.c_str(), W_OK) != 0) return;
+  try {
+    if (has_pending_changes(file)) rehearse(file);
+  } catch (const fs::filesystem_error&) {  // no room for a copy
+    return;
+  }
+  close(*opened(file, SQLite::OPEN_READWRITE));
 }
 
 template <class Work>
@@ -222,7 +285,10 @@ void check_is_store(const fs::path& file) {
 }
 
 void check_store(const fs::path& file) {
-  explained(file, [&] { checked(file); });
+  explained(file, [&] {
+    check_runs(*checked(file));
+    if (has_pending_changes(file)) rehearse(file);
+  });
 }
 
 std::unique_ptr<SQLite::Database> opened_for_reading(const fs::path& file) {

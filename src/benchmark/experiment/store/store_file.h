@@ -11,7 +11,8 @@ namespace ricochet {
 /// page. Writes nothing, and makes no file beside it.
 void check_is_store(const std::filesystem::path& file);
 
-/// Throws InputError as Store::open does. Takes some seconds for a million runs.
+/// Reads all of it, and throws InputError as Store::open and its readers do. Takes some seconds for
+/// a million runs.
 void check_store(const std::filesystem::path& file);
 
 /// Opens the file of a store to read it, after these checks. Closes what a killed writer left open,

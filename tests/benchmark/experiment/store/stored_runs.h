@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "src/benchmark/experiment/store/store.h"
 #include "tests/core/infinity.h"
@@ -25,8 +27,13 @@ inline double any_number(std::mt19937_64& random) {
   return bits % 2 == 0 ? lost_first[random() % std::size(lost_first)] : std::bit_cast<double>(bits);
 }
 
-inline std::int64_t any_integer(std::mt19937_64& random) {
-  return static_cast<std::int64_t>(random() >> (random() % 64));
+inline std::int64_t any_count(std::mt19937_64& random) {
+  return static_cast<std::int64_t>(random() >> (1 + random() % 63));
+}
+
+inline double any_time(std::mt19937_64& random) {
+  const double seconds = any_number(random);
+  return std::isfinite(seconds) && !std::signbit(seconds) ? seconds : 0.25;
 }
 
 inline Vector any_point(std::mt19937_64& random) {
@@ -37,7 +44,27 @@ inline Vector any_point(std::mt19937_64& random) {
 
 inline TrueValues any_true_values(std::mt19937_64& random) {
   const double objective = any_number(random);
-  return {objective, any_number(random)};
+  return {objective, std::abs(any_number(random))};
+}
+
+/// A trace in which every step improves the one before.
+inline std::vector<Improvement> any_trace(std::mt19937_64& random, std::int64_t charged) {
+  std::vector<Improvement> trace;
+  for (auto left = random() % 4; left > 0; --left) {
+    const auto evaluations =
+        static_cast<std::int64_t>(random() % (static_cast<std::uint64_t>(charged) + 1));
+    const TrueValues reached = any_true_values(random);
+    if (std::isnan(reached.objective) || std::isnan(reached.violation)) continue;
+    trace.push_back({evaluations, any_time(random), reached, any_point(random)});
+  }
+  std::ranges::sort(trace, [](const Improvement& a, const Improvement& b) {
+    return better(b.true_values, a.true_values);
+  });
+  for (std::size_t k = 1; k < trace.size(); ++k) {
+    trace[k].evaluations = std::max(trace[k].evaluations, trace[k - 1].evaluations);
+    trace[k].seconds = std::max(trace[k].seconds, trace[k - 1].seconds);
+  }
+  return trace;
 }
 
 inline std::string any_text(std::mt19937_64& random) {
@@ -46,16 +73,19 @@ inline std::string any_text(std::mt19937_64& random) {
   return text;
 }
 
+/// Any record that a run may have.
 inline RunRecord any_record(std::mt19937_64& random) {
   RunRecord record;
   record.problem = any_text(random);
   record.solver = any_text(random);
-  record.instance = static_cast<int>(any_integer(random));
-  record.run = static_cast<int>(random());
+  record.instance = static_cast<int>(random() >> 33);
+  record.run = static_cast<int>(random() >> 33);
   record.seed = random();
-  record.budget = {any_integer(random), any_number(random)};
-  record.ledger = {any_integer(random), any_integer(random), any_integer(random),
-                   any_integer(random), any_integer(random), any_number(random)};
+  record.budget = {any_count(random), random() % 2 == 0 ? infinity : any_time(random)};
+  const std::int64_t charged =
+      any_count(random) % std::max<std::int64_t>(1, record.budget.evaluations);
+  record.ledger = {any_count(random), any_count(random), any_count(random),
+                   charged,           any_count(random), any_time(random)};
   record.termination_reason = static_cast<TerminationReason>(random() % 6);
   for (auto left = random() % 20; left > 0; --left) {
     record.terminations.push_back(
@@ -65,10 +95,7 @@ inline RunRecord any_record(std::mt19937_64& random) {
     record.returned = ReturnedPoint{any_point(random), any_true_values(random)};
   }
   record.failure = any_text(random);
-  for (auto left = random() % 4; left > 0; --left) {
-    record.trace.push_back(
-        {any_integer(random), any_number(random), any_true_values(random), any_point(random)});
-  }
+  record.trace = any_trace(random, charged);
   return record;
 }
 

@@ -110,6 +110,8 @@ struct Problem {
   std::optional<double> best_known;
   std::optional<Vector> best_point;
   std::string provenance;
+  /// No feasible point has a lower true objective, which is proven; empty if nothing is.
+  std::optional<double> lower_bound = {};
   /// For a problem of one variable: the ranges of x in which a point that is better than this true
   /// objective is not excluded, by an argument that covers the whole box. Empty if there is none.
   std::function<std::vector<CoordinateRange>(double objective)> not_excluded = {};

@@ -12,6 +12,7 @@ Problem without_functions(Statement statement) {
   problem.best_known = statement.best_known;
   problem.best_point = std::move(statement.best_point);
   problem.provenance = std::move(statement.provenance);
+  if (problem.provenance.starts_with(closed_form)) problem.lower_bound = problem.best_known;
   problem.rotates = statement.rotates;
   problem.start_scales = std::move(statement.start_scales);
   return problem;

@@ -23,6 +23,9 @@ namespace ricochet::classic {
 template <class Scalar>
 using Point = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
+/// How the provenance of a best value begins that is proven.
+inline constexpr const char* closed_form = "closed form";
+
 /// A problem without its formulas; see Problem.
 struct Statement {
   std::string name = {};

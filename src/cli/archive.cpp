@@ -14,9 +14,11 @@
 #include "src/benchmark/experiment/campaign/archived_campaign.h"
 #include "src/benchmark/experiment/store/archive.h"
 #include "src/cli/commands.h"
+#include "src/cli/programs.h"
 #include "src/cli/provenance.h"
 #include "src/cli/shared_options.h"
 #include "src/cli/stored_runs.h"
+#include "src/cli/verified_runs.h"
 #include "src/core/made_folder.h"
 #include "src/core/patterns.h"
 #include "src/core/warning.h"
@@ -31,10 +33,8 @@ struct SubmitOptions {
   std::string out;
   std::string solvers;   ///< patterns; empty: the user's solvers of the store
   std::string citation;  ///< a file; empty: none
-  bool allow_programs = false;
+  Verification verification;
 };
-
-constexpr std::size_t repeated_runs = 5;
 
 /// The user's solvers of a store.
 std::vector<std::string> own_solvers_of(const CampaignDescription& description) {
@@ -53,18 +53,17 @@ std::string text_in(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Throws InputError unless some of these runs, evenly chosen, are the same when repeated.
-void check_repeatable(const Store& store, const std::vector<std::int64_t>& runs,
-                      const SubmitOptions& options) {
-  const std::size_t count = std::min(repeated_runs, runs.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::int64_t number = runs[k * runs.size() / count];
-    const std::string differs = repeated(store, options.store, number, options.allow_programs);
-    if (differs.empty()) continue;
-    throw InputError(fmt::format(
-        "{}: run {} differs in {} when it is repeated: what cannot be repeated is not submitted",
-        options.store, number, differs));
+/// The programs that the wanted solvers of a store are.
+std::vector<std::string> wanted_programs(const CampaignDescription& description,
+                                         const std::vector<std::string>& patterns) {
+  std::vector<std::string> programs;
+  for (const std::string& name : own_solvers_of(description)) {
+    const auto program = description.made.find(StoredCampaign::program_key(name));
+    if (fits_any(name, patterns) && program != description.made.end()) {
+      programs.push_back(program->second);
+    }
   }
+  return programs;
 }
 
 int submit(const SubmitOptions& options) {
@@ -81,20 +80,20 @@ int submit(const SubmitOptions& options) {
   for (const StoredSolver& solver : store.description().solvers) names.push_back(solver.name);
   require_fit(patterns, names, "--solvers");
   const auto wanted = [&](const RunKey& key) { return fits_any(key.cell.solver, patterns); };
-  std::vector<std::int64_t> runs;
-  store.each([&](const StoredRun& run) {
-    if (wanted(run.key)) runs.push_back(run.number);
-  });
-  if (runs.empty()) throw InputError(fmt::format("{}: has no such run", options.store));
-  check_repeatable(store, runs, options);
+  const auto keys = store.keys();
+  const auto runs = std::ranges::count_if(keys, wanted);
+  if (runs == 0) throw InputError(fmt::format("{}: has no such run", options.store));
+  const bool allowed = options.verification.allow_programs;
+  if (!allowed)
+    announce_programs(wanted_programs(store.description(), patterns), false, options.store);
+  const std::string note = verified({options.store}, wanted, options.verification);
   std::map<std::string, std::string> notes = {
-      {"command", fmt::format("ricochet submit --solvers '{}'", fmt::join(patterns, ","))}};
+      {"command", fmt::format("ricochet submit --solvers '{}'", fmt::join(patterns, ","))},
+      {"verified", note}};
   if (!options.citation.empty()) notes["citation"] = text_in(options.citation);
   write_archive(store, options.out, wanted, notes);
-  fmt::print("{} runs of {}: {}, {:.2f} MB; {} of them repeated, to the last bit\n", runs.size(),
-             fmt::join(patterns, ", "), options.out,
-             static_cast<double>(fs::file_size(options.out)) / 1e6,
-             std::min(repeated_runs, runs.size()));
+  fmt::print("{} runs of {}: {}, {:.2f} MB\nverified: {}\n", runs, fmt::join(patterns, ", "),
+             options.out, static_cast<double>(fs::file_size(options.out)) / 1e6, note);
   return 0;
 }
 
@@ -131,7 +130,7 @@ Plan plan_against_archive(const std::string& archive, const std::vector<std::str
   if (fs::exists(file)) return plan;
   const Campaign campaign = campaign_of(description, plan, catalogue);
   const MadeFolder folder(out);
-  start_against(store, campaign, provenance(), file);
+  start_against(store, archive, campaign, provenance(), file);
   return plan;
 }
 
@@ -151,7 +150,7 @@ void add_submit(CommandLine& line) {
       ->type_name("SOLVERS");
   command->add_option("--citation", options->citation, "How to cite the solver: a CITATION.cff")
       ->type_name("FILE");
-  add_allowance(command, options->allow_programs);
+  add_verification(command, options->verification);
   line.on_call(command, [options] { return submit(*options); });
 }
 

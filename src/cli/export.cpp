@@ -11,6 +11,7 @@
 #include "src/benchmark/experiment/store/store.h"
 #include "src/benchmark/export/formats.h"
 #include "src/benchmark/export/output_folder.h"
+#include "src/cli/archive.h"
 #include "src/cli/commands.h"
 #include "src/cli/finished_campaign.h"
 #include "src/cli/named.h"
@@ -66,10 +67,11 @@ Completeness unknown_plan(const Store& store) {
 int export_store(const ExportOptions& options) {
   const exports::Format format = named(exports::all_formats(), options.format, "format",
                                        [](const exports::Format& known) { return known.name; });
-  const Store store = Store::open(options.store, Store::For::reading);
-  warn_of_missing_runs(options.store);
+  const std::string file = archive_named(options.store);
+  const Store store = Store::open(file, Store::For::reading);
+  warn_of_missing_runs(file);
   exports::OutputFolder out(options.out);
-  const auto completeness = told_completeness(store, options.store);
+  const auto completeness = told_completeness(store, file);
   format.write(store, completeness.value_or(unknown_plan(store)), out.draft());
   if (format.write_rated) add_rated(format, store, out.draft());
   out.commit();

@@ -11,6 +11,7 @@
 #include "ricochet/solvers.h"
 #include "solvers/outside/outside.h"
 #include "src/benchmark/experiment/campaign/archived_campaign.h"
+#include "src/benchmark/experiment/campaign/known_content.h"
 #include "src/benchmark/experiment/campaign/planned_runs.h"
 #include "src/benchmark/experiment/campaign/runner.h"
 #include "src/benchmark/experiment/campaign/stored_campaign.h"
@@ -22,6 +23,7 @@
 #include "src/cli/programs.h"
 #include "src/cli/recorded_campaign.h"
 #include "src/cli/shared_options.h"
+#include "src/cli/verified_runs.h"
 #include "src/core/number_of_text.h"
 #include "src/core/one_line.h"
 #include "src/core/warning.h"
@@ -43,6 +45,7 @@ struct ReplayOptions {
 struct MergeOptions {
   std::string out;
   std::vector<std::string> parts;
+  Verification verification;
 };
 
 /// The programs of which one is the solver of this name: that one if the store says so; none if
@@ -137,17 +140,27 @@ Repetition repetition_of(const Store& store, const std::string& file, const std:
 }
 
 int merge_stores(const MergeOptions& options) {
-  const auto& [out, parts] = options;
-  merge({parts.begin(), parts.end()}, out, united);
+  const std::string& out = options.out;
+  std::vector<std::string> parts;
+  for (const std::string& part : options.parts) parts.push_back(archive_named(part));
+  for (const std::string& part : parts) {
+    warn_of_missing_runs(part);
+    check_as_known(Store::open(part, Store::For::reading), part);
+  }
+  const std::string note = verified(
+      parts, [](const RunKey&) { return true; }, options.verification);
+  const std::map<std::string, std::string> made = {
+      {"joined", fmt::format("{} stores", parts.size())}, {"verified", note}};
+  merge({parts.begin(), parts.end()}, out, united, made);
   const Store store = Store::open(out, Store::For::reading);
-  for (const std::string& part : parts) warn_of_missing_runs(part);
   const auto completeness = told_completeness(store, out);
-  fmt::print("{}: {}\ndigest {}\n", counted_runs(store, completeness), one_line(out),
-             store.digest());
+  fmt::print("{}: {}\ndigest {}\nverified: {}\n", counted_runs(store, completeness), one_line(out),
+             store.digest(), note);
   return 0;
 }
 
-int print_digest(const std::string& store) {
+int print_digest(const std::string& name) {
+  const std::string store = archive_named(name);
   const Store opened = Store::open(store, Store::For::reading);
   warn_of_missing_runs(store);
   told_completeness(opened, store);
@@ -201,25 +214,29 @@ void warn_of_missing_runs(const std::string& store) {
   if (!warning.empty()) warn(warning);
 }
 
-std::optional<Completeness> told_completeness(const Store& store, const std::string& file) {
+std::optional<Campaign> check_as_known(const Store& store, const std::string& file) {
+  std::optional<Campaign> campaign;
   try {
-    const Completeness found = completeness_of(recorded_campaign(store), store);
-    if (found.is_in_doubt()) warn(fmt::format("{}: {}", file, in_words(found)));
-    return found;
+    campaign = recorded_campaign(store);
   } catch (const InputError& error) {
     warn(fmt::format("{}: how many runs were planned cannot be told: {}", file, error.what()));
-    return std::nullopt;
+    return campaign;
   }
+  check_content(*campaign, store, file);
+  return campaign;
+}
+
+std::optional<Completeness> told_completeness(const Store& store, const std::string& file) {
+  const std::optional<Campaign> campaign = check_as_known(store, file);
+  if (!campaign) return std::nullopt;
+  const Completeness found = completeness_of(*campaign, store);
+  if (found.is_in_doubt()) warn(fmt::format("{}: {}", file, in_words(found)));
+  return found;
 }
 
 std::string counted_runs(const Store& store, const std::optional<Completeness>& completeness) {
   if (!completeness || completeness->missing() == 0) return fmt::format("{} runs", store.size());
   return fmt::format("{} of {} planned runs", completeness->present, completeness->planned);
-}
-
-std::string repeated(const Store& store, const std::string& file, std::int64_t number,
-                     bool allow_programs) {
-  return repetition_of(store, file, std::to_string(number), allow_programs).differs;
 }
 
 void add_replay(CommandLine& line) {
@@ -252,6 +269,7 @@ void add_merge(CommandLine& line) {
   command->add_option("parts", options->parts, "Stores of the same campaign")
       ->type_name("FILE")
       ->required();
+  add_verification(command, options->verification);
   line.on_call(command, [options] { return merge_stores(*options); });
 }
 

@@ -38,7 +38,7 @@ class Archives : public testing::Test {
     out_of(fmt::format("run {} --out {}", plan.string(), (folder_ / "made").string()));
     EXPECT_THAT(out_of(fmt::format("submit {} --solvers '*' --out {}",
                                    (folder_ / "made" / "runs.sqlite").string(), archive_)),
-                HasSubstr("5 of them repeated, to the last bit"));
+                HasSubstr("runs, drawn at random, were repeated to the last bit"));
   }
 
   /// Puts the example library beside it; the folder of the report.

@@ -38,6 +38,7 @@
 #include "src/benchmark/comparison/solver_pages.h"
 #include "src/benchmark/comparison/speed_accuracy_data.h"
 #include "src/benchmark/comparison/view_data.h"
+#include "src/benchmark/experiment/campaign/archived_campaign.h"
 #include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/core/suite_version.h"
 
@@ -167,7 +168,9 @@ Json compute(const Campaign& campaign, const Store& store) {
                                 : fmt::format("./ricochet run {} --out mine", campaign.plan().name);
   data = in_pages(std::move(data));
   data["answers"] = answers_data(data);
-  data["opening"] = opening_of(data["leaders"]);
+  std::string opening = foreign_runs_of(store.description());
+  if (!opening.empty()) opening += ' ';
+  data["opening"] = opening + opening_of(data["leaders"]);
   data["pages"].push_back({{"folder", "solvers"}, {"data", std::move(solvers_data)}});
   data["pages"].push_back({{"folder", "view"}, {"data", std::move(view)}});
   return data;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/campaign/known_content.h"
 #include "src/benchmark/experiment/store/archive.h"
 #include "src/core/patterns.h"
 
@@ -26,12 +27,17 @@ bool can_be_made(const std::string& solver, const Plan& plan, const Catalogue& c
   return find(catalogue, varied == plan.solvers.end() ? solver : varied->of) != nullptr;
 }
 
-/// Throws InputError if a problem of the campaign is another one than the archive's.
+/// Throws InputError if a problem of the campaign is another one than the archive's, or is
+/// described otherwise.
 void check_problems(const CampaignDescription& archive, const CampaignDescription& campaign) {
   auto hashes = archive.hashes();
   std::vector<std::string> others;
   for (const StoredProblem& problem : campaign.problems) {
     if (hashes[problem.name] != problem.hash) others.push_back(problem.name);
+  }
+  for (const StoredProblem& problem : archive.problems) {
+    const std::string wrong = contradiction(campaign, problem);
+    if (!wrong.empty()) throw InputError(wrong);
   }
   if (others.empty()) return;
   constexpr std::size_t named = 5;
@@ -40,6 +46,16 @@ void check_problems(const CampaignDescription& archive, const CampaignDescriptio
   throw InputError(fmt::format(
       "the archive has runs on other problems: the hashes of {} of {} differ: {}{}", all,
       campaign.problems.size(), fmt::join(others, ", "), all > named ? ", ..." : ""));
+}
+
+/// The first key of what is said of other stores' runs.
+constexpr const char* taken_over = "runs taken over from ";
+
+/// The program that made a store, as it says.
+std::string made_by(const CampaignDescription& description) {
+  const auto version = description.program.find("version");
+  if (version == description.program.end()) return "an unknown program";
+  return version->second.substr(0, version->second.find('\n'));
 }
 
 template <class Entry>
@@ -87,11 +103,12 @@ ChangedSolvers changed_solvers(const CampaignDescription& archive, const Catalog
   return changes;
 }
 
-void start_against(const Store& archive, const Campaign& campaign, const Provenance& provenance,
-                   const fs::path& file) {
+void start_against(const Store& archive, const fs::path& archive_file, const Campaign& campaign,
+                   const Provenance& provenance, const fs::path& file) {
   CampaignDescription description = description_of(campaign, provenance);
   check_problems(archive.description(), description);
   mark_archived(description);
+  description.made[taken_over + archive_file.filename().string()] = made_by(archive.description());
   TakenOver runs(campaign, description, TakenOver::Versions::any_of_the_suite);
   Store::write(file, description, [&](const Store::AddRun& add) { runs.take(archive, add); });
   runs.tell_outdated();
@@ -105,16 +122,30 @@ void start_from(const std::vector<fs::path>& earlier, const Campaign& campaign,
     stores.push_back(Store::open(place, Store::For::reading));
     const CampaignDescription& theirs = stores.back().description();
     if (is_archived(theirs)) mark_archived(description);
-    const auto commit = theirs.program.find("commit");
-    if (commit != theirs.program.end()) {
-      description.made["runs taken over from " + place.string()] = "commit " + commit->second;
-    }
+    description.made[taken_over + place.string()] = made_by(theirs);
   }
   TakenOver runs(campaign, description);
   Store::write(file, description, [&](const Store::AddRun& add) {
     for (const Store& store : stores) runs.take(store, add);
   });
   runs.tell_outdated();
+}
+
+std::string foreign_runs_of(const CampaignDescription& description) {
+  std::vector<std::string> sentences;
+  for (const auto& [name, value] : description.made) {
+    if (!name.starts_with(taken_over)) continue;
+    sentences.push_back(fmt::format("Some {}, made by {}; they were not repeated.", name, value));
+  }
+  const auto joined = description.made.find("joined");
+  const auto verified = description.made.find("verified");
+  if (joined != description.made.end()) {
+    sentences.push_back(fmt::format("The runs of {} were joined.", joined->second));
+  }
+  if (verified != description.made.end()) {
+    sentences.push_back(fmt::format("Of these runs, {}.", verified->second));
+  }
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 CampaignDescription united(const CampaignDescription& first, const CampaignDescription& second) {

@@ -23,7 +23,8 @@ ChangedSolvers changed_solvers(const CampaignDescription& archive, const Catalog
 /// Makes the store of such a plan's campaign in a new file, with the runs of the archive, but not
 /// those of a user's solver that is another one now. Throws InputError if problems of the campaign
 /// are not those of the archive, by their hashes.
-void start_against(const Store& archive, const Campaign& campaign, const Provenance& provenance,
+void start_against(const Store& archive, const std::filesystem::path& archive_file,
+                   const Campaign& campaign, const Provenance& provenance,
                    const std::filesystem::path& file);
 
 /// Makes the store of a campaign in a new file, with those runs of other stores that are its own,
@@ -31,6 +32,10 @@ void start_against(const Store& archive, const Campaign& campaign, const Provena
 /// the first. Throws InputError if a store cannot be read.
 void start_from(const std::vector<std::filesystem::path>& earlier, const Campaign& campaign,
                 const Provenance& provenance, const std::filesystem::path& file);
+
+/// Says which runs of a store were not made with it, and how far they were verified, in sentences;
+/// empty if all were.
+std::string foreign_runs_of(const CampaignDescription& description);
 
 /// The description of two campaigns on the same problems whose solvers differ. Throws InputError if
 /// the second has other problems, by their hashes, or another version or content of a solver.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/campaign/known_content.h"
 #include "src/core/progress.h"
 
 namespace ricochet {
@@ -140,6 +141,9 @@ void TakenOver::take(const Store& store, const Store::AddRun& add) {
   }
   store.each([&](const StoredRun& run) {
     if (!campaign_.has(run.key) || !problems.contains(run.key.cell.problem)) return;
+    if (const std::string wrong = contradiction(campaign_, run); !wrong.empty()) {
+      throw InputError(fmt::format("run {} of a store to take over: {}", run.number, wrong));
+    }
     if (!solvers.contains(run.key.cell.solver)) {
       outdated_.insert(run.key);
     } else if (taken_.insert(run.key).second) {

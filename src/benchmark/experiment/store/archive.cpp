@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -24,8 +25,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* mark = "archive";
-constexpr double much_better = 0.05;            // of the optimality gap
-constexpr std::size_t most_bytes = 1UL << 32U;  // of a store
+constexpr double much_better = 0.05;  // of the optimality gap
+
+/// The most bytes that an archive of this size may hold: a store is some ten times larger.
+constexpr std::size_t most_bytes(std::size_t size) {
+  return std::min(1UL << 32U, 1'000'000 + 100 * size);
+}
 
 /// Two significant digits of a time [s] > 0.
 double rounded(double seconds) {
@@ -95,7 +100,7 @@ void write_archive(const Store& store, const fs::path& out,
                    const std::function<bool(const RunKey&)>& wanted,
                    const std::map<std::string, std::string>& notes) {
   CampaignDescription description = store.description();
-  description.made.insert(notes.begin(), notes.end());
+  for (const auto& [name, value] : notes) description.made[name] = value;
   mark_archived(description);
   std::map<std::string, const StoredProblem*> problems;
   for (const StoredProblem& problem : store.description().problems) {
@@ -124,7 +129,8 @@ bool is_archive(const fs::path& file) {
 void unpack_archive(const fs::path& archive, const fs::path& out) {
   std::string store;
   try {
-    store = xz_decompressed(bytes_of(archive), most_bytes);
+    const std::string packed = bytes_of(archive);
+    store = xz_decompressed(packed, most_bytes(packed.size()));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", archive.string(), error.what()));
   }

@@ -40,7 +40,8 @@ void add(RunRows& rows, const StoredRun& run, const fs::path& part) {
 
 }  // namespace
 
-void merge(const std::vector<fs::path>& parts, const fs::path& out, const United& united) {
+void merge(const std::vector<fs::path>& parts, const fs::path& out, const United& united,
+           const std::map<std::string, std::string>& made) {
   if (parts.empty()) throw InputError(fmt::format("{}: there is nothing to merge", out.string()));
   // One at a time: there may be more parts than files may be open.
   CampaignDescription description = Store::open(parts[0], Store::For::reading).description();
@@ -48,6 +49,7 @@ void merge(const std::vector<fs::path>& parts, const fs::path& out, const United
     const Store store = Store::open(part, Store::For::reading);
     description = joined(parts[0], description, part, store.description(), united);
   }
+  for (const auto& [name, value] : made) description.made[name] = value;
   DraftStore draft(out, description);
   try {
     SQLite::Transaction all(draft.database());

@@ -25,7 +25,9 @@ std::string impossible_time(const char* name, double seconds) {
 /// Whether the second of two steps of a trace improves the first, up to the rounding of an archive.
 bool improves(const TrueValues& first, const TrueValues& second) {
   if (second.violation != first.violation) return second.violation < first.violation;
-  return static_cast<float>(second.objective) <= static_cast<float>(first.objective);
+  constexpr double rounding = 1.2e-7;  // of a float
+  return second.objective <= first.objective ||
+         second.objective <= first.objective + std::abs(first.objective) * rounding;
 }
 
 std::string impossible_step(const RunRecord& record, std::size_t k) {

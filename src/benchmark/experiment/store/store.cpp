@@ -108,7 +108,7 @@ Store Store::open(const fs::path& file, For purpose) {
   if (purpose == For::reading && is_archive(file)) {
     const fs::path store = database->unpacked.emplace().path() / "runs.sqlite";
     unpack_archive(file, store);
-    database->connection = opened_for_reading(store);
+    database->connection = opened_for_reading(store, file);
   } else if (purpose == For::reading) {
     database->connection = opened_for_reading(file);
   } else {

@@ -160,9 +160,9 @@ void check_identity(const fs::path& file, const SQLite::Database& model) {
     throw Damage("another program made it");
   }
   if (header.user_version != suite_version) {
-    throw InputError(fmt::format(
-        "{}: made by version {} of the suite, this is version {}; run the plan again, or use {}",
-        file.string(), header.user_version, suite_version,
+    throw Damage(fmt::format(
+        "made by version {} of the suite, this is version {}; run the plan again, or use {}",
+        header.user_version, suite_version,
         header.user_version == 1 ? "ricochet 0.1" : "the ricochet that made it"));
   }
 }
@@ -291,8 +291,8 @@ void check_store(const fs::path& file) {
   });
 }
 
-std::unique_ptr<SQLite::Database> opened_for_reading(const fs::path& file) {
-  return explained(file, [&] {
+std::unique_ptr<SQLite::Database> opened_for_reading(const fs::path& file, const fs::path& named) {
+  return explained(named.empty() ? file : named, [&] {
     auto database = checked(file);
     if (!is_beside(file, "-wal") && !is_beside(file, "-lock")) return database;
     database.reset();

@@ -16,8 +16,10 @@ void check_is_store(const std::filesystem::path& file);
 void check_store(const std::filesystem::path& file);
 
 /// Opens the file of a store to read it, after these checks. Closes what a killed writer left open,
-/// and rolls back what it left half changed; else writes nothing.
-std::unique_ptr<SQLite::Database> opened_for_reading(const std::filesystem::path& file);
+/// and rolls back what it left half changed; else writes nothing. Messages name the file `named`,
+/// from which this one was unpacked, if that is not empty.
+std::unique_ptr<SQLite::Database> opened_for_reading(const std::filesystem::path& file,
+                                                     const std::filesystem::path& named = {});
 
 /// Opens it to add runs; the caller must have checked it, and hold a WriterLock.
 std::unique_ptr<SQLite::Database> opened_for_adding(const std::filesystem::path& file);

@@ -25,7 +25,8 @@ const std::uint8_t* bytes_of(std::string_view text) {
 class Decoder {
  public:
   Decoder() {
-    if (lzma_stream_decoder(&stream_, UINT64_MAX, 0) != LZMA_OK) throw std::bad_alloc();
+    constexpr std::uint64_t most_memory = 100'000'000;  // our own files need 65 MB
+    if (lzma_stream_decoder(&stream_, most_memory, 0) != LZMA_OK) throw std::bad_alloc();
   }
   ~Decoder() { lzma_end(&stream_); }
   Decoder(const Decoder&) = delete;
@@ -67,8 +68,12 @@ std::string xz_decompressed(std::string_view file, std::size_t most) {
     const lzma_ret result = lzma_code(&stream, LZMA_FINISH);
     bytes.append(reinterpret_cast<const char*>(some.data()), some.size() - stream.avail_out);
     if (bytes.size() > most) throw InputError(fmt::format("holds more than {} bytes", most));
-    if (result == LZMA_STREAM_END) return bytes;
+    if (result == LZMA_STREAM_END) {
+      if (stream.avail_in == 0) return bytes;
+      throw InputError(fmt::format("has {} bytes behind its end", stream.avail_in));
+    }
     if (result == LZMA_MEM_ERROR) throw std::bad_alloc();
+    if (result == LZMA_MEMLIMIT_ERROR) throw InputError("needs more memory than our archives do");
     if (result != LZMA_OK) throw InputError("is damaged or cut off: it cannot be decompressed");
   }
 }

@@ -49,8 +49,8 @@ TEST_F(ArchivedCampaign, LeavesOnlyTheUsersRunsToBeMade) {
   EXPECT_THAT(plan.parts[0].solvers, ElementsAre("chance-a", "chance-b", "./mine"));
   const fs::path file = folder_ / "runs.sqlite";
   const Provenance provenance = {{{"version", "2"}}, {}};
-  start_against(Store::open(archive_, Store::For::reading), Campaign(plan, catalogue_), provenance,
-                file);
+  start_against(Store::open(archive_, Store::For::reading), archive_, Campaign(plan, catalogue_),
+                provenance, file);
   StoredCampaign joint = stored_campaign(plan, catalogue_, file, provenance);
   EXPECT_EQ(joint.store.size(), 2 * 2 * 3);
   EXPECT_EQ(joint.campaign.runs(), 3 * 2 * 3);
@@ -79,8 +79,8 @@ TEST_F(ArchivedCampaign, IsRefusedIfAProblemIsAnotherOne) {
   const Plan plan = against(changed);
   EXPECT_THAT(
       [&] {
-        start_against(Store::open(archive_, Store::For::reading), Campaign(plan, changed), {},
-                      folder_ / "runs.sqlite");
+        start_against(Store::open(archive_, Store::For::reading), archive_, Campaign(plan, changed),
+                      {}, folder_ / "runs.sqlite");
       },
       ThrowsMessage<InputError>(HasSubstr("the hashes of 1 of 2 differ: bowl-2")));
   EXPECT_FALSE(fs::exists(folder_ / "runs.sqlite"));

@@ -1,5 +1,6 @@
 #include "src/benchmark/experiment/store/archive.h"
 
+#include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/store/xz.h"
 #include "src/core/text_file.h"
 #include "tests/benchmark/experiment/store/stored_runs.h"
 #include "tests/core/temporary_folder.h"
@@ -132,6 +134,35 @@ TEST_F(ArchiveFile, IsRefusedIfItIsDamagedOrOpenedForAdding) {
   EXPECT_THAT([&] { Store::open(archive_, Store::For::reading); },
               ThrowsMessage<InputError>(
                   testing::AllOf(HasSubstr(archive_.string()), HasSubstr("damaged or cut off"))));
+}
+
+/// One that grows without end, has something behind its end or holds what is no store is refused
+/// under its own name.
+TEST_F(ArchiveFile, IsRefusedIfAStrangerMadeItOtherwise) {
+  write_archive(Store::open(store_, Store::For::reading), archive_,
+                [](const RunKey&) { return true; });
+  std::ifstream in(archive_, std::ios::binary);
+  const std::string ours(std::istreambuf_iterator<char>(in), {});
+  const fs::path touched = folder_ / "touched.sqlite";
+  Store::create(touched, a_description());
+  SQLite::Database(touched.string(), SQLite::OPEN_READWRITE)
+      .exec("CREATE TRIGGER t AFTER INSERT ON run BEGIN DELETE FROM run; END");
+  std::ifstream store(touched, std::ios::binary);
+  const std::string with_trigger(std::istreambuf_iterator<char>(store), {});
+  const std::string sparse = with_trigger + std::string(30'000'000, '\0');
+  for (const auto& [bytes, words] :
+       {std::pair{xz_compressed(std::string(200'000'000, '\0')), "holds more than"},
+        std::pair{xz_compressed(sparse), "holds more than"},
+        std::pair{ours + "x", "has 1 bytes behind its end"},
+        std::pair{ours + ours, "behind its end"},
+        std::pair{xz_compressed("text"), "file is not a database"},
+        std::pair{xz_compressed(""), "it is empty"},
+        std::pair{xz_compressed(with_trigger), "it has a trigger t that no store has"}}) {
+    write_text_file(archive_, bytes);
+    EXPECT_THAT([&] { Store::open(archive_, Store::For::reading); },
+                ThrowsMessage<InputError>(testing::AllOf(
+                    testing::StartsWith(archive_.string() + ": "), HasSubstr(words))));
+  }
 }
 
 }  // namespace

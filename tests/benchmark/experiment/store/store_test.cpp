@@ -361,10 +361,11 @@ TEST_F(StoreFile, OfVersion1OfTheSuiteIsRefusedInALineThatSaysSo) {
   std::string old = bytes();
   old[63] = 1;  // the user_version
   write(old);
-  EXPECT_THAT([&] { Store::open(file, Store::For::reading); },
-              ThrowsMessage<InputError>(file.string() +
-                                        ": made by version 1 of the suite, this is version 3; run "
-                                        "the plan again, or use ricochet 0.1"));
+  EXPECT_THAT(
+      [&] { Store::open(file, Store::For::reading); },
+      ThrowsMessage<InputError>(file.string() + ": cannot be opened as a campaign: made by version "
+                                                "1 of the suite, this is version 3; run "
+                                                "the plan again, or use ricochet 0.1"));
 }
 
 /// What a store tells, or that it refuses.

@@ -52,6 +52,26 @@ void start_hidden() {
   wait(nullptr);
 }
 
+/// A child that stops its supervisor, once or again and again, hangs nobody.
+TEST(SupervisedProcess, EndsThoughItsSupervisorIsStopped) {
+  for (const bool again : {false, true}) {
+    const auto start = std::chrono::steady_clock::now();
+    Held held;
+    {
+      SupervisedProcess process([&] {
+        do {
+          kill(getppid(), SIGSTOP);
+        } while (again);
+        sleep_long();
+      });
+      EXPECT_FALSE(process.ends_within(300));
+      process.end();
+    }
+    EXPECT_TRUE(held.by_nobody());
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << again;
+  }
+}
+
 std::string ending_of(const std::function<void()>& work) {
   SupervisedProcess process(work);
   EXPECT_TRUE(process.ends_within(20'000));

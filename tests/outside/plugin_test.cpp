@@ -1,14 +1,22 @@
 #include "solvers/outside/plugin.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cfenv>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <future>
+#include <limits>
 
 #include "ricochet/error.h"
 #include "ricochet/run.h"
+#include "ricochet/solvers.h"
+#include "src/core/isolated_call.h"
 #include "tests/outside/scripts.h"
 #include "tests/solvers/test_problems.h"
 
@@ -135,6 +143,55 @@ TEST(Plugin, IsRefusedWhereItIsNone) {
   refused(library("without_a_solver"), "exports no ricochet_plugin");
   refused(library("of_another_interface"), "is made for interface 4, this is 3; compile it again");
   refused(library("without_solve"), "solve is NULL");
+}
+
+/// The bits of all objectives of a run.
+std::string objectives_of(const RunRecord& record) {
+  std::string bits = record.failure;
+  for (const Improvement& step : record.trace) {
+    bits += fmt::format(" {:x}", std::bit_cast<std::uint64_t>(step.true_values.objective));
+  }
+  return bits;
+}
+
+/// Its own evaluations, and what another solver does after it in the same process, have the same
+/// bits whatever it does to the floating-point environment, and whenever.
+TEST(Plugin, LeavesTheFloatingPointEnvironmentAsItWas) {
+  Problem sums = sphere(3, 0);
+  sums.evaluate = [](const Vector& x) {
+    volatile double sum = 0;
+    for (int k = 1; k < 100; ++k) sum = sum + std::exp(-x[0] * k) / k;
+    volatile double tiny = std::numeric_limits<double>::min();
+    return Values{sum + x.norm() + (tiny / 3 > 0 ? 1 : 0), {}};
+  };
+  sums.differentiate = nullptr;
+  const auto made = [&] {  // in another process, where it is loaded again
+    return called_in_isolation(
+        [&] {
+          const Solver changes = plugin(library("changes_floating_point"));
+          const std::string its_own = objectives_of(run(sums, changes, {60}, 0));
+          return its_own + " then " +
+                 objectives_of(run(sums, solver_named("nlopt-bobyqa"), {60}, 0)) +
+                 fmt::format(" {} {}", std::fegetround(), fegetexcept());
+        },
+        std::chrono::seconds(20), 2000);
+  };
+  const std::string undisturbed = made();
+  ASSERT_GT(undisturbed.size(), 200U);
+  for (const char* when : {"loading", "solving", "between evaluations"}) {
+    for (const char* change : {"up", "down", "to zero", "flush", "trap"}) {
+      setenv("WHEN", when, 1);
+      setenv("CHANGE", change, 1);
+      EXPECT_TRUE(made() == undisturbed) << change << " when " << when;
+    }
+  }
+}
+
+TEST(Plugin, IsAnsweredInItsOwnThreadOnly) {
+  const RunRecord record = run(sphere(2, 3), plugin(library("asks_from_threads")), {60}, 0);
+  EXPECT_EQ(record.failure,
+            library("asks_from_threads") + ": asked its problem from a second thread");
+  EXPECT_EQ(record.ledger.charged, 1);
 }
 
 std::string refusal_of(const std::string& path) {

@@ -176,6 +176,9 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
   allow_further_open_files(for_store + open_files_of_runs(processes_of_runs()));
   const FolderLock alone(options.out);
   const auto file = std::filesystem::path(options.out) / "runs.sqlite";
+  if (std::filesystem::is_symlink(file)) {
+    throw InputError(fmt::format("{}: is a link: give the folder that it leads to", file.string()));
+  }
   const bool existed = std::filesystem::exists(file);
   if (existed && !options.resume) {
     throw InputError(file.string() +

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include "src/cli/stored_runs.h"
 #include "src/core/folder_lock.h"
 #include "src/core/one_line.h"
+#include "src/core/text_file.h"
 #include "src/core/warning.h"
 #include "src/report/data_text.h"
 #include "src/report/json.h"
@@ -32,10 +31,9 @@ struct ReportOptions {
 /// of a user's solver.
 void warn_of_other_runs(const std::filesystem::path& folder) {
   const std::filesystem::path store = folder / "runs.sqlite";
-  std::ifstream in(folder / "data.json");
-  if (!in || !std::filesystem::exists(store)) return;
+  if (!std::filesystem::exists(folder / "data.json") || !std::filesystem::exists(store)) return;
   try {
-    const report::Json data = report::data_in({std::istreambuf_iterator<char>(in), {}});
+    const report::Json data = report::data_in(text_of_file(folder / "data.json"));
     if (!data.contains("digest")) return;
     const Store runs = Store::open(store, Store::For::reading);
     told_completeness(runs, store.string());

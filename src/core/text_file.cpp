@@ -58,13 +58,63 @@ bool is_failure_of_the_system(int error) {
          std::end(of_the_system);
 }
 
-TextDraft::TextDraft(fs::path file, std::string_view text)
+fs::path below(const fs::path& folder, const std::string& name) {
+  fs::path place = folder / name;
+  std::error_code none;
+  const fs::file_status status = fs::symlink_status(place, none);
+  if (fs::exists(status) && !fs::is_directory(status)) {
+    throw InputError(fmt::format("{}: must be a folder, and no link to one", place.string()));
+  }
+  return place;
+}
+
+std::string text_of_file(const fs::path& file) {
+  struct stat now {};
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (descriptor < 0 || ::fstat(descriptor, &now) != 0) {
+    const std::string reason = std::generic_category().message(errno);
+    if (descriptor >= 0) ::close(descriptor);
+    throw InputError(fmt::format("{}: cannot be read: {}", file.string(), reason));
+  }
+  if (!S_ISREG(now.st_mode)) {
+    ::close(descriptor);
+    throw InputError(
+        fmt::format("{}: must be a file, but is a folder, device or pipe", file.string()));
+  }
+  std::string text(static_cast<std::size_t>(now.st_size), '\0');
+  std::size_t done = 0;
+  ssize_t count = 0;
+  while (done < text.size() &&
+         (count = ::read(descriptor, text.data() + done, text.size() - done)) != 0) {
+    if (count > 0) done += static_cast<std::size_t>(count);
+    if (count < 0 && errno != EINTR) break;
+  }
+  const int error = close_after(descriptor, count < 0 ? errno : 0);
+  if (error == 0) {
+    text.resize(done);
+    return text;
+  }
+  throw InputError(
+      fmt::format("{}: cannot be read: {}", file.string(), std::generic_category().message(error)));
+}
+
+TextDraft::TextDraft(fs::path file, std::string_view text, SymbolicLinks links)
     : file_(std::move(file)), target_(file_), interrupted_([this] { discard(); }) {
+  if (links == SymbolicLinks::refused) {
+    std::error_code missing;
+    const fs::file_status status = fs::symlink_status(file_, missing);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      throw InputError(fmt::format("{}: cannot be written: it is a link, folder, device or pipe",
+                                   file_.string()));
+    }
+    write_over(text);
+    return;
+  }
   constexpr int most_links = 40;  // the system's own limit
   std::error_code none;
   descriptor_ = descriptor_named(target_);
-  for (int links = 0; !descriptor_ && fs::is_symlink(target_, none); ++links) {
-    if (links == most_links) fail(ELOOP);
+  for (int followed = 0; !descriptor_ && fs::is_symlink(target_, none); ++followed) {
+    if (followed == most_links) fail(ELOOP);
     target_ = folder_of(target_) / fs::read_symlink(target_, none);
     descriptor_ = descriptor_named(target_);
   }
@@ -76,6 +126,13 @@ TextDraft::TextDraft(fs::path file, std::string_view text)
     text_ = text;
     return;
   }
+  write_over(text);
+}
+
+void TextDraft::write_over(std::string_view text) {
+  struct stat now {};
+  const bool there = ::lstat(target_.c_str(), &now) == 0;
+  if (!there && errno != ENOENT) fail(errno);
   // Root can write to every file; a read-only one is refused nevertheless.
   constexpr mode_t writable = S_IWUSR | S_IWGRP | S_IWOTH;
   if (there && ((now.st_mode & writable) == 0 || ::access(target_.c_str(), W_OK) != 0)) {
@@ -146,8 +203,8 @@ void TextDraft::commit() {
   draft_.clear();
 }
 
-void write_text_file(const fs::path& file, std::string_view text) {
-  TextDraft(file, text).commit();
+void write_text_file(const fs::path& file, std::string_view text, SymbolicLinks links) {
+  TextDraft(file, text, links).commit();
 }
 
 }  // namespace ricochet

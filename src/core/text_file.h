@@ -21,15 +21,28 @@ class OutputError : public std::runtime_error {
 /// path that the user gave.
 bool is_failure_of_the_system(int error);
 
+/// Whether a file is written through a symbolic link, or into a device or pipe: where the user gave
+/// its name, but not where it is one of a folder's, which may be a stranger's.
+enum class SymbolicLinks { followed, refused };
+
+/// A folder that is or will be in another, which may be a stranger's. Throws InputError if there is
+/// something else of that name, such as a link to another folder.
+std::filesystem::path below(const std::filesystem::path& folder, const std::string& name);
+
+/// The content of a file of a folder that may be a stranger's. Throws InputError if it cannot be
+/// read, or is a folder, device or pipe, on which reading would wait.
+std::string text_of_file(const std::filesystem::path& file);
+
 /// A text to be written to a file. Until commit() it is in a temporary file in the same folder;
-/// without commit() no trace is left. Symbolic links are followed; a regular file keeps its mode
-/// and owner, and a read-only one is refused. Devices, pipes and names such as /dev/stdout are
-/// written directly.
+/// without commit() no trace is left. Symbolic links are followed unless they are refused; a
+/// regular file keeps its mode and owner, and a read-only one is refused. Devices, pipes and names
+/// such as /dev/stdout are written directly.
 class TextDraft {
  public:
   /// Writes the temporary file, down to the disk. Throws InputError if the path cannot be a file,
   /// and OutputError if writing fails.
-  TextDraft(std::filesystem::path file, std::string_view text);
+  TextDraft(std::filesystem::path file, std::string_view text,
+            SymbolicLinks links = SymbolicLinks::followed);
   ~TextDraft();
   TextDraft(const TextDraft&) = delete;
   TextDraft& operator=(const TextDraft&) = delete;
@@ -40,6 +53,7 @@ class TextDraft {
  private:
   void discard() const;
   [[noreturn]] void fail(int error) const;
+  void write_over(std::string_view text);
   void write_aside(std::string_view text);
   void write_through() const;
 
@@ -52,6 +66,7 @@ class TextDraft {
 };
 
 /// Replaces the file by `text`: a draft that is committed at once.
-void write_text_file(const std::filesystem::path& file, std::string_view text);
+void write_text_file(const std::filesystem::path& file, std::string_view text,
+                     SymbolicLinks links = SymbolicLinks::followed);
 
 }  // namespace ricochet

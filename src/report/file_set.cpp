@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <deque>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -30,9 +28,10 @@ std::string manifest_of(const FileSet& files) {
   return lines;
 }
 
+/// Empty if there is no such file.
 std::string content_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::error_code none;
+  return fs::is_regular_file(file, none) ? text_of_file(file) : "";
 }
 
 /// Returns the files of an earlier report that are unchanged and that no new file replaces.
@@ -52,7 +51,8 @@ std::vector<fs::path> stale_files(const fs::path& folder, const FileSet& files) 
 /// Writes all texts to the disk.
 std::deque<TextDraft> drafts_of(const fs::path& folder, const FileSet& files) {
   std::deque<TextDraft> drafts;
-  for (const auto& [name, text] : files) drafts.emplace_back(folder / name, text);
+  for (const auto& [name, text] : files)
+    drafts.emplace_back(folder / name, text, SymbolicLinks::refused);
   return drafts;
 }
 
@@ -68,7 +68,7 @@ void add_files(const fs::path& folder, const FileSet& files) {
 void replace_files(const fs::path& folder, const FileSet& files) {
   const MadeFolder made(folder);
   std::deque<TextDraft> drafts = drafts_of(folder, files);
-  TextDraft manifest(folder / manifest_name, manifest_of(files));
+  TextDraft manifest(folder / manifest_name, manifest_of(files), SymbolicLinks::refused);
   const std::vector<fs::path> stale = stale_files(folder, files);
   const Uninterrupted whole;
   for (TextDraft& draft : drafts) draft.commit();

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -29,6 +27,7 @@
 #include "embedded/template_verification.h"
 #include "ricochet/error.h"
 #include "src/core/name.h"
+#include "src/core/text_file.h"
 #include "src/report/data_text.h"
 #include "src/report/page_template.h"
 #include "src/report/template_part.h"
@@ -69,21 +68,12 @@ void write_data(Json data, const fs::path& folder) {
   if (data.contains("pages")) {
     for (Json& page : data["pages"]) {
       const std::string name = page.at("folder").get<std::string>();
-      write_data(std::move(page.at("data")), folder / name);
+      write_data(std::move(page.at("data")), below(folder, name));
       page = name;
     }
   }
   const std::string sheet = page_template(data.at("report").get<std::string>());
   add_files(folder, {{data_file, data_text(data, kept_digits(sheet))}});
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw InputError(
-        fmt::format("{}: cannot be read: must be the data of a report", file.string()));
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 WrittenReport draw_page(Json data, const fs::path& folder) {
@@ -122,12 +112,12 @@ WrittenReport write_report(const Json& data, const fs::path& folder) {
 
 WrittenReport redraw_report(const fs::path& from, const fs::path& folder) {
   const fs::path file = from / data_file;
-  const std::string text = text_of(file);
+  const std::string text = text_of_file(file);
   std::vector<std::string> failures;
   try {
     Json data = data_in(text);
     for (const std::string& name : pages_of(data)) {
-      const WrittenReport further = redraw_report(from / name, folder / name);
+      const WrittenReport further = redraw_report(from / name, below(folder, name));
       failures.insert(failures.end(), further.failures.begin(), further.failures.end());
     }
     WrittenReport written = draw_page(std::move(data), folder);

@@ -21,6 +21,7 @@
 #include "embedded/document_template.h"
 #include "embedded/look.h"
 #include "embedded/search_script.h"
+#include "src/core/text_file.h"
 #include "src/report/data_text.h"
 #include "src/report/file_set.h"
 #include "src/report/filled_text.h"
@@ -99,7 +100,7 @@ std::string page_of(const char* sheet, Json data) {
 }  // namespace
 
 Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& reports) {
-  const fs::path folder = site / docs_folder;
+  const fs::path folder = below(site, docs_folder);
   Place place{"Data", "Docs and search", docs_folder};
   std::vector<SearchEntry> search;
   Json list = Json::array();
@@ -113,7 +114,7 @@ Place write_docs_pages(const fs::path& site, const std::vector<FoundReport>& rep
       parts.push_back({{"heading", report::escape_html(part.heading)}, {"anchor", part.anchor}});
     }
     report::replace_files(
-        folder / name,
+        below(folder, name),
         {{"index.html", page_of(embedded::document_template,
                                 {{"title", title}, {"parts", parts}, {"html", document.html}})}});
     list.push_back({{"name", name}, {"title", title}});

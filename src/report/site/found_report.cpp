@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <system_error>
 
+#include "ricochet/error.h"
 #include "src/core/name.h"
+#include "src/core/text_file.h"
 #include "src/report/data_text.h"
 #include "src/report/page_template.h"
 
@@ -21,9 +21,10 @@ namespace fs = std::filesystem;
 
 /// Reads the data of a folder. Nothing if they cannot be read.
 std::optional<Json> data_of(const fs::path& folder) {
-  std::ifstream stream(folder / "data.json", std::ios::binary);
   try {
-    return report::data_in({std::istreambuf_iterator<char>(stream), {}});
+    return report::data_in(text_of_file(folder / "data.json"));
+  } catch (const InputError&) {
+    return std::nullopt;
   } catch (const Json::exception&) {
     return std::nullopt;
   } catch (const std::logic_error&) {  // nested too deeply

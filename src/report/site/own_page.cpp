@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "src/core/text_file.h"
+
 namespace ricochet::site {
 
 std::vector<Place> write_own_pages(const std::filesystem::path& site,
@@ -10,7 +12,7 @@ std::vector<Place> write_own_pages(const std::filesystem::path& site,
   std::vector<Place> places;
   std::error_code none;
   for (const OwnPage& own : pages) {
-    const std::filesystem::path folder = site / own.place.folder;
+    const std::filesystem::path folder = below(site, own.place.folder);
     if (std::filesystem::exists(folder / "data.json", none)) continue;
     for (const std::string& line : report::write_page(own.page, folder)) {
       failures.push_back(own.place.folder + ": " + line);

@@ -33,7 +33,8 @@ Publication publish_site(const fs::path& from, const fs::path& folder) {
   if (!failures) {
     throw InputError(from.string() + ": must be a folder of reports; it has none");
   }
-  write_text_file(folder / ".nojekyll", "");  // so that hosts that run Jekyll serve it as it is
+  write_text_file(folder / ".nojekyll", "",
+                  SymbolicLinks::refused);  // so that hosts that run Jekyll serve it as it is
   Publication written;
   written.failures = std::move(*failures);
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {

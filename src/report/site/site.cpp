@@ -1,11 +1,11 @@
 #include "src/report/site/site.h"
 
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "ricochet/error.h"
+#include "src/core/text_file.h"
 #include "src/report/file_set.h"
 #include "src/report/report.h"
 #include "src/report/site/cite_page.h"
@@ -71,7 +71,7 @@ WrittenSite written_site(const fs::path& folder) {
   const std::vector<Place> places = written_places(folder, reports, front, failures);
   FrontPage page = front_page(front, navigation(places, ""));
   report::replace_files(folder, page.files);
-  report::add_files(folder / live_folder,
+  report::add_files(below(folder, live_folder),
                     {{"index.html", live_page(navigation(places, live_folder))}});
   link_pages(folder, places, reports);
   tell_of_paper_algorithm(folder, reports, front);
@@ -83,9 +83,9 @@ WrittenSite written_site(const fs::path& folder) {
 
 bool is_site(const fs::path& folder) {
   if (plain(folder).filename() == "reports") return true;
-  std::ifstream stream(folder / data_file, std::ios::binary);
-  if (!stream) return false;
-  const Json data = Json::parse(stream, nullptr, false);
+  std::error_code none;
+  if (!fs::exists(folder / data_file, none)) return false;
+  const Json data = Json::parse(text_of_file(folder / data_file), nullptr, false);
   const auto kind = data.is_object() ? data.find("report") : data.end();
   return kind != data.end() && *kind == "site";
 }
@@ -107,7 +107,7 @@ std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const 
   std::vector<std::string> failures;
   for (const std::string& report : reports) {
     try {
-      const auto written = report::redraw_report(from / report, folder / report);
+      const auto written = report::redraw_report(from / report, below(folder, report));
       failures.insert(failures.end(), written.failures.begin(), written.failures.end());
       continue;
     } catch (const std::logic_error& error) {
@@ -117,9 +117,8 @@ std::optional<std::vector<std::string>> redraw_site(const fs::path& from, const 
     }
     // The front page says that it must be made anew.
     if (fs::equivalent(from, folder, none)) continue;
-    fs::create_directories(folder / report);
-    fs::copy_file(from / report / data_file, folder / report / data_file,
-                  fs::copy_options::overwrite_existing);
+    ricochet::report::add_files(below(folder, report),
+                                {{data_file, text_of_file(from / report / data_file)}});
   }
   const WrittenSite front = written_site(folder);
   for (const auto& [report, reason] : front.unread) {

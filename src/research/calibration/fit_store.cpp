@@ -203,7 +203,7 @@ void FitStore::add(const std::vector<AskedFit>& asked, const std::vector<Fit>& f
                       {"fits", static_cast<std::int64_t>(tables.size())},
                       {"fit", tables}}
        << '\n';
-  write_text_file(file_, text.str());
+  write_text_file(file_, text.str(), SymbolicLinks::refused);
 }
 
 }  // namespace ricochet::studies::calibration

@@ -56,7 +56,8 @@ void write_interpretation(const Fit& fit, const CalibrationOptions& options) {
                   options.all_interpretations ? "" : name_of(fit.interpretation),
                   options.converge ? " --converge" : "", options.seed, options.solver),
       "the choice");
-  write_text_file(options.folder / "interpretation.toml", write_fitted_interpretation(fitted));
+  write_text_file(options.folder / "interpretation.toml", write_fitted_interpretation(fitted),
+                  SymbolicLinks::refused);
 }
 
 }  // namespace

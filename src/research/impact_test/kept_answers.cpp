@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <system_error>
 
 #include "src/core/text_file.h"
@@ -13,7 +14,7 @@ namespace {
 /// The whole lines of a file, without their ends.
 std::vector<std::string> lines_of(const std::filesystem::path& file) {
   std::vector<std::string> lines;
-  std::ifstream in(file, std::ios::binary);
+  std::istringstream in(std::filesystem::exists(file) ? text_of_file(file) : "");
   for (std::string line; std::getline(in, line) && !in.eof();) lines.push_back(std::move(line));
   return lines;
 }
@@ -34,7 +35,7 @@ std::vector<Answer> kept_answers(const std::filesystem::path& file, const std::s
     text += lines[k] + "\n";
   }
   std::filesystem::create_directories(file.parent_path());
-  write_text_file(file, text);
+  write_text_file(file, text, SymbolicLinks::refused);
   std::ofstream out(file, std::ios::binary | std::ios::app);
   std::vector<Answer> answers;
   for (const ScoredScene& scored : scenes) {

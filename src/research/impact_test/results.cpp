@@ -139,8 +139,8 @@ void add_broken(Results& results, const Measured& measured, const Simulator& sim
     lines += json_of(results.broken.back().smallest).dump() + "\n";
   }
   const auto folder = results.plan.folder / "smallest";
-  std::filesystem::create_directories(folder);
-  write_text_file(folder / (simulator.tool.name + ".jsonl"), lines);
+  std::filesystem::create_directories(below(results.plan.folder, "smallest"));
+  write_text_file(folder / (simulator.tool.name + ".jsonl"), lines, SymbolicLinks::refused);
 }
 
 }  // namespace

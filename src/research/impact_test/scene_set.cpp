@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "ricochet/error.h"
 #include "src/core/interruption.h"
@@ -22,7 +23,7 @@ constexpr int drawn_at_once = 256;
 /// The scenes of this seed and version that begin a file.
 std::vector<ScoredScene> scenes_in(const std::filesystem::path& file, int seed, int count) {
   std::vector<ScoredScene> scenes;
-  std::ifstream in(file, std::ios::binary);
+  std::istringstream in(std::filesystem::exists(file) ? text_of_file(file) : "");
   for (std::string line; static_cast<int>(scenes.size()) < count && std::getline(in, line);) {
     const Json json = Json::parse(line, nullptr, false);
     try {
@@ -46,7 +47,7 @@ std::string text_of(const std::vector<ScoredScene>& scenes) {
 std::vector<ScoredScene> scene_set(int seed, int count, const std::filesystem::path& file) {
   std::vector<ScoredScene> scenes = scenes_in(file, seed, count);
   if (static_cast<int>(scenes.size()) == count) return scenes;
-  write_text_file(file, text_of(scenes));
+  write_text_file(file, text_of(scenes), SymbolicLinks::refused);
   const AtInterruption kept(
       [] {}, fmt::format("scenes are kept in {}: the same command goes on", file.string()));
   Progress progress("drawing scenes, with their true impacts", count);

@@ -6,7 +6,7 @@ import json
 import math
 import os
 import sys
-from typing import Any, Callable, Dict, List, NoReturn, Optional, Tuple
+from typing import Any, Callable, Dict, List, NoReturn, Optional, Set, Tuple
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -72,12 +72,14 @@ class SearchedProblem:
     budget: evaluations in all; remaining: evaluations left, after the last answer.
     seed: for a random generator, below 2**32.
 
-    Asking for several parts of one point, one after the other, costs one evaluation.
+    Asking for several parts of one point, one after the other, costs one evaluation; asking for a
+    part again costs another, as it does in every language.
     """
 
     def __init__(self, stated: Dict[str, Any], lines: _Lines) -> None:
         self._lines = lines
-        self._last: Tuple[Any, Dict[str, Any]] = (None, {})
+        # The last point, its answer, and what was asked of it.
+        self._last: Tuple[Any, Dict[str, Any], Set[str]] = (None, {}, set())
         self._over = False
         self.name: str = stated["name"]
         self.dimension: int = stated["dimension"]
@@ -98,33 +100,33 @@ class SearchedProblem:
 
     def objective(self, x: ArrayLike) -> float:
         """The objective at x; infinite if it is not a number."""
-        return self.values(x)[0]
+        return _number(self._asked(x, {"objective"})["objective"])
 
     def constraint_values(self, x: ArrayLike) -> _Vector:
         """The constraints at x, of shape (constraints,)."""
-        return self.values(x)[1]
+        return _numbers(self._asked(x, {"constraints"})["constraints"])
 
     def values(self, x: ArrayLike) -> Tuple[float, _Vector]:
         """Objective and constraints at x."""
-        answer = self._asked(x, "objective")
+        answer = self._asked(x, {"objective", "constraints"})
         return _number(answer["objective"]), _numbers(answer["constraints"])
 
     def gradient(self, x: ArrayLike) -> _Vector:
         """The gradient of the objective at x, of shape (dimension,)."""
-        return _numbers(self._asked(x, "gradient", derivatives=True)["gradient"])
+        return _numbers(self._asked(x, {"gradient"}, derivatives=True)["gradient"])
 
     def jacobian(self, x: ArrayLike) -> _Vector:
         """The Jacobian of the constraints at x, of shape (constraints, dimension)."""
-        rows = self._asked(x, "gradient", derivatives=True)["jacobian"]
+        rows = self._asked(x, {"jacobian"}, derivatives=True)["jacobian"]
         return _numbers(rows).reshape(self.constraints, self.dimension)
 
     def residuals(self, x: ArrayLike) -> _Vector:
         """The residuals at x, of whose squares the objective is half the sum."""
-        return _numbers(self._asked(x, "residuals", residuals=True)["residuals"])
+        return _numbers(self._asked(x, {"residuals"}, residuals=True)["residuals"])
 
     def residual_jacobian(self, x: ArrayLike) -> _Vector:
         """Their Jacobian at x, of shape (residuals, dimension)."""
-        answer = self._asked(x, "residual_jacobian", residuals=True, derivatives=True)
+        answer = self._asked(x, {"residual_jacobian"}, residuals=True, derivatives=True)
         return _numbers(answer["residual_jacobian"])
 
     def batch(self, points: ArrayLike) -> Evaluated:
@@ -140,13 +142,16 @@ class SearchedProblem:
             numpy.array(constraints).reshape(len(many), self.constraints),
         )
 
-    def _asked(self, x: ArrayLike, part: str, **options: bool) -> Dict[str, Any]:
-        """The answer at x, which has this part: the last one, if that was it."""
+    def _asked(self, x: ArrayLike, parts: Set[str], **options: bool) -> Dict[str, Any]:
+        """The answer at x, which has these parts: the last one, if it has and was not asked for
+        any of them before."""
         point = [float(each) for each in numpy.atleast_1d(numpy.asarray(x, dtype=float))]
-        at, answer = self._last
-        if at != point or part not in answer:
+        at, answer, asked = self._last
+        again = at == point and bool(parts & asked)
+        known = at == point and not again
+        if not (known and parts <= answer.keys()):
             answer = self._answer({"ask": [_sent(each) for each in point], **options})
-            self._last = (point, answer)
+        self._last = (point, answer, parts | asked if known else parts)
         return answer
 
     def _answer(self, question: Dict[str, Any]) -> Dict[str, Any]:

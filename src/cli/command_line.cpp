@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <pthread.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -45,6 +47,33 @@ void fill_closed_streams() {
     if (fcntl(stream, F_GETFD) >= 0) continue;
     if (open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY) < 0) return;
   }
+}
+
+constexpr rlim_t usual_stack = 8 << 20;      // bytes
+constexpr rlim_t necessary_stack = 1 << 20;  // bytes: libraries of solvers need a tenth of it
+
+/// Raises a stack that is too small, as far as the system allows; that of threads to come, too.
+void raise_stack() {
+  rlimit stack{};
+  if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= usual_stack) return;
+  stack.rlim_cur = usual_stack;
+  if (stack.rlim_max < usual_stack) stack.rlim_max = usual_stack;  // allowed to root only
+  if (setrlimit(RLIMIT_STACK, &stack) != 0 && getrlimit(RLIMIT_STACK, &stack) == 0) {
+    stack.rlim_cur = stack.rlim_max;
+    setrlimit(RLIMIT_STACK, &stack);
+  }
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, usual_stack);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
+}
+
+void require_stack() {
+  rlimit stack{};
+  if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= necessary_stack) return;
+  throw InputError(fmt::format("the stack is limited to {} kB: must be at least {}, see ulimit -s",
+                               stack.rlim_cur >> 10U, necessary_stack >> 10U));
 }
 
 std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) {
@@ -125,6 +154,7 @@ CommandLine::CommandLine()
           "ricochet: the fastest quiet speed of a braiding machine, and a benchmark of solvers on "
           "it",
           "ricochet") {
+  raise_stack();
   app_.require_subcommand(1);
   app_.set_version_flag("--version", version);
   app_.footer(fmt::format("{}\nricochet help COMMAND shows what a command takes, with examples.",
@@ -158,6 +188,7 @@ int CommandLine::run(int argc, char** argv) {
 
 int CommandLine::carry_out(std::vector<std::string> arguments) {
   try {
+    require_stack();
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 reads a vector
     app_.parse(arguments);
     refuse_empty_values(app_);

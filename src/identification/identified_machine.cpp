@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "problems/carrier_track/identification/safe_speed.h"
 #include "ricochet/time_limit.h"
@@ -69,8 +71,21 @@ Estimate estimate_of(const SafeSpeed& safe, const Matrix& covariance) {
           std::exp(safe.logarithm + quantile * deviation)};
 }
 
+/// NaN where the matrix is no covariance, as that of a fit that has not converged may be.
 double correlation(const Matrix& covariance, Eigen::Index i, Eigen::Index j) {
-  return covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+  constexpr double rounding = 1e-9;
+  const double r = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+  if (!(std::abs(r) <= 1 + rounding)) return std::numeric_limits<double>::quiet_NaN();
+  return std::clamp(r, -1.0, 1.0);
+}
+
+bool is_covariance(const Matrix& matrix) {
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      if (std::isnan(correlation(matrix, i, j))) return false;
+    }
+  }
+  return true;
 }
 
 Matrix correlations_of(const Matrix& covariance) {
@@ -100,7 +115,7 @@ std::vector<std::string> remarks_of(const IdentifiedMachine& machine, const Knoc
   for (Eigen::Index i = 0; i < machine_constants; ++i) {
     for (Eigen::Index j = i + 1; j < machine_constants; ++j) {
       const double r = machine.correlations(i, j);
-      if (std::abs(r) < strong_correlation) continue;
+      if (!(std::abs(r) >= strong_correlation)) continue;
       remarks.push_back(fmt::format(
           "{} and {} are hard to tell apart (correlation {:.2f}): more of one with {} of the other "
           "explains the knocks almost as well.",
@@ -110,7 +125,7 @@ std::vector<std::string> remarks_of(const IdentifiedMachine& machine, const Knoc
   if (record.plate) return remarks;
   for (Eigen::Index i = 0; i < machine_constants; ++i) {
     const double r = correlation(machine.fit.covariance, i, coordinate::phase);
-    if (std::abs(r) < strong_correlation) continue;
+    if (!(std::abs(r) >= strong_correlation)) continue;
     remarks.push_back(
         fmt::format("{} and the plate's unknown angle are hard to tell apart (correlation {:.2f}): "
                     "a mark on the plate (--marks) would fix the angle.",
@@ -127,7 +142,9 @@ void add_warnings(IdentifiedMachine& machine) {
         "upper one.",
         100 * at.recorded_share, 100 * at.upper_share));
   }
-  if (machine.fit.excess > 0.1) {
+  if (!machine.has_covariance) {
+    machine.remarks.push_back("The fit has not converged: no interval is known.");
+  } else if (machine.fit.excess > 0.1) {
     machine.remarks.push_back("The fit has not converged: the intervals are too narrow.");
   }
 }
@@ -160,6 +177,11 @@ IdentifiedMachine identify(const KnockLoss& loss, const Solver& solver, double f
   IdentifiedMachine machine;
   machine.fit = fit_knocks(loss, solver);
   const KnockFit& fit = machine.fit;
+  machine.has_covariance =
+      !fit.complete ||
+      is_covariance(fit.covariance.topLeftCorner(machine_constants, machine_constants));
+  if (!machine.has_covariance) machine.fit.covariance.setZero();
+  if (!fit.x.allFinite()) throw std::runtime_error("no machine was found that makes these knocks");
   const KnockUnknowns found = unknowns_at(fit.x);
   machine.scene = with_constants(loss.scene(), found);
   machine.constants = constants_of(fit, guess_of(loss.scene()));

@@ -24,9 +24,11 @@ struct IdentifiedMachine {
   carrier_track::Scene scene;       ///< the machine with the fitted constants
   std::vector<Estimate> constants;  ///< restitution, friction, clearance
   std::optional<Estimate> safe_speed;
-  Matrix correlations;  ///< 3 x 3, of the constants
+  Matrix correlations;  ///< 3 x 3, of the constants; NaN where none is known
   /// Otherwise the time limit was reached: no interval is known, and perhaps no safe speed.
   bool complete = true;
+  /// Otherwise the fit has not converged, and no interval is known.
+  bool has_covariance = true;
   /// What the record contradicts, one sentence each: with any, no interval can be trusted.
   std::vector<std::string> contradictions;
   std::vector<std::string> remarks;  ///< what the record cannot tell, one sentence each
@@ -39,7 +41,7 @@ struct IdentifiedMachine {
 
 /// Returns true if the intervals may be shown.
 inline bool is_trusted(const IdentifiedMachine& machine) {
-  return machine.complete && machine.contradictions.empty();
+  return machine.complete && machine.has_covariance && machine.contradictions.empty();
 }
 
 /// Fits a record. The safe speed and the next one are searched up to `fastest` [rad/s].

@@ -76,10 +76,11 @@ void visit_constants(Scene& scene, const Use& use) {
   visit_clearance(*scene.across, "across.clearance", use);
 }
 
+/// The sum over the walls of what has a value for each, of which one may be 0.
 double value_of(Scene scene, const std::string& wanted) {
   double value = 0;
   visit_constants(scene, [&](const std::string& key, double x) {
-    if (key == wanted) value = x;
+    if (key == wanted) value += x;
   });
   return value;
 }

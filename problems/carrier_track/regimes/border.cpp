@@ -2,15 +2,14 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "problems/carrier_track/regimes/count_border.h"
 #include "problems/carrier_track/regimes/fold.h"
 #include "problems/carrier_track/regimes/release_margin.h"
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -48,10 +47,8 @@ Bracket<SteadyMotion> sign_change(Bracket<SteadyMotion> bracket, const Of& margi
   const bool up = bracket.upwards();
   const SteadyMotion low = up ? bracket.before : bracket.after;
   const SteadyMotion high = up ? bracket.after : bracket.before;
-  std::uintmax_t evaluations = 100;
-  const double root = boost::math::tools::toms748_solve(at, low.omega(), high.omega(), margin(low),
-                                                        margin(high), is_narrow, evaluations)
-                          .first;
+  const double root =
+      bracketed_root(at, low.omega(), high.omega(), margin(low), margin(high), is_narrow).first;
   // The solver stops at a margin of exactly 0, which is on one side of the border: the other side
   // is next to it.
   const double away = bracket.before.omega() == root ? (up ? 1 : -1) : (up ? -1 : 1);
@@ -107,9 +104,7 @@ std::optional<double> release_speed(const Motion& still, double until) {
   const double low = std::min(still.omega(), until);
   const double high = std::max(still.omega(), until);
   if ((margin(low) > 0) == (margin(high) > 0)) return std::nullopt;
-  std::uintmax_t evaluations = 100;
-  const auto [a, b] = boost::math::tools::toms748_solve(margin, low, high, margin(low),
-                                                        margin(high), is_narrow, evaluations);
+  const auto [a, b] = bracketed_root(margin, low, high, margin(low), margin(high), is_narrow);
   return 0.5 * (a + b);
 }
 

@@ -3,13 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -282,10 +283,9 @@ class Tip {
     while (in - out > tolerance) {
       if (may_pass && height_out < small_margin && height_in > -small_margin) {
         may_pass = false;
-        std::uintmax_t evaluations = 12;
-        std::tie(out, in) = boost::math::tools::toms748_solve(
+        std::tie(out, in) = bracketed_root(
             [&](double there) { return height(at(there)); }, out, in, height_out, height_in,
-            [&](double a, double b) { return std::abs(b - a) <= tolerance; }, evaluations);
+            [&](double a, double b) { return std::abs(b - a) <= tolerance; }, 12);
         if (!is_in(at(in))) break;
         continue;
       }

@@ -1,9 +1,9 @@
 #include "src/research/paper/sustained_bouncing.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
+
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline paper {
 namespace {
@@ -81,10 +81,9 @@ std::optional<SustainedBouncing> sustained_bouncing(double pull, double friction
   if (!(restitution > 0 && restitution < 1)) return std::nullopt;
   const double friction = friction_force / pull;
   const auto orbit = [&](double t) { return Orbit(t, friction, restitution); };
-  std::uintmax_t iterations = 200;
-  const auto bracket =
-      boost::math::tools::toms748_solve([&](double t) { return orbit(t).decline(); }, pi, 2 * pi,
-                                        boost::math::tools::eps_tolerance<double>(), iterations);
+  const auto decline = [&](double t) { return orbit(t).decline(); };
+  const auto bracket = bracketed_root(decline, pi, 2 * pi, decline(pi), decline(2 * pi),
+                                      boost::math::tools::eps_tolerance<double>());
   const double t = (bracket.first + bracket.second) / 2;
   const double sine = orbit(t).sine();
   const double cosine = orbit(t).cosine();

@@ -1,13 +1,12 @@
 #include "src/research/paper/throw.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <numbers>
 
 #include "problems/carrier_track/scene/contact_restitution.h"
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline paper {
 namespace {
@@ -17,13 +16,12 @@ using std::numbers::pi;
 /// The zero in (low, high], where f has the sign of -1 just above `low` and +1 at `high`.
 template <class Function>
 double zero_of(const Function& f, double low, double high) {
-  std::uintmax_t iterations = 100;
   const double at_low = f(low);
   if (at_low >= 0) return low;
   const double at_high = f(high);
   if (at_high <= 0) return high;
-  const auto bracket = boost::math::tools::toms748_solve(
-      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), iterations);
+  const auto bracket =
+      bracketed_root(f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40));
   return (bracket.first + bracket.second) / 2;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+
+#include "src/core/bracketed_root.h"
 
 namespace ricochet::carrier_track::inline reference_integrators {
 
@@ -15,10 +15,8 @@ double rise(Function f, double lower, double upper) {
   const double at_lower = f(lower);
   if (at_lower >= 0) return lower;
   const double width = 4 * std::numeric_limits<double>::epsilon() * upper;
-  std::uintmax_t iterations = 100;
-  return boost::math::tools::toms748_solve(
-             f, lower, upper, at_lower, f(upper),
-             [width](double a, double b) { return b - a <= width; }, iterations)
+  return bracketed_root(f, lower, upper, at_lower, f(upper),
+                        [width](double a, double b) { return b - a <= width; })
       .second;
 }
 

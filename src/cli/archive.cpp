@@ -67,9 +67,10 @@ std::vector<std::string> wanted_programs(const CampaignDescription& description,
 }
 
 int submit(const SubmitOptions& options) {
-  const Store store = Store::open(options.store, Store::For::reading);
-  warn_of_missing_runs(options.store);
-  told_completeness(store, options.store);
+  const std::string file = archive_named(options.store);
+  const Store store = Store::open(file, Store::For::reading);
+  warn_of_missing_runs(file);
+  told_completeness(store, file);
   std::vector<std::string> patterns = split_patterns(options.solvers);
   if (patterns.empty()) patterns = own_solvers_of(store.description());
   if (patterns.empty()) {
@@ -86,7 +87,7 @@ int submit(const SubmitOptions& options) {
   const bool allowed = options.verification.allow_programs;
   if (!allowed)
     announce_programs(wanted_programs(store.description(), patterns), false, options.store);
-  const std::string note = verified({options.store}, wanted, options.verification);
+  const std::string note = verified({file}, wanted, options.verification);
   std::map<std::string, std::string> notes = {
       {"command", fmt::format("ricochet submit --solvers '{}'", fmt::join(patterns, ","))},
       {"verified", note}};
@@ -100,6 +101,9 @@ int submit(const SubmitOptions& options) {
 }  // namespace
 
 std::string archive_named(const std::string& name) {
+  if (fs::is_directory(name) && fs::exists(fs::path(name) / "runs.sqlite")) {
+    return (fs::path(name) / "runs.sqlite").string();  // as `run --out` has it
+  }
   if (name != "archive") return name;
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
   constexpr std::array places = {"../share/ricochet/reference.archive",

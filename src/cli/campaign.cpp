@@ -180,6 +180,10 @@ StoredCampaign carried_out(const Plan& plan, const Catalogue& catalogue, const S
     throw InputError(fmt::format("{}: is a link: give the folder that it leads to", file.string()));
   }
   const bool existed = std::filesystem::exists(file);
+  if (!existed && options.resume && continuation == "--resume") {
+    Progress::announce(fmt::format(
+        "{}: is not there: there is nothing to resume, all runs are made", file.string()));
+  }
   if (existed && !options.resume) {
     throw InputError(file.string() +
                      ": is there already: --resume goes on with it, and another "

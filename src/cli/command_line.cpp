@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ricochet/error.h"
+#include "src/cli/hints.h"
 #include "src/cli/old_names.h"
 #include "src/cli/version.h"
 #include "src/core/interruption.h"
@@ -82,14 +83,6 @@ std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands) 
     if (!command->get_group().empty()) names.push_back(command->get_name());
   }
   return names;
-}
-
-/// Returns the allowed values of an option: those in braces in its type.
-Json choices_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  const std::size_t start = type.find('{');
-  if (start == std::string::npos) return Json::array();
-  return CLI::detail::split(type.substr(start + 1, type.find('}') - start - 1), ',');
 }
 
 Json description_of(const CLI::Option& option) {
@@ -164,16 +157,27 @@ CommandLine::CommandLine()
 CLI::App* CommandLine::add(const std::string& command, const std::string& summary,
                            const std::string& examples) {
   CLI::App* added = app_.add_subcommand(command, summary)->group(group_);
-  added->add_flag_callback("--quiet", Progress::silence, "No progress on standard error");
-  added
+  add_usual_options(added);
+  added->footer((examples.empty() ? "" : "Examples:\n" + examples + "\n") + exit_codes);
+  return added;
+}
+
+CLI::App* CommandLine::add_part(CLI::App* command, const std::string& part,
+                                const std::string& summary) {
+  CLI::App* added = command->add_subcommand(part, summary)->group("Commands");
+  add_usual_options(added);
+  return added;
+}
+
+void CommandLine::add_usual_options(CLI::App* command) {
+  command->add_flag_callback("--quiet", Progress::silence, "No progress on standard error");
+  command
       ->add_option(
           "--color", color_,
           "Errors in colour: auto means on a terminal that is not dumb, if NO_COLOR is not set")
       ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
-  added->footer((examples.empty() ? "" : "Examples:\n" + examples + "\n") + exit_codes);
-  return added;
 }
 
 void CommandLine::on_call(CLI::App* command, const std::function<int()>& work) {
@@ -189,6 +193,7 @@ int CommandLine::run(int argc, char** argv) {
 int CommandLine::carry_out(std::vector<std::string> arguments) {
   try {
     require_stack();
+    if (!arguments.empty()) first_ = arguments.front();
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 reads a vector
     app_.parse(arguments);
     refuse_empty_values(app_);
@@ -235,17 +240,18 @@ int CommandLine::finish_output(int exit_code) const {
   return fail(failure, "standard output: " + reason);
 }
 
-/// Returns true if the first word that is not known stands in the place of the command.
+/// Returns true if the first word, in the place of the command, is none.
 bool CommandLine::names_no_command() const {
-  const std::vector<std::string> extra = app_.remaining();
-  return app_.get_subcommands().empty() && !extra.empty() && !extra.front().starts_with('-');
+  const auto commands = app_.get_subcommands(nullptr);
+  return !first_.empty() && !first_.starts_with('-') &&
+         std::ranges::find(commands, first_, &CLI::App::get_name) == commands.end();
 }
 
 /// Returns the command that is called, the program itself if it is none, and how to call it.
 std::pair<const CLI::App*, std::string> CommandLine::called() const {
   const CLI::App* app = &app_;
   std::string path = app_.get_name();
-  while (!app->get_subcommands().empty()) {
+  while (!names_no_command() && !app->get_subcommands().empty()) {
     app = app->get_subcommands().front();
     path += " " + app->get_name();
   }
@@ -254,11 +260,25 @@ std::pair<const CLI::App*, std::string> CommandLine::called() const {
 
 /// Returns CLI11's message; for an unknown command or option it adds a suggestion.
 std::string CommandLine::explanation(const CLI::ParseError& error) const {
+  if (names_no_command()) {
+    if (const std::string renaming = renaming_of(first_); !renaming.empty()) return renaming;
+    return fmt::format("{} is no command; {}", first_,
+                       what_instead(first_, names_of(app_.get_subcommands(nullptr))));
+  }
   const auto [app, path] = called();
   const std::string place = app == &app_ ? "" : app->get_name() + ": ";
   const std::vector<std::string> extra = app_.remaining(true);
-  if (extra.empty()) return place + error.what();
+  if (extra.empty()) {
+    const bool lacks = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+    const std::string hint = lacks ? hint_at_call(*app, path) : hint_at_value(*app);
+    if (!lacks && !hint.empty()) return place + hint;
+    return place + error.what() + (hint.empty() ? "" : ", " + hint);
+  }
   if (const std::string renaming = renaming_of(extra.front()); !renaming.empty()) return renaming;
+  if (!extra.front().starts_with('-')) {
+    const std::string hint = hint_at_argument(*app, extra.front());
+    if (!hint.empty()) return place + hint;
+  }
   std::vector<std::string> known = names_of(app->get_subcommands(nullptr));
   if (!known.empty() && !extra.front().starts_with('-')) {
     return fmt::format("{} is no command; {}", extra.front(), what_instead(extra.front(), known));
@@ -288,12 +308,19 @@ Json CommandLine::description() const {
     const std::vector<const CLI::App*> parts = command->get_subcommands(nullptr);
     if (!parts.empty()) options.push_back(description_of(parts));
     append_options(*command, options);
-    for (const CLI::App* part : parts) append_options(*part, options);
+    Json described_parts = Json::array();
+    for (const CLI::App* part : parts) {
+      append_options(*part, options);
+      Json own = Json::array();
+      append_options(*part, own);
+      described_parts.push_back({{"name", part->get_name()}, {"options", own}});
+    }
     const std::string footer = command->get_footer();
     commands.push_back({{"name", command->get_name()},
                         {"summary", command->get_description()},
                         {"examples", footer.substr(0, footer.find(exit_codes))},
-                        {"options", options}});
+                        {"options", options},
+                        {"parts", described_parts}});
   }
   return commands;
 }

@@ -27,6 +27,9 @@ class CommandLine {
   CLI::App* add(const std::string& command, const std::string& summary,
                 const std::string& examples = "");
 
+  /// Adds a part of a command, such as the new of `machine new`.
+  CLI::App* add_part(CLI::App* command, const std::string& part, const std::string& summary);
+
   /// Sets the function that runs if this command is called; it returns the exit code.
   void on_call(CLI::App* command, const std::function<int()>& work);
 
@@ -38,6 +41,7 @@ class CommandLine {
   report::Json description() const;
 
  private:
+  void add_usual_options(CLI::App* command);
   int carry_out(std::vector<std::string> arguments);
   bool names_no_command() const;
   int fail(int exit_code, const std::string& reason) const;
@@ -49,6 +53,7 @@ class CommandLine {
   std::string group_ = "Commands";
   std::function<int()> work_;
   std::string color_ = "auto";
+  std::string first_;  ///< argument
 };
 
 }  // namespace ricochet::cli

@@ -47,19 +47,43 @@ Json with_names(Json commands) {
     for (const Problem& problem : family.problems) problems.push_back(problem.name);
   }
   for (const Solver& solver : all_solvers()) solvers.push_back(solver.name);
-  for (Json& command : commands) {
-    for (Json& option : command.at("options")) {
+  const auto name_values = [&](Json& options) {
+    for (Json& option : options) {
       const std::string value = text_of(option, "value");
       if (value.starts_with("PROBLEM")) option["choices"] = problems;
       if (value.starts_with("SOLVER")) option["choices"] = solvers;
       if (value == "FAMILY") option["choices"] = families;
     }
+  };
+  for (Json& command : commands) {
+    name_values(command.at("options"));
+    for (Json& part : command.at("parts")) name_values(part.at("options"));
   }
   return commands;
 }
 
 bool is_positional(const Json& option) {
   return option.at("names").empty();
+}
+
+struct Offer {
+  std::string words;
+  bool files = false;
+};
+
+/// The options and the values of arguments.
+Offer offer_of(const Json& options) {
+  Offer offer;
+  for (const Json& option : options) {
+    offer.words += " " + words_of(option.at(is_positional(option) ? "choices" : "names"));
+    offer.files = offer.files || (is_positional(option) && is_file(option));
+  }
+  return offer;
+}
+
+std::string bash_case(const std::string& pattern, const Offer& offer) {
+  return fmt::format("    {}) words={}{} ;;\n", pattern, shell_quoted(offer.words),
+                     offer.files ? " files=yes" : "");
 }
 
 /// The words that can follow a command's name and, if given, an option that takes a value.
@@ -70,23 +94,23 @@ std::string bash_case(const std::string& pattern, const Json& option) {
 }
 
 std::string bash(const Json& commands) {
-  std::string names = "--help --version", cases;
+  std::string names = "--help --version help", cases;
   for (const Json& command : commands) {
     const std::string name = text_of(command, "name");
     names += " " + name;
-    std::string words;
-    bool files = false;
     for (const Json& option : command.at("options")) {
-      words += " " + words_of(option.at(is_positional(option) ? "choices" : "names"));
-      files = files || (is_positional(option) && is_file(option));
       if (is_positional(option) || !option.at("takes_value").get<bool>()) continue;
       for (const Json& each : option.at("names")) {
         cases += bash_case(shell_quoted(name + " " + each.get<std::string>()), option);
       }
     }
-    cases += fmt::format("    {}*) words={}{} ;;\n", shell_quoted(name + " "), shell_quoted(words),
-                         files ? " files=yes" : "");
+    for (const Json& part : command.at("parts")) {
+      cases +=
+          bash_case(shell_quoted(name + " " + text_of(part, "name")), offer_of(part.at("options")));
+    }
+    cases += bash_case(shell_quoted(name + " ") + "*", offer_of(command.at("options")));
   }
+  cases += fmt::format("    'help '*) words={} ;;\n", shell_quoted(names));
   return fmt::format(R"(# bash completion of ricochet
 _ricochet() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} words='' files=no
@@ -127,8 +151,11 @@ std::string zsh(const Json& commands) {
                                                     (takes_value ? zsh_value(option) : ""));
       }
     }
+    if (!command.at("parts").empty()) arguments += " \\\n        '*:file:_files'";
     cases += fmt::format("    {})\n      _arguments{} ;;\n", name, arguments);
   }
+  names += "    'help:Show what a command takes'\n";
+  cases += "    help)\n      _describe command commands ;;\n";
   return fmt::format(R"(#compdef ricochet
 _ricochet_or_file() {{
   compadd "$@"
@@ -164,12 +191,22 @@ std::string fish_value(const Json& option) {
 
 std::string fish(const Json& commands) {
   std::string text = "# fish completion of ricochet\ncomplete -c ricochet -f\n";
+  std::string names;
   for (const Json& command : commands) {
     const std::string name = text_of(command, "name");
     text += fmt::format("complete -c ricochet -n __fish_use_subcommand -a {} -d {}\n", name,
                         fish_quoted(text_of(command, "summary")));
     const std::string start =
         fmt::format("complete -c ricochet -n '__fish_seen_subcommand_from {}'", name);
+    names += " " + name;
+    for (const Json& part : command.at("parts")) {
+      if (!offer_of(part.at("options")).files) continue;
+      text += fmt::format(
+          "complete -c ricochet -n '__fish_seen_subcommand_from {}; and "
+          "__fish_seen_subcommand_from "
+          "{}' -F\n",
+          name, text_of(part, "name"));
+    }
     for (const Json& option : command.at("options")) {
       if (is_positional(option)) {
         const std::string words = words_of(option.at("choices"));
@@ -186,6 +223,8 @@ std::string fish(const Json& commands) {
       }
     }
   }
+  text += fmt::format("complete -c ricochet -n '__fish_seen_subcommand_from help' -a {}\n",
+                      fish_quoted(names));
   return text;
 }
 

@@ -167,6 +167,13 @@ std::string machine_text(const IdentifiedMachine& machine, const std::string& kn
 
 int identify(const IdentifyOptions& options) {
   if (options.scene_file.empty()) throw InputError("which machine? give --scene FILE");
+  const auto is_machine = [](const std::filesystem::path& file) {
+    return file.extension() == ".toml";
+  };
+  if (is_machine(options.files.knocks) && !is_machine(options.scene_file)) {
+    throw InputError(fmt::format("{0}: the knocks come first: ricochet identify {1} --scene {0}",
+                                 options.files.knocks, options.scene_file));
+  }
   const Scene scene = read_scene(options.scene_file);
   check_identifiable(scene, options.scene_file);
   const KnockRecord record = read_knock_record(options.files);

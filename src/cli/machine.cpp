@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <sstream>
 
 #include "embedded/machine_template.h"
 #include "problems/carrier_track/advice/study.h"
@@ -9,6 +12,7 @@
 #include "src/cli/limited.h"
 #include "src/cli/quiet_speed_request.h"
 #include "src/cli/scene_choice.h"
+#include "src/cli/shared_options.h"
 #include "src/cli/tell.h"
 
 namespace ricochet::cli {
@@ -25,8 +29,32 @@ int new_machine() {
   return 0;
 }
 
-int check_machine(const SceneChoice& choice) {
+/// The machine file as JSON, by table and key; what is infinite there is a text.
+report::Json json_of(const carrier_track::Scene& scene) {
+  std::ostringstream text;
+  text << toml::json_formatter(toml::parse(carrier_track::write_scene(scene)));
+  return report::Json::parse(text.str());
+}
+
+report::Json json_of(const carrier_track::Uncertainty& each) {
+  return {{"key", each.key},
+          {"value", each.value},
+          {"plus_minus", each.plus_minus},
+          {"unit", each.unit}};
+}
+
+int check_machine(const SceneChoice& choice, bool json) {
   const ChosenScene chosen = choose_scene(choice);
+  if (json) {
+    const report::Json data = {
+        {"name", chosen.name},
+        {"machine", json_of(chosen.scene)},
+        {"uncertain", report::list_of(chosen.source.uncertainties,
+                                      [](const auto& each) { return json_of(each); })},
+        {"doubts", carrier_track::doubts_about(chosen.scene)}};
+    fmt::print("{}\n", data.dump(2));
+    return 0;
+  }
   fmt::print("{}\n", carrier_track::write_scene(chosen.scene));
   for (const carrier_track::Uncertainty& each : chosen.source.uncertainties) {
     fmt::print("# {} = {} is uncertain by +-{}{}.\n", each.key, each.value, each.plus_minus,
@@ -63,18 +91,17 @@ void add_machine(CommandLine& line) {
                                "  ricochet machine check machine.toml\n"
                                "  ricochet machine advise machine.toml --tolerance 5");
   command->require_subcommand(1);
-  CLI::App* fresh =
-      command->add_subcommand("new", "Print a machine file to start from")->group("Commands");
+  CLI::App* fresh = line.add_part(command, "new", "Print a machine file to start from");
   line.on_call(fresh, new_machine);
   CLI::App* check =
-      command->add_subcommand("check", "List every field with unit and range, and likely mistakes")
-          ->group("Commands");
+      line.add_part(command, "check", "List every field with unit and range, and likely mistakes");
   const auto checked = std::make_shared<SceneChoice>();
   add_machine_file(check, *checked);
-  line.on_call(check, [checked] { return check_machine(*checked); });
+  const auto as_json = std::make_shared<bool>(false);
+  add_format(check, *as_json);
+  line.on_call(check, [checked, as_json] { return check_machine(*checked, *as_json); });
   CLI::App* advise =
-      command->add_subcommand("advise", "Write a page: how fast it may turn, and what to change")
-          ->group("Commands");
+      line.add_part(command, "advise", "Write a page: how fast it may turn, and what to change");
   const auto options = std::make_shared<AdviseOptions>();
   add_machine_file(advise, options->machine);
   advise->add_option("--out", options->out, "Folder for the page")

@@ -191,18 +191,16 @@ void add_plan(CommandLine& line) {
                "  ricochet plan check plan.toml\n"
                "  ricochet plan slurm plan.toml --jobs 100 > campaign.sh");
   command->require_subcommand(1);
-  CLI::App* fresh = command->add_subcommand("new", "Print a plan to start from")->group("Commands");
+  CLI::App* fresh = line.add_part(command, "new", "Print a plan to start from");
   line.on_call(fresh, new_plan);
   CLI::App* check =
-      command->add_subcommand("check", "Print what the plan would run, and for how long")
-          ->group("Commands");
+      line.add_part(command, "check", "Print what the plan would run, and for how long");
   const auto options = std::make_shared<PlanOptions>();
   add_plan_file(check, options->plan);
   add_format(check, options->json);
   line.on_call(check, [options] { return check_plan(*options); });
   add_sample(line, command);
-  CLI::App* slurm =
-      command->add_subcommand("slurm", "Print a job script for Slurm")->group("Commands");
+  CLI::App* slurm = line.add_part(command, "slurm", "Print a job script for Slurm");
   add_plan_file(slurm, options->plan);
   slurm->add_option("--jobs", options->jobs, "Number of jobs, of one core each")
       ->capture_default_str();

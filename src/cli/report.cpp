@@ -68,6 +68,9 @@ std::vector<std::string> drawn_again(const std::string& from, const std::string&
 int draw_again(const ReportOptions& options) {
   const std::string& from = options.from;
   const std::string& folder = options.out.empty() ? from : options.out;
+  if (std::filesystem::is_regular_file(from)) {
+    throw InputError(fmt::format("{}: must be a folder, that of a report's data.json", from));
+  }
   const FolderLock alone(folder);
   std::vector<std::string> failures;
   warn_of_other_runs(from);

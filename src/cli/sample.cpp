@@ -67,10 +67,9 @@ int sample_problems(const SampleOptions& options) {
 
 void add_sample(CommandLine& line, CLI::App* plan) {
   CLI::App* sample =
-      plan->add_subcommand("sample",
-                           "Print a sample of an archive's problems, evenly over difficulty, and "
-                           "how far its ranking agrees with that of all")
-          ->group("Commands");
+      line.add_part(plan, "sample",
+                    "Print a sample of an archive's problems, evenly over difficulty, and "
+                    "how far its ranking agrees with that of all");
   const auto options = std::make_shared<SampleOptions>();
   sample->add_option("archive", options->archive, "An archive; archive: that of the reference")
       ->type_name("ARCHIVE")

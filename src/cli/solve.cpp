@@ -60,6 +60,17 @@ Solver solver_of(const std::string& wanted) {
       "`ricochet list solvers`");
 }
 
+/// Throws InputError if what stands first is no solver, but what stands second is.
+void refuse_swapped(const SolveOptions& options) {
+  const auto is_solver = [](const std::string& name) {
+    const std::vector<Solver> all = all_solvers();
+    return outside::is_outside(name) || std::ranges::find(all, name, &Solver::name) != all.end();
+  };
+  if (is_solver(options.solver) || !is_solver(options.problem)) return;
+  throw InputError(fmt::format("{0} {1}: the solver comes first: ricochet solve {1} {0}",
+                               options.solver, options.problem));
+}
+
 /// The formulation asked for, or the first that the solver accepts.
 Formulation formulation_of(const SolveOptions& options, const Problem& problem,
                            const Solver& solver) {
@@ -282,6 +293,7 @@ int solve(const SolveOptions& options) {
   }
   if (options.seed < 0) throw InputError(fmt::format("--seed {}: must be >= 0", options.seed));
   check(options.limits);
+  refuse_swapped(options);
   const Solver solver = solver_of(options.solver);
   const Problem asked = named(
       every_problem(suite_families(options.scene_file, options.settings)), options.problem,

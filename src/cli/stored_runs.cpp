@@ -170,6 +170,10 @@ int print_digest(const std::string& name) {
 
 /// Starts only the run's own solver, and that only if it is of the suite or programs are allowed.
 int replay(const ReplayOptions& options) {
+  if (!std::filesystem::exists(options.store) && std::filesystem::exists(options.run)) {
+    throw InputError(fmt::format("{0} {1}: the store comes first: ricochet replay {1} {0}",
+                                 options.store, options.run));
+  }
   const std::string file = archive_named(options.store);
   const Store store = Store::open(file, Store::For::reading);
   warn_of_missing_runs(file);

@@ -193,11 +193,12 @@ std::string verified(const std::vector<std::string>& files,
     others = fmt::format("; {} are of programs, or of other versions, and were not drawn",
                          sample.runs - sample.repeatable);
   }
-  if (sample.drawn.empty()) return fmt::format("none of {} runs was repeated{}", sample.runs, others);
+  if (sample.drawn.empty())
+    return fmt::format("none of {} runs was repeated{}", sample.runs, others);
   return fmt::format(
       "{} of {} runs, drawn at random, were repeated to the last bit by {} with {} on {}{}",
-      sample.drawn.size(), sample.runs, user(),
-      version.substr(0, version.find('\n')), here.made.at("date"), others);
+      sample.drawn.size(), sample.runs, user(), version.substr(0, version.find('\n')),
+      here.made.at("date"), others);
 }
 
 }  // namespace ricochet::cli

@@ -38,6 +38,12 @@ TEST(Description, IsCompletedByBash) {
   EXPECT_EQ(completed_by_bash("ricochet list p", 2), "problems,");
   EXPECT_EQ(completed_by_bash("ricochet machine ch", 2), "check,");
   EXPECT_EQ(completed_by_bash("ricochet simulate --scene m", 3), "machine one.toml,");
+  EXPECT_EQ(completed_by_bash("ricochet help thr", 2), "threshold,");
+  EXPECT_EQ(completed_by_bash("ricochet hel", 1), "help,");
+  EXPECT_EQ(completed_by_bash("ricochet machine check m", 3), "machine one.toml,");
+  EXPECT_EQ(completed_by_bash("ricochet plan check d", 3), "default,");
+  EXPECT_EQ(completed_by_bash("ricochet plan check n", 3), ",") << "nothing of the other parts";
+  EXPECT_EQ(completed_by_bash("ricochet plan sample --sh", 3), "--share,");
 }
 
 TEST(Description, CompletesNamesOfProblemsSolversPlansAndCases) {

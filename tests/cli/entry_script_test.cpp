@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -47,6 +48,11 @@ class EntryScript : public testing::Test {
     fs::create_directories(folder / "build/release/src/cli");
     fs::copy_file(RICOCHET_SOURCE "/ricochet", folder / "ricochet");
     make_executable(folder / "build/release/src/cli/ricochet", "#!/bin/sh\necho \"$0\"\n");
+  }
+
+  /// As another user where this one may write everywhere.
+  static std::string as_another() {
+    return geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
   }
 
   /// What the call printed; "failed" is added to it if it failed.
@@ -172,6 +178,26 @@ TEST_F(EntryScript, BuildsNothingForHelp) {
   make_executable(folder / "ricochet-studies", "#!/bin/sh\n");
   EXPECT_EQ(script("checkout/ricochet limits -h"), (folder / "ricochet").string() + "\n");
   EXPECT_FALSE(fs::exists(root_ / "log"));
+}
+
+TEST_F(EntryScript, IsCalledWhereAnotherUserBuilt) {
+  script("checkout/ricochet list");
+  const fs::path built = root_ / "checkout/build/release";
+  for (const auto& entry : fs::recursive_directory_iterator(root_)) {
+    fs::permissions(entry.path(),
+                    fs::perms::all & ~(fs::perms::owner_write | fs::perms::group_write |
+                                       fs::perms::others_write));
+  }
+  const std::string call = "env HOME=/tmp " + as_another() + "checkout/ricochet list";
+  EXPECT_THAT(script(call),
+              AllOf(HasSubstr("build/release/src/cli/ricochet\n"), Not(HasSubstr("failed"))));
+  fs::permissions(root_ / "tools",
+                  fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  tool("ninja", "echo '[1/1] Linking'\n");
+  fs::permissions(root_ / "tools/ninja", fs::perms::all);
+  EXPECT_THAT(script(call), AllOf(HasSubstr("is out of date, and belongs to "),
+                                  HasSubstr("make a clone of your own"), HasSubstr("failed")));
+  fs::permissions(built, fs::perms::owner_all);
 }
 
 }  // namespace

@@ -12,9 +12,7 @@
 
 namespace ricochet::cli {
 
-namespace {
-
-/// In a working folder of the test: what a command writes where its user stands is no other test's.
+// What a command writes where its user stands is no other test's.
 Outcome call_in_shell(const std::string& command) {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string stem =
@@ -24,8 +22,6 @@ Outcome call_in_shell(const std::string& command) {
       fmt::format("cd {}.here && ({}) >{}.out 2>{}.err", stem, command, stem, stem).c_str());
   return {WEXITSTATUS(status), read(stem + ".out"), read(stem + ".err")};
 }
-
-}  // namespace
 
 std::filesystem::path fresh_folder() {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();

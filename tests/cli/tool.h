@@ -20,6 +20,9 @@ Outcome call_with_output(const std::string& arguments, const std::string& output
 /// The same, but after so many seconds it is sent the signal of that name.
 Outcome call_interrupted(const std::string& signal, const std::string& arguments, int seconds = 1);
 
+/// A command of the shell, in a working folder of the test.
+Outcome call_in_shell(const std::string& command);
+
 /// An empty folder of this test's own.
 std::filesystem::path fresh_folder();
 

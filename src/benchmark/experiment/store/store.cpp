@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <utility>
 
@@ -32,6 +33,7 @@ struct Store::Database {
   fs::path file;
   std::optional<ScratchFolder> unpacked;  // if the file is an archive
   std::unique_ptr<WriterLock> lock;       // null if the store is only read
+  struct stat opened {};                  // what the file was then, if runs may be added
   std::unique_ptr<SQLite::Database> connection;
   CampaignDescription description;
   std::unique_ptr<RunRows> rows;
@@ -121,6 +123,7 @@ Store Store::open(const fs::path& file, For purpose) {
     check_store(file);
     const Uninterrupted made_and_known;
     database->connection = opened_for_adding(file);
+    ::stat(file.c_str(), &database->opened);
   }
   database->reading([&] {
     database->description = description_in(*database->connection);
@@ -135,6 +138,13 @@ const CampaignDescription& Store::description() const {
 
 void Store::add(const RunKey& key, const RunRecord& record) {
   const Uninterrupted whole;
+  struct stat now {};
+  const struct stat& then = database_->opened;
+  if (::stat(database_->file.c_str(), &now) != 0 || now.st_ino != then.st_ino ||
+      now.st_dev != then.st_dev) {
+    throw OutputError(
+        fmt::format("{}: was removed while runs were added to it", database_->file.string()));
+  }
   RunRows& rows = *database_->rows;
   try {
     SQLite::Transaction transaction(*database_->connection, SQLite::TransactionBehavior::IMMEDIATE);

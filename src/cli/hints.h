@@ -1,7 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
+
+#include "src/cli/command_line.h"
 
 /// What a command line was probably meant to say, for its error. Each is empty if nobody can tell.
 namespace ricochet::cli {

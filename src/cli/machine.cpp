@@ -1,7 +1,4 @@
 #include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include <sstream>
 
 #include "embedded/machine_template.h"
 #include "problems/carrier_track/advice/study.h"
@@ -14,6 +11,7 @@
 #include "src/cli/scene_choice.h"
 #include "src/cli/shared_options.h"
 #include "src/cli/tell.h"
+#include "src/core/toml_text.h"
 
 namespace ricochet::cli {
 namespace {
@@ -31,9 +29,8 @@ int new_machine() {
 
 /// The machine file as JSON, by table and key; what is infinite there is a text.
 report::Json json_of(const carrier_track::Scene& scene) {
-  std::ostringstream text;
-  text << toml::json_formatter(toml::parse(carrier_track::write_scene(scene)));
-  return report::Json::parse(text.str());
+  const std::string text = carrier_track::write_scene(scene);
+  return report::Json::parse(json_of_toml(parse_toml(text, "the machine")));
 }
 
 report::Json json_of(const carrier_track::Uncertainty& each) {

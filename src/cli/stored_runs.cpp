@@ -144,8 +144,8 @@ int merge_stores(const MergeOptions& options) {
   std::vector<std::string> parts;
   for (const std::string& part : options.parts) parts.push_back(archive_named(part));
   for (const std::string& part : parts) {
-    warn_of_missing_runs(part);
     check_as_known(Store::open(part, Store::For::reading), part);
+    warn_of_missing_runs(part);
   }
   const std::string note = verified(
       parts, [](const RunKey&) { return true; }, options.verification);
@@ -154,8 +154,8 @@ int merge_stores(const MergeOptions& options) {
   merge({parts.begin(), parts.end()}, out, united, made);
   const Store store = Store::open(out, Store::For::reading);
   const auto completeness = told_completeness(store, out);
-  fmt::print("{}: {}\ndigest {}\nverified: {}\n", counted_runs(store, completeness), one_line(out),
-             store.digest(), note);
+  fmt::print("{}: {}\nverified: {}\ndigest {}\n", counted_runs(store, completeness), one_line(out),
+             note, store.digest());
   return 0;
 }
 

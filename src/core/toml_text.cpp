@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 
 #include "ricochet/error.h"
@@ -55,6 +56,12 @@ void rename_key(toml::table& table, std::string_view old_key, std::string_view k
   warn(fmt::format("{}{} is now called {}", place, old_key, key));
   table.insert(key, *table.get(old_key));
   table.erase(old_key);
+}
+
+std::string json_of_toml(const toml::table& table) {
+  std::ostringstream text;
+  text << toml::json_formatter(table);
+  return text.str();
 }
 
 std::string toml_float(double x) {

@@ -22,6 +22,9 @@ toml::table parse_toml(const std::string& text, const std::string& origin);
 void rename_key(toml::table& table, std::string_view old_key, std::string_view key,
                 const std::string& place);
 
+/// The same tables as JSON text; what is not finite becomes a text there.
+std::string json_of_toml(const toml::table& table);
+
 /// The shortest TOML float that reads back to the same number.
 std::string toml_float(double x);
 

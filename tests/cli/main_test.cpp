@@ -88,9 +88,11 @@ TEST(Main, SaysWhatMayHaveBeenMeant) {
 }
 
 TEST(Main, NamesTheCommandWhoseHelpSaysMore) {
-  expect_refusal("solve bisection", "solve: problem is required; see ricochet solve --help");
-  expect_refusal("machine", "machine: A subcommand is required; see ricochet machine --help");
-  expect_refusal("plan check", "check: plan is required; see ricochet plan check --help");
+  expect_refusal("solve bisection", "solve: problem is required, as in: ricochet solve ");
+  expect_refusal("machine",
+                 "as in: ricochet machine new > machine.toml; see ricochet machine --help");
+  expect_refusal("plan check",
+                 "as in: ricochet plan check plan.toml; see ricochet plan check --help");
   expect_refusal("verify --scenes x", "see ricochet verify --help");
   expect_refusal("hammer", "see ricochet --help");
   expect_refusal("plan check quik", "quik: there is no such file; did you mean quick?");

@@ -81,11 +81,8 @@ class Solver(Folder):
             import sys
             def minimise(problem):
                 x = problem.lower + (problem.upper - problem.lower) / 3
-                values = problem.values(x)
-                assert problem.remaining == problem.budget - 1
-                assert problem.objective(x) == values[0]
-                assert problem.constraint_values(x).tolist() == values[1].tolist()
-                assert problem.remaining == problem.budget - 1, "the point was known"
+                values = problem.objective(x), problem.constraint_values(x)
+                assert problem.remaining == problem.budget - 1, "two parts of one point"
                 told = [values[0], values[1].tolist(), problem.gradient(x).tolist(),
                         problem.jacobian(x).tolist()]
                 assert problem.remaining == problem.budget - 5
@@ -94,11 +91,19 @@ class Solver(Folder):
                 assert many.objectives[0] == values[0]
                 assert many.constraints[0].tolist() == values[1].tolist()
                 assert problem.batch(numpy.empty((0, 4))).constraints.shape == (0, 2)
+                assert problem.objective(x) == values[0]
+                assert problem.remaining == problem.budget - 9, "asked again"
+                assert problem.values(x)[0] == values[0]
+                assert problem.remaining == problem.budget - 10, "one of its parts again"
+                assert problem.gradient(x).tolist() == told[2]
+                assert problem.remaining == problem.budget - 14
+                assert problem.gradient(x).tolist() == told[2]
+                assert problem.remaining == problem.budget - 19, "with its value, again"
                 open("told", "w").write(repr(told))
             """,
             takes_constraints=2, needs_derivatives=True,
         )  # fmt: skip
-        run = self.solve(solver, "hs-71", "--budget", "20")
+        run = self.solve(solver, "hs-71", "--budget", "19")
         self.assertEqual(run["failure"], "")
         self.assertEqual(run["formulation"], "original")
         with open(os.path.join(self.folder, "told")) as file:

@@ -42,6 +42,7 @@ class StoredValues : public TemporaryFolder {
     record.instance = number;
     record.seed = 7;
     record.budget.evaluations = 100;
+    record.ledger.charged = 42;
     record.trace = {{42, 0, true_values_at(moved, point), point}};
     RunKey key{{problem().name, "original", "plain", "guess", 50}, number, 0};
     Store::create(store, description).add(key, record);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -13,8 +14,6 @@
 
 namespace ricochet::cli {
 namespace {
-
-constexpr double seconds_to_sample = 5;
 
 double checked(double seconds) {
   if (seconds > 0) return seconds;
@@ -58,9 +57,9 @@ void add_seconds(CLI::App* command, double& seconds) {
       ->capture_default_str();
 }
 
-Limited::Limited(double seconds)
+Limited::Limited(double seconds, double kept)
     : seconds_(checked(seconds)),
-      limit_(seconds),
+      limit_(seconds - kept),
       shown_([this](const std::stop_token& end) { show(end, limit_); }) {}
 
 std::runtime_error Limited::reached() const {
@@ -72,9 +71,13 @@ std::runtime_error Limited::reached() const {
       fmt::format("the time limit of {} s was reached{}; --seconds gives more", seconds_, place));
 }
 
+double seconds_to_sample(double seconds) {
+  return std::min(5.0, seconds / 5);
+}
+
 std::vector<carrier_track::SampledTurns> sampled_in_time(const carrier_track::Scene& scene,
-                                                         double from, double to) {
-  const TimeLimit limit(seconds_to_sample);
+                                                         double from, double to, double seconds) {
+  const Limited limit(seconds);
   return carrier_track::sampled_turns(scene, from, to);
 }
 

@@ -26,13 +26,16 @@ int regimes(const RegimesOptions& options) {
   if (options.starts) return basins(options);
   const ChosenScene chosen = choose_scene(options.scene);
   refuse_same_file("--plot", options.plot, options.scene.scene_file, "the scene");
-  const auto found = limited(options.seconds, [&]() -> std::vector<carrier_track::Regime> {
-    try {
-      return carrier_track::regimes_of(chosen.scene, options.range);
-    } catch (const TimeLimitReached&) {
-      return {};  // not even the first one is known
-    }
-  });
+  const auto found = limited(
+      options.seconds,
+      [&]() -> std::vector<carrier_track::Regime> {
+        try {
+          return carrier_track::regimes_of(chosen.scene, options.range);
+        } catch (const TimeLimitReached&) {
+          return {};  // not even the first one is known
+        }
+      },
+      seconds_to_sample(options.seconds));
   const double reached = found.empty() ? options.range.from : found.back().to;
   const bool complete = !found.empty() && found.back().ends_by != RegimeEnd::time_limit;
   report::Plot plot;
@@ -52,8 +55,9 @@ int regimes(const RegimesOptions& options) {
                  studies::advice::text_of(found, std::nullopt));
     }
     if (!complete) {
-      fmt::print(
-          "{}", studies::advice::text_of(sampled_in_time(chosen.scene, reached, options.range.to)));
+      fmt::print("{}",
+                 studies::advice::text_of(sampled_in_time(chosen.scene, reached, options.range.to,
+                                                          seconds_to_sample(options.seconds))));
     }
   }
   report::require_none(plot.failures);

@@ -205,29 +205,33 @@ int threshold(const ThresholdOptions& options) {
   QuietSpeedAnswer output;
   Score score;
   const bool of_the_long_run = is_of_the_long_run(chosen.scene, limit_of(asked));
-  limited(options.asked.seconds, [&] {
-    try {
-      output = answer_quiet_speed(chosen.name, chosen.scene, asked, options.asked.tolerance / 100,
-                                  chosen.source);
-    } catch (const TimeLimitReached&) {
-      if (!of_the_long_run) throw;
-      by_the_paper = false;
-      output.name = chosen.name;
-      output.scene = chosen.scene;
-      output.answer.options = asked;
-      output.answer.reached = slowest_of_a_range;
-      return;
-    }
-    score = score_of(output.answer);
-    try {
-      if (by_the_paper) score = carrier_track::score(chosen.scene, chosen.claim, scan);
-    } catch (const TimeLimitReached&) {
-      output.left_out.emplace_back("paper's rule");
-      by_the_paper = false;
-    }
-  });
+  limited(
+      options.asked.seconds,
+      [&] {
+        try {
+          output = answer_quiet_speed(chosen.name, chosen.scene, asked,
+                                      options.asked.tolerance / 100, chosen.source);
+        } catch (const TimeLimitReached&) {
+          if (!of_the_long_run) throw;
+          by_the_paper = false;
+          output.name = chosen.name;
+          output.scene = chosen.scene;
+          output.answer.options = asked;
+          output.answer.reached = slowest_of_a_range;
+          return;
+        }
+        score = score_of(output.answer);
+        try {
+          if (by_the_paper) score = carrier_track::score(chosen.scene, chosen.claim, scan);
+        } catch (const TimeLimitReached&) {
+          output.left_out.emplace_back("paper's rule");
+          by_the_paper = false;
+        }
+      },
+      of_the_long_run ? seconds_to_sample(options.asked.seconds) : 0);
   if (of_the_long_run && output.answer.reached) {
-    output.sampled = sampled_in_time(chosen.scene, *output.answer.reached, asked.fastest);
+    output.sampled = sampled_in_time(chosen.scene, *output.answer.reached, asked.fastest,
+                                     seconds_to_sample(options.asked.seconds));
   }
   score.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::Plot plot;

@@ -10,6 +10,7 @@
 #include "problems/carrier_track/models/impact_lanes.h"
 #include "problems/carrier_track/regimes/disturbed_motion.h"
 #include "problems/carrier_track/scene/scene_check.h"
+#include "src/core/time_limit.h"
 
 namespace ricochet::carrier_track::inline regimes {
 namespace {
@@ -68,6 +69,7 @@ std::vector<SampledTurns> sampled_turns(const Scene& scene, double from, double 
   try {
     // A turn at a slow speed takes longest.
     for (int k = sampled_speeds - 1; k >= 0; --k) {
+      report_progress("simulations at single speeds", 1 - (k + 1.0) / sampled_speeds);
       const double omega =
           k == sampled_speeds - 1 ? to : from * std::pow(to / from, k / (sampled_speeds - 1.0));
       sampled.push_back(turns_at(scene, omega));

@@ -28,8 +28,8 @@ class Limited {
   std::jthread shown_;
 };
 
-/// Returns what `work` returns, under a limit, see Limited. Throws a std::runtime_error if that throws
-/// TimeLimitReached.
+/// Returns what `work` returns, under a limit, see Limited. Throws a std::runtime_error if that
+/// throws TimeLimitReached.
 template <class Work>
 auto limited(double seconds, const Work& work, double kept = 0) {
   const Limited limit(seconds, kept);

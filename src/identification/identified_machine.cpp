@@ -177,9 +177,8 @@ IdentifiedMachine identify(const KnockLoss& loss, const Solver& solver, double f
   IdentifiedMachine machine;
   machine.fit = fit_knocks(loss, solver);
   const KnockFit& fit = machine.fit;
-  machine.has_covariance =
-      !fit.complete ||
-      is_covariance(fit.covariance.topLeftCorner(machine_constants, machine_constants));
+  machine.has_covariance = !fit.complete || is_covariance(fit.covariance.topLeftCorner(
+                                                machine_constants, machine_constants));
   if (!machine.has_covariance) machine.fit.covariance.setZero();
   if (!fit.x.allFinite()) throw std::runtime_error("no machine was found that makes these knocks");
   const KnockUnknowns found = unknowns_at(fit.x);

@@ -138,7 +138,8 @@ std::string caution(const std::filesystem::path& file);
 /// Joins stores into a new file. Throws InputError, naming the file and the difference, if one is
 /// of another campaign, unless `united` makes one description of the two, or if two have the same
 /// run with different results; then no file is made. Without `united` it keeps `made` of the first
-/// store; to that it adds `made`, whose values are the later ones. Keeps the times of the first of two equal runs.
+/// store; to that it adds `made`, whose values are the later ones. Keeps the times of the first of
+/// two equal runs.
 using United =
     std::function<CampaignDescription(const CampaignDescription&, const CampaignDescription&)>;
 void merge(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out,

@@ -5,6 +5,8 @@
 #include <complex>
 #include <numbers>
 
+#include "src/core/time_limit.h"
+
 namespace ricochet::studies::identification {
 
 using namespace carrier_track;
@@ -50,6 +52,8 @@ double best_speed_factor(const std::vector<double>& knocks) {
   double best = 1;
   double most = 0;
   for (double offset = 0; offset <= widest; offset += step) {
+    check_time_limit();
+    report_progress("speed of the record", offset / widest);
     for (const double factor : {1 - offset, 1 + offset}) {
       std::complex<double> sum = 0;
       for (const double angle : knocks) sum += std::polar(1.0, 2 * factor * angle);
@@ -108,6 +112,7 @@ std::vector<Vector> fit_starts(const KnockLoss& loss, std::size_t most, Random& 
   const double slowest = loss.scene().counting_limit;
   std::vector<Guess> guesses;
   for (int k = 0; k < draws; ++k) {
+    report_progress("starts of the fit", k / static_cast<double>(draws));
     Vector x = drawn(loss.guess(), k == 0, random);
     x[coordinate::speed_factor] = std::log(factor);
     PlateAngle plate(record);
@@ -117,6 +122,7 @@ std::vector<Vector> fit_starts(const KnockLoss& loss, std::size_t most, Random& 
     }
     Guess best{-std::numeric_limits<double>::infinity(), x};
     for (int i = 0; i < (record.plate ? 1 : angles); ++i) {
+      check_time_limit();
       const double phase = 2 * std::numbers::pi * i / angles;
       const double score = score_of(turned, impacts, phase);
       if (score <= best.score) continue;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/core/time_limit.h"
+
 namespace ricochet::carrier_track::inline identification {
 namespace {
 
@@ -156,6 +158,7 @@ double KnockDensity::bump(const Knock& knock, const PredictedImpact& impact, Vec
 }
 
 double KnockDensity::log_at(const Knock& knock, Vector* slopes, double factor) const {
+  check_time_limit();  // many impacts are within the reach of a large jitter
   const double spurious = at_.spurious_rate / strength_range_;
   double density = spurious;
   const double width = this->width(knock.time);

@@ -24,9 +24,11 @@ class UnderTimeLimit {
 };
 
 /// Calls body(0), ..., body(size - 1) in parallel, begun in this order, under the time limit of
-/// this thread, and reports the share that is done as `stage`. Throws what a body throws.
+/// this thread, and reports the share that is done as `stage`: of these, or of `all`, of which
+/// `before` were done before. Throws what a body throws.
 template <class Body>
-void in_parallel(const char* stage, std::size_t size, const Body& body) {
+void in_parallel(const char* stage, std::size_t size, const Body& body, std::size_t before = 0,
+                 std::size_t all = 0) {
   const WorkTime shared = work_time_of_this_thread();
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> done = 0;
@@ -35,7 +37,8 @@ void in_parallel(const char* stage, std::size_t size, const Body& body) {
       const UnderTimeLimit same(shared.limit);
       body(next++);
     }
-    const double share = static_cast<double>(++done) / static_cast<double>(size);
+    const double share =
+        static_cast<double>(before + ++done) / static_cast<double>(all > 0 ? all : size);
     if (shared.listener != nullptr) shared.listener->report(stage, share);
   });
 }

@@ -70,14 +70,13 @@ void check_sampling(const Scene& scene, const BasinOptions& options) {
 }
 
 /// The machine at its speed, started at random within the limits of `basins`.
-std::vector<Scene> random_starts(const Scene& scene, const BasinOptions& options,
-                                 const Basins& basins) {
+std::vector<Scene> random_starts(const Scene& scene, const Basins& basins, int count,
+                                 Random& random) {
   const double period =
       2 * std::numbers::pi / scene.omega * static_cast<double>(forcing_turns(scene));
-  Random random(options.seed);
   std::vector<Scene> starts;
-  starts.reserve(static_cast<std::size_t>(options.starts));
-  for (int k = 0; k < options.starts; ++k) {
+  starts.reserve(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) {
     check_time_limit();
     Scene& start = starts.emplace_back(scene);
     const double time = period * uniform(random);
@@ -103,24 +102,32 @@ Basins basins_of(const Scene& scene, const BasinOptions& options) {
   result.fastest = options.fastest.value_or(
       std::max({std::abs(hard.start_velocity), steady_motion(hard).fastest_impact(),
                 result.height * hard.omega}));
-  const std::vector<Scene> starts = random_starts(hard, options, result);
-  std::vector<std::optional<SettledStart>> settled(starts.size());
-  try {
-    in_parallel("starts", starts.size(),
-                [&](std::size_t i) { settled[i] = settled_from(starts[i]); });
-  } catch (const TimeLimitReached&) {
-    // The starts before the first that had no time are taken.
-  }
-  for (const std::optional<SettledStart>& start : settled) {
-    if (!start) break;
-    ++result.starts;
-    const auto known = std::ranges::find_if(result.basins, [&](const Basin& basin) {
-      return start->is_like({basin.motion, basin.turns});
-    });
-    if (known == result.basins.end()) {
-      result.basins.push_back({start->motion, start->turns, 1});
-    } else {
-      ++known->starts;
+  Random random(options.seed);
+  constexpr int group = 1000;  // in memory at once
+  bool in_time = true;
+  for (int before = 0; before < options.starts && in_time; before += group) {
+    std::vector<std::optional<SettledStart>> settled;
+    try {
+      const std::vector<Scene> starts =
+          random_starts(hard, result, std::min(group, options.starts - before), random);
+      settled.resize(starts.size());
+      in_parallel(
+          "starts", starts.size(), [&](std::size_t i) { settled[i] = settled_from(starts[i]); },
+          static_cast<std::size_t>(before), static_cast<std::size_t>(options.starts));
+    } catch (const TimeLimitReached&) {
+      in_time = false;  // the starts before the first that had no time are taken
+    }
+    for (const std::optional<SettledStart>& start : settled) {
+      if (!start) break;
+      ++result.starts;
+      const auto known = std::ranges::find_if(result.basins, [&](const Basin& basin) {
+        return start->is_like({basin.motion, basin.turns});
+      });
+      if (known == result.basins.end()) {
+        result.basins.push_back({start->motion, start->turns, 1});
+      } else {
+        ++known->starts;
+      }
     }
   }
   if (result.starts == 0) throw TimeLimitReached();

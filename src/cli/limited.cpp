@@ -72,7 +72,7 @@ std::runtime_error Limited::reached() const {
 }
 
 double seconds_to_sample(double seconds) {
-  return std::min(5.0, seconds / 5);
+  return std::min(5.0, seconds / 2);
 }
 
 std::vector<carrier_track::SampledTurns> sampled_in_time(const carrier_track::Scene& scene,

@@ -1,5 +1,6 @@
 // Commands that compute a machine: limit, progress, and what is known when the limit is reached.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -77,11 +78,11 @@ TEST(TimeLimit, SaysInJsonWhatIsNotComplete) {
 /// What is not known in time is simulated at some speeds, whatever the command and the format.
 TEST(TimeLimit, SaysWhatSimulationAloneTellsOfTheRest) {
   for (const std::string command : {"threshold", "regimes"}) {
-    const std::string out = call_limited(command + disturbed, 1).out;
+    const std::string out = call_limited(command + disturbed, 6).out;
     EXPECT_THAT(out, HasSubstr("By simulation alone, not certain")) << command;
     EXPECT_THAT(out, HasSubstr("\n  18.000   171.89  ")) << command;
   }
-  const auto json = ordered_json::parse(call_limited("threshold --format json" + disturbed, 1).out);
+  const auto json = ordered_json::parse(call_limited("threshold --format json" + disturbed, 6).out);
   EXPECT_EQ(json["complete"], false);
   EXPECT_EQ(json["reached"], 0.01);
   EXPECT_TRUE(json["fastest_quiet"].is_null());
@@ -93,6 +94,15 @@ TEST(TimeLimit, SaysWhatSimulationAloneTellsOfTheRest) {
   }
   EXPECT_EQ(call_limited("regimes --format json" + disturbed, 1).out, "[]\n");
   EXPECT_TRUE(ordered_json::parse(call("threshold --format json" + scene).out)["sampled"].empty());
+}
+
+/// What comes before and after the main work is under the limit, too, and as large as it may be.
+TEST(TimeLimit, IsOfTheWholeCommand) {
+  std::string knocks = "time\n";
+  for (int k = 1; k <= 200'000; ++k) knocks += fmt::format("{:.6f}\n", 0.02 * k + 0.003 * (k % 7));
+  const auto file = write(fresh_folder(), "knocks.csv", knocks);
+  call_limited(fmt::format("identify {} --omega 7", file.string()) + scene, 2);
+  call_limited("regimes" + scene + " --starts 10000000 --omega 8", 2);
 }
 
 TEST(TimeLimit, ShowsProgressAfterASecondAndNoneBefore) {

@@ -200,7 +200,8 @@ TEST(Svg, LeavesAGapWhereAValueIsMissing) {
 }
 
 TEST(Svg, ShowsALineOfOneSampleAsADot) {
-  const auto paths = ReadSvg(to_svg(line_chart({{3, 4}}))).paths("stroke", first_colour);
+  const ReadSvg svg(to_svg(line_chart({{3, 4}})));
+  const auto paths = svg.paths("stroke", first_colour);
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_STREQ(paths[0].node.attribute("stroke-linecap").value(), "round");
 }

@@ -148,7 +148,8 @@ void add_perturbed(const Known& known, const PerturbedData& data, const std::str
     if (!offered) continue;
     for (const auto& [family, entries] : families) {
       const auto plain = std::ranges::find_if(
-          chooser.situations, [&](const Situation& one) { return one.family == family; });
+          chooser.situations,
+          [&, &its = family](const Situation& one) { return one.family == its; });
       std::vector<Choice> choices = first_of(choices_under(known, entries, p));
       if (choices.empty() || plain == chooser.situations.end()) continue;
       Situation situation = *plain;

@@ -14,10 +14,6 @@
 namespace ricochet::cli {
 namespace {
 
-const CLI::Option* option_named(const CLI::App& command, const std::string& name) {
-  return command.get_option_no_throw(name);
-}
-
 bool is_number(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   return type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
@@ -70,7 +66,7 @@ std::string hint_at_argument(const CLI::App& command, const std::string& argumen
   std::error_code none;
   const bool is_machine = std::filesystem::path(argument).extension() == ".toml" ||
                           std::filesystem::exists(argument, none);
-  if (is_machine && option_named(command, "--scene") != nullptr) {
+  if (is_machine && command.get_option_no_throw("--scene") != nullptr) {
     return fmt::format("{0}: give it as --scene {0}", argument);
   }
   return "";

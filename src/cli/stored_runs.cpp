@@ -125,13 +125,7 @@ Repetition repetition_of(const Store& store, const std::string& file, const std:
   const auto again = made_again(description, plan, stored->key, programs);
   if (!again) throw InputError(fmt::format("{}: run {} is none of its plan's", file, run));
   const RunRecord& record = again->record;
-  std::string differs = difference(parts_of(record), parts_of(stored->record));
-  if (!differs.empty() && is_archived(description)) {
-    const std::vector<StoredProblem>& problems = description.problems;
-    const auto problem =
-        std::ranges::find(problems, stored->key.cell.problem, &StoredProblem::name);
-    differs = difference(parts_of(thinned(record, *problem)), parts_of(stored->record));
-  }
+  const std::string differs = difference_when_repeated(description, *stored, record);
   const auto solver =
       std::ranges::find(description.solvers, stored->key.cell.solver, &StoredSolver::name);
   const bool changed = !solver->content.empty() && solver->content != again->content;

@@ -119,15 +119,6 @@ Sample drawn_from(const std::vector<std::string>& files,
   return sample;
 }
 
-std::string difference_of(const Drawn& drawn, const RunRecord& again) {
-  std::string differs = difference(parts_of(again), parts_of(drawn.run.record));
-  if (differs.empty() || !is_archived(drawn.description)) return differs;
-  const std::vector<StoredProblem>& problems = drawn.description.problems;
-  const auto problem =
-      std::ranges::find(problems, drawn.run.key.cell.problem, &StoredProblem::name);
-  return difference(parts_of(thinned(again, *problem)), parts_of(drawn.run.record));
-}
-
 /// Searches again for the best values of the drawn problems for which a store has them found.
 void search(const std::vector<Drawn>& drawn) {
   std::set<std::string> done;
@@ -158,7 +149,8 @@ void repeat(const std::vector<Drawn>& drawn) {
   }
   Progress progress("repeating runs", static_cast<double>(jobs.size()));
   run_all(jobs, limits, [&](std::size_t job, const RunRecord& again) {
-    const std::string differs = difference_of(drawn[job], again);
+    const std::string differs =
+        difference_when_repeated(drawn[job].description, drawn[job].run, again);
     progress.advance(1);
     if (differs.empty()) return;
     throw InputError(fmt::format(

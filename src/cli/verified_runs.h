@@ -18,8 +18,8 @@ struct Verification {
 void add_verification(CLI::App* command, Verification& verification);
 
 /// Repeats a random sample of the wanted runs of some stores. Returns in words, for the store that
-/// they come to, how many there are, how many were repeated, by whom and when. Throws InputError,
-/// naming file and run, if one differs from what is stored, by a bit.
+/// they come to, how many there are, how many were repeated, the user and the date. Throws
+/// InputError, naming file and run, if one differs from what is stored, by a bit.
 std::string verified(const std::vector<std::string>& files,
                      const std::function<bool(const RunKey&)>& wanted,
                      const Verification& verification);

@@ -15,7 +15,7 @@ void report_progress(const char* stage, double share);
 /// The time limits of a thread, to be handed on to those that share its work.
 struct WorkTime {
   TimeLimit* limit = nullptr;     ///< the innermost; nullptr: none
-  TimeLimit* listener = nullptr;  ///< to whom progress is reported; nullptr: nobody
+  TimeLimit* listener = nullptr;  ///< hears of progress; nullptr: nobody
 };
 
 WorkTime& work_time_of_this_thread();

@@ -90,6 +90,19 @@ std::vector<Scene> random_starts(const Scene& scene, const Basins& basins, int c
   return starts;
 }
 
+/// Counts a start for the motion that it settled on.
+void add(Basins& basins, const SettledStart& start) {
+  ++basins.starts;
+  const auto known = std::ranges::find_if(basins.basins, [&](const Basin& basin) {
+    return start.is_like({basin.motion, basin.turns});
+  });
+  if (known == basins.basins.end()) {
+    basins.basins.push_back({start.motion, start.turns, 1});
+  } else {
+    ++known->starts;
+  }
+}
+
 }  // namespace
 
 Basins basins_of(const Scene& scene, const BasinOptions& options) {
@@ -119,15 +132,7 @@ Basins basins_of(const Scene& scene, const BasinOptions& options) {
     }
     for (const std::optional<SettledStart>& start : settled) {
       if (!start) break;
-      ++result.starts;
-      const auto known = std::ranges::find_if(result.basins, [&](const Basin& basin) {
-        return start->is_like({basin.motion, basin.turns});
-      });
-      if (known == result.basins.end()) {
-        result.basins.push_back({start->motion, start->turns, 1});
-      } else {
-        ++known->starts;
-      }
+      add(result, *start);
     }
   }
   if (result.starts == 0) throw TimeLimitReached();

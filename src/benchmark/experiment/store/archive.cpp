@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "ricochet/error.h"
+#include "src/benchmark/experiment/store/stored_parts.h"
 #include "src/benchmark/experiment/store/xz.h"
 #include "src/core/scratch_folder.h"
 #include "src/core/text_file.h"
@@ -86,6 +87,16 @@ RunRecord thinned(RunRecord record, const StoredProblem& problem) {
   record.trace = thinned(std::move(record.trace), problem, record.returned);
   if (record.returned) record.returned->x = Vector();
   return record;
+}
+
+std::string difference_when_repeated(const CampaignDescription& description,
+                                     const StoredRun& stored, const RunRecord& again) {
+  const std::vector<StoredPart> parts = parts_of(stored.record);
+  std::string differs = difference(parts_of(again), parts);
+  if (differs.empty() || !is_archived(description)) return differs;
+  const auto problem =
+      std::ranges::find(description.problems, stored.key.cell.problem, &StoredProblem::name);
+  return difference(parts_of(thinned(again, *problem)), parts);
 }
 
 bool is_archived(const CampaignDescription& description) {

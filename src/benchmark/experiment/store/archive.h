@@ -16,6 +16,11 @@ namespace ricochet {
 /// times), the first that solves, the first as good as the returned point, and the last.
 RunRecord thinned(RunRecord record, const StoredProblem& problem);
 
+/// In what a run that was made again differs from the stored one, of an archive too; empty if in
+/// nothing.
+std::string difference_when_repeated(const CampaignDescription& description,
+                                     const StoredRun& stored, const RunRecord& again);
+
 /// Whether runs of a campaign may be thinned: they are if its description is marked so.
 bool is_archived(const CampaignDescription& description);
 void mark_archived(CampaignDescription& description);

@@ -203,13 +203,12 @@ StoredRun RunRows::read(const Use& row, const Cell& cell) {
 }
 
 StoredRun RunRows::read(std::int64_t number, const Use& row, const Cell& cell) {
-  const auto small = [&row](int column) { return row.count(column); };
-  StoredRun stored = {number, {cell, small(1), small(2)}, {}};
+  StoredRun stored = {number, {cell, row.count(1), row.count(2)}, {}};
   RunRecord& record = stored.record;
   record.problem = row.text(3);
   record.solver = row.text(4);
-  record.instance = small(5);
-  record.run = small(6);
+  record.instance = row.count(5);
+  record.run = row.count(6);
   record.seed = static_cast<std::uint64_t>(row.integer(7));
   record.budget = {row.integer(8), row.number(9)};
   record.ledger = {row.integer(10), row.integer(11), row.integer(12),

@@ -19,7 +19,6 @@
 
 #include "ricochet/error.h"
 #include "src/cli/hints.h"
-#include "src/cli/old_names.h"
 #include "src/cli/version.h"
 #include "src/core/interruption.h"
 #include "src/core/near_names.h"
@@ -261,7 +260,6 @@ std::pair<const CLI::App*, std::string> CommandLine::called() const {
 /// Returns CLI11's message; for an unknown command or option it adds a suggestion.
 std::string CommandLine::explanation(const CLI::ParseError& error) const {
   if (names_no_command()) {
-    if (const std::string renaming = renaming_of(first_); !renaming.empty()) return renaming;
     return fmt::format("{} is no command; {}", first_,
                        what_instead(first_, names_of(app_.get_subcommands(nullptr))));
   }
@@ -274,7 +272,6 @@ std::string CommandLine::explanation(const CLI::ParseError& error) const {
     if (!lacks && !hint.empty()) return place + hint;
     return place + error.what() + (hint.empty() ? "" : ", " + hint);
   }
-  if (const std::string renaming = renaming_of(extra.front()); !renaming.empty()) return renaming;
   if (!extra.front().starts_with('-')) {
     const std::string hint = hint_at_argument(*app, extra.front());
     if (!hint.empty()) return place + hint;

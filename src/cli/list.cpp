@@ -14,7 +14,6 @@
 #include "ricochet/families.h"
 #include "ricochet/solvers.h"
 #include "src/cli/commands.h"
-#include "src/cli/old_names.h"
 #include "src/cli/shared_options.h"
 #include "src/core/near_names.h"
 #include "src/report/json.h"
@@ -231,7 +230,6 @@ void add_list(CommandLine& line) {
   const auto options = std::make_shared<ListOptions>();
   command->add_option("what", options->what, "cases, problems, solvers or interpretations")
       ->required()
-      ->check([](const std::string& what) { return renaming_of(what); })
       ->check(CLI::IsMember({"cases", "problems", "solvers", "interpretations"}));
   add_scene_file(command, options->scene_file, options->settings);
   command->add_option("--family", options->family, "Problems of this family")->type_name("FAMILY");

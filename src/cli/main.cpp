@@ -1,5 +1,4 @@
 #include "src/cli/commands.h"
-#include "src/cli/old_names.h"
 #include "src/cli/other_program.h"
 
 int main(int argc, char** argv) {
@@ -29,7 +28,6 @@ int main(int argc, char** argv) {
   add_site(line);
   add_other(line, reproduction);
   for (const OtherCommand& other : other_commands) add_other(line, other);
-  add_moved(line, "trials", "calibrate --variants");
   add_describe(line);
   return line.run(argc, argv);
 }

@@ -50,7 +50,6 @@ void hand_over(const OtherCommand& other, std::vector<std::string> arguments) {
 void add_other(CommandLine& line, const OtherCommand& other) {
   line.start_group(other.group);
   CLI::App* command = line.add(other.command, other.summary);
-  if (other.command == std::string("best-values")) command->alias("certify");  // its old name
   command->set_help_flag();
   for (CLI::Option* option : command->get_options()) command->remove_option(option);
   command->prefix_command();

@@ -24,8 +24,6 @@ inline constexpr OtherCommand reproduction = {
 inline constexpr OtherCommand other_commands[] = {
     {"calibrate", "ricochet-studies",
      "Fit the unknown parameters to the paper's thresholds, as a report", "paper"},
-    {"limits", "ricochet-studies",
-     "How close any interpretation can come to the paper, as a report", "paper"},
     {"dynamics", "ricochet-studies",
      "Contact laws, time integration, hard and compliant walls, as a report", "paper"},
     {"surrogate", "ricochet-studies",

@@ -14,6 +14,7 @@
 #include "embedded/quick_plan.h"
 #include "embedded/reference_plan.h"
 #include "embedded/slurm_template.h"
+#include "embedded/studies_plan.h"
 #include "ricochet/error.h"
 #include "solvers/varied.h"
 #include "src/benchmark/experiment/campaign/forecast.h"
@@ -157,15 +158,19 @@ int slurm_script(const PlanOptions& options) {
 
 }  // namespace
 
-Plan plan_named(const std::string& name) {
+namespace {
+
+/// The plan of this name or file. It may include others, if `included` says how to read those.
+Plan read_named_plan(const std::string& name, const PlanByName& included) {
   const std::vector<std::pair<std::string, const char*>> included = {
       {"quick", embedded::quick_plan},
       {"default", embedded::default_plan},
       {"reference", embedded::reference_plan},
+      {"studies", embedded::studies_plan},
       {"full", embedded::full_plan}};
   std::vector<std::string> names;
   for (const auto& [known, text] : included) {
-    if (name == known) return plan_from(text, name);
+    if (name == known) return plan_from(text, name, included);
     names.push_back(known);
   }
   const std::vector<std::string> meant = near_names(name, names);
@@ -173,14 +178,21 @@ Plan plan_named(const std::string& name) {
     throw InputError(
         fmt::format("{}: there is no such file; did you mean {}?", name, meant.front()));
   }
-  return read_plan(name);
+  return read_plan(name, included);
+}
+
+}  // namespace
+
+Plan plan_named(const std::string& name) {
+  return read_named_plan(name, [](const std::string& other) { return read_named_plan(other, {}); });
 }
 
 void add_plan_file(CLI::App* command, std::string& plan) {
   command
-      ->add_option("plan", plan,
-                   "A plan file (TOML), - for standard input; or quick, default, reference, full")
-      ->type_name("PLAN:{quick,default,reference,full}")
+      ->add_option(
+          "plan", plan,
+          "A plan file (TOML), - for standard input; or quick, default, studies, reference, full")
+      ->type_name("PLAN:{quick,default,studies,reference,full}")
       ->required();
 }
 

@@ -8,7 +8,6 @@
 #include "src/cli/tell.h"
 #include "src/research/dynamics/study.h"
 #include "src/research/fireworks/study.h"
-#include "src/research/limits/study.h"
 #include "src/research/suite/families.h"
 #include "src/research/surrogate/study.h"
 
@@ -26,18 +25,6 @@ CLI::App* add_study(CommandLine& line, const std::string& command,
     return 0;
   });
   return added;
-}
-
-void add_limits(CommandLine& line) {
-  CLI::App* command =
-      line.add("limits", summary_of("limits"),
-               "  ricochet limits --quick\n"
-               "  ricochet limits --out mine  # and the same again, to go on where it was stopped");
-  const auto options = add_study_options(command, studies::limits_study({}));
-  line.on_call(command, [options] {
-    tell(studies::run(studies::limits_study(options->out), options->quick, options->out));
-    return 0;
-  });
 }
 
 void add_problems(CommandLine& line) {
@@ -66,7 +53,6 @@ int main(int argc, char** argv) {
   using namespace ricochet::cli;
   CommandLine line;
   add_calibrate(line);
-  add_limits(line);
   add_study(line, "dynamics", studies::dynamics_study, "  ricochet dynamics --quick");
   add_study(line, "surrogate", studies::surrogate_study, "  ricochet surrogate --quick");
   add_study(line, "fireworks", studies::fireworks_study, "  ricochet fireworks --quick");

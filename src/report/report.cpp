@@ -18,8 +18,6 @@
 #include "embedded/template_family.h"
 #include "embedded/template_fireworks.h"
 #include "embedded/template_impact_test.h"
-#include "embedded/template_limits.h"
-#include "embedded/template_long_run.h"
 #include "embedded/template_problems.h"
 #include "embedded/template_reproduction.h"
 #include "embedded/template_stress.h"
@@ -53,8 +51,6 @@ constexpr std::pair<std::string_view, const char*> templates[] = {
     {"problems", embedded::template_problems},
     {"family", embedded::template_family},
     {"calibration", embedded::template_calibration},
-    {"limits", embedded::template_limits},
-    {"long-run", embedded::template_long_run},
     {"verification", embedded::template_verification},
     {"impact-test", embedded::template_impact_test},
     {"stress", embedded::template_stress},

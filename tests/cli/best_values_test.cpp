@@ -28,8 +28,7 @@ TEST(BestValues, RefusesWhatItCannotDo) {
   expect_refusal("best-values --problems nothing --out " + (fresh_folder() / "best.toml").string(),
                  "nothing");
   expect_refusal("best-values --seconds -3", "--seconds");
-  expect_refusal("certify --problems nothing", "nothing");  // as it was called
-  expect_refusal("certify --problems profile-2-C1", "did you mean profile-wear-2-C1 or");
+  expect_refusal("best-values --problems profile-2-C1", "did you mean profile-wear-2-C1 or");
 }
 
 }  // namespace

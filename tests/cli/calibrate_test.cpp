@@ -19,20 +19,6 @@ TEST(Calibrate, RefusesWhatItDoesNotKnowBeforeItWorks) {
   EXPECT_EQ(read(file), "mine");
 }
 
-TEST(Calibrate, FitsTheLongRunAlone) {
-  for (const char* other : {"--variants", "--check", "--all-interpretations", "--seed 2"}) {
-    expect_refusal(std::string("calibrate --long-run ") + other, "--long-run");
-  }
-  const auto file = write(fresh_folder(), "file", "mine");
-  expect_refusal("calibrate --long-run --out " + (file / "report").string(), "file/report");
-  EXPECT_EQ(read(file), "mine");
-}
-
-TEST(Calibrate, IsWhereTrialsHaveGone) {
-  expect_refusal("trials", "trials: is now: ricochet calibrate --variants");
-  expect_refusal("trials --quick --out mine", "ricochet calibrate --variants");
-}
-
 TEST(Calibrate, RefusesFitsOfAnotherVersion) {
   const auto folder = fresh_folder();
   write(folder, "fits.toml", "[[fit]]\nkey = 'of version 1'\n");

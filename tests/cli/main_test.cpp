@@ -48,7 +48,7 @@ TEST(Main, GroupsTheCommandsInItsHelp) {
                            "suite:\n  verify ",
                            "  stress ",
                            "  problems ",
-                           "  best-values, certify ",
+                           "  best-values ",
                            "  bench "}) {
     const std::size_t at = help.find(std::string("\n") + line, last);
     ASSERT_NE(at, std::string::npos) << line << help;

@@ -25,8 +25,7 @@ struct Fit {
   std::vector<carrier_track::Unknown> free;
   carrier_track::Constants constants;  ///< fitted and fixed
   double loss;
-  std::string left_out;          ///< the case left out of the fit; empty: none
-  std::vector<double> own = {};  ///< a model variant's own parameters
+  std::string left_out;  ///< the case left out of the fit; empty: none
 };
 
 /// Name of an unknown parameter in words: "centrifugal mass radius".

@@ -50,9 +50,8 @@ std::optional<std::vector<double>> numbers_in(const toml::array* array) {
 std::optional<Fit> fit_in(const toml::table& table) {
   const auto loss = table["loss"].value<double>();
   const auto constants = numbers_in(table["constants"].as_array());
-  const auto own = numbers_in(table["own"].as_array());
-  if (!loss || !constants || !own || constants->size() != unknown_size) return std::nullopt;
-  Fit fit{{}, {}, {}, *loss, "", *own};
+  if (!loss || !constants || constants->size() != unknown_size) return std::nullopt;
+  Fit fit{{}, {}, {}, *loss, ""};
   std::ranges::copy(*constants, fit.constants.begin());
   return fit;
 }
@@ -165,12 +164,8 @@ std::optional<Fit> FitStore::find(const AskedFit& asked) const {
   }
   const Kept kept = found->second;
   lock.unlock();
-  Fit fit{asked.parameterisation.interpretation,
-          asked.parameterisation.free,
-          kept.fit.constants,
-          kept.fit.loss,
-          asked.left_out,
-          kept.fit.own};
+  Fit fit{asked.parameterisation.interpretation, asked.parameterisation.free, kept.fit.constants,
+          kept.fit.loss, asked.left_out};
   if (kept.from_file) check_loss(asked, fit);
   return fit;
 }
@@ -193,8 +188,7 @@ void FitStore::add(const std::vector<AskedFit>& asked, const std::vector<Fit>& f
       tables.push_back(toml::table{{"name", name},
                                    {"options", options},
                                    {"loss", kept.fit.loss},
-                                   {"constants", array_of(kept.fit.constants)},
-                                   {"own", array_of(kept.fit.own)}});
+                                   {"constants", array_of(kept.fit.constants)}});
     }
   }
   std::ostringstream text;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/benchmark/statistics/rank_correlation.h"
 #include "src/research/calibration/fit_task.h"
 #include "src/research/calibration/long_searches.h"
 #include "src/research/paper/fitted_interpretation.h"
@@ -103,28 +102,6 @@ std::vector<RankedFit> compared_interpretations(const Plan& plan, FitStore& stor
   return appraised(std::move(fits), 5 * plan.step);
 }
 
-/// Fits the same interpretations with each of the other searches, from the natural values.
-std::vector<Ranking> rankings_of(const Results& results, const Plan& plan, FitStore& store) {
-  std::vector<double> own;
-  std::vector<Interpretation> interpretations;
-  for (const RankedFit& r : results.interpretations) {
-    if (r.fit.interpretation.recovery == Recovery::contact_speed) continue;
-    own.push_back(r.fit.loss);
-    interpretations.push_back(r.fit.interpretation);
-  }
-  std::vector<Ranking> rankings;
-  for (const Search& check : plan.checks) {
-    Ranking& ranking = rankings.emplace_back();
-    ranking.search = with_evaluations(check, plan.search.evaluations);
-    for (const Fit& f : fits_of(interpretations, ranking.search, store)) {
-      ranking.interpretations.push_back(f.interpretation);
-      ranking.losses.push_back(f.loss);
-    }
-    ranking.rank_correlation = rank_correlation(own, ranking.losses).value_or(0.0);
-  }
-  return rankings;
-}
-
 /// Returns the fit with the lowest criterion among the best few whose cases share a scene.
 Fit most_sparing(const std::vector<RankedFit>& interpretations) {
   std::vector<const RankedFit*> candidates;
@@ -200,12 +177,11 @@ std::vector<Prediction> predictions_of(const Fit& choice, const Plan& plan, FitS
 }  // namespace
 
 Plan full_plan(const Search& search) {
-  return {with_evaluations(search, 2400), 12000, 1600, 2400, 100, 2, {}, 0.01,
-          core_interpretations()};
+  return {with_evaluations(search, 2400), 12000, 1600, 2400, 100, 2, 0.01, core_interpretations()};
 }
 
 Plan quick_plan(const Search& search) {
-  return {with_evaluations(search, 30), 60, 12, 12, 6, 2, {}, 0.1, core_interpretations()};
+  return {with_evaluations(search, 30), 60, 12, 12, 6, 2, 0.1, core_interpretations()};
 }
 
 ConvergencePlan full_convergence(const Solver& one, const Solver& other) {
@@ -220,7 +196,6 @@ Results calibrate(const Plan& plan, FitStore& store) {
   Results results;
   results.plan = plan;
   results.interpretations = compared_interpretations(plan, store);
-  if (results.interpretations.size() > 1) results.rankings = rankings_of(results, plan, store);
   results.frontier = frontier_of(most_sparing(results.interpretations), plan, store);
   const auto lowest =
       std::min_element(results.frontier.begin(), results.frontier.end(), lower_criterion);
@@ -233,7 +208,6 @@ Results calibrate(const Plan& plan, FitStore& store) {
       std::stable_sort(fits.begin(), fits.end(), lower_criterion);
     }
   }
-  if (plan.variants) results.variants = try_variants(*plan.variants, store);
   results.usual = usual_interpretation(plan);
   const Fit& choice = results.choice().fit;
   results.predictions = predictions_of(choice, plan, store);

@@ -8,7 +8,6 @@
 #include "src/research/calibration/convergence.h"
 #include "src/research/calibration/fit_store.h"
 #include "src/research/calibration/sensitivity.h"
-#include "src/research/calibration/variant_results.h"
 
 namespace ricochet::studies::calibration {
 
@@ -20,14 +19,12 @@ struct Plan {
   std::int64_t left_out_evaluations = 0;  ///< for each fit with one case left out
   std::int64_t profile_evaluations = 0;   ///< at each point of a profile
   std::size_t fewest_constants = 2;       ///< where the frontier ends
-  std::vector<Search> checks = {};        ///< that repeat the ranking of the interpretations
   double step = 0;                        ///< [rad/s] between the speeds of an evaluation
   std::vector<carrier_track::Interpretation>
       interpretations;  ///< to be compared; of the best one the variations
                         ///< are compared too, if there are several, and
                         ///< then those of the best of these
   std::optional<ConvergencePlan> convergence = {};  ///< if requested
-  std::optional<VariantPlan> variants = {};         ///< if requested
 };
 
 /// All interpretations; about seven minutes on two cores.
@@ -54,19 +51,9 @@ struct Prediction {
   std::optional<double> predicted;  ///< [rad/s]
 };
 
-/// The losses of another search for the same interpretations.
-struct Ranking {
-  Search search;
-  std::vector<carrier_track::Interpretation>
-      interpretations;         ///< of Results::interpretations, without the most expensive ones
-  std::vector<double> losses;  ///< one for each interpretation
-  double rank_correlation;     ///< Spearman's, with the losses of Results::interpretations
-};
-
 struct Results {
   Plan plan;
   std::vector<RankedFit> interpretations;  ///< by rising loss; the best ones after refinement
-  std::vector<Ranking> rankings;
   /// Starts with the best interpretation by criterion among those whose cases share a scene, by
   /// decreasing number of fitted parameters: each step fixes one more of them at its natural value,
   /// the one that increases the loss least.
@@ -77,7 +64,6 @@ struct Results {
   /// For each of these the fits that are as good as the best, by rising criterion: the loss,
   /// evaluated at few speeds, does not separate them.
   std::vector<std::vector<RankedFit>> converged;
-  std::optional<VariantResults> variants;
   RankedFit usual;  ///< the default interpretation, by the current loss
   std::vector<Prediction> predictions;
   std::vector<CaseSensitivity> sensitivities;

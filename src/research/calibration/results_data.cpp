@@ -56,30 +56,6 @@ Json answers_of(const std::vector<RankedFit>& interpretations) {
   return rows;
 }
 
-Json rankings_of(const Results& results) {
-  Json searches = Json::array();
-  Json rows = Json::array(
-      {{{"interpretation", "rank correlation"}, {"own", nullptr}, {"others", Json::array()}}});
-  for (const Ranking& r : results.rankings) {
-    searches.push_back({{"solver", r.search.global.name}, {"seed", r.search.seed}});
-    rows[0]["others"].push_back({{"correlation", r.rank_correlation}, {"loss", nullptr}});
-  }
-  for (const RankedFit& own : results.interpretations) {
-    Json others = Json::array();
-    for (const Ranking& r : results.rankings) {
-      const auto found =
-          std::find(r.interpretations.begin(), r.interpretations.end(), own.fit.interpretation);
-      const auto i = static_cast<std::size_t>(found - r.interpretations.begin());
-      others.push_back(
-          {{"correlation", nullptr}, {"loss", i < r.losses.size() ? Json(r.losses[i]) : Json()}});
-    }
-    rows.push_back({{"interpretation", name_of(own.fit.interpretation)},
-                    {"own", own.fit.loss},
-                    {"others", std::move(others)}});
-  }
-  return {{"searches", std::move(searches)}, {"rows", std::move(rows)}};
-}
-
 /// The default interpretation, which every other command uses, and whether it is the choice.
 Json usual_of(const Results& results) {
   const Fit& usual = results.usual.fit;
@@ -213,12 +189,6 @@ Json interval_of(const Profile& p) {
           {"determined", !p.lower_open && !p.upper_open}};
 }
 
-Json points_of(const Profile& profile) {
-  return list_of(profile.points, [](const auto& point) -> Json {
-    return {{"value", point.first}, {"loss", point.second}};
-  });
-}
-
 /// Sensitivity of each case's threshold to the free parameters of the choice, a row for each
 /// parameter.
 Json sensitivity_of(const Results& results) {
@@ -259,9 +229,7 @@ Json data_of(const Results& results) {
                {"nearest", Json::array()},
                {"others", Json::array()},
                {"answers", answers_of(results.interpretations)},
-               {"rankings", results.rankings.empty() ? Json() : rankings_of(results)},
                {"convergence", results.convergence.empty() ? Json() : convergence_of(results)},
-               {"variants", results.variants ? data_of(*results.variants) : Json()},
                {"frontier", frontier_of(results.frontier)},
                {"constants", constants_of(results.choice().fit)},
                {"prediction_error", unseen},
@@ -271,13 +239,11 @@ Json data_of(const Results& results) {
                 std::count_if(profiles.begin(), profiles.end(),
                               [](const Profile& p) { return !p.lower_open && !p.upper_open; })},
                {"intervals", list_of(profiles, interval_of)},
-               {"sensitivity", sensitivity_of(results)},
-               {"profiles", Json::object()}};
+               {"sensitivity", sensitivity_of(results)}};
   data["best"]["description"] = description_of(results.interpretations.front().fit.interpretation);
   for (const RankedFit& r : results.interpretations) {
     data[data["nearest"].size() < nearest ? "nearest" : "others"].push_back(data_of(r));
   }
-  for (const Profile& p : profiles) data["profiles"][words_of(p.constant)] = points_of(p);
   return data;
 }
 

@@ -30,20 +30,9 @@ Plan plan_of(const CalibrationOptions& options, bool quick) {
                                 ? carrier_track::default_interpretation().interpretation
                                 : carrier_track::find_interpretation(options.interpretation)};
   }
-  if (options.check) {
-    Search reseeded = search;
-    ++reseeded.seed;
-    Search other = search;
-    other.global = solver_named(options.solver == "nlopt-crs2" ? "pagmo-sade" : "nlopt-crs2");
-    plan.checks = {std::move(reseeded), std::move(other)};
-  }
   if (options.converge) {
     const auto convergence = quick ? quick_convergence : full_convergence;
     plan.convergence = convergence(solver_named("pagmo-sade"), solver_named("pagmo-de1220"));
-  }
-  if (options.variants) {
-    const auto variants = quick ? quick_variant_plan : full_variant_plan;
-    plan.variants = variants(solver_named("pagmo-cmaes-ipop"), solver_named("nlopt-sbplx"));
   }
   return plan;
 }

@@ -10,10 +10,8 @@ namespace ricochet::studies {
 struct CalibrationOptions {
   std::string interpretation;  ///< empty: the default one
   bool all_interpretations = false;
-  bool check = false;  ///< also ranks the interpretations with another seed and another solver
   bool converge =
       false;  ///< searches the best interpretations at length, with several solvers and seeds
-  bool variants = false;  ///< also fits model variants that are not interpretations of the paper
   int seed = 1;
   std::string solver = "pagmo-sade";  ///< global solver
   std::filesystem::path folder;       ///< the report's

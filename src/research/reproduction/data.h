@@ -21,6 +21,11 @@ report::Json threshold_data(const std::vector<CaseStudy>& cases);
 /// How much of the thresholds, the paper's and the computed ones, simple formulas explain.
 report::Json theory_data(const std::vector<CaseStudy>& cases);
 
+/// How close any model can come to the paper's thresholds, whatever its equations: lower bounds, in
+/// closed form, on the error of thresholds that are ordered as the paper concludes, that fall in
+/// proportion to the disturbance, and that do not depend on it.
+report::Json bound_data();
+
 /// Collision count against speed, one chart for each case.
 report::Json curve_data(const std::vector<CaseStudy>& cases);
 

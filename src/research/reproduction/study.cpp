@@ -132,6 +132,7 @@ Json data_of(const Results& results) {
           {"speeds", speed_data(results.cases)},
           {"thresholds", threshold_data(results.cases)},
           {"theory", theory_data(results.cases)},
+          {"bounds", bound_data()},
           {"counts", curve_data(results.cases)},
           {"sharpness", sharpness_data(results.cases)},
           {"steps", step_data(results.cases)},

@@ -32,12 +32,12 @@ TEST_F(FoundReports, AreThoseOfKnownKindsInTheirOrder) {
 
 TEST_F(FoundReports, AreNotReadDeeperThanTheStackHolds) {
   const std::size_t levels = 200'000;
-  std::filesystem::create_directories(folder_ / "limits");
-  std::ofstream(folder_ / "limits" / "data.json")
-      << R"({"report":"limits","deep":)" << std::string(levels, '[') << std::string(levels, ']')
+  std::filesystem::create_directories(folder_ / "surrogate");
+  std::ofstream(folder_ / "surrogate" / "data.json")
+      << R"({"report":"surrogate","deep":)" << std::string(levels, '[') << std::string(levels, ']')
       << "}";
   EXPECT_TRUE(found_reports(folder_).empty());
-  EXPECT_THAT(folders_of_data(folder_), ElementsAre("limits"));
+  EXPECT_THAT(folders_of_data(folder_), ElementsAre("surrogate"));
 }
 
 TEST_F(FoundReports, OfAFolderThatIsNoneAreNone) {
@@ -66,7 +66,8 @@ TEST_F(FoundReports, OfAnotherVersionHaveNoHeadline) {
   keep(folder_, "stress", {{"report", "stress"}, {"headline", headline}});
   keep(folder_, "verification", {{"report", "verification"}, {"headline", "Found: all"}});
   headline.version = report::headline_version;
-  keep(folder_, "limits", {{"report", "limits"}, {"headline", headline}});  // and nothing else
+  keep(folder_, "surrogate",
+       {{"report", "surrogate"}, {"headline", headline}});  // and nothing else
   EXPECT_EQ(found_reports(folder_).size(), 3U);
   for (const FoundReport& report : found_reports(folder_)) EXPECT_FALSE(report.headline);
 }

@@ -32,7 +32,6 @@ Results some_results() {
       ranked(Interpretation{}, {Unknown::pull, Unknown::counting_limit, Unknown::phase}, 20),
       ranked(Interpretation{}, {Unknown::pull, Unknown::counting_limit}, 21)};
   results.chosen = 1;
-  results.rankings = {{some_search(2), {Interpretation{}}, {22.5}, 0.75}};
   results.usual =
       ranked(default_interpretation().interpretation, default_interpretation().free, 29);
   results.plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 800, 400, 2};
@@ -50,37 +49,6 @@ Results some_results() {
   results.profiles = {
       {Unknown::pull, 1, 0.5, 2, false, true, {{0.5, 22}, {1, 21}, {2, 21.5}}},
       {Unknown::counting_limit, 0.01, 0.009, 0.02, false, false, {{0.009, 22}, {0.01, 21}}}};
-  return results;
-}
-
-/// Of a model variant.
-JudgedVariant judged_variant(const std::string& name, bool brief, double loss) {
-  JudgedVariant judged{
-      {}, brief ? 3 : 12, {}, appraise(ranked(Interpretation{}, {}, loss).fit, 1.0)};
-  judged.variant.name = name;
-  judged.variant.description = "Something is changed.";
-  judged.variant.brief = brief;
-  judged.variant.own = {{"stiffness", "N/m", 1, 9, false, 5, "why"}};
-  judged.fits = {{Interpretation{}, {}, natural_constants(), loss, "", {4}},
-                 {Interpretation{}, {}, natural_constants(), loss + 1, "", {5}}};
-  return judged;
-}
-
-VariantResults some_variants() {
-  VariantResults results;
-  results.plan = {some_search(12), 3, {1, 2}, 1.0, 1.0, {1, 2}};
-  results.baselines = {judged_variant("nothing", false, 30),
-                       judged_variant("nothing-brief", true, 25)};
-  results.variants = {judged_variant("random-disturbance", false, 20),
-                      judged_variant("ode45-default", true, 25.5),
-                      judged_variant("ode45-tight", true, 40)};
-  results.drawn = "random-disturbance";
-  results.draws = {{1, 20, {7.0, 6.0, std::nullopt, 5.0, 4.0, 3.0}},
-                   {2, 28.25, {7.7, 6.0, std::nullopt, 5.0, 4.0, 3.0}}};
-  const std::vector<CaseAppraisal>& cases = results.baselines[0].appraisal.cases;
-  results.integrations = {{"ode45-default", 4, cases, cases, cases},
-                          {"ode45-tight", 4, cases, cases, cases}};
-  results.integrations[0].usual[0].scan.counts[0] += 1;
   return results;
 }
 
@@ -124,8 +92,8 @@ TEST(ResultsData, FillTablesAndChartsThatHoldTogether) {
     }
   }
   EXPECT_EQ(ids_of(page),
-            (std::set<std::string>{"interpretations", "answers", "rankings", "convergence",
-                                   "frontier", "predictions", "constants", "origin"}));
+            (std::set<std::string>{"interpretations", "answers", "convergence", "frontier",
+                                   "predictions", "constants", "origin"}));
   EXPECT_EQ(charts, (std::set<std::string>{"error-against-parameterisation", "sensitivity",
                                            "profile-pull", "profile-counting-limit"}));
 }
@@ -216,41 +184,6 @@ TEST(ResultsData, ChooseOfTheConvergedRowsTheOneWithTheLowestCriterion) {
   EXPECT_EQ(&results.choice(), &results.frontier[1]);
 }
 
-TEST(ResultsData, SetModelVariantsBesideTheirBaselines) {
-  Results results = some_results();
-  results.variants = some_variants();
-  const report::Page page = drawing_of(results).page;
-  const auto rows = rows_of(page, "variants");
-  ASSERT_EQ(rows.size(), 5U);
-  EXPECT_EQ(rows[0][5].text, "–");
-  EXPECT_EQ(rows[2][0].text, "random-disturbance");
-  EXPECT_EQ(rows[2][3].text, "20.0, 21.0");
-  EXPECT_EQ(rows[2][4].text, "nothing");
-  EXPECT_EQ(rows[2][5].text, "+10.0");
-  EXPECT_EQ(rows[2][5].state, report::State::good);
-  EXPECT_EQ(rows[3][5].state, report::State::bad);
-  for (const report::Section& section : page.sections) {
-    for (const report::Figure& figure : section.figures) {
-      EXPECT_NO_THROW(report::check(figure.chart)) << figure.chart.name;
-    }
-    if (section.id != "variants") continue;
-    EXPECT_EQ(section.paragraphs[0].substr(0, 46),
-              "1 of 3 model variants come nearer to the paper");
-    EXPECT_NE(
-        section.paragraphs[0].find("Statistically tied with what they change: ode45-default."),
-        std::string::npos)
-        << section.paragraphs[0];
-  }
-  const auto integration = rows_of(page, "integration");
-  EXPECT_EQ(integration[0][5].text, "5.6") << "1 of 18 speeds";
-  EXPECT_EQ(integration[0][6].text, "0.0");
-  const auto draws = rows_of(page, "draws");
-  ASSERT_EQ(draws.size(), 6U);
-  EXPECT_EQ(draws[0][3].text, "7.7");
-  EXPECT_EQ(draws[0][4].text, "9.5");  // 100 ln(7.7 / 7)
-  EXPECT_EQ(draws[2][4].text, "–");
-}
-
 TEST(ResultsData, EndTheCommandWithTheRankedTable) {
   const std::string epilogue = drawing_of(some_results()).epilogue;
   const std::string name = name_of(Interpretation{});
@@ -258,19 +191,11 @@ TEST(ResultsData, EndTheCommandWithTheRankedTable) {
       << epilogue;
   EXPECT_NE(epilogue.find("\n\nThe best interpretation, with fewer"), std::string::npos)
       << epilogue;
-  EXPECT_EQ(epilogue.find("model variant"), std::string::npos) << epilogue;
-  Results more = some_results();
-  more.variants = some_variants();
-  const std::string longer = drawing_of(more).epilogue;
-  EXPECT_NE(longer.find("\n\nmodel variant  "), std::string::npos) << longer;
-  EXPECT_NE(longer.find("\n1 of 3 come nearer than what they change"), std::string::npos) << longer;
-  EXPECT_NE(longer.find("from every seed\n\nThresholds "), std::string::npos) << longer;
 }
 
 TEST(ResultsData, LeaveOutWhatOneInterpretationDoesNotHave) {
   Results results = some_results();
   results.interpretations.pop_back();
-  results.rankings.clear();
   results.convergence.clear();
   EXPECT_EQ(ids_of(drawing_of(results).page),
             (std::set<std::string>{"frontier", "predictions", "constants", "origin"}));

@@ -15,9 +15,6 @@ inline Plan tiny_plan() {
   plan.step = 0.2;
   plan.interpretations = {carrier_track::find_interpretation("projected-constant-revolutions"),
                           carrier_track::find_interpretation("inward-rotating-seconds")};
-  Search other = some_search(1);
-  other.seed = 2;
-  plan.checks = {other};
   plan.convergence = ConvergencePlan{{some_search(1).global}, {1, 2}, 4, 3, 3};
   return plan;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "src/benchmark/experiment/campaign/plan_table.h"
 #include "src/core/name.h"
 #include "src/core/toml_file.h"
@@ -25,18 +27,7 @@ MachineGrid grid_from(const toml::table& table, const std::string& place) {
   return grid;
 }
 
-/// The part with the keys of version 1 replaced by today's, each with a warning.
-toml::table with_new_keys(toml::table table, const std::string& place) {
-  for (const auto& [old_key, key] :
-       {std::pair("questions", "problems"), std::pair("forms", "formulations"),
-        std::pair("widths", "smoothings"), std::pair("features", "perturbations")}) {
-    rename_key(table, old_key, key, place + ": ");
-  }
-  return table;
-}
-
-PlanPart part_from(const toml::table& given, const std::string& place) {
-  const toml::table table = with_new_keys(given, place);
+PlanPart part_from(const toml::table& table, const std::string& place) {
   const PlanTable in(table, place);
   in.check_keys({"name", "problems", "machines", "drawn_machines", "relocated_optimum", "variables",
                  "constrained", "solvers", "formulations", "smoothings", "perturbations",
@@ -151,9 +142,30 @@ PlanScene scene_from(const toml::table& table, const std::string& place, SceneFi
   return scene;
 }
 
-Plan plan_of(const toml::table& file, const std::string& origin, SceneFiles files) {
+/// Adds what another plan has to run, but for its name, first instance and limits.
+void add_plan(Plan& plan, const Plan& other) {
+  plan.solvers.insert(plan.solvers.end(), other.solvers.begin(), other.solvers.end());
+  plan.scenes.insert(plan.scenes.end(), other.scenes.begin(), other.scenes.end());
+  plan.parts.insert(plan.parts.end(), other.parts.begin(), other.parts.end());
+}
+
+/// Throws InputError if two solvers, scenes or named parts have one name.
+template <class List>
+void check_names(const List& list, const std::string& origin, const std::string& what) {
+  std::set<std::string> names;
+  int number = 0;
+  for (const auto& one : list) {
+    ++number;
+    if (one.name.empty() || names.insert(one.name).second) continue;
+    throw InputError(fmt::format("{}, {} {}: name = '{}': must be unlike that of another {}",
+                                 origin, what, number, one.name, what));
+  }
+}
+
+Plan plan_of(const toml::table& file, const std::string& origin, SceneFiles files,
+             const PlanByName& included) {
   const PlanTable in(file, origin);
-  in.check_keys({"name", "first_instance", "limits", "solver", "scene", "part"});
+  in.check_keys({"name", "include", "first_instance", "limits", "solver", "scene", "part"});
   Plan plan;
   in.read("name", plan.name);
   in.read("first_instance", plan.first_instance);
@@ -171,23 +183,23 @@ Plan plan_of(const toml::table& file, const std::string& origin, SceneFiles file
   }
   if (file.contains("scene")) {
     each_table(file, origin, "scene", [&](const toml::table& table, const std::string& place) {
-      PlanScene scene = scene_from(table, place, files);
-      for (const PlanScene& other : plan.scenes) {
-        if (scene.name != other.name) continue;
-        PlanTable(table, place).refuse("name", *table.get("name"), "unlike that of another scene");
-      }
-      plan.scenes.push_back(std::move(scene));
+      plan.scenes.push_back(scene_from(table, place, files));
     });
   }
-  in.need("part");
-  each_table(file, origin, "part", [&](const toml::table& table, const std::string& place) {
-    PlanPart part = part_from(table, place);
-    for (const PlanPart& other : plan.parts) {
-      if (part.name.empty() || part.name != other.name) continue;
-      PlanTable(table, place).refuse("name", *table.get("name"), "unlike that of another part");
-    }
-    plan.parts.push_back(std::move(part));
-  });
+  std::vector<std::string> include;
+  in.read("include", include);
+  if (include.empty()) in.need("part");
+  if (file.contains("part"))
+    each_table(file, origin, "part", [&](const toml::table& table, const std::string& place) {
+      plan.parts.push_back(part_from(table, place));
+    });
+  if (!include.empty() && !included) {
+    in.refuse("include", *file.get("include"), "left out: this plan is stored, or included itself");
+  }
+  for (const std::string& name : include) add_plan(plan, included(name));
+  check_names(plan.solvers, origin, "solver");
+  check_names(plan.scenes, origin, "scene");
+  check_names(plan.parts, origin, "part");
   return plan;
 }
 
@@ -269,12 +281,13 @@ std::string text_of(const PlanPart& part) {
 
 }  // namespace
 
-Plan plan_from(const std::string& text, const std::string& origin) {
-  return plan_of(parse_toml(text, origin), origin, SceneFiles::refused);
+Plan plan_from(const std::string& text, const std::string& origin, const PlanByName& included) {
+  return plan_of(parse_toml(text, origin), origin, SceneFiles::refused, included);
 }
 
-Plan read_plan(const std::string& file) {
-  return plan_of(parse_toml_file(file == "-" ? "/dev/stdin" : file), file, SceneFiles::read);
+Plan read_plan(const std::string& file, const PlanByName& included) {
+  return plan_of(parse_toml_file(file == "-" ? "/dev/stdin" : file), file, SceneFiles::read,
+                 included);
 }
 
 std::string text_of(const Plan& plan) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -74,12 +75,16 @@ struct Plan {
   std::vector<PlanPart> parts;
 };
 
-/// Reads a plan. Throws InputError with origin, place, value and allowed range. Scenes must be
-/// given as text: a plan in a store names no files.
-Plan plan_from(const std::string& text, const std::string& origin);
+/// Returns the plan of a name that a plan has under `include`. Throws InputError if there is none.
+using PlanByName = std::function<Plan(const std::string& name)>;
+
+/// Reads a plan; the parts, solvers and scenes of the plans that it includes come after its own.
+/// Throws InputError with origin, place, value and allowed range. Scenes must be given as text, and
+/// without `included` no plan may be included: a plan in a store names no files.
+Plan plan_from(const std::string& text, const std::string& origin, const PlanByName& included = {});
 
 /// The same from a file. Scenes may be files, which are read at once.
-Plan read_plan(const std::string& file);
+Plan read_plan(const std::string& file, const PlanByName& included = {});
 
 /// TOML text that reads back to the same plan.
 std::string text_of(const Plan& plan);

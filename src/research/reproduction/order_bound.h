@@ -7,7 +7,7 @@
 
 /// Lower bounds on the error of a model's thresholds if they are ordered as the paper concludes:
 /// valid for any equations and parameters of the model.
-namespace ricochet::studies::limits {
+namespace ricochet::studies::reproduction {
 
 /// One value must not be greater than another; both by index.
 struct AtMost {
@@ -57,4 +57,4 @@ OrderBound proportional_bound(const std::vector<Response>& responses, std::size_
 std::vector<carrier_track::Case> cases_with_threshold();
 std::vector<double> log_thresholds(const std::vector<carrier_track::Case>& cases);
 
-}  // namespace ricochet::studies::limits
+}  // namespace ricochet::studies::reproduction

@@ -1,4 +1,4 @@
-#include "src/research/limits/order_bound.h"
+#include "src/research/reproduction/order_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "ricochet/random.h"
 
-namespace ricochet::studies::limits {
+namespace ricochet::studies::reproduction {
 namespace {
 
 using namespace carrier_track;
@@ -153,4 +153,4 @@ TEST(ProportionalBound, IsThatOfAllConcaveThresholds) {
 }
 
 }  // namespace
-}  // namespace ricochet::studies::limits
+}  // namespace ricochet::studies::reproduction

@@ -1,13 +1,16 @@
-#include "src/research/limits/order_bound.h"
+#include "src/research/reproduction/order_bound.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
-namespace ricochet::studies::limits {
+#include "src/research/reproduction/data.h"
+
+namespace ricochet::studies::reproduction {
 namespace {
 
 using namespace carrier_track;
@@ -165,4 +168,26 @@ std::vector<double> log_thresholds(const std::vector<Case>& cases) {
   return logs;
 }
 
-}  // namespace ricochet::studies::limits
+report::Json bound_data() {
+  const std::vector<Case> cases = cases_with_threshold();
+  const std::vector<double> logs = log_thresholds(cases);
+  const std::vector<Response> all = responses(cases);
+  const auto row = [](const char* premise, const OrderBound& bound) -> report::Json {
+    return {{"premise", premise},
+            {"largest", std::expm1(bound.largest)},
+            {"root_mean_square", std::expm1(bound.root_mean_square)}};
+  };
+  report::Json steepest = report::list_of(all, [](const Response& r) -> report::Json {
+    return {{"first", r.cases.front().id}, {"first_share", r.first_share}};
+  });
+  std::ranges::sort(steepest, std::greater(), [](const auto& r) { return r["first_share"]; });
+  return {
+      {"rows",
+       {row("in the order that the paper concludes", isotonic_bound(logs, concluded_order(cases))),
+        row("falling in proportion to the disturbance, or more steeply",
+            proportional_bound(all, cases.size())),
+        row("the same whatever the disturbance", isotonic_bound(logs, indifferent_order(cases)))}},
+      {"steepest", steepest.front()}};
+}
+
+}  // namespace ricochet::studies::reproduction
